@@ -1,1 +1,6 @@
-//! TODO
+//! Boundary value problems for ordinary differential equations in several regions, with unknown constants and
+//! integral conditions, by collocation.
+
+pub mod problem;
+
+pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};

@@ -1,0 +1,282 @@
+//! What a boundary value problem is.
+//!
+//! ```text
+//! region r:   y_r' = f_r(s, y_r, c),          s in [a_r, b_r],   n_r states
+//!             I_r  = ∫ q_r(s, y_r, c) ds,     k_r integrals
+//! boundary:   g(y_1(a), y_1(b), ..., I, c) = 0,    Σ n_r + (number of unknown constants) equations
+//! ```
+//!
+//! Regions meet only in the boundary equations, which may mix all ends, all integrals and all constants:
+//! interface, multi-point, periodic and integral conditions are all of this kind. A region of unknown
+//! length is written on a fixed interval with its length among the constants.
+
+use thiserror::Error;
+
+/// One state of a region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Name that messages use.
+    pub name: String,
+    /// Typical magnitude; the solver scales by the larger of this and what it finds.
+    pub scale: Option<f64>,
+}
+
+/// A constant of the problem: given, or unknown and found by the solver.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constant {
+    /// Name that messages use.
+    pub name: String,
+    /// Typical magnitude; the solver scales by the larger of this and what it finds.
+    pub scale: Option<f64>,
+}
+
+/// One region: an interval with its own states, integrals and mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// Name that messages use.
+    pub name: String,
+    /// Interval `(a, b)` of the independent variable, `a < b`.
+    pub interval: (f64, f64),
+    /// The `n` states.
+    pub states: Vec<State>,
+    /// Names of the `k` integrals.
+    pub integrals: Vec<String>,
+    /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, rows `n..n+k` the integrands.
+    pub state_pattern: Vec<(usize, usize)>,
+    /// Structurally nonzero derivatives `(row, constant)`, rows as in `state_pattern`.
+    pub constant_pattern: Vec<(usize, usize)>,
+    /// How many leading entries of `constant_pattern` are written under [`Scope::Usual`].
+    pub usual_entries: usize,
+}
+
+impl Region {
+    /// A region with dense patterns: every row depends on every state and on all of `constants` constants.
+    pub fn dense(name: &str, interval: (f64, f64), states: &[&str], integrals: &[&str], constants: usize) -> Self {
+        let rows = states.len() + integrals.len();
+        let all = |columns: usize| (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();
+        let state_pattern = all(states.len());
+        let constant_pattern: Vec<_> = all(constants);
+        Self {
+            name: name.to_owned(),
+            interval,
+            states: states.iter().map(|&name| State { name: name.to_owned(), scale: None }).collect(),
+            integrals: integrals.iter().map(|&name| name.to_owned()).collect(),
+            state_pattern,
+            usual_entries: constant_pattern.len(),
+            constant_pattern,
+        }
+    }
+
+    /// Rows of the kernel: states, then integrals.
+    pub fn rows(&self) -> usize {
+        self.states.len() + self.integrals.len()
+    }
+}
+
+/// Names, sizes and sparsity of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    /// The regions, in the order in which ends and integrals are stacked.
+    pub regions: Vec<Region>,
+    /// All constants, given and unknown alike; which are unknown is chosen at solve time.
+    pub constants: Vec<Constant>,
+    /// Names of the boundary equations.
+    pub equations: Vec<String>,
+    /// Structurally nonzero derivatives `(equation, input)`; inputs are ends, then integrals, then constants.
+    pub boundary_pattern: Vec<(usize, usize)>,
+}
+
+impl Layout {
+    /// A layout whose boundary equations depend on every end, integral and constant.
+    pub fn dense(regions: Vec<Region>, constants: &[&str], equations: &[&str]) -> Self {
+        let mut layout = Self {
+            regions,
+            constants: constants.iter().map(|&name| Constant { name: name.to_owned(), scale: None }).collect(),
+            equations: equations.iter().map(|&name| name.to_owned()).collect(),
+            boundary_pattern: Vec::new(),
+        };
+        let inputs = layout.inputs();
+        layout.boundary_pattern =
+            (0..equations.len()).flat_map(|row| (0..inputs).map(move |input| (row, input))).collect();
+        layout
+    }
+
+    /// Σ n_r.
+    pub fn states(&self) -> usize {
+        self.regions.iter().map(|region| region.states.len()).sum()
+    }
+
+    /// Number of end values: 2 Σ n_r.
+    pub fn ends(&self) -> usize {
+        2 * self.states()
+    }
+
+    /// Σ k_r.
+    pub fn integrals(&self) -> usize {
+        self.regions.iter().map(|region| region.integrals.len()).sum()
+    }
+
+    /// Inputs of the boundary equations: ends, integrals, constants.
+    pub fn inputs(&self) -> usize {
+        self.ends() + self.integrals() + self.constants.len()
+    }
+
+    /// Index among the ends of the entry (`exit = false`) or exit value of a state.
+    pub fn end(&self, region: usize, state: usize, exit: bool) -> usize {
+        let before: usize = self.regions.iter().take(region).map(|region| 2 * region.states.len()).sum();
+        let here = self.regions.get(region).map_or(0, |region| region.states.len());
+        before + state + if exit { here } else { 0 }
+    }
+
+    /// Index of the constant of this name.
+    pub fn constant(&self, name: &str) -> Option<usize> {
+        self.constants.iter().position(|constant| constant.name == name)
+    }
+
+    /// Index of the region of this name.
+    pub fn region(&self, name: &str) -> Option<usize> {
+        self.regions.iter().position(|region| region.name == name)
+    }
+
+    /// Checks every index and interval, so that nothing later can run out of bounds.
+    ///
+    /// # Errors
+    /// The first inconsistency found.
+    pub fn check(&self) -> Result<(), LayoutError> {
+        let constants = self.constants.len();
+        for region in &self.regions {
+            let (a, b) = region.interval;
+            if !(a.is_finite() && b.is_finite() && a < b) {
+                return Err(LayoutError::Interval { region: region.name.clone(), a, b });
+            }
+            if region.states.is_empty() {
+                return Err(LayoutError::NoStates { region: region.name.clone() });
+            }
+            let (n, rows) = (region.states.len(), region.rows());
+            let outside = |pattern: &[(usize, usize)], columns| {
+                pattern.iter().find(|&&(row, column)| row >= rows || column >= columns).copied()
+            };
+            let found = outside(&region.state_pattern, n).or_else(|| outside(&region.constant_pattern, constants));
+            if let Some((row, column)) = found {
+                return Err(LayoutError::RegionPattern { region: region.name.clone(), row, column });
+            }
+            if region.usual_entries > region.constant_pattern.len() {
+                return Err(LayoutError::UsualEntries { region: region.name.clone() });
+            }
+        }
+        let inputs = self.inputs();
+        let outside = |&&(row, input): &&(usize, usize)| row >= self.equations.len() || input >= inputs;
+        match self.boundary_pattern.iter().find(outside) {
+            Some(&(row, input)) => Err(LayoutError::BoundaryPattern { row, input }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A layout that contradicts itself.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum LayoutError {
+    /// The interval is empty, reversed or not finite.
+    #[error("region {region}: [{a}, {b}] is no interval")]
+    Interval {
+        /// Region.
+        region: String,
+        /// Start.
+        a: f64,
+        /// End.
+        b: f64,
+    },
+    /// A region must have at least one state.
+    #[error("region {region} has no states")]
+    NoStates {
+        /// Region.
+        region: String,
+    },
+    /// An entry of a region's pattern lies outside the kernel's rows or columns.
+    #[error("region {region}: pattern entry ({row}, {column}) lies outside the right-hand side's derivatives")]
+    RegionPattern {
+        /// Region.
+        region: String,
+        /// Row of the entry.
+        row: usize,
+        /// Column of the entry.
+        column: usize,
+    },
+    /// More usual entries than entries.
+    #[error("region {region}: more usual entries than entries in the constants' pattern")]
+    UsualEntries {
+        /// Region.
+        region: String,
+    },
+    /// An entry of the boundary pattern lies outside the equations or inputs.
+    #[error("boundary pattern entry ({row}, {input}) lies outside the boundary equations' derivatives")]
+    BoundaryPattern {
+        /// Equation.
+        row: usize,
+        /// Input.
+        input: usize,
+    },
+}
+
+/// Points of one region, structure of arrays: component `i` of point `j` is `y[i * stride + j]`, `j < len <= stride`.
+#[derive(Debug, Clone, Copy)]
+pub struct Points<'a> {
+    /// Number of points.
+    pub len: usize,
+    /// Distance between components; every output of the same call uses it too.
+    pub stride: usize,
+    /// Independent variable, at least `len` values.
+    pub s: &'a [f64],
+    /// States, `n * stride` values.
+    pub y: &'a [f64],
+}
+
+impl Points<'_> {
+    /// Component `i` of point `j`.
+    #[inline]
+    pub fn at(&self, i: usize, j: usize) -> f64 {
+        self.y[i * self.stride + j]
+    }
+}
+
+/// Which derivatives with respect to constants are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// The leading `usual_entries` of the region's constant pattern.
+    Usual,
+    /// All of the pattern: tangents and sensitivities.
+    All,
+}
+
+/// A boundary value problem: see the module's head for the mathematics.
+///
+/// All arrays of a batch share the stride of its [`Points`]. Values are unspecified on entry; every entry of the
+/// pattern must be written. A point where the function is undefined is answered with NaN: the solver steps back.
+pub trait Problem {
+    /// Names, sizes and sparsity. Must not change between calls.
+    fn layout(&self) -> &Layout;
+
+    /// Right-hand side, then integrands: `f[row * stride + j]`, `(n + k) * stride` values.
+    fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]);
+
+    /// As [`rhs`](Self::rhs), and the derivatives: `dy[entry * stride + j]` for the entries of `state_pattern`,
+    /// `dc[entry * stride + j]` for those of `constant_pattern` that `scope` names.
+    fn rhs_jacobian(
+        &self,
+        region: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        scope: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    );
+
+    /// Boundary residuals `g`, one an equation. `ends`: region by region, all entry states, then all exit states.
+    /// `integrals`: region by region, over the full region.
+    fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]);
+
+    /// As [`boundary`](Self::boundary), and the derivatives: one for each entry of `boundary_pattern`.
+    fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
+}
