@@ -1,0 +1,98 @@
+//! What a generated kernel looks like to its caller.
+
+/// A quantity: a state, constant, integral or derived field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Symbol {
+    /// Name in Rust, and in tables and files.
+    pub name: &'static str,
+    /// Symbol as the thesis prints it.
+    pub symbol: &'static str,
+    /// SI unit; empty for a pure number.
+    pub unit: &'static str,
+    /// What it is, in one line.
+    pub doc: &'static str,
+}
+
+/// A batch of points in, values and derivatives out.
+///
+/// Structure of arrays: component `i` of point `j` stands at `[i * stride + j]`, `j < m <= stride`.
+/// `s` holds at least `m` values of the independent variable, `y` the `n * stride` states, `constants` one value
+/// for each of the kernel's constants. Entries beyond `m` are left alone.
+///
+/// # Panics
+/// If a slice that the function needs is too short, with a message that names it.
+pub type RegionFn = fn(m: usize, stride: usize, s: &[f64], y: &[f64], constants: &[f64], out: &mut RegionOut<'_>);
+
+/// Where a [`RegionFn`] writes; slices that the function does not need may be empty.
+#[derive(Debug)]
+pub struct RegionOut<'a> {
+    /// Right-hand side, then integrands: `(n + k) * stride`.
+    pub f: &'a mut [f64],
+    /// Derivatives with respect to states: one row of `stride` an entry of `state_pattern`.
+    pub dy: &'a mut [f64],
+    /// Derivatives with respect to constants: one row of `stride` an entry of `constant_pattern`.
+    pub dc: &'a mut [f64],
+    /// Derived fields: one row of `stride` a field.
+    pub fields: &'a mut [f64],
+}
+
+/// One region's right-hand side with its integrands, as generated.
+#[derive(Debug, Clone, Copy)]
+pub struct RegionKernel {
+    /// Name, as in `contact_full_tanh`.
+    pub name: &'static str,
+    /// The `n` states.
+    pub states: &'static [Symbol],
+    /// Constants, the usual unknowns first.
+    pub constants: &'static [Symbol],
+    /// The `k` integrals.
+    pub integrals: &'static [Symbol],
+    /// Derived fields.
+    pub fields: &'static [Symbol],
+    /// The first `usual` constants are usually unknown.
+    pub usual: usize,
+    /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, `n..n+k` the integrands.
+    pub state_pattern: &'static [(usize, usize)],
+    /// Structurally nonzero derivatives `(row, constant)`; those of the usual constants stand first.
+    pub constant_pattern: &'static [(usize, usize)],
+    /// How many leading entries of `constant_pattern` belong to usual constants.
+    pub usual_entries: usize,
+    /// Writes `f`.
+    pub value: RegionFn,
+    /// Writes `f`, `dy` and the leading `usual_entries` rows of `dc`.
+    pub jacobian: RegionFn,
+    /// Writes `f`, `dy` and all of `dc`.
+    pub full: RegionFn,
+    /// Writes `fields`.
+    pub fields_fn: RegionFn,
+}
+
+/// One boundary equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Equation {
+    /// Name in Rust, and in messages.
+    pub name: &'static str,
+    /// What it says, with its number in the thesis.
+    pub doc: &'static str,
+}
+
+/// All boundary equations of a belt drive, as generated.
+#[derive(Debug, Clone, Copy)]
+pub struct BoundaryKernel {
+    /// Name, as in `boundary_continuous_full`.
+    pub name: &'static str,
+    /// The equations, in the order of the residuals.
+    pub equations: &'static [Equation],
+    /// Ends: region by region, all entry states, then all exit states.
+    pub ends: &'static [Symbol],
+    /// Integrals over each region, region by region.
+    pub integrals: &'static [Symbol],
+    /// Constants of the whole drive.
+    pub constants: &'static [Symbol],
+    /// Structurally nonzero derivatives `(equation, input)`; inputs are ends, then integrals, then constants.
+    pub pattern: &'static [(usize, usize)],
+    /// `(ends, integrals, constants, g)`: writes one residual an equation.
+    pub value: fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]),
+    /// `(ends, integrals, constants, g, dz)`: also writes one derivative an entry of `pattern`.
+    pub jacobian: fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]),
+}
