@@ -1,1 +1,3 @@
 //! The belt drive.
+
+pub mod quantity;
