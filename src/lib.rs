@@ -1,3 +1,4 @@
 //! The belt drive.
 
+pub mod case;
 pub mod quantity;

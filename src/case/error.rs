@@ -1,0 +1,313 @@
+//! What can be wrong with a case, and where.
+
+use super::geometry::NoRadii;
+use super::keys::Key;
+use crate::quantity::QuantityError;
+use miette::{Diagnostic, LabeledSpan, SourceCode};
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A text that says something about a case: a file, or an argument.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// The file's name, or the option's.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// Where something was said: byte ranges in a source.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// The text.
+    pub source: Arc<Source>,
+    /// The key.
+    pub key: Range<usize>,
+    /// The value, or what is wrong if there is none.
+    pub value: Range<usize>,
+}
+
+impl Place {
+    /// The value as written.
+    pub fn given(&self) -> &str {
+        self.source.text.get(self.value.clone()).unwrap_or_default()
+    }
+
+    /// From the key to the end of the value.
+    fn whole(&self) -> Range<usize> {
+        self.key.start.min(self.value.start)..self.value.end.max(self.key.end)
+    }
+}
+
+/// What is wrong with a case.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// The case file cannot be read.
+    #[error("cannot read the case file `{path}`: {reason}")]
+    Read {
+        /// As given.
+        path: String,
+        /// The system's words.
+        reason: String,
+    },
+    /// The case file is not TOML.
+    #[error("this is not valid TOML: {message}")]
+    Syntax {
+        /// The parser's words.
+        message: String,
+    },
+    /// A setting without `=`.
+    #[error("`{text}` sets nothing: expected KEY=VALUE, such as `operating_point.slack_tension=\"120 N\"`")]
+    Assignment {
+        /// As given.
+        text: String,
+    },
+    /// A key that does not exist.
+    #[error("unknown key `{path}`{}", nearest.map(|key| format!(": expected a key such as `{}`", key.path())).unwrap_or_default())]
+    UnknownKey {
+        /// As given, with dots.
+        path: String,
+        /// A known key that looks similar.
+        nearest: Option<Key>,
+    },
+    /// A section that is not a table, or a value that is no number, string or name.
+    #[error("`{path}` is {given}: expected {expected}")]
+    Type {
+        /// Key or section.
+        path: String,
+        /// Kind of value given.
+        given: &'static str,
+        /// What is expected.
+        expected: String,
+    },
+    /// A text that is no quantity, or one with a unit of another dimension, or one that is not finite.
+    #[error("`{}` = {given}: {reason}; expected {}", key.path(), key.entry().expected())]
+    Quantity {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+        /// What is wrong with it.
+        reason: QuantityError,
+    },
+    /// A quantity out of its range.
+    #[error("`{}` = {given} is out of range: expected {}", key.path(), key.entry().expected())]
+    OutOfRange {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+        /// The bare number would be in range if it had this unit.
+        unit_missing: Option<&'static str>,
+    },
+    /// A name that cannot be chosen.
+    #[error("`{}` = {given}: expected {}", key.path(), key.entry().expected())]
+    UnknownChoice {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+    },
+    /// Two keys that cannot be given together.
+    #[error("`{}` and `{}` are both given: {reason}", first.path(), second.path())]
+    Conflict {
+        /// The key that is named first.
+        first: Key,
+        /// The key that is one too many.
+        second: Key,
+        /// Why not both.
+        reason: &'static str,
+    },
+    /// Something is missing that another key calls for.
+    #[error("`{}` = {given}: {missing}", key.path())]
+    Missing {
+        /// The key that calls for it.
+        key: Key,
+        /// Its value.
+        given: String,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// The pulleys overlap.
+    #[error(
+        "the pulleys overlap: radii of {primary} m and {secondary} m do not fit into `drive.center_distance` = \
+         {center_distance} m; expected a sum of the radii below it"
+    )]
+    Overlap {
+        /// R_P, m.
+        primary: f64,
+        /// R_S, m.
+        secondary: f64,
+        /// L_c, m.
+        center_distance: f64,
+    },
+    /// No radii satisfy (6.12).
+    #[error("`{}` = {given}: with `belt.length` = {length} m and `drive.center_distance` = {center_distance} m {reason}", key.path())]
+    NoRadii {
+        /// The key from which the radii follow.
+        key: Key,
+        /// Its value.
+        given: String,
+        /// L_belt, m.
+        length: f64,
+        /// L_c, m.
+        center_distance: f64,
+        /// Why not.
+        reason: NoRadii,
+    },
+    /// A valid case for which there is no solver.
+    #[error("`{}` = {given} cannot be solved for: {reason}", key.path())]
+    Unsupported {
+        /// The key that asks for it.
+        key: Key,
+        /// Its value.
+        given: String,
+        /// What can be solved for instead.
+        reason: &'static str,
+    },
+}
+
+impl Problem {
+    /// What to do about it, if there is more to say than the message says.
+    fn advice(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { path, .. } => Some(keys_near(path)),
+            Self::OutOfRange { given, unit_missing: Some(unit), .. } => {
+                Some(format!("a bare number is in SI units; did you mean \"{given} {unit}\"?"))
+            }
+            Self::Quantity { reason: QuantityError::UnknownUnit { .. }, .. } => {
+                let units: Vec<_> = crate::quantity::symbols().collect();
+                Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
+            }
+            Self::Conflict { first, second, .. } => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The keys among which the one written was probably meant to be.
+fn keys_near(path: &str) -> String {
+    use super::keys::{TABLE, sections};
+    let section = path.split('.').next().unwrap_or_default();
+    let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
+    if keys.is_empty() {
+        let sections: Vec<_> = sections().map(|section| format!("[{section}]")).collect();
+        return format!("a case has the key `edition` and the sections {}", sections.join(" "));
+    }
+    let names: Vec<_> = keys.iter().map(|entry| entry.name()).collect();
+    format!("the keys of [{section}] are {}", names.join(", "))
+}
+
+/// A [`Problem`] with the places it is about.
+///
+/// Displays as one line that names the key, what was given and what is expected; as a [`Diagnostic`] it underlines the
+/// place in the case file or the argument.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseError(Box<Inner>);
+
+#[derive(Debug, Clone, PartialEq)]
+struct Inner {
+    problem: Problem,
+    /// The first is the one at fault.
+    places: Vec<Place>,
+}
+
+impl CaseError {
+    /// A problem, the place at fault, then others that have to do with it.
+    pub(crate) fn new(problem: Problem, places: impl IntoIterator<Item = Place>) -> Self {
+        Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &Problem {
+        &self.0.problem
+    }
+
+    /// Where: the place at fault, then others that have to do with it; none for what no text says.
+    pub fn places(&self) -> &[Place] {
+        &self.0.places
+    }
+
+    /// What to underline of a place.
+    fn span(&self, place: &Place) -> Range<usize> {
+        match self.0.problem {
+            Problem::UnknownKey { .. } => place.key.clone(),
+            Problem::Conflict { .. } => place.whole(),
+            _ => place.value.clone(),
+        }
+    }
+
+    /// What to write beside the underlined text.
+    fn label(&self, index: usize) -> &'static str {
+        match (&self.0.problem, index) {
+            (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
+            (Problem::UnknownKey { .. }, _) => "no such key",
+            (Problem::Type { .. }, _) => "wrong type",
+            (Problem::Quantity { reason, .. }, _) => match reason {
+                QuantityError::NotFinite => "not finite",
+                QuantityError::Dimension { .. } => "wrong dimension",
+                QuantityError::UnknownUnit { .. } => "unknown unit",
+                _ => "not a quantity",
+            },
+            (Problem::OutOfRange { .. }, _) => "out of range",
+            (Problem::UnknownChoice { .. }, _) => "no such choice",
+            (Problem::Conflict { .. }, 0) => "this",
+            (Problem::Conflict { .. }, _) => "and this",
+            (Problem::Missing { .. }, _) => "asks for more",
+            (Problem::Overlap { .. }, _) => "does not fit",
+            (Problem::NoRadii { .. }, 0) => "no radii exist",
+            (Problem::NoRadii { .. }, _) => "with this",
+            (Problem::Unsupported { .. } | Problem::Read { .. }, _) => "not supported",
+        }
+    }
+}
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.problem.fmt(f)
+    }
+}
+
+impl std::error::Error for CaseError {}
+
+impl Diagnostic for CaseError {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.0.problem.advice()?))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        Some(&*self.0.places.first()?.source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let first = self.0.places.first()?;
+        // One text can be shown: the one at fault.
+        let shown = self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source);
+        Some(Box::new(shown.map(|(index, place)| {
+            let span = self.span(place);
+            LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len()))
+        })))
+    }
+}
+
+impl SourceCode for Source {
+    fn read_span<'a>(
+        &'a self,
+        span: &miette::SourceSpan,
+        context_lines_before: usize,
+        context_lines_after: usize,
+    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
+        let contents = self.text.read_span(span, context_lines_before, context_lines_after)?;
+        Ok(Box::new(miette::MietteSpanContents::new_named(
+            self.name.clone(),
+            contents.data(),
+            *contents.span(),
+            contents.line(),
+            contents.column(),
+            contents.line_count(),
+        )))
+    }
+}

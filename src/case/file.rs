@@ -1,0 +1,311 @@
+//! A case as it was written: sparse, with the places where things stand.
+
+use super::choice::Choice;
+use super::error::{CaseError, Place, Problem, Source};
+use super::keys::{Key, Kind};
+use crate::quantity::{self, Quantity, QuantityError};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// What the user has given; the base case's values apply to all other keys.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Case {
+    given: BTreeMap<Key, Given>,
+}
+
+/// One key that was given.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Given {
+    pub(super) value: Value,
+    pub(super) place: Place,
+}
+
+/// A checked value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Value {
+    /// In SI.
+    Quantity(f64),
+    /// One of the key's choices.
+    Choice(&'static str),
+}
+
+/// A value as it stands in a text.
+enum Raw<'a> {
+    /// A TOML string, or the value of an argument, which may be a number as well.
+    Text(Cow<'a, str>),
+    /// A TOML number.
+    Number(f64),
+    /// Anything else.
+    Other(&'static str),
+}
+
+impl Case {
+    /// The built-in base case (Table 6.1): nothing given.
+    pub fn base() -> Self {
+        Self::default()
+    }
+
+    /// Reads a case file.
+    ///
+    /// # Errors
+    /// [`Problem::Read`] if the file cannot be read, else as [`Case::from_toml`].
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(text) => Self::from_toml(&name, &text),
+            Err(error) => Err(CaseError::new(Problem::Read { path: name, reason: error.to_string() }, [])),
+        }
+    }
+
+    /// Reads a case from the text of a case file; `name` is shown in errors.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
+    pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
+        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        let mut case = Self::base();
+        let table = DeTable::parse(text).map_err(|error| {
+            let span = error.span().unwrap_or(0..0);
+            let message = error.message().trim().replace('\n', ", ");
+            CaseError::new(
+                Problem::Syntax { message },
+                [Place { source: source.clone(), key: span.clone(), value: span }],
+            )
+        })?;
+        for (key, value) in in_order(table.get_ref()) {
+            case.read_top(&source, key, value)?;
+        }
+        Ok(case)
+    }
+
+    /// A key at the top of a file: `edition`, or a section with its keys.
+    fn read_top(
+        &mut self,
+        source: &Arc<Source>,
+        key: &Spanned<Cow<'_, str>>,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<(), CaseError> {
+        let name = key.get_ref();
+        let place = Place { source: source.clone(), key: key.span(), value: value.span() };
+        if !super::keys::sections().any(|section| section == name) {
+            return self.insert(name, raw(value.get_ref()), place);
+        }
+        let DeValue::Table(table) = value.get_ref() else {
+            let (path, given) = (name.to_string(), kind(value.get_ref()));
+            return Err(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+        };
+        for (key, value) in in_order(table) {
+            let place = Place { source: source.clone(), key: key.span(), value: value.span() };
+            self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place)?;
+        }
+        Ok(())
+    }
+
+    /// Sets a key by its name with dots, in place of what was given for it before. The value is written as in a case
+    /// file, quotes may be left out: `set("operating_point.slack_tension", "120 N")`.
+    ///
+    /// # Errors
+    /// An unknown key, or a value that it does not take: see [`Problem`]; the case is left as it was.
+    pub fn set(&mut self, key: &str, value: &str) -> Result<(), CaseError> {
+        self.argument("--set", format!("{key}={value}"), key.len())
+    }
+
+    /// Sets a key from the text `KEY=VALUE`, as [`Case::set`] does.
+    ///
+    /// # Errors
+    /// As [`Case::set`], and [`Problem::Assignment`] for a text without `=`.
+    pub fn assign(&mut self, assignment: &str) -> Result<(), CaseError> {
+        if let Some(equals) = assignment.find('=') {
+            return self.argument("--set", assignment.into(), equals);
+        }
+        let source = Arc::new(Source { name: "--set".into(), text: assignment.into() });
+        let (whole, text) = (0..assignment.len(), assignment.into());
+        let place = Place { source, key: whole.clone(), value: whole };
+        Err(CaseError::new(Problem::Assignment { text }, [place]))
+    }
+
+    /// Sets a quantity to a value in SI units, as [`Case::set`] does.
+    ///
+    /// # Errors
+    /// As [`Case::set`].
+    pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
+        self.set(key.path(), &format!("{value:e}"))
+    }
+
+    /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
+    ///
+    /// # Errors
+    /// [`Problem::UnknownKey`].
+    pub fn unset(&mut self, key: &str) -> Result<(), CaseError> {
+        let source = Arc::new(Source { name: "--unset".into(), text: key.into() });
+        let whole = 0..key.len();
+        let known = known(key, &Place { source, key: whole.clone(), value: whole })?;
+        self.given.remove(&known);
+        Ok(())
+    }
+
+    /// Whether the key was given.
+    pub fn has(&self, key: Key) -> bool {
+        self.given.contains_key(&key)
+    }
+
+    /// The keys that were given, in the order of the table.
+    pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
+        self.given.keys().copied()
+    }
+
+    /// One `KEY=VALUE` text, with `equals` the place of its `=`.
+    fn argument(&mut self, option: &str, text: String, equals: usize) -> Result<(), CaseError> {
+        let value_start = (equals + 1).min(text.len());
+        let (key, value) = (text.get(..equals).unwrap_or_default(), text.get(value_start..).unwrap_or_default());
+        let (key, value) = (key.trim().to_owned(), unquoted(value.trim()).to_owned());
+        let range = trimmed(&text, 0..equals);
+        let place = Place {
+            key: range,
+            value: trimmed(&text, value_start..text.len()),
+            source: Arc::new(Source { name: option.into(), text }),
+        };
+        self.insert(&key, Raw::Text(value.into()), place)
+    }
+
+    /// Checks one key and its value, and keeps it.
+    fn insert(&mut self, path: &str, raw: Raw<'_>, place: Place) -> Result<(), CaseError> {
+        let key = known(path, &place)?;
+        let value = match key.entry().kind {
+            Kind::Quantity { .. } => quantity_value(key, raw, place.given()).map(Value::Quantity),
+            Kind::Choice { choices, .. } => choice_value(key, choices, raw, place.given()).map(Value::Choice),
+        };
+        match value {
+            Ok(value) => {
+                self.given.insert(key, Given { value, place });
+                Ok(())
+            }
+            Err(problem) => Err(CaseError::new(problem, [place])),
+        }
+    }
+
+    pub(super) fn given(&self, key: Key) -> Option<&Given> {
+        self.given.get(&key)
+    }
+
+    /// The quantity given for `key`, in SI.
+    pub(super) fn quantity(&self, key: Key) -> Option<f64> {
+        match self.given(key)?.value {
+            Value::Quantity(si) => Some(si),
+            Value::Choice(_) => None,
+        }
+    }
+
+    /// The name given for `key`.
+    pub(super) fn choice(&self, key: Key) -> Option<&'static str> {
+        match self.given(key)?.value {
+            Value::Choice(name) => Some(name),
+            Value::Quantity(_) => None,
+        }
+    }
+
+    /// The places of those keys that were given.
+    pub(super) fn places(&self, keys: impl IntoIterator<Item = Key>) -> Vec<Place> {
+        keys.into_iter().filter_map(|key| Some(self.given(key)?.place.clone())).collect()
+    }
+
+    /// The value of `key` as it was written; its default's text if it was not.
+    pub(super) fn written(&self, key: Key) -> String {
+        match self.given(key) {
+            Some(given) => given.place.given().to_owned(),
+            None => key.entry().example(),
+        }
+    }
+}
+
+/// Entries of a table in the order of the text.
+fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<Cow<'i, str>>, &'a Spanned<DeValue<'i>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
+}
+
+fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
+    Key::from_path(path).ok_or_else(|| {
+        CaseError::new(Problem::UnknownKey { path: path.into(), nearest: Key::nearest(path) }, [place.clone()])
+    })
+}
+
+fn raw<'a>(value: &'a DeValue<'_>) -> Raw<'a> {
+    match value {
+        DeValue::String(text) => Raw::Text(text.as_ref().into()),
+        // Integers too long for a float become infinite, and are refused as such.
+        DeValue::Integer(integer) if integer.radix() == 10 => {
+            integer.as_str().parse().map_or(Raw::Other("an integer"), Raw::Number)
+        }
+        DeValue::Float(float) => float.as_str().parse().map_or(Raw::Other("a number"), Raw::Number),
+        other => Raw::Other(kind(other)),
+    }
+}
+
+fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(integer) if integer.radix() == 10 => "an integer",
+        DeValue::Integer(_) => "an integer that is not decimal",
+        DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "a boolean",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "an array",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {
+    let entry = key.entry();
+    let Kind::Quantity { unit, range, .. } = entry.kind else {
+        return Err(Problem::Type { path: entry.path.into(), given: "a quantity", expected: entry.expected() });
+    };
+    let invalid = |reason| Problem::Quantity { key, given: given.into(), reason };
+    let quantity = match raw {
+        Raw::Text(text) => quantity::parse(&text).map_err(invalid)?,
+        Raw::Number(si) if si.is_finite() => Quantity { si, dimension: quantity::Dimension::NONE, bare: true },
+        Raw::Number(_) => return Err(invalid(QuantityError::NotFinite)),
+        Raw::Other(given) => {
+            return Err(Problem::Type { path: entry.path.into(), given, expected: entry.expected() });
+        }
+    };
+    let si = quantity.expect(unit.scale.dimension).map_err(invalid)?;
+    let allowed = |si| range.contains(si, |bound| unit.to_si(bound));
+    if allowed(si) {
+        return Ok(si);
+    }
+    let unit_missing = (quantity.bare && allowed(unit.to_si(si))).then_some(unit.symbol);
+    Err(Problem::OutOfRange { key, given: given.into(), unit_missing })
+}
+
+fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Result<&'static str, Problem> {
+    let entry = key.entry();
+    match raw {
+        Raw::Text(text) => choices
+            .iter()
+            .find(|choice| choice.name == text)
+            .map(|choice| choice.name)
+            .ok_or_else(|| Problem::UnknownChoice { key, given: given.into() }),
+        Raw::Number(_) => Err(Problem::Type { path: entry.path.into(), given: "a number", expected: entry.expected() }),
+        Raw::Other(given) => Err(Problem::Type { path: entry.path.into(), given, expected: entry.expected() }),
+    }
+}
+
+/// The text without one pair of quotes around it.
+fn unquoted(text: &str) -> &str {
+    let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
+    inside('"').or_else(|| inside('\'')).unwrap_or(text)
+}
+
+/// The range without the blanks at its ends.
+fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
+    let part = text.get(range.clone()).unwrap_or_default();
+    let start = range.start + (part.len() - part.trim_start().len());
+    start..start + part.trim().len()
+}

@@ -1,0 +1,291 @@
+//! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
+
+use super::choice::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
+use super::range::Range;
+use crate::quantity::{Dimension, Unit};
+use std::f64::consts::{PI, TAU};
+
+/// A key of the case file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "each key is documented by its entry in TABLE")]
+pub enum Key {
+    Edition,
+    Shear,
+    Ends,
+    Spans,
+    Friction,
+    BeltLength,
+    MassPerLength,
+    LongitudinalStiffness,
+    BendingStiffness,
+    RadialStiffness,
+    HalfAngle,
+    FrictionCoefficient,
+    SlipThreshold,
+    CenterDistance,
+    PrimaryRadius,
+    SecondaryRadius,
+    Ratio,
+    Free,
+    PrimarySpeed,
+    SecondarySpeed,
+    PrimaryTorque,
+    SecondaryTorque,
+    SpeedRatio,
+    SlackTension,
+    TightTension,
+    PrimaryAxialForce,
+    SecondaryAxialForce,
+}
+
+/// What is known of a key.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The key.
+    pub key: Key,
+    /// Its name in the case file, with dots: `belt.length`.
+    pub path: &'static str,
+    /// Its symbol in the thesis; empty if it has none.
+    pub symbol: &'static str,
+    /// What it means, in one line.
+    pub doc: &'static str,
+    /// What values it takes.
+    pub kind: Kind,
+}
+
+/// What values a key takes.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// A number with a unit.
+    Quantity {
+        /// Unit in which people read it, and its dimension.
+        unit: Unit,
+        /// Allowed values, in that unit.
+        range: Range,
+        /// A value that is typical, in that unit; the base case's (Table 6.1) where that has the key.
+        example: f64,
+        /// Whether the base case has the key, so that `example` applies when it is not given.
+        base: bool,
+    },
+    /// One of several names.
+    Choice {
+        /// The names.
+        choices: &'static [Choice],
+        /// The name that applies when none is given; `None` when that depends on other keys.
+        default: Option<&'static str>,
+    },
+}
+
+const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
+const MM: Unit = Unit::decimal("mm", -3, Dimension::LENGTH);
+const KG_PER_M: Unit = Unit::decimal("kg/m", 0, Dimension::MASS_PER_LENGTH);
+const N: Unit = Unit::decimal("N", 0, Dimension::FORCE);
+const KN: Unit = Unit::decimal("kN", 3, Dimension::FORCE);
+const NM: Unit = Unit::decimal("N*m", 0, Dimension::TORQUE);
+const NM2: Unit = Unit::decimal("N*m^2", 0, Dimension::BENDING_STIFFNESS);
+const MPA: Unit = Unit::decimal("MPa", 6, Dimension::PRESSURE);
+const DEG: Unit = Unit::new("deg", 0, PI, 180.0, Dimension::ANGLE);
+const M_PER_S: Unit = Unit::decimal("m/s", 0, Dimension::SPEED);
+const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
+
+/// A quantity of the base case.
+const fn base(unit: Unit, range: Range, value: f64) -> Kind {
+    Kind::Quantity { unit, range, example: value, base: true }
+}
+
+/// A quantity that the base case does not have.
+const fn other(unit: Unit, range: Range, example: f64) -> Kind {
+    Kind::Quantity { unit, range, example, base: false }
+}
+
+const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> Kind {
+    Kind::Choice { choices, default }
+}
+
+const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, doc: &'static str) -> Entry {
+    Entry { key, path, symbol, doc, kind }
+}
+
+/// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
+/// numbers written without their unit.
+#[rustfmt::skip]
+pub static TABLE: [Entry; 27] = [
+    entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
+        "set of modelling choices"),
+    entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
+        "shear force in the contact regions, in place of the edition's"),
+    entry(Key::Ends, "model.ends", "", choice(Ends::CHOICES, None),
+        "shear force at the ends of the contact regions, in place of the edition's"),
+    entry(Key::Spans, "model.spans", "", choice(Spans::CHOICES, None),
+        "equations of the free spans, in place of the edition's"),
+    entry(Key::Friction, "model.friction", "", choice(Friction::CHOICES, None),
+        "friction law, in place of the edition's"),
+    entry(Key::BeltLength, "belt.length", "L_belt", base(MM, Range::positive_to(1e5), 857.2),
+        "unstretched length of the belt"),
+    entry(Key::MassPerLength, "belt.mass_per_length", "m_o", base(KG_PER_M, Range::positive_to(1e3), 0.4375),
+        "mass per length of the unstretched belt"),
+    entry(Key::LongitudinalStiffness, "belt.longitudinal_stiffness", "EA", base(KN, Range::POSITIVE, 243.5),
+        "force over longitudinal strain"),
+    entry(Key::BendingStiffness, "belt.bending_stiffness", "EI", base(NM2, Range::POSITIVE, 0.2602),
+        "bending moment over curvature; not used by `edition = \"string\"`"),
+    entry(Key::RadialStiffness, "belt.radial_stiffness", "k", base(MPA, Range::POSITIVE, 18.71),
+        "radial force per length over radial penetration"),
+    entry(Key::HalfAngle, "sheave.half_angle", "β", base(DEG, Range::positive_below(45.0), 12.0),
+        "half the angle between the flanks of the groove"),
+    entry(Key::FrictionCoefficient, "sheave.friction_coefficient", "μ_k", base(NUMBER, Range::positive_to(5.0), 0.4),
+        "kinetic friction coefficient of belt on sheave"),
+    entry(Key::SlipThreshold, "sheave.slip_threshold", "v_thr", base(M_PER_S, Range::positive_to(100.0), 1e-4),
+        "sliding speed at which friction is fully developed"),
+    entry(Key::CenterDistance, "drive.center_distance", "L_c", base(MM, Range::positive_to(1e4), 214.0),
+        "distance between the centres of the pulleys"),
+    entry(Key::PrimaryRadius, "drive.primary_radius", "R_P", base(MM, Range::positive_to(1e4), 68.309),
+        "nominal radius of the belt on the primary"),
+    entry(Key::SecondaryRadius, "drive.secondary_radius", "R_S", base(MM, Range::positive_to(1e4), 68.309),
+        "nominal radius of the belt on the secondary"),
+    entry(Key::Ratio, "drive.ratio", "R_S/R_P", other(NUMBER, Range::positive_to(100.0), 1.0),
+        "ratio of the nominal radii, in place of both: they then follow from belt.length (6.12)"),
+    entry(Key::Free, "drive.free", "", choice(Free::CHOICES, None),
+        "radii that are solved for, so that the unstretched belt in the drive has belt.length"),
+    entry(Key::PrimarySpeed, "operating_point.primary_speed", "ω_P", base(RPM, Range::POSITIVE, 3400.0),
+        "speed of the primary"),
+    entry(Key::SecondarySpeed, "operating_point.secondary_speed", "ω_S", other(RPM, Range::POSITIVE, 3380.0),
+        "speed of the secondary: the speed, or beside primary_speed the load"),
+    entry(Key::PrimaryTorque, "operating_point.primary_torque", "M_in", base(NM, Range::POSITIVE, 18.0),
+        "torque into the primary"),
+    entry(Key::SecondaryTorque, "operating_point.secondary_torque", "M_out", other(NM, Range::POSITIVE, 17.0),
+        "torque out of the secondary"),
+    entry(Key::SpeedRatio, "operating_point.speed_ratio", "ω_S/ω_P", other(NUMBER, Range::positive_to(100.0), 0.99),
+        "speed of the secondary over that of the primary"),
+    entry(Key::SlackTension, "operating_point.slack_tension", "T_slack", base(N, Range::POSITIVE, 100.0),
+        "tractive tension at the exit of the primary"),
+    entry(Key::TightTension, "operating_point.tight_tension", "T_tight", other(N, Range::POSITIVE, 360.0),
+        "tractive tension at the entry of the primary"),
+    entry(Key::PrimaryAxialForce, "operating_point.primary_axial_force", "A_P", other(N, Range::POSITIVE, 900.0),
+        "force that pushes the sheaves of the primary together"),
+    entry(Key::SecondaryAxialForce, "operating_point.secondary_axial_force", "A_S", other(N, Range::POSITIVE, 550.0),
+        "force that pushes the sheaves of the secondary together"),
+];
+
+impl Key {
+    /// What is known of the key.
+    pub fn entry(self) -> &'static Entry {
+        &TABLE[self as usize]
+    }
+
+    /// Its name in the case file, with dots.
+    pub fn path(self) -> &'static str {
+        self.entry().path
+    }
+
+    /// The key with this name.
+    pub fn from_path(path: &str) -> Option<Self> {
+        TABLE.iter().find(|entry| entry.path == path).map(|entry| entry.key)
+    }
+
+    /// The known key whose name looks most like `path`, if one does.
+    pub fn nearest(path: &str) -> Option<Self> {
+        let distance = |entry: &Entry| {
+            let whole = strsim::damerau_levenshtein(entry.path, path);
+            // A name without its section, or in the wrong one.
+            let last = path.rsplit('.').next().unwrap_or(path);
+            whole.min(strsim::damerau_levenshtein(entry.name(), last) + 1)
+        };
+        let (distance, entry) = TABLE.iter().map(|entry| (distance(entry), entry)).min_by_key(|(d, _)| *d)?;
+        (distance <= 1 + entry.name().len() / 3).then_some(entry.key)
+    }
+}
+
+impl Entry {
+    /// The section of the case file it stands in; empty at the top.
+    pub fn section(&self) -> &'static str {
+        self.path.split_once('.').map_or("", |(section, _)| section)
+    }
+
+    /// Its name within its section.
+    pub fn name(&self) -> &'static str {
+        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+    }
+
+    /// The base case's value in SI, for a quantity that it has.
+    pub fn base(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Quantity { unit, example, base: true, .. } => Some(unit.to_si(example)),
+            _ => None,
+        }
+    }
+
+    /// A value that could be written in a case file.
+    pub fn example(&self) -> String {
+        match self.kind {
+            Kind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
+            Kind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
+            Kind::Choice { choices, default } => {
+                let name = default.or(choices.first().map(|choice| choice.name)).unwrap_or_default();
+                format!("\"{name}\"")
+            }
+        }
+    }
+
+    /// What is expected as a value, in words.
+    pub fn expected(&self) -> String {
+        match self.kind {
+            Kind::Quantity { unit, range, .. } => {
+                let (words, example) = (range.words(unit.symbol), self.example());
+                format!("{} {words}, such as {example}", unit.scale.dimension)
+            }
+            Kind::Choice { choices, .. } => {
+                let names: Vec<_> = choices.iter().map(|choice| format!("\"{}\"", choice.name)).collect();
+                format!("one of {}", names.join(", "))
+            }
+        }
+    }
+}
+
+/// The names of all sections, in the order of the table.
+pub fn sections() -> impl Iterator<Item = &'static str> {
+    let mut last = "";
+    TABLE.iter().map(Entry::section).filter(move |section| std::mem::replace(&mut last, section) != *section)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::parse;
+
+    #[test]
+    fn the_table_is_in_the_order_of_the_keys() {
+        for (index, entry) in TABLE.iter().enumerate() {
+            assert_eq!(entry.key as usize, index, "{}", entry.path);
+            assert_eq!(Key::from_path(entry.path), Some(entry.key));
+        }
+        assert_eq!(sections().collect::<Vec<_>>(), ["model", "belt", "sheave", "drive", "operating_point"]);
+    }
+
+    #[test]
+    fn every_example_can_be_written_and_lies_in_its_range() {
+        for entry in &TABLE {
+            let example = entry.example();
+            match entry.kind {
+                Kind::Quantity { unit, range, example: value, .. } => {
+                    let read = parse(example.trim_matches('"')).and_then(|read| read.expect(unit.scale.dimension));
+                    assert_eq!(read, Ok(unit.to_si(value)), "{}", entry.path);
+                    assert!(range.contains(unit.to_si(value), |bound| unit.to_si(bound)), "{}", entry.path);
+                }
+                Kind::Choice { choices, .. } => {
+                    assert!(choices.iter().any(|choice| example.trim_matches('"') == choice.name), "{}", entry.path);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_slip_of_the_pen_finds_its_key() {
+        let nearest = |path| Key::nearest(path).map(Key::path);
+        assert_eq!(nearest("belt.lenght"), Some("belt.length"));
+        assert_eq!(nearest("slack_tension"), Some("operating_point.slack_tension"));
+        assert_eq!(nearest("drive.slack_tension"), Some("operating_point.slack_tension"));
+        assert_eq!(nearest("sheave.friction_coeff"), Some("sheave.friction_coefficient"));
+        assert_eq!(nearest("editon"), Some("edition"));
+        assert_eq!(nearest("colour"), None);
+    }
+}

@@ -1,0 +1,42 @@
+//! Cases: what a user writes, and what the solver is given.
+//!
+//! A [`Case`] is sparse and remembers where everything was written. [`Case::resolve`] fills in the base case
+//! (Table 6.1) and the edition's choices, checks what holds between keys, and gives a [`Resolved`] case: plain data, SI.
+//! All keys, with their units, ranges, defaults and meaning, stand in [`TABLE`].
+//!
+//! ```
+//! use sheave::case::Case;
+//! let mut case = Case::from_toml("my.toml", "[drive]\nratio = 1.2")?;
+//! case.set("operating_point.slack_tension", "120 N")?;
+//! let resolved = case.resolve()?;
+//! assert!(resolved.drive.secondary_radius > resolved.drive.primary_radius);
+//! # Ok::<(), sheave::case::CaseError>(())
+//! ```
+//!
+//! # Rules between keys
+//! - `drive.ratio` stands in place of both radii; beside one of them it is an error.
+//! - Each slot of the operating point (speed, load, clamp) is filled by one key; two are an error, except that with
+//!   `drive.free = "both"` there must be exactly one key more.
+//! - A radius that is free must not be given. With `drive.ratio` and one free radius, the other comes from the ratio,
+//!   and the free one starts there.
+//! - `model.*` overrides any edition's choices, one by one: `published` with `model.ends = "zero"` keeps the printed spans
+//!   only. The printed end conditions exist for linearised shear only; a string takes no choice but its friction law.
+//! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
+
+mod choice;
+mod error;
+mod file;
+pub mod geometry;
+mod keys;
+mod operating;
+mod range;
+mod resolve;
+mod supported;
+
+pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
+pub use error::{CaseError, Place, Problem, Source};
+pub use file::Case;
+pub use keys::{Entry, Key, Kind, TABLE, sections};
+pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
+pub use range::{Bound, Range};
+pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};

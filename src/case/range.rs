@@ -1,0 +1,80 @@
+//! Ranges of values.
+
+use std::fmt;
+
+/// One end of a range, in the unit in which the quantity is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// No bound on this side.
+    None,
+    /// The bound itself is not allowed.
+    Open(f64),
+    /// The bound itself is allowed.
+    Closed(f64),
+}
+
+/// The values allowed, in the unit in which the quantity is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Lower end.
+    pub low: Bound,
+    /// Upper end.
+    pub high: Bound,
+}
+
+impl Range {
+    /// Above zero.
+    pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
+
+    /// Above zero, up to and with `high`.
+    pub const fn positive_to(high: f64) -> Self {
+        Self { low: Bound::Open(0.0), high: Bound::Closed(high) }
+    }
+
+    /// Above zero and below `high`.
+    pub const fn positive_below(high: f64) -> Self {
+        Self { low: Bound::Open(0.0), high: Bound::Open(high) }
+    }
+
+    /// Whether a value in SI lies within, `to_si` taking the bounds there.
+    pub fn contains(&self, si: f64, to_si: impl Fn(f64) -> f64) -> bool {
+        let above = match self.low {
+            Bound::None => true,
+            Bound::Open(low) => si > to_si(low),
+            Bound::Closed(low) => si >= to_si(low),
+        };
+        let below = match self.high {
+            Bound::None => true,
+            Bound::Open(high) => si < to_si(high),
+            Bound::Closed(high) => si <= to_si(high),
+        };
+        above && below
+    }
+
+    /// The range in words, with the unit's symbol behind each bound: `above 0 deg and below 45 deg`.
+    pub fn words<'a>(&'a self, unit: &'a str) -> impl fmt::Display + 'a {
+        Words { range: self, unit }
+    }
+}
+
+struct Words<'a> {
+    range: &'a Range,
+    unit: &'a str,
+}
+
+impl fmt::Display for Words<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let space = if self.unit.is_empty() { "" } else { " " };
+        let mut bound = |and: &str, word: &str, value: f64| write!(f, "{and}{word} {value}{space}{}", self.unit);
+        let and = match self.range.low {
+            Bound::None => "",
+            Bound::Open(low) => bound("", "above", low).map(|()| " and ")?,
+            Bound::Closed(low) => bound("", "from", low).map(|()| " and ")?,
+        };
+        match self.range.high {
+            Bound::None => Ok(()),
+            Bound::Open(high) => bound(and, "below", high),
+            Bound::Closed(high) => bound(and, "up to", high),
+        }
+    }
+}
