@@ -1,7 +1,30 @@
 //! Boundary value problems for ordinary differential equations in several regions, with unknown constants and
 //! integral conditions, by collocation.
 
-pub mod model;
-pub mod problem;
+// Negated comparisons are meant: NaN must fail.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod collocation;
+pub mod error;
+mod guess;
+mod linear;
+pub mod mesh;
+pub mod model;
+mod newton;
+mod observer;
+mod options;
+pub mod problem;
+mod refine;
+mod solution;
+mod solve;
+mod stats;
+mod tableau;
+
+pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
+pub use guess::{Guess, RegionGuess};
+pub use observer::{Event, Observer, Silent};
+pub use options::{Options, Order};
 pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
+pub use solution::{MeshRecord, RegionSolution, Solution};
+pub use solve::{solve, solve_observed};
+pub use stats::Stats;

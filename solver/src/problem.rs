@@ -128,6 +128,26 @@ impl Layout {
         before + state + if exit { here } else { 0 }
     }
 
+    /// How messages name an input of the boundary equations.
+    pub fn input_name(&self, input: usize) -> String {
+        let mut rest = input;
+        for region in &self.regions {
+            let n = region.states.len();
+            if rest < 2 * n {
+                let end = if rest < n { "entry" } else { "exit" };
+                return format!("{} at the {end} of {}", region.states[rest % n].name, region.name);
+            }
+            rest -= 2 * n;
+        }
+        for region in &self.regions {
+            match region.integrals.get(rest) {
+                Some(name) => return format!("integral {name} of {}", region.name),
+                None => rest -= region.integrals.len(),
+            }
+        }
+        self.constants.get(rest).map_or_else(|| format!("input {input}"), |c| format!("constant {}", c.name))
+    }
+
     /// Index of the constant of this name.
     pub fn constant(&self, name: &str) -> Option<usize> {
         self.constants.iter().position(|constant| constant.name == name)

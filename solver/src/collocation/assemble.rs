@@ -1,0 +1,196 @@
+//! Coefficients of the linearised interval equations: the chain rule through the stages.
+
+use super::evaluate::Stages;
+use super::plan::RegionPlan;
+use super::{Scales, System};
+use crate::linear::chain::Block;
+use crate::linear::reflect::Rows;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::problem::Problem;
+use crate::tableau::Tableau;
+
+/// Entries of a sparse Jacobian: where they stand, where they go, and the factor that makes them dimensionless.
+#[derive(Debug, Clone)]
+struct Entry {
+    /// Index in the pattern.
+    from: usize,
+    row: usize,
+    column: usize,
+    factor: f64,
+}
+
+/// One region's linearised interval equations, in dimensionless unknowns, interval by interval.
+pub(crate) struct Assembly<'a> {
+    plan: &'a RegionPlan,
+    tableau: &'static Tableau,
+    stages: &'a Stages,
+    /// Interval lengths.
+    h: &'a [[f64; W]],
+    steps: usize,
+    states: Vec<Entry>,
+    constants: Vec<Entry>,
+    /// dK/dy_0, dK/dy_1 by rows of `n`, dK/dc by rows of `p`: all stages one after the other.
+    left: Vec<Lane>,
+    right: Vec<Lane>,
+    by_constant: Vec<Lane>,
+    /// The stage's dY/d(...), then the sums over stages.
+    sum: Vec<Lane>,
+}
+
+impl<'a> Assembly<'a> {
+    pub(crate) fn new<P: Problem + ?Sized>(
+        system: &'a System<'_, P>,
+        region: usize,
+        stages: &'a Stages,
+        scales: &Scales,
+    ) -> Self {
+        let plan = &system.plan.regions[region];
+        let grid = &system.grids[region];
+        let d = &scales.states[region];
+        let row_scale = |row: usize| d.get(row).copied().unwrap_or(1.0);
+        let states = plan.state_entries.iter();
+        let constants = plan.constant_entries.iter();
+        let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
+        let (n, p) = (plan.n, plan.columns.len());
+        let (rows, count) = (n + plan.active.len(), system.tableau.stages());
+        Self {
+            plan,
+            tableau: system.tableau,
+            stages,
+            h: grid.h.as_chunks::<W>().0,
+            steps: grid.steps,
+            states: states
+                .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
+                .collect(),
+            constants: constants
+                .map(|&(from, row, column)| Entry {
+                    from,
+                    row,
+                    column,
+                    factor: constant_scale(column) / row_scale(row),
+                })
+                .collect(),
+            left: vec![Lane::ZERO; count * rows * n],
+            right: vec![Lane::ZERO; count * rows * n],
+            by_constant: vec![Lane::ZERO; count * rows * p],
+            sum: vec![Lane::ZERO; rows * n.max(p)],
+        }
+    }
+
+    /// Writes interval `t` of every stretch, its equations divided by `row_scale` (out, `n` entries) so that no
+    /// coefficient of a node exceeds 1.
+    #[inline(always)]
+    pub(crate) fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>, row_scale: &mut [Lane]) {
+        let n = rows.n();
+        let all = n + self.plan.active.len();
+        let p = self.plan.columns.len();
+        let h = Lane(self.h[t]);
+        for stage in 0..self.tableau.stages() {
+            self.differentiate_stage(n, all, p, t, stage, h);
+        }
+        self.combine(n, all, p, h, block);
+        for (i, scale) in row_scale.iter_mut().enumerate() {
+            let mut largest = Lane::ONE;
+            for j in 0..n {
+                largest = largest.zip(block.a[j * n + i].abs(), f64::max);
+                largest = largest.zip(block.b[j * n + i].abs(), f64::max);
+            }
+            *scale = largest.recip();
+            for j in 0..n {
+                block.a[j * n + i] = block.a[j * n + i] * *scale;
+                block.b[j * n + i] = block.b[j * n + i] * *scale;
+            }
+            for j in 0..p {
+                block.c[j * n + i] = block.c[j * n + i] * *scale;
+            }
+        }
+    }
+
+    /// dK = J dY + dJ/dc of one stage.
+    #[inline(always)]
+    fn differentiate_stage(&mut self, n: usize, all: usize, p: usize, t: usize, stage: usize, h: Lane) {
+        let (before, here) = (stage * all * n, (stage + 1) * all * n);
+        let constants = stage * all * p;
+        self.left[before..here].fill(Lane::ZERO);
+        self.right[before..here].fill(Lane::ZERO);
+        self.by_constant[constants..constants + all * p].fill(Lane::ZERO);
+        let (batch, step, steps) = match stage {
+            0 => (&self.stages.nodes, t, self.steps + 1),
+            1 => (&self.stages.nodes, t + 1, self.steps + 1),
+            _ => (&self.stages.inner[stage - 2], t, self.steps),
+        };
+        let (dy, dc) = (batch.dy.as_chunks::<W>().0, batch.dc.as_chunks::<W>().0);
+        for entry in &self.constants {
+            let value = Lane(dc[entry.from * steps + step]).times(entry.factor);
+            self.by_constant[constants + entry.row * p + entry.column] += value;
+        }
+        if stage < 2 {
+            let out = if stage == 0 { &mut self.left } else { &mut self.right };
+            for entry in &self.states {
+                let value = Lane(dy[entry.from * steps + step]).times(entry.factor);
+                out[before + entry.row * n + entry.column] += value;
+            }
+            return;
+        }
+        let (x, v) = (self.tableau.x[stage], self.tableau.v[stage]);
+        for (matrix, width, diagonal, skip) in [
+            (&mut self.left, n, 1.0 - v, Some(1)),
+            (&mut self.right, n, v, Some(0)),
+            (&mut self.by_constant, p, 0.0, None),
+        ] {
+            let (known, rest) = matrix.split_at_mut(stage * all * width);
+            let sum = &mut self.sum[..n * width];
+            sum.fill(Lane::ZERO);
+            for (earlier, &weight) in x.iter().enumerate() {
+                if weight != 0.0 && Some(earlier) != skip {
+                    let weight = h.times(weight);
+                    for (sum, &k) in sum.iter_mut().zip(&known[earlier * all * width..]) {
+                        *sum += weight * k;
+                    }
+                }
+            }
+            if diagonal != 0.0 {
+                for i in 0..n {
+                    sum[i * width + i] += Lane::ONE.times(diagonal);
+                }
+            }
+            for entry in &self.states {
+                let value = Lane(dy[entry.from * steps + step]).times(entry.factor);
+                let out = &mut rest[entry.row * width..(entry.row + 1) * width];
+                for (out, &y) in out.iter_mut().zip(&sum[entry.column * width..]) {
+                    *out += value * y;
+                }
+            }
+        }
+    }
+
+    /// `A = -I - h Σ b dK/dy_0`, `B = I - h Σ b dK/dy_1`, `C = -h Σ b dK/dc`; functionals `h Σ b dQ`.
+    #[inline(always)]
+    fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
+        for (matrix, width, diagonal, out, functional) in [
+            (&self.left, n, -1.0, &mut block.a, &mut block.fa),
+            (&self.right, n, 1.0, &mut block.b, &mut block.fb),
+            (&self.by_constant, p, 0.0, &mut block.c, &mut block.fc),
+        ] {
+            let sum = &mut self.sum[..all * width];
+            sum.fill(Lane::ZERO);
+            for (stage, &b) in self.tableau.b.iter().enumerate() {
+                let weight = h.times(b);
+                for (sum, &k) in sum.iter_mut().zip(&matrix[stage * all * width..]) {
+                    *sum += weight * k;
+                }
+            }
+            for j in 0..width {
+                for i in 0..n {
+                    out[j * n + i] = -sum[i * width + j];
+                }
+            }
+            if diagonal != 0.0 {
+                for i in 0..n {
+                    out[i * n + i] += Lane::ONE.times(diagonal);
+                }
+            }
+            functional.copy_from_slice(&sum[n * width..]);
+        }
+    }
+}

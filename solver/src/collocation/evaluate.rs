@@ -1,0 +1,272 @@
+//! The residual of the collocation equations, and the derivatives at all stages.
+
+use super::{Iterate, System};
+use crate::error::NonFinite;
+use crate::linear::scalar::W;
+use crate::problem::{Points, Problem, Scope};
+use crate::stats::Stats;
+
+/// Values of one batch of points.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Batch {
+    pub s: Vec<f64>,
+    pub y: Vec<f64>,
+    /// Right-hand side and integrands.
+    pub f: Vec<f64>,
+    pub dy: Vec<f64>,
+    pub dc: Vec<f64>,
+}
+
+/// Values of one region at all its stages.
+#[derive(Debug, Clone)]
+pub(crate) struct Stages {
+    /// Stages 0 and 1 (`s` and `y` unused: they are the grid's and the iterate's).
+    pub nodes: Batch,
+    /// Stages 2, 3, ...
+    pub inner: Vec<Batch>,
+    /// Interval residuals `y_1 - y_0 - h Σ b K`, `n * interval_stride`.
+    pub phi: Vec<f64>,
+}
+
+/// Everything a residual evaluation leaves behind; reused from call to call.
+#[derive(Debug, Clone)]
+pub(crate) struct Work {
+    pub regions: Vec<Stages>,
+    pub ends: Vec<f64>,
+    pub integrals: Vec<f64>,
+    /// Boundary residuals.
+    pub g: Vec<f64>,
+    /// Entries of the boundary pattern.
+    pub dz: Vec<f64>,
+}
+
+/// Whether derivatives are wanted, and which.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Derivatives {
+    None,
+    /// As the plan needs them.
+    Planned,
+    /// With respect to all constants.
+    All,
+}
+
+impl Stages {
+    /// Slopes of one stage and row, one an interval.
+    #[inline]
+    pub(crate) fn slope(&self, stage: usize, row: usize, intervals: usize) -> &[f64] {
+        match stage {
+            0 => &self.nodes.f[row * (intervals + W)..][..intervals],
+            1 => &self.nodes.f[row * (intervals + W) + W..][..intervals],
+            _ => &self.inner[stage - 2].f[row * intervals..][..intervals],
+        }
+    }
+}
+
+impl<P: Problem + ?Sized> System<'_, P> {
+    /// Memory for [`evaluate`](Self::evaluate).
+    pub(crate) fn work(&self) -> Work {
+        let regions = self.plan.regions.iter().zip(&self.grids).map(|(plan, grid)| {
+            let batch = |stride: usize, own_points: bool| Batch {
+                s: vec![0.0; if own_points { stride } else { 0 }],
+                y: vec![0.0; if own_points { plan.n * stride } else { 0 }],
+                f: vec![0.0; plan.rows * stride],
+                dy: vec![0.0; plan.state_nonzeros * stride],
+                dc: vec![0.0; plan.constant_nonzeros * stride],
+            };
+            let stride = grid.interval_stride();
+            let mut inner = vec![batch(stride, true); self.tableau.stages() - 2];
+            for (batch, &c) in inner.iter_mut().zip(&self.tableau.c[2..]) {
+                for (p, s) in batch.s.iter_mut().enumerate() {
+                    *s = grid.s[p] + c * grid.h[p];
+                }
+            }
+            Stages { nodes: batch(grid.node_stride(), false), inner, phi: vec![0.0; plan.n * stride] }
+        });
+        Work {
+            regions: regions.collect(),
+            ends: vec![0.0; self.layout.ends()],
+            integrals: vec![0.0; self.layout.integrals()],
+            g: vec![0.0; self.layout.equations.len()],
+            dz: vec![0.0; self.layout.boundary_pattern.len()],
+        }
+    }
+
+    /// Residual at `x`, with derivatives if wanted.
+    ///
+    /// # Errors
+    /// The first value that is not finite.
+    pub(crate) fn evaluate(
+        &self,
+        x: &Iterate,
+        derivatives: Derivatives,
+        work: &mut Work,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        for region in 0..self.grids.len() {
+            self.evaluate_region(region, x, derivatives, &mut work.regions[region], stats)?;
+            self.integrate(region, work);
+            self.copy_ends(region, x, &mut work.ends);
+        }
+        let Work { ends, integrals, g, dz, .. } = work;
+        if derivatives == Derivatives::None {
+            self.problem.boundary(ends, integrals, &x.constants, g);
+        } else {
+            self.problem.boundary_jacobian(ends, integrals, &x.constants, g, dz);
+            if let Some(at) = dz.iter().position(|value| !value.is_finite()) {
+                return Err(NonFinite::boundary_derivative(self.layout, at));
+            }
+        }
+        match g.iter().position(|value| !value.is_finite()) {
+            Some(equation) => Err(NonFinite::boundary(self.layout, equation)),
+            None => Ok(()),
+        }
+    }
+
+    fn evaluate_region(
+        &self,
+        region: usize,
+        x: &Iterate,
+        derivatives: Derivatives,
+        stages: &mut Stages,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        let grid = &self.grids[region];
+        let stride = grid.node_stride();
+        let at = Points { len: stride, stride, s: &grid.s, y: &x.y[region] };
+        self.call(region, at, &x.constants, derivatives, &mut stages.nodes, stats)?;
+        for stage in 2..self.tableau.stages() {
+            let mut batch = std::mem::take(&mut stages.inner[stage - 2]);
+            self.stage_points(region, stage, &x.y[region], stages, &mut batch.y);
+            let stride = grid.interval_stride();
+            let (s, y) = (std::mem::take(&mut batch.s), std::mem::take(&mut batch.y));
+            let at = Points { len: stride, stride, s: &s, y: &y };
+            let outcome = self.call(region, at, &x.constants, derivatives, &mut batch, stats);
+            (batch.s, batch.y) = (s, y);
+            stages.inner[stage - 2] = batch;
+            outcome?;
+        }
+        self.interval_residuals(region, &x.y[region], stages);
+        Ok(())
+    }
+
+    /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals.
+    fn stage_points(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
+        let grid = &self.grids[region];
+        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
+        let v = self.tableau.v[stage];
+        for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
+            let left = &y[i * nodes..][..intervals];
+            let right = &y[i * nodes + W..][..intervals];
+            out.fill(0.0);
+            add_slopes(self.tableau.x[stage], stages, i, out);
+            for p in 0..intervals {
+                out[p] = (1.0 - v) * left[p] + v * right[p] + grid.h[p] * out[p];
+            }
+        }
+    }
+
+    /// `y_1 - y_0 - h Σ b K`.
+    fn interval_residuals(&self, region: usize, y: &[f64], stages: &mut Stages) {
+        let grid = &self.grids[region];
+        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
+        let mut phi = std::mem::take(&mut stages.phi);
+        for (i, out) in phi.chunks_exact_mut(intervals).enumerate() {
+            let left = &y[i * nodes..][..intervals];
+            let right = &y[i * nodes + W..][..intervals];
+            out.fill(0.0);
+            add_slopes(self.tableau.b, stages, i, out);
+            for p in 0..intervals {
+                out[p] = right[p] - left[p] - grid.h[p] * out[p];
+            }
+        }
+        stages.phi = phi;
+    }
+
+    fn integrate(&self, region: usize, work: &mut Work) {
+        let plan = &self.plan.regions[region];
+        let h = &self.grids[region].h;
+        let mut sums = vec![0.0; h.len()];
+        for row in plan.n..plan.rows {
+            sums.fill(0.0);
+            add_slopes(self.tableau.b, &work.regions[region], row, &mut sums);
+            work.integrals[plan.first_integral + row - plan.n] = sums.iter().zip(h).map(|(sum, h)| sum * h).sum();
+        }
+    }
+
+    /// Integrals over each interval, `k * interval_stride`, from the last evaluation.
+    pub(crate) fn interval_integrals(&self, region: usize, stages: &Stages) -> Vec<f64> {
+        let plan = &self.plan.regions[region];
+        let h = &self.grids[region].h;
+        let mut out = vec![0.0; (plan.rows - plan.n) * h.len()];
+        for (k, sums) in out.chunks_exact_mut(h.len()).enumerate() {
+            add_slopes(self.tableau.b, stages, plan.n + k, sums);
+            sums.iter_mut().zip(h).for_each(|(sum, h)| *sum *= h);
+        }
+        out
+    }
+
+    fn copy_ends(&self, region: usize, x: &Iterate, ends: &mut [f64]) {
+        let plan = &self.plan.regions[region];
+        let grid = &self.grids[region];
+        for i in 0..plan.n {
+            ends[plan.first_end + i] = x.y[region][i * grid.node_stride()];
+            ends[plan.first_end + plan.n + i] = x.y[region][i * grid.node_stride() + grid.last()];
+        }
+    }
+
+    fn call(
+        &self,
+        region: usize,
+        at: Points<'_>,
+        constants: &[f64],
+        derivatives: Derivatives,
+        batch: &mut Batch,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        let scope = match derivatives {
+            Derivatives::None => {
+                stats.rhs_points += at.len;
+                self.problem.rhs(region, &at, constants, &mut batch.f);
+                return self.check_values(region, &at, &batch.f);
+            }
+            Derivatives::Planned => self.plan.regions[region].scope,
+            Derivatives::All => Scope::All,
+        };
+        stats.jacobian_points += at.len;
+        self.problem.rhs_jacobian(region, &at, constants, scope, &mut batch.f, &mut batch.dy, &mut batch.dc);
+        self.check_values(region, &at, &batch.f)?;
+        if !finite(&batch.dy) {
+            return Err(NonFinite::derivative(self.layout, region, &at, &batch.dy));
+        }
+        Ok(())
+    }
+
+    /// # Errors
+    /// Names the first row and point that are not finite.
+    pub(crate) fn check_values(&self, region: usize, at: &Points<'_>, f: &[f64]) -> Result<(), NonFinite> {
+        if finite(f) { Ok(()) } else { Err(NonFinite::value(self.layout, region, at, f)) }
+    }
+}
+
+fn finite(values: &[f64]) -> bool {
+    // x * 0 is 0 for a finite x and NaN otherwise.
+    let mut sums = [0.0; 8];
+    let (chunks, rest) = values.as_chunks::<8>();
+    for chunk in chunks {
+        for (sum, x) in sums.iter_mut().zip(chunk) {
+            *sum += x * 0.0;
+        }
+    }
+    sums.iter().sum::<f64>() == 0.0 && rest.iter().all(|x| x.is_finite())
+}
+
+fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {
+    for (stage, &weight) in weights.iter().enumerate() {
+        if weight != 0.0 {
+            let slopes = stages.slope(stage, row, out.len());
+            for (out, slope) in out.iter_mut().zip(slopes) {
+                *out += weight * slope;
+            }
+        }
+    }
+}

@@ -1,0 +1,370 @@
+//! The Newton matrix, factored: each region eliminated to its two ends, then one dense system for ends and constants.
+
+use super::assemble::Assembly;
+use super::evaluate::Work;
+use super::plan::RegionPlan;
+use super::{Correction, Scales, System};
+use crate::linear::chain::{Block, Chain};
+use crate::linear::dense::Lu;
+use crate::linear::reflect::{Rows, with_rows};
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, vectorised};
+use crate::problem::Problem;
+
+/// One region: the stretches side by side, then the stretches one after another.
+#[derive(Debug, Clone)]
+pub(crate) struct RegionFactor {
+    lanes: Chain<Lane>,
+    top: Chain<f64>,
+    /// What the interval equations were multiplied by, `steps * n`.
+    row_scale: Vec<Lane>,
+}
+
+/// Right-hand sides in dimensionless equations.
+#[derive(Debug, Clone)]
+pub(crate) struct Rhs {
+    /// Interval equations, `steps * n` a region, before [`RegionFactor::row_scale`].
+    pub regions: Vec<Vec<Lane>>,
+    /// What the integrals change by beside what the states and unknowns do to them, per region, active ones.
+    pub integrals: Vec<Vec<f64>>,
+    /// Boundary equations.
+    pub boundary: Vec<f64>,
+}
+
+/// A factored Newton matrix. Holds no reference to the problem; solves any number of right-hand sides.
+#[derive(Debug, Clone)]
+pub(crate) struct Factorisation {
+    pub scales: Scales,
+    regions: Vec<RegionFactor>,
+    border: Lu,
+    dense: Vec<f64>,
+    /// `(equation, region, active integral, derivative)`.
+    integral_entries: Vec<(usize, usize, usize, f64)>,
+    /// Largest dimensionless coefficient of each boundary equation.
+    pub boundary_scale: Vec<f64>,
+}
+
+struct FactorRegion<'a, 'b> {
+    assembly: Assembly<'a>,
+    n: usize,
+    factor: &'b mut RegionFactor,
+}
+
+impl Job for FactorRegion<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        with_rows!(self.n, rows => factor_region(rows, self.assembly, self.factor))
+    }
+}
+
+#[inline(always)]
+fn factor_region<R: Rows>(rows: R, mut assembly: Assembly<'_>, factor: &mut RegionFactor) {
+    let n = rows.n();
+    let RegionFactor { lanes, top, row_scale } = factor;
+    lanes.factor(rows, |t, block| assembly.fill(rows, t, block, &mut row_scale[t * n..(t + 1) * n]));
+    let end = &lanes.end;
+    top.factor(rows, |l, block| pick(end, l, block));
+}
+
+/// The coefficients of one stretch out of those of all.
+#[inline(always)]
+fn pick(from: &Block<Lane>, l: usize, to: &mut Block<f64>) {
+    let pairs = [
+        (&from.a, &mut to.a),
+        (&from.b, &mut to.b),
+        (&from.c, &mut to.c),
+        (&from.fa, &mut to.fa),
+        (&from.fb, &mut to.fb),
+        (&from.fc, &mut to.fc),
+    ];
+    for (from, to) in pairs {
+        for (to, from) in to.iter_mut().zip(from) {
+            *to = from.0[l];
+        }
+    }
+}
+
+struct Forward<'a> {
+    factor: &'a RegionFactor,
+    rhs: &'a mut [Lane],
+    functionals: &'a mut [f64],
+}
+
+impl Job for Forward<'_> {
+    /// What the region contributes to the dense system: `n` values; and the stretches' right-hand sides.
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<f64> {
+        with_rows!(self.factor.lanes.sizes().n, rows => forward_region(rows, self))
+    }
+}
+
+#[inline(always)]
+fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
+    let n = rows.n();
+    for (rhs, scale) in job.rhs.iter_mut().zip(&job.factor.row_scale) {
+        *rhs = *rhs * *scale;
+    }
+    let mut lane_sums = vec![Lane::ZERO; job.functionals.len()];
+    job.factor.lanes.forward(rows, job.rhs, &mut lane_sums);
+    for (sum, lane) in job.functionals.iter_mut().zip(&lane_sums) {
+        *sum += lane.0.iter().sum::<f64>();
+    }
+    let last = &job.rhs[job.rhs.len() - n..];
+    let mut top: Vec<f64> = (0..W).flat_map(|l| last.iter().map(move |lane| lane.0[l])).collect();
+    job.factor.top.forward(rows, &mut top, job.functionals);
+    top
+}
+
+struct Backward<'a> {
+    factor: &'a RegionFactor,
+    rhs: &'a [Lane],
+    top: &'a [f64],
+    constants: &'a [f64],
+    first: &'a [f64],
+    last: &'a [f64],
+    u: &'a mut [Lane],
+}
+
+impl Job for Backward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        with_rows!(self.factor.lanes.sizes().n, rows => backward_region(rows, self))
+    }
+}
+
+#[inline(always)]
+fn backward_region<R: Rows>(rows: R, job: Backward<'_>) {
+    let n = rows.n();
+    let mut interfaces = vec![0.0; (W + 1) * n];
+    interfaces[..n].copy_from_slice(job.first);
+    interfaces[W * n..].copy_from_slice(job.last);
+    job.factor.top.backward(rows, job.top, job.constants, &mut interfaces);
+    let end = job.u.len() - n;
+    for i in 0..n {
+        for l in 0..W {
+            job.u[i].0[l] = interfaces[l * n + i];
+            job.u[end + i].0[l] = interfaces[(l + 1) * n + i];
+        }
+    }
+    let constants: Vec<Lane> = job.constants.iter().map(|&c| Lane([c; W])).collect();
+    job.factor.lanes.backward(rows, job.rhs, &constants, job.u);
+}
+
+impl Factorisation {
+    /// Memory for [`factor`](Self::factor).
+    pub(crate) fn new<P: Problem + ?Sized>(system: &System<'_, P>) -> Self {
+        let regions = system.plan.regions.iter().zip(&system.grids).map(|(plan, grid)| RegionFactor {
+            lanes: Chain::new(plan.sizes(), grid.steps),
+            top: Chain::new(plan.sizes(), W),
+            row_scale: vec![Lane::ZERO; grid.steps * plan.n],
+        });
+        Self {
+            scales: Scales { states: Vec::new(), constants: Vec::new() },
+            regions: regions.collect(),
+            border: Lu::default(),
+            dense: Vec::new(),
+            integral_entries: Vec::new(),
+            boundary_scale: Vec::new(),
+        }
+    }
+
+    /// Factors the matrix whose derivatives `work` holds. The rank may be deficient: see [`rank`](Self::rank).
+    pub(crate) fn factor<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work, scales: Scales) {
+        self.scales = scales;
+        for (region, factor) in self.regions.iter_mut().enumerate() {
+            let assembly = Assembly::new(system, region, &work.regions[region], &self.scales);
+            vectorised(FactorRegion { assembly, n: system.plan.regions[region].n, factor });
+        }
+        self.assemble_dense(system, work);
+        let size = self.size(system);
+        self.border.factor(size, &self.dense);
+    }
+
+    fn size<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> usize {
+        2 * system.plan.states() + system.plan.unknowns.len()
+    }
+
+    fn assemble_dense<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work) {
+        let size = self.size(system);
+        let first_unknown = size - system.plan.unknowns.len();
+        self.dense.clear();
+        self.dense.resize(size * size, 0.0);
+        let mut row = 0;
+        for (plan, factor) in system.plan.regions.iter().zip(&self.regions) {
+            let (n, end) = (plan.n, &factor.top.end);
+            for i in 0..n {
+                let out = &mut self.dense[(row + i) * size..(row + i + 1) * size];
+                for j in 0..n {
+                    out[plan.first_end + j] = end.a[j * n + i];
+                    out[plan.first_end + n + j] = end.b[j * n + i];
+                }
+                for (j, &column) in plan.columns.iter().enumerate() {
+                    out[first_unknown + column] = end.c[j * n + i];
+                }
+            }
+            row += n;
+        }
+        self.assemble_boundary(system, work, row, first_unknown);
+    }
+
+    fn assemble_boundary<P: Problem + ?Sized>(
+        &mut self,
+        system: &System<'_, P>,
+        work: &Work,
+        first_row: usize,
+        first_unknown: usize,
+    ) {
+        let layout = system.layout;
+        let size = self.size(system);
+        let (ends, integrals) = (layout.ends(), layout.integrals());
+        let input_scale = input_scales(&self.scales);
+        self.integral_entries.clear();
+        self.boundary_scale.clear();
+        self.boundary_scale.resize(layout.equations.len(), 0.0);
+        for (&(equation, input), &value) in layout.boundary_pattern.iter().zip(&work.dz) {
+            let out = &mut self.dense[(first_row + equation) * size..(first_row + equation + 1) * size];
+            let mut magnitude = value.abs();
+            if input < ends {
+                out[input] += value * input_scale[input];
+                magnitude *= input_scale[input];
+            } else if input < ends + integrals {
+                let Some((region, k)) = locate_integral(&system.plan.regions, input - ends) else { continue };
+                self.integral_entries.push((equation, region, k, value));
+                add_integral(&system.plan.regions[region], &self.regions[region].top.end, k, value, first_unknown, out);
+                magnitude *= work.integrals[input - ends].abs();
+            } else {
+                let constant = input - ends - integrals;
+                let scaled = value * self.scales.constants[constant];
+                magnitude = scaled.abs();
+                if let Some(u) = system.plan.unknowns.iter().position(|&index| index == constant) {
+                    out[first_unknown + u] += scaled;
+                }
+            }
+            self.boundary_scale[equation] = self.boundary_scale[equation].max(magnitude);
+        }
+    }
+
+    /// Rank of the dense system and its size.
+    pub(crate) fn rank(&self) -> (usize, usize) {
+        let size = self.border.row_scale().len();
+        (self.border.rank(), size)
+    }
+
+    /// A dimensionless direction in ends and unknowns that the singular dense system does not see.
+    pub(crate) fn null_vector(&self) -> Vec<f64> {
+        self.border.null_vector()
+    }
+
+    /// Whether no unknown enters the equation of this dense row.
+    pub(crate) fn row_is_empty(&self, row: usize) -> bool {
+        let size = self.border.row_scale().len();
+        self.dense[row * size..(row + 1) * size].iter().all(|&value| value == 0.0)
+    }
+
+    /// Solves for the correction that cancels the residual in `work`.
+    pub(crate) fn newton_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> Correction {
+        let regions = system.grids.iter().zip(&work.regions).zip(&self.scales.states).map(|((grid, stages), d)| {
+            let n = d.len();
+            let (phi, _) = stages.phi.as_chunks::<W>();
+            let mut rhs = vec![Lane::ZERO; grid.steps * n];
+            for (i, scale) in d.iter().enumerate() {
+                for (out, phi) in rhs.chunks_exact_mut(n).zip(&phi[i * grid.steps..]) {
+                    out[i] = Lane(*phi).times(-1.0 / scale);
+                }
+            }
+            rhs
+        });
+        let rhs = Rhs {
+            regions: regions.collect(),
+            integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),
+            boundary: work.g.iter().map(|g| -g).collect(),
+        };
+        self.solve(system, rhs)
+    }
+
+    /// Solves one linear system.
+    pub(crate) fn solve<P: Problem + ?Sized>(&self, system: &System<'_, P>, mut rhs: Rhs) -> Correction {
+        let mut dense = Vec::with_capacity(self.dense.len());
+        let mut tops = Vec::new();
+        for (factor, (lanes, functionals)) in
+            self.regions.iter().zip(rhs.regions.iter_mut().zip(rhs.integrals.iter_mut()))
+        {
+            let top = vectorised(Forward { factor, rhs: lanes, functionals });
+            dense.extend_from_slice(&top[top.len() - factor.lanes.sizes().n..]);
+            tops.push(top);
+        }
+        for &(equation, region, k, value) in &self.integral_entries {
+            rhs.boundary[equation] -= value * rhs.integrals[region][k];
+        }
+        dense.extend_from_slice(&rhs.boundary);
+        self.border.solve(&mut dense, &mut Vec::new());
+        let c = dense.split_off(2 * system.plan.states());
+        let mut u = Vec::new();
+        for (region, plan) in system.plan.regions.iter().enumerate() {
+            let grid = &system.grids[region];
+            let mut nodes = vec![Lane::ZERO; (grid.steps + 1) * plan.n];
+            let constants: Vec<f64> = plan.columns.iter().map(|&column| c[column]).collect();
+            let ends = &dense[plan.first_end..plan.first_end + 2 * plan.n];
+            let (first, last) = ends.split_at(plan.n);
+            vectorised(Backward {
+                factor: &self.regions[region],
+                rhs: &rhs.regions[region],
+                top: &tops[region],
+                constants: &constants,
+                first,
+                last,
+                u: &mut nodes,
+            });
+            repeat_last(grid, last, &mut nodes);
+            u.push(nodes);
+        }
+        Correction { u, c }
+    }
+}
+
+/// Padding holds the last node, exactly.
+fn repeat_last(grid: &super::grid::Grid, last: &[f64], nodes: &mut [Lane]) {
+    let n = last.len();
+    for j in grid.intervals()..grid.steps * W {
+        let p = grid.position(j);
+        for i in 0..n {
+            nodes[p / W * n + i].0[p % W] = last[i];
+        }
+    }
+    for l in (0..W).filter(|l| (l + 1) * grid.steps >= grid.intervals()) {
+        for i in 0..n {
+            nodes[grid.steps * n + i].0[l] = last[i];
+        }
+    }
+}
+
+/// Typical magnitudes of all ends.
+pub(crate) fn input_scales(scales: &Scales) -> Vec<f64> {
+    scales.states.iter().flat_map(|d| d.iter().chain(d).copied()).collect()
+}
+
+/// Region and active index of a global integral.
+pub(crate) fn locate_integral(regions: &[RegionPlan], integral: usize) -> Option<(usize, usize)> {
+    regions.iter().enumerate().find_map(|(region, plan)| {
+        let local = integral.checked_sub(plan.first_integral)?;
+        plan.active.iter().position(|&active| active == local).map(|k| (region, k))
+    })
+}
+
+/// Adds `value` times the reduced functional of integral `k` to a dense row.
+fn add_integral(plan: &RegionPlan, end: &Block<f64>, k: usize, value: f64, first_unknown: usize, out: &mut [f64]) {
+    let (n, p) = (plan.n, plan.columns.len());
+    for i in 0..n {
+        out[plan.first_end + i] += value * end.fa[k * n + i];
+        out[plan.first_end + n + i] += value * end.fb[k * n + i];
+    }
+    for (j, &column) in plan.columns.iter().enumerate() {
+        out[first_unknown + column] += value * end.fc[k * p + j];
+    }
+}

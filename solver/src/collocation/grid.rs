@@ -1,0 +1,106 @@
+//! A region's mesh, in the order in which several stretches of it are worked on side by side.
+//!
+//! `N` intervals are cut into `W` stretches of `steps` consecutive intervals, padded at the end with intervals of
+//! length zero. Interval `t` of stretch `l` stands at `t * W + l`, so that one vector holds interval `t` of
+//! every stretch. Nodes likewise, in `steps + 1` rows: the last row repeats the first of the next stretch, which
+//! makes the right node of the interval at `p` stand at `p + W`.
+
+use crate::linear::scalar::W;
+
+#[derive(Debug, Clone)]
+pub(crate) struct Grid {
+    /// The user's view: `N + 1` increasing nodes.
+    pub mesh: Vec<f64>,
+    /// Intervals in each stretch.
+    pub steps: usize,
+    /// Node positions in working order, `(steps + 1) * W`.
+    pub s: Vec<f64>,
+    /// Interval lengths in working order, `steps * W`.
+    pub h: Vec<f64>,
+    /// `1 / (N + 1)` where a node stands first in working order, 0 where it is repeated.
+    pub weight: Vec<f64>,
+}
+
+impl Grid {
+    /// `mesh`: at least two increasing nodes.
+    pub(crate) fn new(mesh: Vec<f64>) -> Self {
+        let steps = (mesh.len() - 1).div_ceil(W);
+        let mut grid = Self { steps, s: Vec::new(), h: Vec::new(), weight: Vec::new(), mesh };
+        grid.s = grid.pack(&grid.mesh);
+        grid.weight = vec![0.0; grid.node_stride()];
+        for j in 0..grid.mesh.len() {
+            let p = grid.node(j);
+            grid.weight[p] = 1.0 / grid.mesh.len() as f64;
+        }
+        grid.h = (0..steps * W).map(|p| grid.s[p + W] - grid.s[p]).collect();
+        grid
+    }
+
+    pub(crate) fn intervals(&self) -> usize {
+        self.mesh.len() - 1
+    }
+
+    /// Distance between components of node arrays.
+    pub(crate) fn node_stride(&self) -> usize {
+        (self.steps + 1) * W
+    }
+
+    /// Distance between components of interval arrays.
+    pub(crate) fn interval_stride(&self) -> usize {
+        self.steps * W
+    }
+
+    /// Working position of interval or node `j < N`; for node `N` see [`last`](Self::last).
+    #[inline]
+    pub(crate) fn position(&self, j: usize) -> usize {
+        (j % self.steps) * W + j / self.steps
+    }
+
+    /// Working position of node `j <= N`.
+    #[inline]
+    pub(crate) fn node(&self, j: usize) -> usize {
+        if j >= self.steps * W { self.last() } else { self.position(j) }
+    }
+
+    /// Which interval or node a working position holds; padding answers with the last.
+    pub(crate) fn index(&self, p: usize) -> usize {
+        (p % W * self.steps + p / W).min(self.intervals())
+    }
+
+    /// Working position of the end of the last stretch.
+    pub(crate) fn last(&self) -> usize {
+        self.node_stride() - 1
+    }
+
+    /// One component at the nodes, into working order.
+    pub(crate) fn pack(&self, values: &[f64]) -> Vec<f64> {
+        (0..self.node_stride()).map(|p| values[self.index(p)]).collect()
+    }
+
+    /// One component at the nodes, out of working order.
+    pub(crate) fn unpack(&self, values: &[f64]) -> Vec<f64> {
+        (0..self.mesh.len()).map(|j| values[self.node(j)]).collect()
+    }
+
+    /// One component of the intervals, out of working order.
+    pub(crate) fn unpack_intervals(&self, values: &[f64]) -> Vec<f64> {
+        (0..self.intervals()).map(|j| values[self.position(j)]).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn working_order_is_undone() {
+        for intervals in 1..40 {
+            let mesh: Vec<f64> = (0..=intervals).map(|j| (j * j + 1) as f64).collect();
+            let grid = Grid::new(mesh.clone());
+            assert_eq!(grid.unpack(&grid.s), mesh);
+            let lengths: Vec<f64> = mesh.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            assert_eq!(grid.unpack_intervals(&grid.h), lengths);
+            assert_eq!(grid.h.iter().sum::<f64>(), mesh[intervals] - mesh[0]);
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! A problem on given meshes as a system of algebraic equations, and its linearisation.
+
+pub(crate) mod assemble;
+pub(crate) mod evaluate;
+pub(crate) mod factor;
+pub(crate) mod grid;
+pub(crate) mod interpolant;
+pub(crate) mod plan;
+
+use crate::linear::scalar::{Lane, W};
+use crate::problem::{Layout, Problem};
+use crate::tableau::Tableau;
+use grid::Grid;
+use plan::Plan;
+
+/// The collocation equations of a problem on one set of meshes.
+pub(crate) struct System<'p, P: Problem + ?Sized> {
+    pub problem: &'p P,
+    pub layout: &'p Layout,
+    pub plan: &'p Plan,
+    pub tableau: &'static Tableau,
+    pub grids: Vec<Grid>,
+}
+
+/// Values of all unknowns, and of the given constants: states component by component in working order.
+#[derive(Debug, Clone)]
+pub(crate) struct Iterate {
+    /// Per region, `n * node_stride`.
+    pub y: Vec<Vec<f64>>,
+    /// All constants of the layout.
+    pub constants: Vec<f64>,
+}
+
+/// Typical magnitudes, by which all unknowns and equations are made dimensionless.
+#[derive(Debug, Clone)]
+pub(crate) struct Scales {
+    /// Per region, per state.
+    pub states: Vec<Vec<f64>>,
+    /// All constants of the layout.
+    pub constants: Vec<f64>,
+}
+
+/// A change of all unknowns in units of their scales: states node by node in working order.
+#[derive(Debug, Clone)]
+pub(crate) struct Correction {
+    /// Per region, `(steps + 1) * n` vectors of lanes.
+    pub u: Vec<Vec<Lane>>,
+    /// One for each unknown constant.
+    pub c: Vec<f64>,
+}
+
+impl<P: Problem + ?Sized> System<'_, P> {
+    /// The larger of what the layout says (1 where it says nothing) and what the iterate shows.
+    pub(crate) fn scales(&self, x: &Iterate) -> Scales {
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |max, y| max.max(y.abs()));
+        let states = self.layout.regions.iter().zip(&x.y).map(|(region, y)| {
+            let stride = y.len() / region.states.len();
+            let found = y.chunks_exact(stride).map(largest);
+            region.states.iter().zip(found).map(|(state, found)| found.max(state.scale.unwrap_or(1.0))).collect()
+        });
+        let constants = self.layout.constants.iter().zip(&x.constants);
+        Scales {
+            states: states.collect(),
+            constants: constants.map(|(constant, c)| c.abs().max(constant.scale.unwrap_or(1.0))).collect(),
+        }
+    }
+
+    /// `x + factor * dx`.
+    pub(crate) fn stepped(&self, x: &Iterate, scales: &Scales, factor: f64, dx: &Correction) -> Iterate {
+        let mut next = x.clone();
+        for (region, u) in dx.u.iter().enumerate() {
+            let n = self.plan.regions[region].n;
+            let rows = next.y[region].len() / n / W;
+            let (chunks, _) = next.y[region].as_chunks_mut::<W>();
+            for (i, scale) in scales.states[region].iter().enumerate() {
+                let factor = factor * scale;
+                for (y, u) in chunks[i * rows..(i + 1) * rows].iter_mut().zip(u.chunks_exact(n)) {
+                    for (y, u) in y.iter_mut().zip(u[i].0) {
+                        *y += factor * u;
+                    }
+                }
+            }
+        }
+        for (&index, c) in self.plan.unknowns.iter().zip(&dx.c) {
+            next.constants[index] += factor * scales.constants[index] * c;
+        }
+        next
+    }
+
+    /// Root of the mean square over nodes, summed over states and constants, per unknown of a node.
+    pub(crate) fn norm(&self, dx: &Correction) -> f64 {
+        self.norm_of(dx, |u, _| u, dx)
+    }
+
+    /// Norm of `a - factor * b`.
+    pub(crate) fn distance(&self, a: &Correction, factor: f64, b: &Correction) -> f64 {
+        self.norm_of(a, |a, b| a - factor * b, b)
+    }
+
+    fn norm_of(&self, a: &Correction, f: impl Fn(f64, f64) -> f64, b: &Correction) -> f64 {
+        let mut sum: f64 = a.c.iter().zip(&b.c).map(|(&a, &b)| f(a, b).powi(2)).sum();
+        let mut unknowns = a.c.len();
+        for (region, grid) in self.grids.iter().enumerate() {
+            let n = self.plan.regions[region].n;
+            unknowns += n;
+            let nodes = a.u[region].chunks_exact(n).zip(b.u[region].chunks_exact(n));
+            let mut total = [0.0; W];
+            for ((a, b), weight) in nodes.zip(grid.weight.as_chunks::<W>().0) {
+                for (a, b) in a.iter().zip(b) {
+                    for l in 0..W {
+                        total[l] += weight[l] * f(a.0[l], b.0[l]).powi(2);
+                    }
+                }
+            }
+            sum += total.iter().sum::<f64>();
+        }
+        (sum / unknowns.max(1) as f64).sqrt()
+    }
+
+    /// Largest component.
+    pub(crate) fn largest(&self, dx: &Correction) -> f64 {
+        let states = dx.u.iter().flatten().flat_map(|lane| lane.0);
+        states.chain(dx.c.iter().copied()).fold(0.0, |max: f64, u| if u.is_nan() { f64::NAN } else { max.max(u.abs()) })
+    }
+}

@@ -1,0 +1,239 @@
+//! Elimination of a chain of blocks to its two ends by structured orthogonal factorisation (SQR).
+//!
+//! S. J. Wright, "Stable parallel algorithms for two-point boundary value problems", SIAM J. Sci. Stat.
+//! Comput. 13 (1992) 742-764. The interval equations `A_t u_t + B_t u_{t+1} + C_t c = r_t` are combined two
+//! block rows at a time: Householder reflections of the `2n x n` pivot block `[Q; A_t]` on `u_t` leave
+//!
+//! ```text
+//! R u_t + E u_0 + F u_{t+1} + G c = r          (kept, for back substitution)
+//!         P u_0 + Q u_{t+1} + C c = r          (the new carry)
+//! ```
+//!
+//! Functionals `Σ_t (FA_t u_t + FB_t u_{t+1} + FC_t c)` are reduced with the same pivots, so that an integral
+//! too becomes a combination of the two ends and the constants.
+
+use super::reflect::{Rows, make_reflector};
+use super::scalar::Scalar;
+
+/// Sizes of a chain: `n` unknowns a node, `p` constants, `k` functionals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Sizes {
+    pub n: usize,
+    pub p: usize,
+    pub k: usize,
+}
+
+/// Coefficients of one interval, or of a whole chain once reduced. `a`, `b`, `c` by columns of `n`;
+/// functional rows `fa`, `fb` by rows of `n`, `fc` by rows of `p`.
+#[derive(Debug, Clone)]
+pub(crate) struct Block<T> {
+    pub a: Vec<T>,
+    pub b: Vec<T>,
+    pub c: Vec<T>,
+    pub fa: Vec<T>,
+    pub fb: Vec<T>,
+    pub fc: Vec<T>,
+}
+
+impl<T: Scalar> Block<T> {
+    pub(crate) fn new(Sizes { n, p, k }: Sizes) -> Self {
+        let zeros = |len| vec![T::ZERO; len];
+        Self { a: zeros(n * n), b: zeros(n * n), c: zeros(n * p), fa: zeros(k * n), fb: zeros(k * n), fc: zeros(k * p) }
+    }
+}
+
+/// What back substitution keeps of one eliminated node.
+struct Kept<S> {
+    /// `n` reflectors of `2n`.
+    reflectors: S,
+    /// R by columns; entries below the diagonal are not defined.
+    r: S,
+    /// Reciprocals of R's diagonal.
+    inverse: S,
+    e: S,
+    f: S,
+    g: S,
+    /// Multipliers of the functionals, by rows of `n`.
+    x: S,
+}
+
+fn kept_len(Sizes { n, p, k }: Sizes) -> usize {
+    5 * n * n + n + n * p + k * n
+}
+
+#[inline(always)]
+fn kept<T>(Sizes { n, p, .. }: Sizes, data: &[T]) -> Kept<&[T]> {
+    let (reflectors, rest) = data.split_at(2 * n * n);
+    let (r, rest) = rest.split_at(n * n);
+    let (inverse, rest) = rest.split_at(n);
+    let (e, rest) = rest.split_at(n * n);
+    let (f, rest) = rest.split_at(n * n);
+    let (g, x) = rest.split_at(n * p);
+    Kept { reflectors, r, inverse, e, f, g, x }
+}
+
+#[inline(always)]
+fn kept_mut<T>(Sizes { n, p, .. }: Sizes, data: &mut [T]) -> Kept<&mut [T]> {
+    let (reflectors, rest) = data.split_at_mut(2 * n * n);
+    let (r, rest) = rest.split_at_mut(n * n);
+    let (inverse, rest) = rest.split_at_mut(n);
+    let (e, rest) = rest.split_at_mut(n * n);
+    let (f, rest) = rest.split_at_mut(n * n);
+    let (g, x) = rest.split_at_mut(n * p);
+    Kept { reflectors, r, inverse, e, f, g, x }
+}
+
+/// A factored chain.
+#[derive(Debug, Clone)]
+pub(crate) struct Chain<T> {
+    sizes: Sizes,
+    data: Vec<T>,
+    /// The whole chain, reduced: `a u_0 + b u_steps + c constants = r`, and the functionals.
+    pub end: Block<T>,
+    block: Block<T>,
+}
+
+impl<T: Scalar> Chain<T> {
+    pub(crate) fn new(sizes: Sizes, steps: usize) -> Self {
+        let data = vec![T::ZERO; kept_len(sizes) * steps.saturating_sub(1)];
+        Self { sizes, data, end: Block::new(sizes), block: Block::new(sizes) }
+    }
+
+    pub(crate) fn sizes(&self) -> Sizes {
+        self.sizes
+    }
+
+    /// Eliminates the interior nodes `1..steps`; `fill(t, block)` writes the coefficients of interval `t`.
+    #[inline(always)]
+    pub(crate) fn factor<R: Rows>(&mut self, rows: R, mut fill: impl FnMut(usize, &mut Block<T>)) {
+        fill(0, &mut self.end);
+        let sizes = self.sizes;
+        for (t, data) in self.data.chunks_exact_mut(kept_len(sizes)).enumerate() {
+            fill(t + 1, &mut self.block);
+            let kept = kept_mut(sizes, data);
+            eliminate(rows, sizes, kept, &mut self.end, &mut self.block);
+        }
+    }
+
+    /// Carries right-hand sides through the reflections: `rhs[t * n..]` belongs to interval `t` on entry; on
+    /// exit to eliminated node `t + 1`, and the last to the reduced equation. `functionals` are added to.
+    #[inline(always)]
+    pub(crate) fn forward<R: Rows>(&self, rows: R, rhs: &mut [T], functionals: &mut [T]) {
+        let n = rows.n();
+        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate() {
+            let kept = kept(self.sizes, data);
+            let (top, bottom) = rhs[t * n..(t + 2) * n].split_at_mut(n);
+            rows.apply(kept.reflectors, n, top, bottom);
+            for (functional, x) in functionals.iter_mut().zip(kept.x.chunks_exact(n)) {
+                for i in 0..n {
+                    *functional += x[i] * top[i];
+                }
+            }
+        }
+    }
+
+    /// Fills the interior nodes of `u` (`(steps + 1) * n`), its first and last given, from what
+    /// [`forward`](Self::forward) left.
+    #[inline(always)]
+    pub(crate) fn backward<R: Rows>(&self, rows: R, rhs: &[T], constants: &[T], u: &mut [T]) {
+        let n = rows.n();
+        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate().rev() {
+            let kept = kept(self.sizes, data);
+            let (first, rest) = u.split_at_mut(n);
+            let (here, next) = rest[t * n..(t + 2) * n].split_at_mut(n);
+            here.copy_from_slice(&rhs[t * n..(t + 1) * n]);
+            subtract(kept.e, first, here);
+            subtract(kept.f, next, here);
+            subtract(kept.g, constants, here);
+            for i in (0..n).rev() {
+                here[i] = here[i] * kept.inverse[i];
+                let pivot = here[i];
+                for (above, &r) in here[..i].iter_mut().zip(&kept.r[i * n..]) {
+                    *above -= r * pivot;
+                }
+            }
+        }
+    }
+}
+
+/// `out -= M x` for M by columns.
+#[inline(always)]
+fn subtract<T: Scalar>(matrix: &[T], x: &[T], out: &mut [T]) {
+    for (column, &x) in matrix.chunks_exact(out.len()).zip(x) {
+        for i in 0..out.len() {
+            out[i] -= column[i] * x;
+        }
+    }
+}
+
+#[inline(always)]
+fn eliminate<T: Scalar, R: Rows>(
+    rows: R,
+    sizes: Sizes,
+    kept: Kept<&mut [T]>,
+    carry: &mut Block<T>,
+    block: &mut Block<T>,
+) {
+    let n = rows.n();
+    for j in 0..n {
+        let top = &mut carry.b[j * n..(j + 1) * n];
+        let bottom = &mut block.a[j * n..(j + 1) * n];
+        rows.apply(kept.reflectors, j, top, bottom);
+        let diagonal = make_reflector(j, top, bottom, &mut kept.reflectors[j * 2 * n..(j + 1) * 2 * n]);
+        top[j] = diagonal;
+        kept.r[j * n..(j + 1) * n].copy_from_slice(top);
+        kept.inverse[j] = diagonal.recip();
+    }
+    let all = &*kept.reflectors;
+    for (e, p) in kept.e.chunks_exact_mut(n).zip(carry.a.chunks_exact_mut(n)) {
+        e.copy_from_slice(p);
+        p.fill(T::ZERO);
+        rows.apply(all, n, e, p);
+    }
+    for ((f, q), b) in kept.f.chunks_exact_mut(n).zip(carry.b.chunks_exact_mut(n)).zip(block.b.chunks_exact(n)) {
+        f.fill(T::ZERO);
+        q.copy_from_slice(b);
+        rows.apply(all, n, f, q);
+    }
+    for ((g, c), b) in kept.g.chunks_exact_mut(n).zip(carry.c.chunks_exact_mut(n)).zip(block.c.chunks_exact(n)) {
+        g.copy_from_slice(c);
+        c.copy_from_slice(b);
+        rows.apply(all, n, g, c);
+    }
+    if sizes.k > 0 {
+        eliminate_functionals(n, sizes.p, kept, carry, block);
+    }
+}
+
+/// Replaces `u_t` in the functionals by the kept equation: `X = w R⁻¹`, then `row -= X [E F G]`.
+#[inline(always)]
+fn eliminate_functionals<T: Scalar>(n: usize, p: usize, kept: Kept<&mut [T]>, carry: &mut Block<T>, block: &Block<T>) {
+    for (row, x) in kept.x.chunks_exact_mut(n).enumerate() {
+        let span = row * n..(row + 1) * n;
+        for c in 0..n {
+            let mut value = carry.fb[row * n + c] + block.fa[row * n + c];
+            for (&x, &r) in x[..c].iter().zip(&kept.r[c * n..]) {
+                value -= x * r;
+            }
+            x[c] = value * kept.inverse[c];
+        }
+        carry.fb[span.clone()].copy_from_slice(&block.fb[span.clone()]);
+        subtract_row(x, kept.e, &mut carry.fa[span.clone()]);
+        subtract_row(x, kept.f, &mut carry.fb[span]);
+        let constants = &mut carry.fc[row * p..(row + 1) * p];
+        for (sum, &here) in constants.iter_mut().zip(&block.fc[row * p..(row + 1) * p]) {
+            *sum += here;
+        }
+        subtract_row(x, kept.g, constants);
+    }
+}
+
+/// `out -= x M` for M by columns.
+#[inline(always)]
+fn subtract_row<T: Scalar>(x: &[T], matrix: &[T], out: &mut [T]) {
+    for (out, column) in out.iter_mut().zip(matrix.chunks_exact(x.len())) {
+        for i in 0..x.len() {
+            *out -= x[i] * column[i];
+        }
+    }
+}

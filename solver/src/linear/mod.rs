@@ -1,0 +1,7 @@
+//! Linear algebra of bordered almost block diagonal systems.
+
+pub(crate) mod chain;
+pub(crate) mod dense;
+pub(crate) mod reflect;
+pub(crate) mod scalar;
+pub(crate) mod simd;

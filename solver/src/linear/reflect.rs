@@ -1,0 +1,140 @@
+//! Householder reflections of two stacked blocks of `n` rows, for a fixed `n` or any.
+
+use super::scalar::Scalar;
+
+/// How many rows a block has, and the two inner loops that profit from knowing it when compiled.
+///
+/// Reflector `j` of a set is `H = I - v vᵀ` with `‖v‖ = √2`; its `v` is stored at `[j * 2n, (j + 1) * 2n)`: `n`
+/// entries for the upper block (zero above row `j`), `n` for the lower.
+pub(crate) trait Rows: Copy {
+    fn n(self) -> usize;
+
+    /// Applies the first `count` reflectors to the column `[top; bottom]`.
+    fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]);
+
+    /// Applies them in reverse order: the transpose of [`apply`](Self::apply).
+    fn apply_transposed<T: Scalar>(self, reflectors: &[T], top: &mut [T], bottom: &mut [T]) {
+        let n = self.n();
+        for j in (0..n).rev() {
+            reflect(&reflectors[j * 2 * n..(j + 1) * 2 * n], j, &mut top[..n], &mut bottom[..n]);
+        }
+    }
+}
+
+/// Makes the reflector that annihilates `[top; bottom]` below row `j`; answers the diagonal entry of R.
+#[inline(always)]
+pub(crate) fn make_reflector<T: Scalar>(j: usize, top: &[T], bottom: &[T], out: &mut [T]) -> T {
+    let n = top.len();
+    let mut square = T::ZERO.map(|_| f64::MIN_POSITIVE);
+    for &x in top[j..].iter().chain(bottom) {
+        square += x * x;
+    }
+    let norm = square.sqrt();
+    let diagonal = -norm.copysign(top[j]);
+    // v = (x - diagonal e_j) / sqrt(‖x‖ (‖x‖ + |x_j|)), so that v·v = 2.
+    let factor = (norm * (norm + top[j].abs())).sqrt().recip();
+    for i in 0..n {
+        out[i] = if i < j { T::ZERO } else { top[i] * factor };
+        out[n + i] = bottom[i] * factor;
+    }
+    out[j] = (top[j] - diagonal) * factor;
+    diagonal
+}
+
+#[inline(always)]
+fn reflect<T: Scalar>(v: &[T], j: usize, top: &mut [T], bottom: &mut [T]) {
+    let n = top.len();
+    let (mut a, mut b) = (T::ZERO, T::ZERO);
+    for i in j..n {
+        a += v[i] * top[i];
+    }
+    for i in 0..n {
+        b += v[n + i] * bottom[i];
+    }
+    let dot = a + b;
+    for i in j..n {
+        top[i] -= dot * v[i];
+    }
+    for i in 0..n {
+        bottom[i] -= dot * v[n + i];
+    }
+}
+
+/// `N` rows, known when compiled: the column stays in registers.
+#[derive(Clone, Copy)]
+pub(crate) struct Fixed<const N: usize>;
+
+impl<const N: usize> Rows for Fixed<N> {
+    #[inline(always)]
+    fn n(self) -> usize {
+        N
+    }
+
+    #[inline(always)]
+    fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]) {
+        let (mut a, mut b) = ([T::ZERO; N], [T::ZERO; N]);
+        a.copy_from_slice(&top[..N]);
+        b.copy_from_slice(&bottom[..N]);
+        for (j, v) in reflectors.chunks_exact(2 * N).take(count.min(N)).enumerate() {
+            reflect(v, j, &mut a, &mut b);
+        }
+        top[..N].copy_from_slice(&a);
+        bottom[..N].copy_from_slice(&b);
+    }
+}
+
+/// Any number of rows.
+#[derive(Clone, Copy)]
+pub(crate) struct Dynamic(pub usize);
+
+impl Rows for Dynamic {
+    #[inline(always)]
+    fn n(self) -> usize {
+        self.0
+    }
+
+    #[inline(always)]
+    fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]) {
+        let n = self.0;
+        for (j, v) in reflectors.chunks_exact(2 * n).take(count).enumerate() {
+            reflect(v, j, &mut top[..n], &mut bottom[..n]);
+        }
+    }
+}
+
+/// Runs `$body` with `$rows` bound to the [`Rows`] of `$n`.
+macro_rules! with_rows {
+    ($n:expr, $rows:ident => $body:expr) => {
+        match $n {
+            1 => {
+                let $rows = $crate::linear::reflect::Fixed::<1>;
+                $body
+            }
+            2 => {
+                let $rows = $crate::linear::reflect::Fixed::<2>;
+                $body
+            }
+            3 => {
+                let $rows = $crate::linear::reflect::Fixed::<3>;
+                $body
+            }
+            4 => {
+                let $rows = $crate::linear::reflect::Fixed::<4>;
+                $body
+            }
+            5 => {
+                let $rows = $crate::linear::reflect::Fixed::<5>;
+                $body
+            }
+            6 => {
+                let $rows = $crate::linear::reflect::Fixed::<6>;
+                $body
+            }
+            n => {
+                let $rows = $crate::linear::reflect::Dynamic(n);
+                $body
+            }
+        }
+    };
+}
+pub(crate) use with_rows;

@@ -1,0 +1,96 @@
+//! Meshes: making, splitting, redistributing.
+
+/// `intervals + 1` equidistant nodes; at least one interval.
+pub fn uniform((a, b): (f64, f64), intervals: usize) -> Vec<f64> {
+    let count = intervals.max(1);
+    let mut mesh: Vec<f64> = (0..=count).map(|j| a + (b - a) * (j as f64 / count as f64)).collect();
+    mesh[count] = b;
+    mesh
+}
+
+/// Divides interval `j` into `pieces[j]` equal ones.
+pub(crate) fn split(mesh: &[f64], pieces: &[usize]) -> Vec<f64> {
+    let mut out = Vec::with_capacity(mesh.len());
+    for (pair, &count) in mesh.windows(2).zip(pieces) {
+        out.extend((0..count.max(1)).map(|i| pair[0] + (pair[1] - pair[0]) * (i as f64 / count.max(1) as f64)));
+    }
+    out.extend(mesh.last());
+    out
+}
+
+/// How fast neighbouring intervals may grow: the change of the interval length per length.
+const GRADATION: f64 = 0.7;
+
+/// Bounds the gradation of wanted interval lengths `wanted`, by shortening.
+pub(crate) fn grade(mesh: &[f64], wanted: &mut [f64]) {
+    let middle = |j: usize| 0.5 * (mesh[j] + mesh[j + 1]);
+    for j in 1..wanted.len() {
+        wanted[j] = wanted[j].min(wanted[j - 1] + GRADATION * (middle(j) - middle(j - 1)));
+    }
+    for j in (1..wanted.len()).rev() {
+        wanted[j - 1] = wanted[j - 1].min(wanted[j] + GRADATION * (middle(j) - middle(j - 1)));
+    }
+}
+
+/// Number of intervals of the wanted lengths that fit.
+pub(crate) fn needed(mesh: &[f64], wanted: &[f64]) -> f64 {
+    mesh.windows(2).zip(wanted).map(|(pair, wanted)| (pair[1] - pair[0]) / wanted).sum()
+}
+
+/// A mesh of `intervals` whose lengths are in proportion to `wanted`, which is constant on each old interval.
+pub(crate) fn equidistribute(mesh: &[f64], wanted: &[f64], intervals: usize) -> Vec<f64> {
+    let share = needed(mesh, wanted) / intervals as f64;
+    let mut out = Vec::with_capacity(intervals + 1);
+    out.push(mesh[0]);
+    let mut before = 0.0;
+    for (pair, wanted) in mesh.windows(2).zip(wanted) {
+        let density = 1.0 / wanted;
+        let after = before + (pair[1] - pair[0]) * density;
+        while out.len() < intervals && out.len() as f64 * share <= after {
+            let s = pair[0] + (out.len() as f64 * share - before) / density;
+            if out.last().is_some_and(|&last| s > last) && s < mesh[mesh.len() - 1] {
+                out.push(s);
+            } else {
+                break;
+            }
+        }
+        before = after;
+    }
+    out.push(mesh[mesh.len() - 1]);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn is_mesh(mesh: &[f64]) -> bool {
+        mesh.windows(2).all(|pair| pair[0] < pair[1])
+    }
+
+    proptest! {
+        #[test]
+        fn redistribution_gives_the_wanted_number_of_increasing_nodes(
+            lengths in proptest::collection::vec(1e-3..1.0_f64, 1..30),
+            wanted in proptest::collection::vec(1e-3..1.0_f64, 30),
+            intervals in 1_usize..60,
+        ) {
+            let mut mesh = vec![0.0];
+            for h in &lengths {
+                mesh.push(mesh[mesh.len() - 1] + h);
+            }
+            let mut wanted = wanted[..lengths.len()].to_vec();
+            grade(&mesh, &mut wanted);
+            let new = equidistribute(&mesh, &wanted, intervals);
+            prop_assert_eq!(new.len(), intervals + 1);
+            prop_assert!(is_mesh(&new));
+            prop_assert_eq!((new[0], new[intervals]), (0.0, mesh[lengths.len()]));
+        }
+    }
+
+    #[test]
+    fn splitting_keeps_the_old_nodes() {
+        assert_eq!(split(&[0.0, 1.0, 3.0], &[2, 1]), [0.0, 0.5, 1.0, 3.0]);
+    }
+}

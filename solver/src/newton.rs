@@ -1,0 +1,340 @@
+//! Damped affine-invariant Newton iteration.
+//!
+//! P. Deuflhard, "Newton Methods for Nonlinear Problems", Springer 2004, algorithm NLEQ-ERR (section 3.3.2):
+//! progress is measured by simplified corrections `Δx̄ = -J(x_k)⁻¹ F(x_k + λ Δx_k)` from the held factorisation
+//! (natural monotonicity), which no scaling of the equations can change; the damping factor is predicted and corrected
+//! from estimates of the affine-invariant Lipschitz constant.
+
+use crate::collocation::evaluate::{Derivatives, Work};
+use crate::collocation::factor::Factorisation;
+use crate::collocation::{Correction, Iterate, Scales, System};
+use crate::error::{Component, NewtonError, NonFinite};
+use crate::observer::{Event, Observer};
+use crate::problem::Problem;
+use crate::stats::Stats;
+
+/// Natural monotonicity allows a full step to be repeated with the same matrix if it contracts this well.
+const SIMPLIFIED_CONTRACTION: f64 = 0.25;
+/// A factorisation costs about as much as so many simplified corrections.
+const SIMPLIFIED_LIMIT: f64 = 4.0;
+
+/// Limits of the iteration.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Limits {
+    /// Largest component of the last correction, relative to typical magnitudes.
+    pub tolerance: f64,
+    pub iterations: usize,
+    pub smallest_damping: f64,
+    /// Give up at the first full correction that does not contract by this factor (continuation); 1 otherwise.
+    pub contraction: f64,
+}
+
+/// Where the iteration ended, with what it held.
+#[derive(Debug, Clone)]
+pub(crate) struct Converged {
+    pub x: Iterate,
+    /// Residual at `x`; its derivatives belong to the last factored iterate.
+    pub work: Work,
+    pub factorisation: Factorisation,
+    /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
+    pub contraction: f64,
+    /// Size of the first correction.
+    pub first_correction: f64,
+}
+
+struct Newton<'a, 'p, P: Problem + ?Sized> {
+    system: &'a System<'p, P>,
+    limits: Limits,
+    stats: &'a mut Stats,
+    observer: &'a mut dyn Observer,
+    work: Work,
+    factorisation: Factorisation,
+    iteration: usize,
+    contraction: Option<f64>,
+    first_correction: f64,
+}
+
+/// How far a damped step got.
+enum Step {
+    /// The iterate converged.
+    Done(Iterate),
+    /// A new iterate, the simplified correction there, and the damping factor that led to it.
+    Moved { x: Iterate, simplified: Correction, damping: f64, contraction: f64 },
+}
+
+/// Solves the collocation equations from `start`, which is left as it is.
+///
+/// # Errors
+/// See [`NewtonError`].
+pub(crate) fn solve<P: Problem + ?Sized>(
+    system: &System<'_, P>,
+    start: &Iterate,
+    limits: Limits,
+    stats: &mut Stats,
+    observer: &mut dyn Observer,
+) -> Result<Converged, NewtonError> {
+    let newton = Newton {
+        system,
+        limits,
+        stats,
+        observer,
+        work: system.work(),
+        factorisation: Factorisation::new(system),
+        iteration: 0,
+        contraction: None,
+        first_correction: 0.0,
+    };
+    newton.run(start.clone())
+}
+
+impl<P: Problem + ?Sized> Newton<'_, '_, P> {
+    fn run(mut self, mut x: Iterate) -> Result<Converged, NewtonError> {
+        // The last damping factor, correction and simplified correction: they predict the next damping factor.
+        let mut before: Option<(f64, f64, Correction)> = None;
+        loop {
+            self.linearise(&x)?;
+            let dx = self.correction();
+            let size = self.system.norm(&dx);
+            self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
+            if self.iteration == 1 {
+                self.first_correction = self.system.largest(&dx);
+            }
+            if self.system.largest(&dx) <= self.limits.tolerance {
+                let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
+                return self.finish(x);
+            }
+            if self.iteration > self.limits.iterations {
+                return Err(self.limit_reached(&dx));
+            }
+            let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
+            match self.damped_step(&x, &dx, size, damping)? {
+                Step::Done(x) => return self.finish(x),
+                Step::Moved { x: next, simplified, damping, contraction } => {
+                    x = next;
+                    if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
+                        match self.simplified_steps(x, &simplified, contraction)? {
+                            (next, true) => return self.finish(next),
+                            (next, false) => x = next,
+                        }
+                        before = None;
+                    } else {
+                        before = Some((damping, size, simplified));
+                    }
+                }
+            }
+        }
+    }
+
+    fn linearise(&mut self, x: &Iterate) -> Result<(), NewtonError> {
+        self.iteration += 1;
+        self.stats.newton_iterations += 1;
+        self.evaluate(x, Derivatives::Planned).map_err(NewtonError::NonFinite)?;
+        let scales = self.system.scales(x);
+        self.factorisation.factor(self.system, &self.work, scales);
+        self.stats.factorisations += 1;
+        let (rank, size) = self.factorisation.rank();
+        if rank < size { Err(self.singular(rank, size)) } else { Ok(()) }
+    }
+
+    fn evaluate(&mut self, x: &Iterate, derivatives: Derivatives) -> Result<(), NonFinite> {
+        self.system.evaluate(x, derivatives, &mut self.work, self.stats)
+    }
+
+    fn correction(&mut self) -> Correction {
+        self.stats.linear_solves += 1;
+        self.factorisation.newton_correction(self.system, &self.work)
+    }
+
+    /// Damping factor from the Lipschitz estimate of the last step; Deuflhard (3.50).
+    fn predict(&self, before: &(f64, f64, Correction), dx: &Correction, size: f64) -> f64 {
+        let (damping, last_size, simplified) = before;
+        let change = self.system.distance(simplified, 1.0, dx);
+        let estimate = last_size * self.system.norm(simplified) / (change * size) * damping;
+        if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
+    }
+
+    fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, NewtonError> {
+        let mut damping = first;
+        let mut reduced = false;
+        loop {
+            if damping < self.limits.smallest_damping {
+                return Err(self.stalled(damping, dx));
+            }
+            let trial = self.system.stepped(x, &self.factorisation.scales, damping, dx);
+            if let Err(error) = self.evaluate(&trial, Derivatives::None) {
+                if damping <= self.limits.smallest_damping {
+                    return Err(NewtonError::NonFinite(error));
+                }
+                reduced = true;
+                damping = (damping / 2.0).max(self.limits.smallest_damping);
+                continue;
+            }
+            let simplified = self.correction();
+            let new_size = self.system.norm(&simplified);
+            let contraction = new_size / size;
+            let deviation = self.system.distance(&simplified, 1.0 - damping, dx);
+            // Deuflhard (3.48): λ' = ½ ‖Δx‖ λ² / ‖Δx̄ - (1-λ) Δx‖.
+            let estimate = 0.5 * size * damping * damping / deviation;
+            if self.contraction.is_none() && damping == 1.0 {
+                self.contraction = Some(contraction);
+            }
+            if !(contraction < self.limits.contraction.min(1.0)) {
+                if self.limits.contraction < 1.0 {
+                    return Err(self.stalled(damping, dx));
+                }
+                reduced = true;
+                let next = if estimate.is_finite() { estimate.min(damping / 2.0) } else { damping / 2.0 };
+                damping = next.max(damping / 10.0);
+                continue;
+            }
+            let possible = if estimate.is_finite() { estimate.min(1.0) } else { 1.0 };
+            if damping == 1.0 && self.system.largest(&simplified) <= self.limits.tolerance {
+                return Ok(Step::Done(self.system.stepped(&trial, &self.factorisation.scales, 1.0, &simplified)));
+            }
+            if possible >= 4.0 * damping && !reduced {
+                damping = possible;
+                continue;
+            }
+            return Ok(Step::Moved { x: trial, simplified, damping, contraction });
+        }
+    }
+
+    /// Further corrections with the held matrix, as long as fewer are needed than a new matrix costs. Answers
+    /// whether they converged.
+    fn simplified_steps(
+        &mut self,
+        mut x: Iterate,
+        first: &Correction,
+        mut contraction: f64,
+    ) -> Result<(Iterate, bool), NewtonError> {
+        let mut dx = first.clone();
+        loop {
+            let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
+            let needed = (self.limits.tolerance / largest).ln() / contraction.max(1e-300).ln();
+            if !(needed <= SIMPLIFIED_LIMIT) {
+                return Ok((x, false));
+            }
+            let trial = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
+            if self.evaluate(&trial, Derivatives::None).is_err() {
+                return Ok((x, false));
+            }
+            let next = self.correction();
+            let rate = self.system.norm(&next) / size;
+            if !(rate < 1.0) {
+                return Ok((x, false));
+            }
+            self.stats.simplified_corrections += 1;
+            if self.system.largest(&next) <= self.limits.tolerance {
+                return Ok((self.system.stepped(&trial, &self.factorisation.scales, 1.0, &next), true));
+            }
+            if rate > SIMPLIFIED_CONTRACTION {
+                return Ok((trial, false));
+            }
+            (x, dx, contraction) = (trial, next, rate);
+        }
+    }
+
+    /// The residual where the iteration ended, for integrals, boundary residuals and dense output.
+    fn finish(mut self, x: Iterate) -> Result<Converged, NewtonError> {
+        self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
+        Ok(Converged {
+            x,
+            work: self.work,
+            factorisation: self.factorisation,
+            contraction: self.contraction.unwrap_or(0.0),
+            first_correction: self.first_correction,
+        })
+    }
+
+    fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), NewtonError> {
+        let correction = self.system.largest(dx);
+        let event = Event::Newton { iteration: self.iteration, correction, damping };
+        if self.observer.notify(&event).is_break() { Err(NewtonError::Cancelled) } else { Ok(()) }
+    }
+
+    fn stalled(&self, damping: f64, dx: &Correction) -> NewtonError {
+        NewtonError::Stalled {
+            iterations: self.iteration,
+            damping,
+            correction: self.system.largest(dx),
+            largest: self.system.largest_components(dx),
+        }
+    }
+
+    fn limit_reached(&self, dx: &Correction) -> NewtonError {
+        NewtonError::IterationLimit {
+            iterations: self.limits.iterations,
+            correction: self.system.largest(dx),
+            largest: self.system.largest_components(dx),
+        }
+    }
+
+    fn singular(&self, rank: usize, size: usize) -> NewtonError {
+        let layout = self.system.layout;
+        let first = self.system.plan.states();
+        let empty = (0..layout.equations.len()).filter(|&row| self.factorisation.row_is_empty(first + row));
+        NewtonError::Singular {
+            rank,
+            size,
+            null_vector: self.system.border_components(&self.factorisation.null_vector()),
+            empty_equations: empty.map(|row| layout.equations[row].clone()).collect(),
+        }
+    }
+}
+
+/// How many components a message shows.
+const SHOWN: usize = 4;
+
+impl<P: Problem + ?Sized> System<'_, P> {
+    /// The largest components of a vector over ends and unknowns, by name.
+    pub(crate) fn border_components(&self, vector: &[f64]) -> Vec<Component> {
+        let ends = self.layout.ends();
+        let mut components: Vec<Component> = vector
+            .iter()
+            .enumerate()
+            .map(|(i, &value)| {
+                let name = match i.checked_sub(ends).and_then(|u| self.plan.unknowns.get(u)) {
+                    Some(&constant) => format!("constant {}", self.layout.constants[constant].name),
+                    None => self.layout.input_name(i),
+                };
+                Component { name, value }
+            })
+            .collect();
+        components.sort_by(|a, b| b.value.abs().total_cmp(&a.value.abs()));
+        let least = components.first().map_or(0.0, |first| 1e-3 * first.value.abs());
+        components.retain(|component| component.value.abs() >= least && component.value != 0.0);
+        components.truncate(SHOWN);
+        components
+    }
+
+    /// The largest components of a correction, by name and position: the largest of each state, and the constants.
+    pub(crate) fn largest_components(&self, dx: &Correction) -> Vec<Component> {
+        let mut components = Vec::new();
+        for (region, (u, grid)) in self.layout.regions.iter().zip(dx.u.iter().zip(&self.grids)) {
+            let n = region.states.len();
+            for (i, state) in region.states.iter().enumerate() {
+                let at = |j: usize| {
+                    let p = grid.node(j);
+                    u[p / crate::linear::scalar::W * n + i].0[p % crate::linear::scalar::W]
+                };
+                let nodes = 0..grid.mesh.len();
+                let Some(j) = nodes.max_by(|&a, &b| at(a).abs().total_cmp(&at(b).abs())) else { continue };
+                let name = format!("{} at {} of {}", state.name, grid.mesh[j], region.name);
+                components.push(Component { name, value: at(j) });
+            }
+        }
+        for (&constant, &value) in self.plan.unknowns.iter().zip(&dx.c) {
+            components.push(Component { name: format!("constant {}", self.layout.constants[constant].name), value });
+        }
+        components.sort_by(|a, b| b.value.abs().total_cmp(&a.value.abs()));
+        components.truncate(SHOWN);
+        components
+    }
+}
+
+/// The scales a converged iterate was solved with.
+impl Converged {
+    pub(crate) fn scales(&self) -> &Scales {
+        &self.factorisation.scales
+    }
+}

@@ -1,0 +1,100 @@
+//! What a solve may be told.
+
+use crate::error::SolveError;
+use crate::tableau::{ORDER_4, ORDER_6, Tableau};
+
+/// Order of the collocation method: of node values, dense output and integrals where the solution is smooth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Order {
+    /// Three-stage Lobatto IIIA.
+    #[default]
+    Four,
+    /// Five-stage mono-implicit Runge-Kutta.
+    Six,
+}
+
+impl Order {
+    /// As a number.
+    pub fn number(self) -> usize {
+        self.tableau().order
+    }
+
+    pub(crate) fn tableau(self) -> &'static Tableau {
+        match self {
+            Self::Four => &ORDER_4,
+            Self::Six => &ORDER_6,
+        }
+    }
+}
+
+/// Tolerances and limits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Order of the method.
+    pub order: Order,
+    /// Largest relative defect of the solution; see [`Solution::max_defect`](crate::Solution::max_defect).
+    pub tolerance: f64,
+    /// Largest boundary residual, relative to the largest term of its equation. Default: as `tolerance`.
+    pub boundary_tolerance: Option<f64>,
+    /// Largest component of the last Newton correction, relative to typical magnitudes. Default: a hundredth of
+    /// `tolerance`, but at least 1e-13.
+    pub newton_tolerance: Option<f64>,
+    /// Newton iterations on one mesh.
+    pub max_iterations: usize,
+    /// Damping factor below which Newton's iteration counts as stalled.
+    pub smallest_damping: f64,
+    /// Intervals of one region.
+    pub max_intervals: usize,
+    /// Meshes in one solve.
+    pub max_meshes: usize,
+    /// How often the starting mesh is halved when Newton's iteration fails on it.
+    pub rescues: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            order: Order::default(),
+            tolerance: 1e-6,
+            boundary_tolerance: None,
+            newton_tolerance: None,
+            max_iterations: 50,
+            smallest_damping: 1e-5,
+            max_intervals: 20_000,
+            max_meshes: 40,
+            rescues: 2,
+        }
+    }
+}
+
+impl Options {
+    /// The boundary tolerance in force.
+    pub fn boundary_tolerance(&self) -> f64 {
+        self.boundary_tolerance.unwrap_or(self.tolerance)
+    }
+
+    /// The Newton tolerance in force.
+    pub fn newton_tolerance(&self) -> f64 {
+        self.newton_tolerance.unwrap_or_else(|| (0.01 * self.tolerance).max(1e-13))
+    }
+
+    pub(crate) fn check(&self) -> Result<(), SolveError> {
+        let positive = [
+            ("tolerance", self.tolerance),
+            ("boundary_tolerance", self.boundary_tolerance()),
+            ("newton_tolerance", self.newton_tolerance()),
+            ("smallest_damping", self.smallest_damping),
+        ];
+        for (name, value) in positive {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(SolveError::Option { name, value, expected: "a positive number" });
+            }
+        }
+        for (name, value) in [("max_iterations", self.max_iterations), ("max_meshes", self.max_meshes)] {
+            if value == 0 {
+                return Err(SolveError::Option { name, value: 0.0, expected: "at least 1" });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,101 @@
+//! Where the mesh must be finer, and where it may be coarser.
+//!
+//! The defect of the solution is measured as J. Kierzenka and L. F. Shampine do (ACM Trans. Math. Softw. 27 (2001)
+//! 299-316), relative to the right-hand side, with one relaxation: where the right-hand side has a kink, the
+//! defect falls only in proportion to the interval, but what it does to the solution falls with its square. As the
+//! error is bounded by ∫|G| |defect| for a Green's function G, the defect is split into a part that is small
+//! everywhere and one whose integral is small; both are held to the tolerance.
+
+use crate::collocation::interpolant::Defects;
+use crate::mesh::{equidistribute, grade, needed, split};
+
+/// Defects aim at this fraction of the tolerance.
+const SAFETY: f64 = 0.4;
+/// A mesh with more than this many times the needed intervals is coarsened.
+const GROSSLY: f64 = 4.0;
+/// If at most this fraction of the intervals fails, they are split where they are.
+const FEW: f64 = 0.1;
+/// Fewest intervals that redistribution makes.
+const FEWEST: usize = 4;
+
+/// What a region's mesh should become.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Verdict {
+    Keep,
+    Coarsen(Vec<f64>),
+    Refine(Vec<f64>),
+    /// Refinement is needed, but the intervals are down to rounding or their number at its limit.
+    Exhausted,
+}
+
+/// The measure of a region's defects that is held to the tolerance, and the intervals that exceed it.
+#[derive(Debug, Clone)]
+pub(crate) struct Measure {
+    /// At most the tolerance if and only if the region passes.
+    pub largest: f64,
+    /// Interval of the largest relative defect among those not excused.
+    pub worst: usize,
+    /// Relative defects; those of excused intervals are set to the tolerance.
+    defects: Vec<f64>,
+}
+
+pub(crate) fn measure(defects: &Defects, tolerance: f64) -> Measure {
+    let mut controlled = defects.relative.clone();
+    let mut failing: Vec<usize> = (0..controlled.len()).filter(|&j| !(controlled[j] <= tolerance)).collect();
+    failing.sort_by(|&i, &j| defects.contribution[i].total_cmp(&defects.contribution[j]));
+    let mut integral = 0.0;
+    for j in failing {
+        if !(integral + defects.contribution[j] <= tolerance) {
+            break;
+        }
+        integral += defects.contribution[j];
+        controlled[j] = tolerance;
+    }
+    let worst = (0..controlled.len()).max_by(|&i, &j| controlled[i].total_cmp(&controlled[j])).unwrap_or(0);
+    let excused = (0..controlled.len()).any(|j| defects.relative[j] > controlled[j]);
+    let largest = controlled.iter().zip(&defects.relative).filter(|(c, r)| c == r);
+    let largest = largest.fold(0.0_f64, |max, (c, _)| if c.is_nan() { f64::INFINITY } else { max.max(*c) });
+    Measure { largest: if excused { largest.max(integral) } else { largest }, worst, defects: controlled }
+}
+
+/// Decides on one region's mesh. `order`: exponent of the interval length in the defect.
+pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f64, max_intervals: usize) -> Verdict {
+    let intervals = mesh.len() - 1;
+    let length = mesh[intervals] - mesh[0];
+    let wish = |j: usize| {
+        let excess = (measure.defects[j] / (SAFETY * tolerance)).max(1e-12);
+        (mesh[j + 1] - mesh[j]) * excess.powf(-1.0 / order)
+    };
+    let mut wanted: Vec<f64> = (0..intervals).map(|j| wish(j).min(length / FEWEST as f64)).collect();
+    grade(mesh, &mut wanted);
+    let count = needed(mesh, &wanted).ceil();
+    if measure.largest <= tolerance {
+        let grossly = intervals as f64 > GROSSLY * count && intervals > 4 * FEWEST;
+        let coarse = (1.2 * count) as usize;
+        return if grossly { Verdict::Coarsen(equidistribute(mesh, &wanted, coarse)) } else { Verdict::Keep };
+    }
+    let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
+    let new = if failing as f64 <= FEW * intervals as f64 || failing <= 2 {
+        let pieces = |&defect: &f64| {
+            if defect <= tolerance {
+                1
+            } else {
+                (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
+            }
+        };
+        split(mesh, &measure.defects.iter().map(pieces).collect::<Vec<_>>())
+    } else {
+        // Far from the asymptotic regime the estimate is not to be trusted.
+        let growth = if measure.largest > 0.1 { 2.0 } else { 4.0 };
+        let most = (growth * intervals as f64).min(max_intervals as f64);
+        let least = (0.5 * intervals as f64).max(FEWEST as f64);
+        let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
+        equidistribute(mesh, &wanted, target.clamp(least.min(most), most) as usize)
+    };
+    let too_fine =
+        new.windows(2).any(|pair| pair[1] - pair[0] <= 8.0 * f64::EPSILON * pair[0].abs().max(pair[1].abs()));
+    if too_fine || new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) {
+        return Verdict::Exhausted;
+    }
+    Verdict::Refine(new)
+}

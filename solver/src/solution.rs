@@ -1,0 +1,210 @@
+//! A converged solution: values, continuous extension, integrals, and what it cost.
+
+use crate::collocation::evaluate::Work;
+use crate::collocation::interpolant::{Basis, Extension};
+use crate::collocation::{Iterate, System};
+use crate::options::Order;
+use crate::problem::Problem;
+use crate::stats::Stats;
+
+/// One region of a [`Solution`].
+#[derive(Debug, Clone)]
+pub struct RegionSolution {
+    mesh: Vec<f64>,
+    /// State by state, at the nodes.
+    y: Vec<Vec<f64>>,
+    /// Right-hand sides at the nodes.
+    f: Vec<Vec<f64>>,
+    /// Coefficients of the continuous extension, one an interval.
+    alpha: Vec<Vec<f64>>,
+    beta: Vec<Vec<f64>>,
+    integrals: Vec<f64>,
+    /// Integral by integral, from the start of the region to each node.
+    cumulative: Vec<Vec<f64>>,
+}
+
+impl RegionSolution {
+    pub(crate) fn new<P: Problem + ?Sized>(
+        system: &System<'_, P>,
+        region: usize,
+        x: &Iterate,
+        work: &Work,
+        extension: &Extension,
+    ) -> Self {
+        let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
+        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
+        let stages = &work.regions[region];
+        let at_nodes = |values: &[f64]| values.chunks_exact(nodes).take(plan.n).map(|y| grid.unpack(y)).collect();
+        let on_intervals = |values: &[f64]| -> Vec<Vec<f64>> {
+            values.chunks_exact(intervals).map(|y| grid.unpack_intervals(y)).collect()
+        };
+        let each = on_intervals(&system.interval_integrals(region, stages));
+        let cumulative = each.iter().map(|each| {
+            let mut sum = 0.0;
+            let sums = each.iter().map(|part| {
+                sum += part;
+                sum
+            });
+            std::iter::once(0.0).chain(sums).collect()
+        });
+        let cumulative: Vec<Vec<f64>> = cumulative.collect();
+        Self {
+            mesh: grid.mesh.clone(),
+            y: at_nodes(&x.y[region]),
+            f: at_nodes(&stages.nodes.f),
+            alpha: on_intervals(&extension.alpha),
+            beta: on_intervals(&extension.beta),
+            integrals: cumulative.iter().filter_map(|sums| sums.last().copied()).collect(),
+            cumulative,
+        }
+    }
+
+    /// The `N + 1` nodes.
+    pub fn mesh(&self) -> &[f64] {
+        &self.mesh
+    }
+
+    /// Number of intervals.
+    pub fn intervals(&self) -> usize {
+        self.mesh.len() - 1
+    }
+
+    /// Number of states.
+    pub fn states(&self) -> usize {
+        self.y.len()
+    }
+
+    /// State `i` at the nodes; empty if there is no such state.
+    pub fn state(&self, i: usize) -> &[f64] {
+        self.y.get(i).map_or(&[], Vec::as_slice)
+    }
+
+    /// Derivative of state `i` at the nodes; empty if there is no such state.
+    pub fn slope(&self, i: usize) -> &[f64] {
+        self.f.get(i).map_or(&[], Vec::as_slice)
+    }
+
+    /// Integrals over the region.
+    pub fn integrals(&self) -> &[f64] {
+        &self.integrals
+    }
+
+    /// Integral `k` from the region's start to each node; empty if there is no such integral.
+    pub fn cumulative(&self, k: usize) -> &[f64] {
+        self.cumulative.get(k).map_or(&[], Vec::as_slice)
+    }
+
+    /// States at `s`, by the continuous extension; outside the region the last polynomial goes on. Writes as many
+    /// states as `y` has room for.
+    pub fn eval_into(&self, s: f64, y: &mut [f64]) {
+        let (j, h, sigma) = self.locate(s);
+        let basis = Basis::value(sigma);
+        for (i, y) in y.iter_mut().enumerate().take(self.states()) {
+            *y = self.y[i][j] + self.combine(&basis, i, j, h);
+        }
+    }
+
+    /// States at `s`: see [`eval_into`](Self::eval_into).
+    pub fn eval(&self, s: f64) -> Vec<f64> {
+        let mut y = vec![0.0; self.states()];
+        self.eval_into(s, &mut y);
+        y
+    }
+
+    /// Derivatives of the states at `s`, of the continuous extension.
+    pub fn eval_slope(&self, s: f64) -> Vec<f64> {
+        let (j, h, sigma) = self.locate(s);
+        let basis = Basis::slope(sigma);
+        (0..self.states()).map(|i| self.combine(&basis, i, j, h) / h).collect()
+    }
+
+    /// Interval, its length, and the place in it.
+    fn locate(&self, s: f64) -> (usize, f64, f64) {
+        let after = self.mesh.partition_point(|&node| node <= s);
+        let j = after.saturating_sub(1).min(self.mesh.len() - 2);
+        let h = self.mesh[j + 1] - self.mesh[j];
+        (j, h, (s - self.mesh[j]) / h)
+    }
+
+    fn combine(&self, basis: &Basis, i: usize, j: usize, h: f64) -> f64 {
+        let (y, f) = (&self.y[i], &self.f[i]);
+        basis.rise * (y[j + 1] - y[j])
+            + h * (basis.left * f[j] + basis.right * f[j + 1])
+            + basis.alpha * self.alpha[i][j]
+            + basis.beta * self.beta[i][j]
+    }
+}
+
+/// One mesh of a solve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshRecord {
+    /// Intervals of each region.
+    pub intervals: Vec<usize>,
+    /// Largest defect of each region on that mesh; infinite if Newton's iteration failed.
+    pub defects: Vec<f64>,
+    /// Newton iterations on it.
+    pub newton_iterations: usize,
+}
+
+/// What [`solve`](crate::solve()) found.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    pub(crate) regions: Vec<RegionSolution>,
+    pub(crate) constants: Vec<f64>,
+    pub(crate) unknowns: Vec<usize>,
+    pub(crate) order: Order,
+    pub(crate) max_defect: f64,
+    pub(crate) max_boundary_residual: f64,
+    pub(crate) stats: Stats,
+    pub(crate) history: Vec<MeshRecord>,
+}
+
+impl Solution {
+    /// The regions, in the layout's order.
+    pub fn regions(&self) -> &[RegionSolution] {
+        &self.regions
+    }
+
+    /// All constants, given and found.
+    pub fn constants(&self) -> &[f64] {
+        &self.constants
+    }
+
+    /// Which constants were unknown: indices into the layout's constants.
+    pub fn unknowns(&self) -> &[usize] {
+        &self.unknowns
+    }
+
+    /// Order of the method.
+    pub fn order(&self) -> Order {
+        self.order
+    }
+
+    /// Largest defect over all intervals, as held to the tolerance: per interval the root mean square of
+    /// `|S' - f| ℓ / (Y + |f| ℓ)`, largest over states, with Y the state's typical magnitude and ℓ the region's
+    /// length; intervals whose defects together cannot move a state by more than the tolerance are counted by that
+    /// movement instead.
+    pub fn max_defect(&self) -> f64 {
+        self.max_defect
+    }
+
+    /// Largest boundary residual, each relative to the largest term of its equation.
+    pub fn max_boundary_residual(&self) -> f64 {
+        self.max_boundary_residual
+    }
+
+    /// What it cost.
+    pub fn stats(&self) -> &Stats {
+        &self.stats
+    }
+
+    /// The meshes it took, the last being the solution's.
+    pub fn history(&self) -> &[MeshRecord] {
+        &self.history
+    }
+
+    /// Intervals of all regions.
+    pub fn intervals(&self) -> usize {
+        self.regions.iter().map(RegionSolution::intervals).sum()
+    }
+}

@@ -1,0 +1,103 @@
+//! Coefficients of the mono-implicit Runge-Kutta methods, with their provenance.
+//!
+//! A method of `s` stages advances `y_0` to `y_1` over a step `h` by
+//!
+//! ```text
+//! K_r = f(t + c_r h, (1 - v_r) y_0 + v_r y_1 + h Σ_{j<r} x_rj K_j),      y_1 - y_0 = h Σ_r b_r K_r
+//! ```
+//!
+//! J. R. Cash and A. Singhal, IMA J. Numer. Anal. 2 (1982) 167-182; the notation is that of W. H. Enright and
+//! P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497. The first two stages of every method here are the
+//! node values, shared by neighbouring intervals.
+
+/// A mono-implicit Runge-Kutta method whose first two stages are the nodes.
+#[derive(Debug)]
+pub(crate) struct Tableau {
+    /// Order of the node values, of the integrals and of the dense output.
+    pub order: usize,
+    pub c: &'static [f64],
+    pub v: &'static [f64],
+    /// `x[r]` has `r` entries.
+    pub x: &'static [&'static [f64]],
+    pub b: &'static [f64],
+    /// Exponent of the step in the defect of the dense output.
+    pub defect_order: f64,
+    /// Where in the interval the defect is sampled, and the weight of each sample in its mean square.
+    pub samples: &'static [(f64, f64)],
+}
+
+impl Tableau {
+    /// Number of stages.
+    pub(crate) fn stages(&self) -> usize {
+        self.c.len()
+    }
+}
+
+/// Three-stage Lobatto IIIA, order 4: Simpson's rule with a Hermite midpoint. A. Axelsson, BIT 4 (1964) 69;
+/// as collocation with cubics: R. D. Russell and L. F. Shampine, Numer. Math. 19 (1972) 1-28.
+pub(crate) static ORDER_4: Tableau = Tableau {
+    order: 4,
+    c: &[0.0, 1.0, 0.5],
+    v: &[0.0, 1.0, 0.5],
+    x: &[&[], &[0.0], &[0.125, -0.125]],
+    b: &[1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0],
+    defect_order: 4.0,
+    // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
+    samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
+};
+
+/// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
+pub(crate) static ORDER_6: Tableau = Tableau {
+    order: 6,
+    c: &[0.0, 1.0, 0.25, 0.75, 0.5],
+    v: &[0.0, 1.0, 5.0 / 32.0, 27.0 / 32.0, 0.5],
+    x: &[
+        &[],
+        &[0.0],
+        &[9.0 / 64.0, -3.0 / 64.0],
+        &[3.0 / 64.0, -9.0 / 64.0, 0.0],
+        &[-5.0 / 24.0, 5.0 / 24.0, 2.0 / 3.0, -2.0 / 3.0],
+    ],
+    b: &[7.0 / 90.0, 7.0 / 90.0, 16.0 / 45.0, 16.0 / 45.0, 2.0 / 15.0],
+    defect_order: 5.0,
+    // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70.
+    samples: &[
+        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+        (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+        (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+        (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+    ],
+};
+
+/// Offset from the middle of the two points whose slopes turn the cubic of order 4 into a quartic: `√3/6`,
+/// where the derivative of the quartic's extra term `σ²(1-σ)²` is largest. There it is `±1/(3√3)`.
+pub(crate) const QUARTIC_OFFSET: f64 = 0.288_675_134_594_812_9;
+/// `1/(3√3)`.
+pub(crate) const QUARTIC_SLOPE: f64 = 0.192_450_089_729_875_25;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Stage `r` and the quadrature integrate polynomials exactly as far as the order conditions say.
+    #[test]
+    fn tableaux_meet_their_quadrature_and_stage_conditions() {
+        for tableau in [&ORDER_4, &ORDER_6] {
+            for power in 0..tableau.order as i32 {
+                let sum: f64 = tableau.b.iter().zip(tableau.c).map(|(b, c)| b * c.powi(power)).sum();
+                assert!((sum - 1.0 / f64::from(power + 1)).abs() < 1e-15, "order {} power {power}", tableau.order);
+            }
+            for r in 0..tableau.stages() {
+                // Stage order 3: y = s^q is reproduced for q <= 3 (MIRK stage conditions).
+                for q in 1..=3_i32 {
+                    let slopes: f64 =
+                        tableau.x[r].iter().zip(tableau.c).map(|(x, c)| x * f64::from(q) * c.powi(q - 1)).sum();
+                    let value = tableau.v[r] + slopes;
+                    assert!((value - tableau.c[r].powi(q)).abs() < 1e-15, "stage {r} power {q}");
+                }
+            }
+            let weights: f64 = tableau.samples.iter().map(|&(_, weight)| weight).sum();
+            assert!((weights - 1.0).abs() < 1e-15);
+        }
+    }
+}
