@@ -1,1 +1,30 @@
-//! TODO
+//! The belt drive's equations, and how they become Rust.
+//!
+//! ```text
+//! physics  what is typed in: notation, primitive relations, end conditions
+//! derive   symbolic work: total derivatives, linearisation, isolation of unknowns
+//! plan     named steps, each checked for its dimension
+//! emit     steps → shared operations and derivatives → tokens → formatted files
+//! ```
+//!
+//! A pure library: models in, text out. The build script of `generated` and the command of this package are thin.
+
+pub mod derive;
+pub mod dimension;
+pub mod emit;
+mod engine;
+mod error;
+pub mod physics;
+pub mod plan;
+
+pub use emit::SourceFile;
+pub use engine::symbolic;
+pub use error::Error;
+
+/// All generated files, in a fixed order; the same text on every run.
+///
+/// # Errors
+/// The first inconsistency of any equation, or what keeps the symbolic engine from starting.
+pub fn generate() -> Result<Vec<SourceFile>, Error> {
+    symbolic(|| physics::edition::kernels()?.iter().map(emit::file).collect())?
+}

@@ -1,5 +1,20 @@
 //! Right-hand sides, boundary residuals and their derivatives, as `eqgen` emits them.
+//!
+//! Everything in the kernels is generated; written by hand here is only what they run on: the lanes they compute in,
+//! the elementary functions, and the choice of vector instructions at run time. All choices give the same bits.
 
+mod function;
+mod kernels;
+mod lane;
+#[cfg(target_arch = "x86_64")]
+mod lane_x86;
+mod sweep;
 mod types;
 
-pub use types::{BoundaryKernel, Equation, RegionFn, RegionKernel, RegionOut, Symbol};
+pub use kernels::{
+    BOUNDARIES, BOUNDARY_AS_PRINTED, BOUNDARY_CONTINUOUS_FULL, BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_ZERO_FULL,
+    BOUNDARY_ZERO_LINEARISED, CONTACT_FULL_TANH, CONTACT_FULL_VISCOUS_COULOMB, CONTACT_LINEARISED_TANH,
+    CONTACT_LINEARISED_VISCOUS_COULOMB, REGIONS, SPAN_AS_PRINTED, SPAN_DERIVED,
+};
+pub use sweep::Simd;
+pub use types::{BoundaryFn, BoundaryJacobianFn, BoundaryKernel, Equation, RegionFn, RegionKernel, RegionOut, Symbol};

@@ -76,6 +76,18 @@ pub struct Equation {
     pub doc: &'static str,
 }
 
+/// `(ends, integrals, constants, g)`: writes one residual an equation.
+///
+/// # Panics
+/// If a slice is too short, with a message that names it.
+pub type BoundaryFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]);
+
+/// `(ends, integrals, constants, g, dz)`: writes one residual an equation, one derivative an entry of the pattern.
+///
+/// # Panics
+/// If a slice is too short, with a message that names it.
+pub type BoundaryJacobianFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
+
 /// All boundary equations of a belt drive, as generated.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundaryKernel {
@@ -91,8 +103,8 @@ pub struct BoundaryKernel {
     pub constants: &'static [Symbol],
     /// Structurally nonzero derivatives `(equation, input)`; inputs are ends, then integrals, then constants.
     pub pattern: &'static [(usize, usize)],
-    /// `(ends, integrals, constants, g)`: writes one residual an equation.
-    pub value: fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]),
-    /// `(ends, integrals, constants, g, dz)`: also writes one derivative an entry of `pattern`.
-    pub jacobian: fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]),
+    /// Writes the residuals.
+    pub value: BoundaryFn,
+    /// Writes the residuals and their derivatives.
+    pub jacobian: BoundaryJacobianFn,
 }

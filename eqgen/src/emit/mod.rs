@@ -1,0 +1,83 @@
+//! From an evaluation plan to a formatted source file.
+
+mod body;
+mod boundary;
+mod graph;
+mod import;
+mod jacobian;
+mod region;
+
+pub use body::Count;
+pub use graph::{Graph, Node, Operation};
+pub use import::Import;
+pub use jacobian::{Jacobian, jacobian};
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::error::Error;
+use crate::physics::edition::Model;
+use crate::physics::notation;
+
+/// A kernel as tokens.
+#[derive(Debug)]
+pub struct Emitted {
+    /// Name of the kernel.
+    pub name: String,
+    /// What it is.
+    pub doc: String,
+    /// The module's items.
+    pub tokens: TokenStream,
+    /// Operations of each function.
+    pub counts: Vec<(String, Count)>,
+}
+
+/// One generated file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Name with extension.
+    pub name: String,
+    /// Text.
+    pub text: String,
+}
+
+/// The source file of one kernel.
+///
+/// # Errors
+/// If the kernel cannot be emitted.
+pub fn file(model: &Model) -> Result<SourceFile, Error> {
+    let emitted = match model {
+        Model::Region(model) => region::emit(model)?,
+        Model::Boundary(model) => boundary::emit(model)?,
+    };
+    let name = format!("{}.rs", emitted.name);
+    let tokens = |error: syn::Error| Error::Tokens { file: name.clone(), message: error.to_string() };
+    let parsed: syn::File = syn::parse2(emitted.tokens.clone()).map_err(tokens)?;
+    let text = format!("{}\n{}", header(&emitted), prettyplease::unparse(&parsed));
+    Ok(SourceFile { name, text })
+}
+
+fn header(emitted: &Emitted) -> String {
+    let mut lines = vec![
+        format!("// {}: {}", emitted.name, emitted.doc),
+        "// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.".to_owned(),
+        "// Operations per point, and once a batch:".to_owned(),
+    ];
+    lines.extend(emitted.counts.iter().map(|(name, count)| format!("//   {name}: {count}")));
+    lines.join("\n") + "\n"
+}
+
+fn symbols(rows: &[notation::Symbol]) -> TokenStream {
+    let rows = rows.iter().map(|row| {
+        let notation::Symbol { name, symbol, unit, doc, .. } = row;
+        let unit = unit.replace(' ', "·").replace("^2", "²").replace("^3", "³");
+        quote!(Symbol { name: #name, symbol: #symbol, unit: #unit, doc: #doc })
+    });
+    quote!(&[#(#rows),*])
+}
+
+fn pairs(pairs: impl Iterator<Item = (usize, usize)>) -> TokenStream {
+    let number = Literal::usize_unsuffixed;
+    let pairs = pairs.map(|(row, column)| (number(row), number(column))).map(|(row, column)| quote!((#row, #column)));
+    quote!(&[#(#pairs),*])
+}

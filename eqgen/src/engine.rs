@@ -1,0 +1,79 @@
+//! Symbolica on one thread of one process.
+//!
+//! Without a licence key Symbolica runs one instance per machine and one thread in it. All symbolic work of a
+//! process goes through the one worker thread here, and processes queue on a lock file in the temporary
+//! directory; who has to wait says so on standard error.
+
+use std::fs::{File, TryLockError};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Mutex, OnceLock, mpsc};
+
+use crate::error::Error;
+use crate::physics::notation;
+
+type Job = Box<dyn FnOnce() + Send>;
+
+const LOCK_FILE: &str = "sheave-symbolica.lock";
+
+/// Runs `work` on the one thread that may touch Symbolica and returns its result.
+///
+/// # Errors
+/// [`Error::Engine`] if the lock file cannot be had or `work` panics.
+pub fn symbolic<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T, Error> {
+    let (send, receive) = mpsc::channel();
+    let job: Job = Box::new(move || {
+        // The receiver waits below; it can only be gone if the process is ending.
+        let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
+    });
+    worker()?.send(job).map_err(|_| Error::Engine("its thread has ended".into()))?;
+    match receive.recv() {
+        Ok(Ok(result)) => Ok(result),
+        Ok(Err(_)) => Err(Error::Engine("the work panicked".into())),
+        Err(_) => Err(Error::Engine("its thread has ended".into())),
+    }
+}
+
+fn worker() -> Result<mpsc::Sender<Job>, Error> {
+    static WORKER: OnceLock<Result<Mutex<mpsc::Sender<Job>>, String>> = OnceLock::new();
+    match WORKER.get_or_init(start) {
+        Ok(sender) => Ok(sender.lock().map_err(|_| Error::Engine("its queue is poisoned".into()))?.clone()),
+        Err(message) => Err(Error::Engine(message.clone())),
+    }
+}
+
+fn start() -> Result<Mutex<mpsc::Sender<Job>>, String> {
+    let (send, receive) = mpsc::channel::<Job>();
+    let (ready, started) = mpsc::channel();
+    let body = move || {
+        let lock = machine_lock();
+        let held = lock.is_ok();
+        let _ = ready.send(lock.as_ref().map(|_| ()).map_err(Clone::clone));
+        if held {
+            notation::register();
+            receive.into_iter().for_each(|job| job());
+        }
+    };
+    std::thread::Builder::new()
+        .name("symbolica".into())
+        .stack_size(64 << 20)
+        .spawn(body)
+        .map_err(|error| error.to_string())?;
+    started.recv().map_err(|error| error.to_string())??;
+    Ok(Mutex::new(send))
+}
+
+/// The lock that lets one process on the machine at Symbolica; held until the process ends.
+fn machine_lock() -> Result<File, String> {
+    let path = std::env::temp_dir().join(LOCK_FILE);
+    let describe = |error: std::io::Error| format!("lock file {}: {error}", path.display());
+    let file = File::options().create(true).truncate(false).write(true).open(&path).map_err(describe)?;
+    match file.try_lock() {
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => {
+            eprintln!("eqgen: another process uses Symbolica; waiting for {}", path.display());
+            file.lock().map_err(describe)?;
+        }
+        Err(TryLockError::Error(error)) => return Err(describe(error)),
+    }
+    Ok(file)
+}

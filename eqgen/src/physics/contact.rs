@@ -1,0 +1,107 @@
+//! The belt in a pulley's groove: five states along the wrap angle.
+
+use super::beam::{Shear, add_bending};
+use super::edition::RegionModel;
+use super::energy::add_contact_integrands;
+use super::friction::{Law, add_friction, add_loads};
+use super::kinematics::{SLOPE, add_sliding, add_stretch};
+use crate::derive::{solve_linear, substitute};
+use crate::error::Error;
+use crate::plan::{Function, Plan, read};
+
+/// States, in order.
+pub const STATES: [&str; 5] = ["T", "theta", "theta1", "theta2", "x"];
+/// Integrals, in order.
+pub const INTEGRALS: [&str; 6] = ["M", "A", "L_o", "W", "A_x", "A_y"];
+/// Constants, in order; the first three are usually unknown.
+pub const CONSTANTS: [&str; 13] =
+    ["Phi", "sigma", "flow", "EA", "EI", "k", "m_o", "R", "R_P", "beta", "mu_k", "v_thr", "omega_P"];
+const ROWS: [&str; 11] = [
+    "T_hat_1",
+    "theta1",
+    "theta2",
+    "theta_hat_3",
+    "x_hat_1",
+    "M_hat_1",
+    "A_hat_1",
+    "L_o_hat_1",
+    "W_hat_1",
+    "A_x_hat_1",
+    "A_y_hat_1",
+];
+const FIELDS: [&str; 16] = [
+    "F",
+    "V",
+    "v_r",
+    "v_t",
+    "speed",
+    "gamma",
+    "mu",
+    "p",
+    "beta_s",
+    "Q",
+    "M_b",
+    "axial",
+    "loss",
+    "loss_radial",
+    "loss_tangential",
+    "loss_phi",
+];
+
+/// Normal momentum (3.28) with T = F − G V and (3.2): T (1 − θ') = n + Q'.
+pub const NORMAL_MOMENTUM: &str = "T*(1 - theta_1) - n - (Q_theta3*theta_3 + Q_rest)";
+/// Tangential momentum (3.29): T' = t − Q (1 − θ').
+pub const TANGENTIAL_MOMENTUM: &str = "t - Q*(1 - theta_1)";
+
+/// The contact region with that shear and friction.
+///
+/// # Errors
+/// If an equation is inconsistent; the message names it.
+pub fn model(shear: Shear, law: Law) -> Result<RegionModel, Error> {
+    let inputs = ["s"].iter().chain(&STATES).chain(&CONSTANTS).map(|&name| name.into()).collect();
+    let mut plan = Plan::new(inputs, Default::default())?;
+    plan.nonzero("Phi", "the belt wraps around the pulley")?;
+    // φ = Φ φ̂ (5.1) to (5.4): hatted states are derivatives with respect to φ̂.
+    plan.primitive("theta_1", "theta1/Phi", "(5.2)")?;
+    plan.primitive("theta_2", "theta2/Phi^2", "(5.3)")?;
+    add_stretch(&mut plan, "T")?;
+    add_sliding(&mut plan)?;
+    add_friction(&mut plan, law)?;
+    add_loads(&mut plan)?;
+    add_bending(&mut plan, shear)?;
+    add_system(&mut plan)?;
+    add_contact_integrands(&mut plan)?;
+    add_fields(&mut plan)?;
+    Ok(RegionModel {
+        name: format!("contact_{}_{}", shear.name(), law.name()),
+        doc: format!("The belt in a groove: {} shear, {} friction.", shear.name(), law.name().replace('_', "-")),
+        plan,
+        states: &STATES,
+        constants: &CONSTANTS,
+        usual: 3,
+        integrals: &INTEGRALS,
+        rows: &ROWS,
+        fields: &FIELDS,
+    })
+}
+
+/// Solves the momentum balances for the highest derivatives and writes them in φ̂.
+fn add_system(plan: &mut Plan) -> Result<(), Error> {
+    plan.nonzero("Q_theta3", "a multiple of EI")?;
+    let highest = solve_linear(&read("theta_3", NORMAL_MOMENTUM)?, "theta_3")?;
+    plan.derived("theta_3", highest, "(3.41)")?;
+    let rate = |text: &str| read("rate", text);
+    plan.derived("T_hat_1", rate("Phi")? * rate(TANGENTIAL_MOMENTUM)?, "(3.31), (5.5)")?;
+    plan.derived("theta_hat_3", rate("Phi^3*theta_3")?, "(5.4), (5.6)")?;
+    plan.derived("x_hat_1", rate("Phi")? * substitute(&rate(SLOPE)?, &[("R", rate("r + x")?)]), "(3.24)")
+}
+
+fn add_fields(plan: &mut Plan) -> Result<(), Error> {
+    plan.apply("gamma_a", Function::Angle, &["v_r", "v_t"], "(3.13)")?;
+    plan.apply("gamma", Function::Turn, &["gamma_a"], "Fig. 6.8")?;
+    plan.apply("beta_s", Function::Angle, &["cos_beta_s", "sin_beta_s"], "(3.14)")?;
+    // The velocity on the sheave's face splits into v_r/cosβ up the face and v_t around it.
+    plan.primitive("loss_radial", "2*mu*p*cos_beta_s/speed*v_r^2/cos(beta)^2", "power of friction")?;
+    plan.primitive("loss_tangential", "2*mu*p*cos_beta_s/speed*v_t^2", "power of friction")?;
+    plan.primitive("loss_phi", "loss*arc", "power of friction")
+}

@@ -1,0 +1,12 @@
+//! The physics of a V-belt, one file per thing in nature. Equation numbers are those of B. Messick's thesis,
+//! (C) and (D) its Appendices C and D.
+
+pub mod beam;
+pub mod boundary;
+pub mod contact;
+pub mod edition;
+pub mod energy;
+pub mod friction;
+pub mod kinematics;
+pub mod notation;
+pub mod span;

@@ -1,0 +1,1270 @@
+// boundary_continuous_linearised: Boundary equations: shear continuous where the belt meets a pulley, linearised shear.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Operations per point, and once a batch:
+//   value: 0 add, 0 mul, 0 div, 0 sqrt, 0 fn; once 169
+//   jacobian: 0 add, 0 mul, 0 div, 0 sqrt, 0 fn; once 489
+
+///Structurally nonzero derivatives.
+const PATTERN: &[(usize, usize)] = &[
+    (0, 4),
+    (0, 66),
+    (1, 9),
+    (1, 66),
+    (2, 22),
+    (2, 67),
+    (3, 27),
+    (3, 67),
+    (4, 0),
+    (4, 32),
+    (5, 5),
+    (5, 10),
+    (6, 14),
+    (6, 18),
+    (7, 23),
+    (7, 28),
+    (8, 1),
+    (8, 33),
+    (8, 58),
+    (9, 6),
+    (9, 11),
+    (9, 56),
+    (9, 58),
+    (10, 15),
+    (10, 19),
+    (10, 57),
+    (10, 59),
+    (11, 24),
+    (11, 29),
+    (11, 59),
+    (12, 1),
+    (12, 2),
+    (12, 4),
+    (12, 34),
+    (12, 56),
+    (12, 60),
+    (12, 66),
+    (13, 6),
+    (13, 7),
+    (13, 9),
+    (13, 12),
+    (13, 56),
+    (13, 61),
+    (13, 66),
+    (14, 16),
+    (14, 19),
+    (14, 20),
+    (14, 22),
+    (14, 57),
+    (14, 61),
+    (14, 67),
+    (15, 24),
+    (15, 25),
+    (15, 27),
+    (15, 30),
+    (15, 57),
+    (15, 60),
+    (15, 67),
+    (16, 1),
+    (16, 3),
+    (16, 4),
+    (16, 35),
+    (16, 56),
+    (16, 60),
+    (16, 66),
+    (17, 6),
+    (17, 8),
+    (17, 9),
+    (17, 13),
+    (17, 56),
+    (17, 61),
+    (17, 66),
+    (18, 17),
+    (18, 19),
+    (18, 21),
+    (18, 22),
+    (18, 57),
+    (18, 61),
+    (18, 67),
+    (19, 24),
+    (19, 26),
+    (19, 27),
+    (19, 31),
+    (19, 57),
+    (19, 60),
+    (19, 67),
+    (20, 42),
+    (20, 56),
+    (20, 57),
+    (20, 58),
+    (20, 59),
+    (20, 61),
+    (20, 66),
+    (20, 67),
+    (20, 68),
+    (21, 43),
+    (21, 56),
+    (21, 57),
+    (21, 58),
+    (21, 59),
+    (21, 61),
+    (21, 66),
+    (21, 67),
+    (22, 51),
+    (22, 58),
+    (22, 59),
+    (22, 60),
+    (22, 66),
+    (22, 67),
+    (22, 68),
+    (23, 52),
+    (23, 58),
+    (23, 59),
+    (23, 60),
+    (23, 66),
+    (23, 67),
+    (24, 36),
+    (24, 73),
+    (25, 5),
+    (25, 74),
+];
+///Boundary equations: shear continuous where the belt meets a pulley, linearised shear.
+pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+    name: "boundary_continuous_linearised",
+    equations: &[
+        Equation {
+            name: "penetration_P1",
+            doc: "x_P1 = 0, over R (5.51)",
+        },
+        Equation {
+            name: "penetration_P2",
+            doc: "x_P2 = 0, over R (5.51)",
+        },
+        Equation {
+            name: "penetration_S1",
+            doc: "x_S1 = 0, over R (5.51)",
+        },
+        Equation {
+            name: "penetration_S2",
+            doc: "x_S2 = 0, over R (5.51)",
+        },
+        Equation {
+            name: "tension_P1",
+            doc: "T_P1 = τ_t2, N (5.47)",
+        },
+        Equation {
+            name: "tension_P2",
+            doc: "T_P2 = τ_s1, N (5.48)",
+        },
+        Equation {
+            name: "tension_S1",
+            doc: "T_S1 = τ_s2, N (5.49)",
+        },
+        Equation {
+            name: "tension_S2",
+            doc: "T_S2 = τ_t1, N (5.50)",
+        },
+        Equation {
+            name: "direction_P1",
+            doc: "the belt's direction at P1 is ϑ_t2 (5.21), (5.35)",
+        },
+        Equation {
+            name: "direction_P2",
+            doc: "the belt's direction at P2 is ϑ_s1 (5.22), (5.36)",
+        },
+        Equation {
+            name: "direction_S1",
+            doc: "the belt's direction at S1 is ϑ_s2 (5.23), (5.37)",
+        },
+        Equation {
+            name: "direction_S2",
+            doc: "the belt's direction at S2 is ϑ_t1 (5.24), (5.38)",
+        },
+        Equation {
+            name: "curvature_P1",
+            doc: "the belt's curvature at P1 is that at t2, times R (5.39)",
+        },
+        Equation {
+            name: "curvature_P2",
+            doc: "the belt's curvature at P2 is that at s1, times R (5.40)",
+        },
+        Equation {
+            name: "curvature_S1",
+            doc: "the belt's curvature at S1 is that at s2, times R (5.41)",
+        },
+        Equation {
+            name: "curvature_S2",
+            doc: "the belt's curvature at S2 is that at t1, times R (5.42)",
+        },
+        Equation {
+            name: "shear_P1",
+            doc: "Q_P1 is that of the span at t2, times R²/EI (3.33), (3.43)",
+        },
+        Equation {
+            name: "shear_P2",
+            doc: "Q_P2 is that of the span at s1, times R²/EI (3.33), (3.43)",
+        },
+        Equation {
+            name: "shear_S1",
+            doc: "Q_S1 is that of the span at s2, times R²/EI (3.33), (3.43)",
+        },
+        Equation {
+            name: "shear_S2",
+            doc: "Q_S2 is that of the span at t1, times R²/EI (3.33), (3.43)",
+        },
+        Equation {
+            name: "closure_X_s",
+            doc: "the X span s covers leads from P2 to S1, over R (5.29) to (5.32)",
+        },
+        Equation {
+            name: "closure_Y_s",
+            doc: "the Y span s covers leads from P2 to S1, over R (5.29) to (5.32)",
+        },
+        Equation {
+            name: "closure_X_t",
+            doc: "the X span t covers leads from S2 to P1, over R (5.27), (5.28), (5.33), (5.34)",
+        },
+        Equation {
+            name: "closure_Y_t",
+            doc: "the Y span t covers leads from S2 to P1, over R (5.27), (5.28), (5.33), (5.34)",
+        },
+        Equation {
+            name: "torque",
+            doc: "M_P = −M_in: friction on the belt drives it backwards, N·m; 5.3.5",
+        },
+        Equation {
+            name: "slack_tension",
+            doc: "T_P2 = T_slack, N; 5.3.5",
+        },
+    ],
+    ends: &[
+        Symbol {
+            name: "T_P1",
+            symbol: "T_P1",
+            unit: "N",
+            doc: "tractive tension F − G V: entry of the primary",
+        },
+        Symbol {
+            name: "theta_P1",
+            symbol: "θ_P1",
+            unit: "rad",
+            doc: "inclination of the belt against the pulley's circle; positive unseats: entry of the primary",
+        },
+        Symbol {
+            name: "theta1_P1",
+            symbol: "θ\u{302}'_P1",
+            unit: "rad",
+            doc: "first derivative of θ along the region: entry of the primary",
+        },
+        Symbol {
+            name: "theta2_P1",
+            symbol: "θ\u{302}''_P1",
+            unit: "rad",
+            doc: "second derivative of θ along the region: entry of the primary",
+        },
+        Symbol {
+            name: "x_P1",
+            symbol: "x_P1",
+            unit: "m",
+            doc: "radial penetration R − r: entry of the primary",
+        },
+        Symbol {
+            name: "T_P2",
+            symbol: "T_P2",
+            unit: "N",
+            doc: "tractive tension F − G V: exit of the primary",
+        },
+        Symbol {
+            name: "theta_P2",
+            symbol: "θ_P2",
+            unit: "rad",
+            doc: "inclination of the belt against the pulley's circle; positive unseats: exit of the primary",
+        },
+        Symbol {
+            name: "theta1_P2",
+            symbol: "θ\u{302}'_P2",
+            unit: "rad",
+            doc: "first derivative of θ along the region: exit of the primary",
+        },
+        Symbol {
+            name: "theta2_P2",
+            symbol: "θ\u{302}''_P2",
+            unit: "rad",
+            doc: "second derivative of θ along the region: exit of the primary",
+        },
+        Symbol {
+            name: "x_P2",
+            symbol: "x_P2",
+            unit: "m",
+            doc: "radial penetration R − r: exit of the primary",
+        },
+        Symbol {
+            name: "tau_s1",
+            symbol: "τ_s1",
+            unit: "N",
+            doc: "tractive tension in a span: entry of the slack span",
+        },
+        Symbol {
+            name: "vartheta_s1",
+            symbol: "ϑ_s1",
+            unit: "rad",
+            doc: "direction of the belt in a span against the line of centres: entry of the slack span",
+        },
+        Symbol {
+            name: "vartheta1_s1",
+            symbol: "ϑ\u{302}'_s1",
+            unit: "rad",
+            doc: "first derivative of ϑ along the span: entry of the slack span",
+        },
+        Symbol {
+            name: "vartheta2_s1",
+            symbol: "ϑ\u{302}''_s1",
+            unit: "rad",
+            doc: "second derivative of ϑ along the span: entry of the slack span",
+        },
+        Symbol {
+            name: "tau_s2",
+            symbol: "τ_s2",
+            unit: "N",
+            doc: "tractive tension in a span: exit of the slack span",
+        },
+        Symbol {
+            name: "vartheta_s2",
+            symbol: "ϑ_s2",
+            unit: "rad",
+            doc: "direction of the belt in a span against the line of centres: exit of the slack span",
+        },
+        Symbol {
+            name: "vartheta1_s2",
+            symbol: "ϑ\u{302}'_s2",
+            unit: "rad",
+            doc: "first derivative of ϑ along the span: exit of the slack span",
+        },
+        Symbol {
+            name: "vartheta2_s2",
+            symbol: "ϑ\u{302}''_s2",
+            unit: "rad",
+            doc: "second derivative of ϑ along the span: exit of the slack span",
+        },
+        Symbol {
+            name: "T_S1",
+            symbol: "T_S1",
+            unit: "N",
+            doc: "tractive tension F − G V: entry of the secondary",
+        },
+        Symbol {
+            name: "theta_S1",
+            symbol: "θ_S1",
+            unit: "rad",
+            doc: "inclination of the belt against the pulley's circle; positive unseats: entry of the secondary",
+        },
+        Symbol {
+            name: "theta1_S1",
+            symbol: "θ\u{302}'_S1",
+            unit: "rad",
+            doc: "first derivative of θ along the region: entry of the secondary",
+        },
+        Symbol {
+            name: "theta2_S1",
+            symbol: "θ\u{302}''_S1",
+            unit: "rad",
+            doc: "second derivative of θ along the region: entry of the secondary",
+        },
+        Symbol {
+            name: "x_S1",
+            symbol: "x_S1",
+            unit: "m",
+            doc: "radial penetration R − r: entry of the secondary",
+        },
+        Symbol {
+            name: "T_S2",
+            symbol: "T_S2",
+            unit: "N",
+            doc: "tractive tension F − G V: exit of the secondary",
+        },
+        Symbol {
+            name: "theta_S2",
+            symbol: "θ_S2",
+            unit: "rad",
+            doc: "inclination of the belt against the pulley's circle; positive unseats: exit of the secondary",
+        },
+        Symbol {
+            name: "theta1_S2",
+            symbol: "θ\u{302}'_S2",
+            unit: "rad",
+            doc: "first derivative of θ along the region: exit of the secondary",
+        },
+        Symbol {
+            name: "theta2_S2",
+            symbol: "θ\u{302}''_S2",
+            unit: "rad",
+            doc: "second derivative of θ along the region: exit of the secondary",
+        },
+        Symbol {
+            name: "x_S2",
+            symbol: "x_S2",
+            unit: "m",
+            doc: "radial penetration R − r: exit of the secondary",
+        },
+        Symbol {
+            name: "tau_t1",
+            symbol: "τ_t1",
+            unit: "N",
+            doc: "tractive tension in a span: entry of the tight span",
+        },
+        Symbol {
+            name: "vartheta_t1",
+            symbol: "ϑ_t1",
+            unit: "rad",
+            doc: "direction of the belt in a span against the line of centres: entry of the tight span",
+        },
+        Symbol {
+            name: "vartheta1_t1",
+            symbol: "ϑ\u{302}'_t1",
+            unit: "rad",
+            doc: "first derivative of ϑ along the span: entry of the tight span",
+        },
+        Symbol {
+            name: "vartheta2_t1",
+            symbol: "ϑ\u{302}''_t1",
+            unit: "rad",
+            doc: "second derivative of ϑ along the span: entry of the tight span",
+        },
+        Symbol {
+            name: "tau_t2",
+            symbol: "τ_t2",
+            unit: "N",
+            doc: "tractive tension in a span: exit of the tight span",
+        },
+        Symbol {
+            name: "vartheta_t2",
+            symbol: "ϑ_t2",
+            unit: "rad",
+            doc: "direction of the belt in a span against the line of centres: exit of the tight span",
+        },
+        Symbol {
+            name: "vartheta1_t2",
+            symbol: "ϑ\u{302}'_t2",
+            unit: "rad",
+            doc: "first derivative of ϑ along the span: exit of the tight span",
+        },
+        Symbol {
+            name: "vartheta2_t2",
+            symbol: "ϑ\u{302}''_t2",
+            unit: "rad",
+            doc: "second derivative of ϑ along the span: exit of the tight span",
+        },
+    ],
+    integrals: &[
+        Symbol {
+            name: "M_P",
+            symbol: "M_P",
+            unit: "N·m",
+            doc: "torque of friction on the belt: the whole primary",
+        },
+        Symbol {
+            name: "A_P",
+            symbol: "A_P",
+            unit: "N",
+            doc: "axial force on one sheave: the whole primary",
+        },
+        Symbol {
+            name: "L_o_P",
+            symbol: "L_o_P",
+            unit: "m",
+            doc: "unstretched length of the belt in the region: the whole primary",
+        },
+        Symbol {
+            name: "W_P",
+            symbol: "W_P",
+            unit: "W",
+            doc: "power lost to friction: the whole primary",
+        },
+        Symbol {
+            name: "A_x_P",
+            symbol: "A_x_P",
+            unit: "N·m",
+            doc: "first moment of the axial force along the direction of the entry: the whole primary",
+        },
+        Symbol {
+            name: "A_y_P",
+            symbol: "A_y_P",
+            unit: "N·m",
+            doc: "first moment of the axial force across the direction of the entry: the whole primary",
+        },
+        Symbol {
+            name: "X_s",
+            symbol: "X\u{302}_s",
+            unit: "",
+            doc: "progress along the line of centres over L: the whole slack span",
+        },
+        Symbol {
+            name: "Y_s",
+            symbol: "Ŷ_s",
+            unit: "",
+            doc: "progress across the line of centres over L: the whole slack span",
+        },
+        Symbol {
+            name: "L_o_s",
+            symbol: "L_o_s",
+            unit: "m",
+            doc: "unstretched length of the belt in the region: the whole slack span",
+        },
+        Symbol {
+            name: "M_S",
+            symbol: "M_S",
+            unit: "N·m",
+            doc: "torque of friction on the belt: the whole secondary",
+        },
+        Symbol {
+            name: "A_S",
+            symbol: "A_S",
+            unit: "N",
+            doc: "axial force on one sheave: the whole secondary",
+        },
+        Symbol {
+            name: "L_o_S",
+            symbol: "L_o_S",
+            unit: "m",
+            doc: "unstretched length of the belt in the region: the whole secondary",
+        },
+        Symbol {
+            name: "W_S",
+            symbol: "W_S",
+            unit: "W",
+            doc: "power lost to friction: the whole secondary",
+        },
+        Symbol {
+            name: "A_x_S",
+            symbol: "A_x_S",
+            unit: "N·m",
+            doc: "first moment of the axial force along the direction of the entry: the whole secondary",
+        },
+        Symbol {
+            name: "A_y_S",
+            symbol: "A_y_S",
+            unit: "N·m",
+            doc: "first moment of the axial force across the direction of the entry: the whole secondary",
+        },
+        Symbol {
+            name: "X_t",
+            symbol: "X\u{302}_t",
+            unit: "",
+            doc: "progress along the line of centres over L: the whole tight span",
+        },
+        Symbol {
+            name: "Y_t",
+            symbol: "Ŷ_t",
+            unit: "",
+            doc: "progress across the line of centres over L: the whole tight span",
+        },
+        Symbol {
+            name: "L_o_t",
+            symbol: "L_o_t",
+            unit: "m",
+            doc: "unstretched length of the belt in the region: the whole tight span",
+        },
+    ],
+    constants: &[
+        Symbol {
+            name: "speed_ratio",
+            symbol: "ω_S/ω_P",
+            unit: "",
+            doc: "speed of the secondary over the primary's",
+        },
+        Symbol {
+            name: "flow",
+            symbol: "G/(m_o R_P ω_P)",
+            unit: "",
+            doc: "mass flow, over that of an unstretched belt at the primary's nominal speed",
+        },
+        Symbol {
+            name: "Phi_P",
+            symbol: "Φ_P",
+            unit: "rad",
+            doc: "wrap angle of the primary",
+        },
+        Symbol {
+            name: "Phi_S",
+            symbol: "Φ_S",
+            unit: "rad",
+            doc: "wrap angle of the secondary",
+        },
+        Symbol {
+            name: "C_P",
+            symbol: "C_P",
+            unit: "rad",
+            doc: "orientation of the primary: from the line of centres to the belt's entry",
+        },
+        Symbol {
+            name: "C_S",
+            symbol: "C_S",
+            unit: "rad",
+            doc: "orientation of the secondary: from the line of centres to the belt's exit",
+        },
+        Symbol {
+            name: "L_t",
+            symbol: "L_t",
+            unit: "m",
+            doc: "arc length of the tight span",
+        },
+        Symbol {
+            name: "L_s",
+            symbol: "L_s",
+            unit: "m",
+            doc: "arc length of the slack span",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            doc: "longitudinal stiffness",
+        },
+        Symbol {
+            name: "EI",
+            symbol: "EI",
+            unit: "N·m²",
+            doc: "bending stiffness",
+        },
+        Symbol {
+            name: "k",
+            symbol: "k",
+            unit: "N/m²",
+            doc: "radial stiffness: axial force per length and penetration, both sheaves together",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            doc: "mass per length, unloaded",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            doc: "nominal radius of the primary",
+        },
+        Symbol {
+            name: "R_S",
+            symbol: "R_S",
+            unit: "m",
+            doc: "nominal radius of the secondary",
+        },
+        Symbol {
+            name: "L_c",
+            symbol: "L_c",
+            unit: "m",
+            doc: "distance between the pulleys' centres",
+        },
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            doc: "half angle of the sheave's groove",
+        },
+        Symbol {
+            name: "mu_k",
+            symbol: "μ_k",
+            unit: "",
+            doc: "kinetic coefficient of friction",
+        },
+        Symbol {
+            name: "v_thr",
+            symbol: "v_thr",
+            unit: "m/s",
+            doc: "slip threshold of the friction law",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            doc: "angular speed of the primary",
+        },
+        Symbol {
+            name: "M_in",
+            symbol: "M_in",
+            unit: "N·m",
+            doc: "torque that drives the primary",
+        },
+        Symbol {
+            name: "T_slack",
+            symbol: "T_slack",
+            unit: "N",
+            doc: "tractive tension where the belt leaves the primary",
+        },
+    ],
+    pattern: PATTERN,
+    value,
+    jacobian: derivatives,
+};
+///Residuals.
+fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+    assert!(ends.len() >= 36, "ends: too few values");
+    assert!(integrals.len() >= 18, "integrals: too few values");
+    assert!(constants.len() >= 21, "constants: too few values");
+    let g = sized(g, 26, "g");
+    let x_P1 = ends[4];
+    let R_P = constants[12];
+    let t1 = reciprocal(R_P);
+    let penetration_P1 = x_P1 * t1;
+    g[0] = penetration_P1;
+    let x_P2 = ends[9];
+    let penetration_P2 = x_P2 * t1;
+    g[1] = penetration_P2;
+    let x_S1 = ends[22];
+    let R_S = constants[13];
+    let t2 = reciprocal(R_S);
+    let penetration_S1 = x_S1 * t2;
+    g[2] = penetration_S1;
+    let x_S2 = ends[27];
+    let penetration_S2 = x_S2 * t2;
+    g[3] = penetration_S2;
+    let T_P1 = ends[0];
+    let tau_t2 = ends[32];
+    let tension_P1 = T_P1 - tau_t2;
+    g[4] = tension_P1;
+    let T_P2 = ends[5];
+    let tau_s1 = ends[10];
+    let tension_P2 = T_P2 - tau_s1;
+    g[5] = tension_P2;
+    let T_S1 = ends[18];
+    let tau_s2 = ends[14];
+    let tension_S1 = T_S1 - tau_s2;
+    g[6] = tension_S1;
+    let T_S2 = ends[23];
+    let tau_t1 = ends[28];
+    let tension_S2 = T_S2 - tau_t1;
+    g[7] = tension_S2;
+    let C_P = constants[4];
+    let theta_P1 = ends[1];
+    let vartheta_t2 = ends[33];
+    let direction_P1 = C_P + 1.5707963267948966 - theta_P1 - vartheta_t2;
+    g[8] = direction_P1;
+    let Phi_P = constants[2];
+    let t3 = Phi_P + C_P;
+    let theta_P2 = ends[6];
+    let vartheta_s1 = ends[11];
+    let direction_P2 = t3 - theta_P2 - vartheta_s1 - 4.71238898038469;
+    g[9] = direction_P2;
+    let Phi_S = constants[3];
+    let C_S = constants[5];
+    let theta_S1 = ends[19];
+    let vartheta_s2 = ends[15];
+    let direction_S1 = 4.71238898038469 - Phi_S - C_S - theta_S1 - vartheta_s2;
+    g[10] = direction_S1;
+    let theta_S2 = ends[24];
+    let vartheta_t1 = ends[29];
+    let direction_S2 = 4.71238898038469 - C_S - theta_S2 - vartheta_t1;
+    g[11] = direction_S2;
+    let (sin_theta_P1, cos_theta_P1) = sin_cos(theta_P1);
+    let theta1_P1 = ends[2];
+    let t5 = reciprocal(Phi_P);
+    let vartheta1_t2 = ends[34];
+    let L_t = constants[6];
+    let t6 = reciprocal(L_t);
+    let curvature_P1 = R_P
+        * (reciprocal(R_P - x_P1) * (cos_theta_P1 * (1.0 - theta1_P1 * t5))
+            - vartheta1_t2 * t6);
+    g[12] = curvature_P1;
+    let (sin_theta_P2, cos_theta_P2) = sin_cos(theta_P2);
+    let theta1_P2 = ends[7];
+    let vartheta1_s1 = ends[12];
+    let L_s = constants[7];
+    let t8 = reciprocal(L_s);
+    let curvature_P2 = R_P
+        * (reciprocal(R_P - x_P2) * (cos_theta_P2 * (1.0 - theta1_P2 * t5))
+            - vartheta1_s1 * t8);
+    g[13] = curvature_P2;
+    let (sin_theta_S1, cos_theta_S1) = sin_cos(theta_S1);
+    let theta1_S1 = ends[20];
+    let t10 = reciprocal(Phi_S);
+    let vartheta1_s2 = ends[16];
+    let curvature_S1 = R_S
+        * (reciprocal(R_S - x_S1) * (cos_theta_S1 * (1.0 - theta1_S1 * t10))
+            - vartheta1_s2 * t8);
+    g[14] = curvature_S1;
+    let (sin_theta_S2, cos_theta_S2) = sin_cos(theta_S2);
+    let theta1_S2 = ends[25];
+    let vartheta1_t1 = ends[30];
+    let curvature_S2 = R_S
+        * (reciprocal(R_S - x_S2) * (cos_theta_S2 * (1.0 - theta1_S2 * t10))
+            - vartheta1_t1 * t6);
+    g[15] = curvature_S2;
+    let t12 = t6 * t6;
+    let vartheta2_t2 = ends[35];
+    let t13 = R_P * R_P;
+    let theta2_P1 = ends[3];
+    let t14 = Phi_P * Phi_P;
+    let t15 = R_P * t14;
+    let t16 = t1 * (t5 * t5);
+    let t17 = reciprocal(cos_theta_P1)
+        * ((cos_theta_P1 * (theta2_P1 * R_P) + sin_theta_P1 * t15
+            - sin_theta_P1 * (x_P1 * t14)) * t16);
+    let shear_P1 = -(t12 * (vartheta2_t2 * t13) + t17);
+    g[16] = shear_P1;
+    let t18 = t8 * t8;
+    let vartheta2_s1 = ends[13];
+    let theta2_P2 = ends[8];
+    let t19 = reciprocal(cos_theta_P2)
+        * (t16
+            * (cos_theta_P2 * (theta2_P2 * R_P) + t15 * sin_theta_P2
+                - sin_theta_P2 * (x_P2 * t14)));
+    let shear_P2 = -(t18 * (vartheta2_s1 * t13) + t19);
+    g[17] = shear_P2;
+    let theta2_S1 = ends[21];
+    let t20 = Phi_S * Phi_S;
+    let t21 = R_S * t20;
+    let t22 = t2 * (t10 * t10);
+    let t23 = reciprocal(cos_theta_S1)
+        * ((cos_theta_S1 * (theta2_S1 * R_S) + sin_theta_S1 * t21
+            - sin_theta_S1 * (x_S1 * t20)) * t22);
+    let t24 = R_S * R_S;
+    let vartheta2_s2 = ends[17];
+    let shear_S1 = -(t23 + t24 * (vartheta2_s2 * t18));
+    g[18] = shear_S1;
+    let theta2_S2 = ends[26];
+    let t25 = reciprocal(cos_theta_S2)
+        * (t22
+            * (cos_theta_S2 * (theta2_S2 * R_S) + t21 * sin_theta_S2
+                - sin_theta_S2 * (x_S2 * t20)));
+    let vartheta2_t1 = ends[31];
+    let shear_S2 = -(t25 + t24 * (vartheta2_t1 * t12));
+    g[19] = shear_S2;
+    let L_c = constants[14];
+    let (sin_t3, cos_t3) = sin_cos(t3);
+    let X_s = integrals[6];
+    let t27 = Phi_S + C_S;
+    let (sin_t27, cos_t27) = sin_cos(t27);
+    let closure_X_s = t1 * (L_c - R_P * cos_t3 - X_s * L_s - R_S * cos_t27);
+    g[20] = closure_X_s;
+    let Y_s = integrals[7];
+    let closure_Y_s = t1 * (R_S * sin_t27 - R_P * sin_t3 - Y_s * L_s);
+    g[21] = closure_Y_s;
+    let (sin_C_P, cos_C_P) = sin_cos(C_P);
+    let X_t = integrals[15];
+    let (sin_C_S, cos_C_S) = sin_cos(C_S);
+    let closure_X_t = t2 * (R_P * cos_C_P - X_t * L_t - (L_c - R_S * cos_C_S));
+    g[22] = closure_X_t;
+    let Y_t = integrals[16];
+    let closure_Y_t = t2 * (R_P * sin_C_P - Y_t * L_t - R_S * sin_C_S);
+    g[23] = closure_Y_t;
+    let M_P = integrals[0];
+    let M_in = constants[19];
+    let torque = M_P + M_in;
+    g[24] = torque;
+    let T_slack = constants[20];
+    let slack_tension = T_P2 - T_slack;
+    g[25] = slack_tension;
+}
+///Residuals and their derivatives.
+fn derivatives(
+    ends: &[f64],
+    integrals: &[f64],
+    constants: &[f64],
+    g: &mut [f64],
+    dz: &mut [f64],
+) {
+    assert!(ends.len() >= 36, "ends: too few values");
+    assert!(integrals.len() >= 18, "integrals: too few values");
+    assert!(constants.len() >= 21, "constants: too few values");
+    let g = sized(g, 26, "g");
+    let dz = sized(dz, PATTERN.len(), "dz");
+    let x_P1 = ends[4];
+    let R_P = constants[12];
+    let d_penetration_P1_d_x_P1 = reciprocal(R_P);
+    let penetration_P1 = x_P1 * d_penetration_P1_d_x_P1;
+    g[0] = penetration_P1;
+    let x_P2 = ends[9];
+    let penetration_P2 = x_P2 * d_penetration_P1_d_x_P1;
+    g[1] = penetration_P2;
+    let x_S1 = ends[22];
+    let R_S = constants[13];
+    let d_penetration_S1_d_x_S1 = reciprocal(R_S);
+    let penetration_S1 = x_S1 * d_penetration_S1_d_x_S1;
+    g[2] = penetration_S1;
+    let x_S2 = ends[27];
+    let penetration_S2 = x_S2 * d_penetration_S1_d_x_S1;
+    g[3] = penetration_S2;
+    let T_P1 = ends[0];
+    let tau_t2 = ends[32];
+    let tension_P1 = T_P1 - tau_t2;
+    g[4] = tension_P1;
+    let T_P2 = ends[5];
+    let tau_s1 = ends[10];
+    let tension_P2 = T_P2 - tau_s1;
+    g[5] = tension_P2;
+    let T_S1 = ends[18];
+    let tau_s2 = ends[14];
+    let tension_S1 = T_S1 - tau_s2;
+    g[6] = tension_S1;
+    let T_S2 = ends[23];
+    let tau_t1 = ends[28];
+    let tension_S2 = T_S2 - tau_t1;
+    g[7] = tension_S2;
+    let C_P = constants[4];
+    let theta_P1 = ends[1];
+    let vartheta_t2 = ends[33];
+    let direction_P1 = C_P + 1.5707963267948966 - theta_P1 - vartheta_t2;
+    g[8] = direction_P1;
+    let Phi_P = constants[2];
+    let t1 = Phi_P + C_P;
+    let theta_P2 = ends[6];
+    let vartheta_s1 = ends[11];
+    let direction_P2 = t1 - theta_P2 - vartheta_s1 - 4.71238898038469;
+    g[9] = direction_P2;
+    let Phi_S = constants[3];
+    let C_S = constants[5];
+    let theta_S1 = ends[19];
+    let vartheta_s2 = ends[15];
+    let direction_S1 = 4.71238898038469 - Phi_S - C_S - theta_S1 - vartheta_s2;
+    g[10] = direction_S1;
+    let theta_S2 = ends[24];
+    let vartheta_t1 = ends[29];
+    let direction_S2 = 4.71238898038469 - C_S - theta_S2 - vartheta_t1;
+    g[11] = direction_S2;
+    let t2 = reciprocal(R_P - x_P1);
+    let (sin_theta_P1, cos_theta_P1) = sin_cos(theta_P1);
+    let theta1_P1 = ends[2];
+    let t4 = reciprocal(Phi_P);
+    let t5 = 1.0 - theta1_P1 * t4;
+    let vartheta1_t2 = ends[34];
+    let L_t = constants[6];
+    let t6 = reciprocal(L_t);
+    let t7 = t2 * (cos_theta_P1 * t5) - vartheta1_t2 * t6;
+    let curvature_P1 = R_P * t7;
+    g[12] = curvature_P1;
+    let t8 = reciprocal(R_P - x_P2);
+    let (sin_theta_P2, cos_theta_P2) = sin_cos(theta_P2);
+    let theta1_P2 = ends[7];
+    let t10 = 1.0 - theta1_P2 * t4;
+    let vartheta1_s1 = ends[12];
+    let L_s = constants[7];
+    let t11 = reciprocal(L_s);
+    let t12 = t8 * (cos_theta_P2 * t10) - vartheta1_s1 * t11;
+    let curvature_P2 = R_P * t12;
+    g[13] = curvature_P2;
+    let t13 = reciprocal(R_S - x_S1);
+    let (sin_theta_S1, cos_theta_S1) = sin_cos(theta_S1);
+    let theta1_S1 = ends[20];
+    let t15 = reciprocal(Phi_S);
+    let t16 = 1.0 - theta1_S1 * t15;
+    let vartheta1_s2 = ends[16];
+    let t17 = t13 * (cos_theta_S1 * t16) - vartheta1_s2 * t11;
+    let curvature_S1 = R_S * t17;
+    g[14] = curvature_S1;
+    let t18 = reciprocal(R_S - x_S2);
+    let (sin_theta_S2, cos_theta_S2) = sin_cos(theta_S2);
+    let theta1_S2 = ends[25];
+    let t20 = 1.0 - theta1_S2 * t15;
+    let vartheta1_t1 = ends[30];
+    let t21 = t18 * (cos_theta_S2 * t20) - vartheta1_t1 * t6;
+    let curvature_S2 = R_S * t21;
+    g[15] = curvature_S2;
+    let t22 = t6 * t6;
+    let vartheta2_t2 = ends[35];
+    let t23 = R_P * R_P;
+    let t24 = vartheta2_t2 * t23;
+    let t25 = reciprocal(cos_theta_P1);
+    let theta2_P1 = ends[3];
+    let t26 = theta2_P1 * R_P;
+    let t27 = Phi_P * Phi_P;
+    let t28 = R_P * t27;
+    let t29 = cos_theta_P1 * t26 + sin_theta_P1 * t28 - sin_theta_P1 * (x_P1 * t27);
+    let t30 = t4 * t4;
+    let t31 = d_penetration_P1_d_x_P1 * t30;
+    let shear_P1 = -(t22 * t24 + t25 * (t29 * t31));
+    g[16] = shear_P1;
+    let t32 = t11 * t11;
+    let vartheta2_s1 = ends[13];
+    let t33 = vartheta2_s1 * t23;
+    let t34 = reciprocal(cos_theta_P2);
+    let theta2_P2 = ends[8];
+    let t35 = theta2_P2 * R_P;
+    let t36 = cos_theta_P2 * t35 + t28 * sin_theta_P2 - sin_theta_P2 * (x_P2 * t27);
+    let shear_P2 = -(t32 * t33 + t34 * (t31 * t36));
+    g[17] = shear_P2;
+    let t37 = reciprocal(cos_theta_S1);
+    let theta2_S1 = ends[21];
+    let t38 = theta2_S1 * R_S;
+    let t39 = Phi_S * Phi_S;
+    let t40 = R_S * t39;
+    let t41 = cos_theta_S1 * t38 + sin_theta_S1 * t40 - sin_theta_S1 * (x_S1 * t39);
+    let t42 = t15 * t15;
+    let t43 = d_penetration_S1_d_x_S1 * t42;
+    let t44 = R_S * R_S;
+    let vartheta2_s2 = ends[17];
+    let shear_S1 = -(t37 * (t41 * t43) + t44 * (vartheta2_s2 * t32));
+    g[18] = shear_S1;
+    let t45 = reciprocal(cos_theta_S2);
+    let theta2_S2 = ends[26];
+    let t46 = theta2_S2 * R_S;
+    let t47 = cos_theta_S2 * t46 + t40 * sin_theta_S2 - sin_theta_S2 * (x_S2 * t39);
+    let vartheta2_t1 = ends[31];
+    let shear_S2 = -(t45 * (t43 * t47) + t44 * (vartheta2_t1 * t22));
+    g[19] = shear_S2;
+    let L_c = constants[14];
+    let (sin_t1, cos_t1) = sin_cos(t1);
+    let X_s = integrals[6];
+    let t49 = Phi_S + C_S;
+    let (sin_t49, cos_t49) = sin_cos(t49);
+    let t51 = L_c - R_P * cos_t1 - X_s * L_s - R_S * cos_t49;
+    let closure_X_s = d_penetration_P1_d_x_P1 * t51;
+    g[20] = closure_X_s;
+    let Y_s = integrals[7];
+    let t52 = R_S * sin_t49 - R_P * sin_t1 - Y_s * L_s;
+    let closure_Y_s = d_penetration_P1_d_x_P1 * t52;
+    g[21] = closure_Y_s;
+    let (sin_C_P, cos_C_P) = sin_cos(C_P);
+    let X_t = integrals[15];
+    let (sin_C_S, cos_C_S) = sin_cos(C_S);
+    let t55 = R_P * cos_C_P - X_t * L_t - (L_c - R_S * cos_C_S);
+    let closure_X_t = d_penetration_S1_d_x_S1 * t55;
+    g[22] = closure_X_t;
+    let Y_t = integrals[16];
+    let t56 = R_P * sin_C_P - Y_t * L_t - R_S * sin_C_S;
+    let closure_Y_t = d_penetration_S1_d_x_S1 * t56;
+    g[23] = closure_Y_t;
+    let M_P = integrals[0];
+    let M_in = constants[19];
+    let torque = M_P + M_in;
+    g[24] = torque;
+    let T_slack = constants[20];
+    let slack_tension = T_P2 - T_slack;
+    g[25] = slack_tension;
+    dz[0] = d_penetration_P1_d_x_P1;
+    let t57 = d_penetration_P1_d_x_P1 * d_penetration_P1_d_x_P1;
+    let d_penetration_P1_d_R_P = -(x_P1 * t57);
+    dz[1] = d_penetration_P1_d_R_P;
+    dz[2] = d_penetration_P1_d_x_P1;
+    let d_penetration_P2_d_R_P = -(x_P2 * t57);
+    dz[3] = d_penetration_P2_d_R_P;
+    dz[4] = d_penetration_S1_d_x_S1;
+    let t58 = d_penetration_S1_d_x_S1 * d_penetration_S1_d_x_S1;
+    let d_penetration_S1_d_R_S = -(x_S1 * t58);
+    dz[5] = d_penetration_S1_d_R_S;
+    dz[6] = d_penetration_S1_d_x_S1;
+    let d_penetration_S2_d_R_S = -(x_S2 * t58);
+    dz[7] = d_penetration_S2_d_R_S;
+    dz[8] = 1.0;
+    let d_tension_P1_d_tau_t2 = -1.0;
+    dz[9] = d_tension_P1_d_tau_t2;
+    dz[10] = 1.0;
+    dz[11] = d_tension_P1_d_tau_t2;
+    dz[12] = d_tension_P1_d_tau_t2;
+    dz[13] = 1.0;
+    dz[14] = 1.0;
+    dz[15] = d_tension_P1_d_tau_t2;
+    dz[16] = d_tension_P1_d_tau_t2;
+    dz[17] = d_tension_P1_d_tau_t2;
+    dz[18] = 1.0;
+    dz[19] = d_tension_P1_d_tau_t2;
+    dz[20] = d_tension_P1_d_tau_t2;
+    dz[21] = 1.0;
+    dz[22] = 1.0;
+    dz[23] = d_tension_P1_d_tau_t2;
+    dz[24] = d_tension_P1_d_tau_t2;
+    dz[25] = d_tension_P1_d_tau_t2;
+    dz[26] = d_tension_P1_d_tau_t2;
+    dz[27] = d_tension_P1_d_tau_t2;
+    dz[28] = d_tension_P1_d_tau_t2;
+    dz[29] = d_tension_P1_d_tau_t2;
+    let d_curvature_P1_d_theta_P1 = -(sin_theta_P1 * (t2 * (R_P * t5)));
+    dz[30] = d_curvature_P1_d_theta_P1;
+    let t59 = R_P * cos_theta_P1;
+    let d_curvature_P1_d_theta1_P1 = -(t2 * (t4 * t59));
+    dz[31] = d_curvature_P1_d_theta1_P1;
+    let d_curvature_P1_d_x_P1 = t2 * t2 * (t5 * t59);
+    dz[32] = d_curvature_P1_d_x_P1;
+    let d_curvature_P1_d_vartheta1_t2 = -(R_P * t6);
+    dz[33] = d_curvature_P1_d_vartheta1_t2;
+    let d_curvature_P1_d_Phi_P = t30 * (t2 * (cos_theta_P1 * (theta1_P1 * R_P)));
+    dz[34] = d_curvature_P1_d_Phi_P;
+    let d_curvature_P1_d_L_t = t22 * (vartheta1_t2 * R_P);
+    dz[35] = d_curvature_P1_d_L_t;
+    let d_curvature_P1_d_R_P = t7 - d_curvature_P1_d_x_P1;
+    dz[36] = d_curvature_P1_d_R_P;
+    let d_curvature_P2_d_theta_P2 = -(sin_theta_P2 * (t8 * (R_P * t10)));
+    dz[37] = d_curvature_P2_d_theta_P2;
+    let t60 = R_P * cos_theta_P2;
+    let d_curvature_P2_d_theta1_P2 = -(t8 * (t4 * t60));
+    dz[38] = d_curvature_P2_d_theta1_P2;
+    let d_curvature_P2_d_x_P2 = t8 * t8 * (t10 * t60);
+    dz[39] = d_curvature_P2_d_x_P2;
+    let d_curvature_P2_d_vartheta1_s1 = -(R_P * t11);
+    dz[40] = d_curvature_P2_d_vartheta1_s1;
+    let d_curvature_P2_d_Phi_P = t30 * (t8 * (cos_theta_P2 * (theta1_P2 * R_P)));
+    dz[41] = d_curvature_P2_d_Phi_P;
+    let d_curvature_P2_d_L_s = t32 * (vartheta1_s1 * R_P);
+    dz[42] = d_curvature_P2_d_L_s;
+    let d_curvature_P2_d_R_P = t12 - d_curvature_P2_d_x_P2;
+    dz[43] = d_curvature_P2_d_R_P;
+    let d_curvature_S1_d_vartheta1_s2 = -(R_S * t11);
+    dz[44] = d_curvature_S1_d_vartheta1_s2;
+    let d_curvature_S1_d_theta_S1 = -(sin_theta_S1 * (t13 * (R_S * t16)));
+    dz[45] = d_curvature_S1_d_theta_S1;
+    let t61 = R_S * cos_theta_S1;
+    let d_curvature_S1_d_theta1_S1 = -(t13 * (t15 * t61));
+    dz[46] = d_curvature_S1_d_theta1_S1;
+    let d_curvature_S1_d_x_S1 = t13 * t13 * (t16 * t61);
+    dz[47] = d_curvature_S1_d_x_S1;
+    let d_curvature_S1_d_Phi_S = t42 * (t13 * (cos_theta_S1 * (theta1_S1 * R_S)));
+    dz[48] = d_curvature_S1_d_Phi_S;
+    let d_curvature_S1_d_L_s = t32 * (vartheta1_s2 * R_S);
+    dz[49] = d_curvature_S1_d_L_s;
+    let d_curvature_S1_d_R_S = t17 - d_curvature_S1_d_x_S1;
+    dz[50] = d_curvature_S1_d_R_S;
+    let d_curvature_S2_d_theta_S2 = -(sin_theta_S2 * (t18 * (R_S * t20)));
+    dz[51] = d_curvature_S2_d_theta_S2;
+    let t62 = R_S * cos_theta_S2;
+    let d_curvature_S2_d_theta1_S2 = -(t18 * (t15 * t62));
+    dz[52] = d_curvature_S2_d_theta1_S2;
+    let d_curvature_S2_d_x_S2 = t18 * t18 * (t20 * t62);
+    dz[53] = d_curvature_S2_d_x_S2;
+    let d_curvature_S2_d_vartheta1_t1 = -(R_S * t6);
+    dz[54] = d_curvature_S2_d_vartheta1_t1;
+    let d_curvature_S2_d_Phi_S = t42 * (t18 * (cos_theta_S2 * (theta1_S2 * R_S)));
+    dz[55] = d_curvature_S2_d_Phi_S;
+    let d_curvature_S2_d_L_t = t22 * (vartheta1_t1 * R_S);
+    dz[56] = d_curvature_S2_d_L_t;
+    let d_curvature_S2_d_R_S = t21 - d_curvature_S2_d_x_S2;
+    dz[57] = d_curvature_S2_d_R_S;
+    let t63 = t25 * t31;
+    let t64 = t25 * t25 * (t29 * (sin_theta_P1 * t31))
+        + t63 * (t27 * t59 - t26 * sin_theta_P1 - t27 * (x_P1 * cos_theta_P1));
+    let d_shear_P1_d_theta_P1 = -t64;
+    dz[58] = d_shear_P1_d_theta_P1;
+    let d_shear_P1_d_theta2_P1 = -t30;
+    dz[59] = d_shear_P1_d_theta2_P1;
+    let d_shear_P1_d_x_P1 = t25 * (d_penetration_P1_d_x_P1 * sin_theta_P1);
+    dz[60] = d_shear_P1_d_x_P1;
+    let d_shear_P1_d_vartheta2_t2 = -(t23 * t22);
+    dz[61] = d_shear_P1_d_vartheta2_t2;
+    let t65 = t4 * t30;
+    let t66 = Phi_P * R_P;
+    let d_shear_P1_d_Phi_P = t65 * (2.0 * (t25 * (d_penetration_P1_d_x_P1 * t29)))
+        - (2.0 * (sin_theta_P1 * t66) - 2.0 * (sin_theta_P1 * (x_P1 * Phi_P))) * t63;
+    dz[62] = d_shear_P1_d_Phi_P;
+    let t67 = t6 * t22;
+    let d_shear_P1_d_L_t = t67 * (t24 * 2.0);
+    dz[63] = d_shear_P1_d_L_t;
+    let d_shear_P1_d_R_P = t57 * (t25 * (t30 * t29)) - 2.0 * (t22 * (vartheta2_t2 * R_P))
+        - t63 * (theta2_P1 * cos_theta_P1 + t27 * sin_theta_P1);
+    dz[64] = d_shear_P1_d_R_P;
+    let t68 = t31 * t34;
+    let t69 = t34 * t34 * (t36 * (t31 * sin_theta_P2))
+        + t68 * (t27 * t60 - t35 * sin_theta_P2 - t27 * (x_P2 * cos_theta_P2));
+    let d_shear_P2_d_theta_P2 = -t69;
+    dz[65] = d_shear_P2_d_theta_P2;
+    dz[66] = d_shear_P1_d_theta2_P1;
+    let d_shear_P2_d_x_P2 = t34 * (d_penetration_P1_d_x_P1 * sin_theta_P2);
+    dz[67] = d_shear_P2_d_x_P2;
+    let d_shear_P2_d_vartheta2_s1 = -(t23 * t32);
+    dz[68] = d_shear_P2_d_vartheta2_s1;
+    let d_shear_P2_d_Phi_P = t65 * (2.0 * (t34 * (d_penetration_P1_d_x_P1 * t36)))
+        - (2.0 * (sin_theta_P2 * t66) - 2.0 * (sin_theta_P2 * (x_P2 * Phi_P))) * t68;
+    dz[69] = d_shear_P2_d_Phi_P;
+    let t70 = t11 * t32;
+    let d_shear_P2_d_L_s = t70 * (t33 * 2.0);
+    dz[70] = d_shear_P2_d_L_s;
+    let d_shear_P2_d_R_P = t57 * (t34 * (t30 * t36)) - 2.0 * (t32 * (vartheta2_s1 * R_P))
+        - t68 * (theta2_P2 * cos_theta_P2 + t27 * sin_theta_P2);
+    dz[71] = d_shear_P2_d_R_P;
+    let d_shear_S1_d_vartheta2_s2 = -(t32 * t44);
+    dz[72] = d_shear_S1_d_vartheta2_s2;
+    let t71 = t37 * t43;
+    let t72 = t37 * t37 * (t41 * (sin_theta_S1 * t43))
+        + t71 * (t39 * t61 - t38 * sin_theta_S1 - t39 * (x_S1 * cos_theta_S1));
+    let d_shear_S1_d_theta_S1 = -t72;
+    dz[73] = d_shear_S1_d_theta_S1;
+    let d_shear_S1_d_theta2_S1 = -t42;
+    dz[74] = d_shear_S1_d_theta2_S1;
+    let d_shear_S1_d_x_S1 = t37 * (d_penetration_S1_d_x_S1 * sin_theta_S1);
+    dz[75] = d_shear_S1_d_x_S1;
+    let t73 = t15 * t42;
+    let t74 = Phi_S * R_S;
+    let d_shear_S1_d_Phi_S = t73 * (2.0 * (t37 * (d_penetration_S1_d_x_S1 * t41)))
+        - (2.0 * (sin_theta_S1 * t74) - 2.0 * (sin_theta_S1 * (x_S1 * Phi_S))) * t71;
+    dz[76] = d_shear_S1_d_Phi_S;
+    let d_shear_S1_d_L_s = t70 * (2.0 * (vartheta2_s2 * t44));
+    dz[77] = d_shear_S1_d_L_s;
+    let d_shear_S1_d_R_S = t58 * (t37 * (t42 * t41))
+        - t71 * (theta2_S1 * cos_theta_S1 + t39 * sin_theta_S1)
+        - 2.0 * (t32 * (vartheta2_s2 * R_S));
+    dz[78] = d_shear_S1_d_R_S;
+    let t75 = t43 * t45;
+    let t76 = t45 * t45 * (t47 * (t43 * sin_theta_S2))
+        + t75 * (t39 * t62 - t46 * sin_theta_S2 - t39 * (x_S2 * cos_theta_S2));
+    let d_shear_S2_d_theta_S2 = -t76;
+    dz[79] = d_shear_S2_d_theta_S2;
+    dz[80] = d_shear_S1_d_theta2_S1;
+    let d_shear_S2_d_x_S2 = t45 * (d_penetration_S1_d_x_S1 * sin_theta_S2);
+    dz[81] = d_shear_S2_d_x_S2;
+    let d_shear_S2_d_vartheta2_t1 = -(t22 * t44);
+    dz[82] = d_shear_S2_d_vartheta2_t1;
+    let d_shear_S2_d_Phi_S = t73 * (2.0 * (t45 * (d_penetration_S1_d_x_S1 * t47)))
+        - (2.0 * (sin_theta_S2 * t74) - 2.0 * (sin_theta_S2 * (x_S2 * Phi_S))) * t75;
+    dz[83] = d_shear_S2_d_Phi_S;
+    let d_shear_S2_d_L_t = t67 * (2.0 * (vartheta2_t1 * t44));
+    dz[84] = d_shear_S2_d_L_t;
+    let d_shear_S2_d_R_S = t58 * (t45 * (t42 * t47))
+        - t75 * (theta2_S2 * cos_theta_S2 + t39 * sin_theta_S2)
+        - 2.0 * (t22 * (vartheta2_t1 * R_S));
+    dz[85] = d_shear_S2_d_R_S;
+    let d_closure_X_s_d_X_s = -(L_s * d_penetration_P1_d_x_P1);
+    dz[86] = d_closure_X_s_d_X_s;
+    dz[87] = sin_t1;
+    let t77 = R_S * d_penetration_P1_d_x_P1;
+    let d_closure_X_s_d_Phi_S = sin_t49 * t77;
+    dz[88] = d_closure_X_s_d_Phi_S;
+    dz[89] = sin_t1;
+    dz[90] = d_closure_X_s_d_Phi_S;
+    let d_closure_X_s_d_L_s = -(X_s * d_penetration_P1_d_x_P1);
+    dz[91] = d_closure_X_s_d_L_s;
+    let d_closure_X_s_d_R_P = -(d_penetration_P1_d_x_P1 * cos_t1 + t51 * t57);
+    dz[92] = d_closure_X_s_d_R_P;
+    let d_closure_X_s_d_R_S = -(d_penetration_P1_d_x_P1 * cos_t49);
+    dz[93] = d_closure_X_s_d_R_S;
+    dz[94] = d_penetration_P1_d_x_P1;
+    dz[95] = d_closure_X_s_d_X_s;
+    let d_closure_Y_s_d_Phi_P = -cos_t1;
+    dz[96] = d_closure_Y_s_d_Phi_P;
+    let d_closure_Y_s_d_Phi_S = cos_t49 * t77;
+    dz[97] = d_closure_Y_s_d_Phi_S;
+    dz[98] = d_closure_Y_s_d_Phi_P;
+    dz[99] = d_closure_Y_s_d_Phi_S;
+    let d_closure_Y_s_d_L_s = -(Y_s * d_penetration_P1_d_x_P1);
+    dz[100] = d_closure_Y_s_d_L_s;
+    let d_closure_Y_s_d_R_P = -(d_penetration_P1_d_x_P1 * sin_t1 + t52 * t57);
+    dz[101] = d_closure_Y_s_d_R_P;
+    let d_closure_Y_s_d_R_S = d_penetration_P1_d_x_P1 * sin_t49;
+    dz[102] = d_closure_Y_s_d_R_S;
+    let d_closure_X_t_d_X_t = -(L_t * d_penetration_S1_d_x_S1);
+    dz[103] = d_closure_X_t_d_X_t;
+    let t78 = R_P * d_penetration_S1_d_x_S1;
+    let d_closure_X_t_d_C_P = -(sin_C_P * t78);
+    dz[104] = d_closure_X_t_d_C_P;
+    let d_closure_X_t_d_C_S = -sin_C_S;
+    dz[105] = d_closure_X_t_d_C_S;
+    let d_closure_X_t_d_L_t = -(X_t * d_penetration_S1_d_x_S1);
+    dz[106] = d_closure_X_t_d_L_t;
+    let d_closure_X_t_d_R_P = d_penetration_S1_d_x_S1 * cos_C_P;
+    dz[107] = d_closure_X_t_d_R_P;
+    let d_closure_X_t_d_R_S = d_penetration_S1_d_x_S1 * cos_C_S - t55 * t58;
+    dz[108] = d_closure_X_t_d_R_S;
+    let d_closure_X_t_d_L_c = -d_penetration_S1_d_x_S1;
+    dz[109] = d_closure_X_t_d_L_c;
+    dz[110] = d_closure_X_t_d_X_t;
+    let d_closure_Y_t_d_C_P = cos_C_P * t78;
+    dz[111] = d_closure_Y_t_d_C_P;
+    let d_closure_Y_t_d_C_S = -cos_C_S;
+    dz[112] = d_closure_Y_t_d_C_S;
+    let d_closure_Y_t_d_L_t = -(Y_t * d_penetration_S1_d_x_S1);
+    dz[113] = d_closure_Y_t_d_L_t;
+    let d_closure_Y_t_d_R_P = d_penetration_S1_d_x_S1 * sin_C_P;
+    dz[114] = d_closure_Y_t_d_R_P;
+    let d_closure_Y_t_d_R_S = -(d_penetration_S1_d_x_S1 * sin_C_S + t56 * t58);
+    dz[115] = d_closure_Y_t_d_R_S;
+    dz[116] = 1.0;
+    dz[117] = 1.0;
+    dz[118] = 1.0;
+    dz[119] = d_tension_P1_d_tau_t2;
+}

@@ -1,0 +1,83 @@
+//! The generated modules: derived anew at build time, or as committed in `golden/`.
+
+use crate::types::{BoundaryKernel, RegionKernel};
+
+/// What generated boundary sets call to check a slice once.
+pub(crate) fn sized<'a>(slice: &'a mut [f64], size: usize, name: &str) -> &'a mut [f64] {
+    assert!(slice.len() >= size, "{name}: {} of {size} values", slice.len());
+    &mut slice[..size]
+}
+
+macro_rules! generated {
+    ($name:ident) => {
+        #[cfg(feature = "regenerate")]
+        include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
+        #[cfg(not(feature = "regenerate"))]
+        include!(concat!(env!("CARGO_MANIFEST_DIR"), "/golden/", stringify!($name), ".rs"));
+    };
+}
+
+macro_rules! regions {
+    ($($name:ident $constant:ident $doc:literal),* $(,)?) => {
+        $(
+            #[allow(non_snake_case, clippy::all)]
+            mod $name {
+                use crate::function::*;
+                use crate::lane::Lane;
+                use crate::sweep::{Chunk, Sweep, sweep};
+                use crate::types::{RegionKernel, Symbol};
+                generated!($name);
+            }
+            #[doc = $doc]
+            pub static $constant: RegionKernel = $name::KERNEL;
+        )*
+        /// All region kernels.
+        pub static REGIONS: &[&RegionKernel] = &[$(&$constant),*];
+    };
+}
+
+macro_rules! boundaries {
+    ($($name:ident $constant:ident $doc:literal),* $(,)?) => {
+        $(
+            #[allow(non_snake_case, unused_variables, clippy::all)]
+            mod $name {
+                use super::sized;
+                use crate::function::*;
+                use crate::types::{BoundaryKernel, Equation, Symbol};
+                generated!($name);
+            }
+            #[doc = $doc]
+            pub static $constant: BoundaryKernel = $name::KERNEL;
+        )*
+        /// All boundary sets.
+        pub static BOUNDARIES: &[&BoundaryKernel] = &[$(&$constant),*];
+    };
+}
+
+regions! {
+    contact_linearised_viscous_coulomb CONTACT_LINEARISED_VISCOUS_COULOMB
+        "The belt in a groove: linearised shear (3.38), (3.40), viscous Coulomb friction.",
+    contact_linearised_tanh CONTACT_LINEARISED_TANH
+        "The belt in a groove: linearised shear (3.38), (3.40), smooth friction.",
+    contact_full_viscous_coulomb CONTACT_FULL_VISCOUS_COULOMB
+        "The belt in a groove: full shear (3.33), (3.35), viscous Coulomb friction.",
+    contact_full_tanh CONTACT_FULL_TANH
+        "The belt in a groove: full shear (3.33), (3.35), smooth friction.",
+    span_derived SPAN_DERIVED
+        "The free belt, (3.43) to (3.48).",
+    span_as_printed SPAN_AS_PRINTED
+        "The free belt as Appendix C prints it.",
+}
+
+boundaries! {
+    boundary_zero_linearised BOUNDARY_ZERO_LINEARISED
+        "No shear where the belt meets a pulley; linearised shear.",
+    boundary_zero_full BOUNDARY_ZERO_FULL
+        "No shear where the belt meets a pulley; full shear.",
+    boundary_continuous_linearised BOUNDARY_CONTINUOUS_LINEARISED
+        "Shear continuous where the belt meets a pulley; linearised shear.",
+    boundary_continuous_full BOUNDARY_CONTINUOUS_FULL
+        "Shear continuous where the belt meets a pulley; full shear.",
+    boundary_as_printed BOUNDARY_AS_PRINTED
+        "Conditions as Appendix D prints them.",
+}
