@@ -79,20 +79,6 @@ impl Guess {
         Ok(())
     }
 
-    /// Halves every interval, states interpolated linearly.
-    pub(crate) fn halved(&self) -> Self {
-        let halve = |values: &Vec<f64>| {
-            let mut out: Vec<f64> = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).collect();
-            out.extend(values.last());
-            out
-        };
-        let regions = self
-            .regions
-            .iter()
-            .map(|region| RegionGuess { mesh: halve(&region.mesh), states: region.states.iter().map(halve).collect() });
-        Self { regions: regions.collect(), constants: self.constants.clone() }
-    }
-
     pub(crate) fn grids(&self) -> Vec<Grid> {
         self.regions.iter().map(|region| Grid::new(region.mesh.clone())).collect()
     }

@@ -5,6 +5,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod collocation;
+pub mod continuation;
 pub mod error;
 mod guess;
 mod linear;

@@ -38,8 +38,6 @@ pub(crate) struct Converged {
     pub factorisation: Factorisation,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
-    /// Size of the first correction.
-    pub first_correction: f64,
 }
 
 struct Newton<'a, 'p, P: Problem + ?Sized> {
@@ -51,7 +49,6 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     factorisation: Factorisation,
     iteration: usize,
     contraction: Option<f64>,
-    first_correction: f64,
 }
 
 /// How far a damped step got.
@@ -82,7 +79,6 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         factorisation: Factorisation::new(system),
         iteration: 0,
         contraction: None,
-        first_correction: 0.0,
     };
     newton.run(start.clone())
 }
@@ -96,9 +92,6 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             let dx = self.correction();
             let size = self.system.norm(&dx);
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
-            if self.iteration == 1 {
-                self.first_correction = self.system.largest(&dx);
-            }
             if self.system.largest(&dx) <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
                 return self.finish(x);
@@ -242,7 +235,6 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             work: self.work,
             factorisation: self.factorisation,
             contraction: self.contraction.unwrap_or(0.0),
-            first_correction: self.first_correction,
         })
     }
 

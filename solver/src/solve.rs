@@ -1,9 +1,9 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
-use crate::collocation::System;
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Defects, Extended, Extension};
 use crate::collocation::plan::Plan;
+use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::{Guess, RegionGuess};
 use crate::newton::{self, Converged, Limits};
@@ -45,8 +45,11 @@ pub fn solve_observed<P: Problem + ?Sized>(
     let layout = problem.layout();
     check(layout, guess, unknowns, options)?;
     let plan = Plan::new(layout, unknowns);
-    let mut run = Run { problem, layout, plan: &plan, options, observer, stats: Stats::default(), history: Vec::new() };
-    run.refine(guess.clone())
+    let mut run = Run::new(problem, &plan, options, observer);
+    let grids = guess.grids();
+    let x = guess.iterate(&grids);
+    let solved = run.refine(Start { grids, x })?;
+    run.finish(&solved)
 }
 
 /// # Errors
@@ -68,59 +71,90 @@ pub(crate) fn check(layout: &Layout, guess: &Guess, unknowns: &[usize], options:
     Ok(())
 }
 
-struct Run<'a, P: Problem + ?Sized> {
-    problem: &'a P,
-    layout: &'a Layout,
-    plan: &'a Plan,
-    options: &'a Options,
-    observer: &'a mut dyn Observer,
-    stats: Stats,
-    history: Vec<MeshRecord>,
+/// Where Newton's iteration is to start.
+pub(crate) struct Start {
+    pub grids: Vec<Grid>,
+    pub x: Iterate,
+}
+
+/// What Newton's iteration and the measurement of the defect left, on meshes that pass.
+pub(crate) struct Solved<'a, P: Problem + ?Sized> {
+    pub system: System<'a, P>,
+    pub converged: Converged,
+    pub measured: Measured,
 }
 
 /// A converged iterate, measured.
-struct Measured {
-    extensions: Vec<Extension>,
+pub(crate) struct Measured {
+    pub extensions: Vec<Extension>,
     defects: Vec<Defects>,
-    measures: Vec<Measure>,
+    pub measures: Vec<Measure>,
 }
 
-impl<'a, P: Problem + ?Sized> Run<'a, P> {
-    fn refine(&mut self, mut guess: Guess) -> Result<Solution, SolveError> {
+/// One solve, or the solves of one continuation: what they share, and what they have cost so far.
+pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
+    problem: &'a P,
+    layout: &'a Layout,
+    plan: &'a Plan,
+    pub options: &'o Options,
+    pub observer: &'o mut dyn Observer,
+    pub stats: Stats,
+    pub history: Vec<MeshRecord>,
+    /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
+    pub contraction: f64,
+}
+
+impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
+    pub(crate) fn new(problem: &'a P, plan: &'a Plan, options: &'o Options, observer: &'o mut dyn Observer) -> Self {
+        let layout = problem.layout();
+        Self {
+            problem,
+            layout,
+            plan,
+            options,
+            observer,
+            stats: Stats::default(),
+            history: Vec::new(),
+            contraction: 0.0,
+        }
+    }
+
+    /// Solves and improves the meshes until they pass.
+    pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let (mut rescues, mut coarsened) = (0, false);
-        for _ in 0..self.options.max_meshes {
-            let grids = guess.grids();
-            let start = guess.iterate(&grids);
+        for attempt in 0..self.options.max_meshes {
+            let Start { grids, x } = start;
             let system = self.system(grids);
             self.stats.meshes += 1;
             let before = self.stats.newton_iterations;
-            let converged = match newton::solve(&system, &start, self.limits(), &mut self.stats, self.observer) {
+            let outcome = newton::solve(&system, &x, self.limits(), &mut self.stats, self.observer);
+            if attempt == 0 {
+                self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
+            }
+            let converged = match outcome {
                 Ok(converged) => converged,
                 Err(error) => {
                     self.record(&system, before, vec![f64::INFINITY; system.grids.len()]);
-                    guess = self.rescue(guess, error, &mut rescues)?;
+                    start = self.rescue(Start { grids: system.grids, x }, error, &mut rescues)?;
                     continue;
                 }
             };
             let measured = self.measured(&system, &converged)?;
-            let defects: Vec<f64> = measured.measures.iter().map(|measure| measure.largest).collect();
-            let event = Event::Mesh {
-                intervals: system.grids.iter().map(Grid::intervals).sum(),
-                defect: defects.iter().fold(0.0, |max, defect| max.max(*defect)),
-            };
-            self.record(&system, before, defects);
-            if self.observer.notify(&event).is_break() {
+            self.record(&system, before, measured.measures.iter().map(|measure| measure.largest).collect());
+            let defect = measured.measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
+            let intervals = intervals(&system.grids);
+            if self.observer.notify(&Event::Mesh { intervals, defect }).is_break() {
                 return Err(SolveError::Cancelled);
             }
             match self.next_meshes(&system, &measured, coarsened)? {
-                None => return self.finish(&system, &converged, &measured),
+                None => return Ok(Solved { system, converged, measured }),
                 Some((meshes, coarser)) => {
                     coarsened |= coarser;
-                    guess = self.transfer(&system, &converged, &measured, meshes);
+                    start = transfer(&Solved { system, converged, measured }, meshes);
                 }
             }
         }
-        Err(self.out_of_meshes(&guess))
+        Err(self.out_of_meshes())
     }
 
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
@@ -151,17 +185,17 @@ impl<'a, P: Problem + ?Sized> Run<'a, P> {
     }
 
     /// A failed iteration may succeed on a finer mesh.
-    fn rescue(&self, guess: Guess, error: NewtonError, rescues: &mut usize) -> Result<Guess, SolveError> {
+    fn rescue(&self, start: Start, error: NewtonError, rescues: &mut usize) -> Result<Start, SolveError> {
         if error == NewtonError::Cancelled {
             return Err(SolveError::Cancelled);
         }
-        let largest = guess.regions.iter().map(|region| region.mesh.len() - 1).max().unwrap_or(0);
+        let largest = start.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = matches!(&error, NewtonError::Singular { empty_equations, .. } if !empty_equations.is_empty());
         if hopeless || *rescues >= self.options.rescues || 2 * largest > self.options.max_intervals {
-            return Err(SolveError::Newton { error, intervals: guess.intervals() });
+            return Err(SolveError::Newton { error, intervals: intervals(&start.grids) });
         }
         *rescues += 1;
-        Ok(guess.halved())
+        Ok(halved(&start))
     }
 
     fn measured(&mut self, system: &System<'_, P>, converged: &Converged) -> Result<Measured, SolveError> {
@@ -175,7 +209,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, P> {
             });
             let (extension, defect) = measured.map_err(|error| SolveError::Newton {
                 error: NewtonError::NonFinite(error),
-                intervals: system.grids.iter().map(Grid::intervals).sum(),
+                intervals: intervals(&system.grids),
             })?;
             extensions.push(extension);
             defects.push(defect);
@@ -226,51 +260,23 @@ impl<'a, P: Problem + ?Sized> Run<'a, P> {
         }
     }
 
-    fn out_of_meshes(&self, guess: &Guess) -> SolveError {
-        let last = self.history.last();
-        let worst =
-            last.and_then(|last| (0..last.defects.len()).max_by(|&i, &j| last.defects[i].total_cmp(&last.defects[j])));
-        let region = worst.unwrap_or(0);
+    fn out_of_meshes(&self) -> SolveError {
+        let (defects, counts) = self.history.last().map_or((&[][..], &[][..]), |last| (&last.defects, &last.intervals));
+        let worst = (0..defects.len()).max_by(|&i, &j| defects[i].total_cmp(&defects[j])).unwrap_or(0);
+        let region = self.layout.regions.get(worst);
         SolveError::MeshLimit {
-            region: self.layout.regions.get(region).map_or_else(String::new, |region| region.name.clone()),
-            position: guess.regions.get(region).map_or(f64::NAN, |region| region.mesh[0]),
-            state: "all states".to_owned(),
-            defect: last.map_or(f64::NAN, |last| last.defects.iter().fold(0.0, |max, defect| max.max(*defect))),
+            region: region.map_or_else(String::new, |region| region.name.clone()),
+            position: region.map_or(f64::NAN, |region| region.interval.0),
+            state: "one of its states".to_owned(),
+            defect: defects.get(worst).copied().unwrap_or(f64::NAN),
             tolerance: self.options.tolerance,
-            intervals: guess.intervals(),
+            intervals: counts.get(worst).copied().unwrap_or(0),
         }
     }
 
-    fn region_solutions(
-        &self,
-        system: &System<'_, P>,
-        converged: &Converged,
-        measured: &Measured,
-    ) -> Vec<RegionSolution> {
-        let regions = measured.extensions.iter().enumerate();
-        regions
-            .map(|(region, extension)| RegionSolution::new(system, region, &converged.x, &converged.work, extension))
-            .collect()
-    }
-
-    fn transfer(
-        &self,
-        system: &System<'_, P>,
-        converged: &Converged,
-        measured: &Measured,
-        meshes: Vec<Vec<f64>>,
-    ) -> Guess {
-        let old = self.region_solutions(system, converged, measured);
-        let regions = old.iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh));
-        Guess { regions: regions.collect(), constants: converged.x.constants.clone() }
-    }
-
-    fn finish(
-        &self,
-        system: &System<'_, P>,
-        converged: &Converged,
-        measured: &Measured,
-    ) -> Result<Solution, SolveError> {
+    /// The solution, if its boundary residuals too meet their tolerance.
+    pub(crate) fn finish(&self, solved: &Solved<'_, P>) -> Result<Solution, SolveError> {
+        let Solved { converged, measured, .. } = solved;
         let scale = &converged.factorisation.boundary_scale;
         let relative = |(g, scale): (&f64, &f64)| if *g == 0.0 { 0.0 } else { g.abs() / scale };
         let residuals: Vec<f64> = converged.work.g.iter().zip(scale).map(relative).collect();
@@ -282,7 +288,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, P> {
             return Err(SolveError::Boundary { equation, residual: largest, tolerance });
         }
         Ok(Solution {
-            regions: self.region_solutions(system, converged, measured),
+            regions: solved.regions(),
             constants: converged.x.constants.clone(),
             unknowns: self.plan.unknowns.clone(),
             order: self.options.order,
@@ -292,6 +298,42 @@ impl<'a, P: Problem + ?Sized> Run<'a, P> {
             history: self.history.clone(),
         })
     }
+}
+
+/// Intervals of all regions.
+pub(crate) fn intervals(grids: &[Grid]) -> usize {
+    grids.iter().map(Grid::intervals).sum()
+}
+
+impl<P: Problem + ?Sized> Solved<'_, P> {
+    pub(crate) fn regions(&self) -> Vec<RegionSolution> {
+        let Converged { x, work, .. } = &self.converged;
+        let regions = self.measured.extensions.iter().enumerate();
+        regions.map(|(region, extension)| RegionSolution::new(&self.system, region, x, work, extension)).collect()
+    }
+}
+
+/// The solution on other meshes.
+pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
+    let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
+    let guess = Guess { regions, constants: solved.converged.x.constants.clone() };
+    let grids = guess.grids();
+    Start { x: guess.iterate(&grids), grids }
+}
+
+/// Halves every interval, states interpolated linearly.
+fn halved(start: &Start) -> Start {
+    let halve = |values: &[f64]| -> Vec<f64> {
+        let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+        pairs.chain(values.last().copied()).collect()
+    };
+    let regions = start.grids.iter().zip(&start.x.y).map(|(grid, y)| RegionGuess {
+        mesh: halve(&grid.mesh),
+        states: y.chunks_exact(grid.node_stride()).map(|y| halve(&grid.unpack(y))).collect(),
+    });
+    let guess = Guess { regions: regions.collect(), constants: start.x.constants.clone() };
+    let grids = guess.grids();
+    Start { x: guess.iterate(&grids), grids }
 }
 
 impl RegionSolution {

@@ -5,6 +5,7 @@ pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
 pub(crate) mod interpolant;
+pub(crate) mod parameter;
 pub(crate) mod plan;
 
 use crate::linear::scalar::{Lane, W};
@@ -123,3 +124,6 @@ impl<P: Problem + ?Sized> System<'_, P> {
         states.chain(dx.c.iter().copied()).fold(0.0, |max: f64, u| if u.is_nan() { f64::NAN } else { max.max(u.abs()) })
     }
 }
+
+#[cfg(test)]
+mod tests;

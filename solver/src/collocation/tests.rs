@@ -1,0 +1,258 @@
+//! The linearisation against finite differences of the residual, and its elimination against a dense solve.
+
+use super::evaluate::{Derivatives, Work};
+use super::factor::Factorisation;
+use super::grid::Grid;
+use super::plan::Plan;
+use super::{Correction, Iterate, System};
+use crate::linear::scalar::{Lane, W};
+use crate::model::{Differentiated, Model, Scalar};
+use crate::problem::{Layout, Problem, Region};
+use crate::stats::Stats;
+use crate::tableau::{ORDER_4, ORDER_6, Tableau};
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+
+/// Numbers that look random but are always the same.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
+    }
+}
+
+/// A system whose right-hand sides, integrands and boundary equations mix everything, linearly or not.
+struct Mixed {
+    sizes: Vec<(usize, usize)>,
+    constants: usize,
+    nonlinear: bool,
+    coefficients: Vec<f64>,
+}
+
+impl Mixed {
+    fn new(sizes: &[(usize, usize)], constants: usize, nonlinear: bool, seed: u64) -> Self {
+        let mut random = Random(seed);
+        random.next();
+        let coefficients = (0..4096).map(|_| random.next()).collect();
+        Self { sizes: sizes.to_vec(), constants, nonlinear, coefficients }
+    }
+
+    fn weight(&self, a: usize, b: usize, c: usize) -> f64 {
+        self.coefficients[(a * 977 + b * 131 + c * 17) % self.coefficients.len()]
+    }
+}
+
+impl Model for Mixed {
+    fn layout(&self) -> Layout {
+        let regions = self.sizes.iter().enumerate().map(|(r, &(n, k))| {
+            let names: Vec<String> = (0..n).map(|i| format!("y{i}")).collect();
+            let integrals: Vec<String> = (0..k).map(|i| format!("i{i}")).collect();
+            let refs = |names: &'_ [String]| names.iter().map(String::as_str).map(str::to_owned).collect::<Vec<_>>();
+            let (names, integrals) = (refs(&names), refs(&integrals));
+            let interval = (r as f64, r as f64 + 1.0 + 0.3 * r as f64);
+            Region::dense(
+                &format!("r{r}"),
+                interval,
+                &names.iter().map(String::as_str).collect::<Vec<_>>(),
+                &integrals.iter().map(String::as_str).collect::<Vec<_>>(),
+                self.constants,
+            )
+        });
+        let states: usize = self.sizes.iter().map(|size| size.0).sum();
+        let constants: Vec<String> = (0..self.constants).map(|i| format!("c{i}")).collect();
+        let equations: Vec<String> = (0..states + self.constants).map(|i| format!("e{i}")).collect();
+        Layout::dense(
+            regions.collect(),
+            &constants.iter().map(String::as_str).collect::<Vec<_>>(),
+            &equations.iter().map(String::as_str).collect::<Vec<_>>(),
+        )
+    }
+
+    fn rhs<S: Scalar>(&self, region: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+        for (row, f) in f.iter_mut().enumerate() {
+            *f = s * self.weight(region, row, 91);
+            for (i, &y) in y.iter().enumerate() {
+                let value = if self.nonlinear { (y * 0.7).sin() } else { y };
+                *f += value * self.weight(region, row, i);
+            }
+            for (i, &c) in c.iter().enumerate() {
+                let value = if self.nonlinear { c * (y[0] + 1.5) } else { c };
+                *f += value * self.weight(region, row, 40 + i);
+            }
+        }
+    }
+
+    fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+        for (row, g) in g.iter_mut().enumerate() {
+            *g = S::from(self.weight(7, row, 3));
+            for (i, &z) in ends.iter().chain(integrals).chain(c).enumerate() {
+                let value = if self.nonlinear { z + z * z * 0.1 } else { z };
+                *g += value * self.weight(8, row, i);
+            }
+        }
+    }
+}
+
+struct Setup<'a> {
+    system: System<'a, Differentiated<Mixed>>,
+    x: Iterate,
+    work: Work,
+}
+
+fn setup<'a>(
+    problem: &'a Differentiated<Mixed>,
+    plan: &'a Plan,
+    intervals: &[usize],
+    tableau: &'static Tableau,
+    seed: u64,
+) -> Setup<'a> {
+    let layout = problem.layout();
+    let mut random = Random(seed ^ 0x5555);
+    let grids: Vec<Grid> = layout
+        .regions
+        .iter()
+        .zip(intervals)
+        .map(|(region, &intervals)| {
+            let (a, b) = region.interval;
+            let mut inner: Vec<f64> =
+                (1..intervals).map(|j| a + (b - a) * (j as f64 + 0.3 * random.next()) / intervals as f64).collect();
+            inner.insert(0, a);
+            inner.push(b);
+            Grid::new(inner)
+        })
+        .collect();
+    let y = layout
+        .regions
+        .iter()
+        .zip(&grids)
+        .map(|(region, grid)| {
+            (0..region.states.len())
+                .flat_map(|_| {
+                    let values: Vec<f64> = grid.mesh.iter().map(|_| random.next()).collect();
+                    grid.pack(&values)
+                })
+                .collect()
+        })
+        .collect();
+    let constants = (0..layout.constants.len()).map(|_| random.next()).collect();
+    let system = System { problem, layout, plan, tableau, grids };
+    let work = system.work();
+    Setup { system, x: Iterate { y, constants }, work }
+}
+
+/// Residual in dimensionless equations, interval equations region by region and node by node, then boundary.
+fn residual(setup: &mut Setup<'_>, x: &Iterate) -> Vec<f64> {
+    let Setup { system, work, .. } = setup;
+    system.evaluate(x, Derivatives::None, work, &mut Stats::default()).unwrap();
+    let mut out = Vec::new();
+    for (region, grid) in system.grids.iter().enumerate() {
+        let phi = &work.regions[region].phi;
+        for j in 0..grid.intervals() {
+            out.extend((0..system.plan.regions[region].n).map(|i| phi[i * grid.interval_stride() + grid.position(j)]));
+        }
+    }
+    out.extend(&work.g);
+    out
+}
+
+/// A direction in all unknowns, from a plain vector: nodes in order, then constants.
+fn direction(system: &System<'_, Differentiated<Mixed>>, v: &[f64]) -> Correction {
+    let mut rest = v;
+    let u = system
+        .grids
+        .iter()
+        .zip(&system.plan.regions)
+        .map(|(grid, plan)| {
+            let (mine, others) = rest.split_at(grid.mesh.len() * plan.n);
+            rest = others;
+            (0..grid.node_stride() / W)
+                .flat_map(|t| (0..plan.n).map(move |i| (t, i)))
+                .map(|(t, i)| Lane(std::array::from_fn(|l| mine[grid.index(t * W + l) * plan.n + i])))
+                .collect()
+        })
+        .collect();
+    Correction { u, c: rest.to_vec() }
+}
+
+fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64> {
+    let mut out = Vec::new();
+    for ((grid, plan), u) in system.grids.iter().zip(&system.plan.regions).zip(&dx.u) {
+        for j in 0..grid.mesh.len() {
+            let p = grid.node(j);
+            out.extend((0..plan.n).map(|i| u[p / W * plan.n + i].0[p % W]));
+        }
+    }
+    out.extend(&dx.c);
+    out
+}
+
+fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals: &[usize], nonlinear: bool, seed: u64) {
+    for tableau in [&ORDER_4, &ORDER_6] {
+        let problem = Differentiated::new(Mixed::new(sizes, constants, nonlinear, seed)).unwrap();
+        let chosen: Vec<usize> = (0..unknowns).rev().collect();
+        let plan = Plan::new(problem.layout(), &chosen);
+        let mut setup = setup(&problem, &plan, intervals, tableau, seed);
+        let x = setup.x.clone();
+        let size: usize =
+            setup.system.grids.iter().zip(sizes).map(|(g, s)| g.mesh.len() * s.0).sum::<usize>() + unknowns;
+        setup.system.evaluate(&x, Derivatives::Planned, &mut setup.work, &mut Stats::default()).unwrap();
+        let mut factorisation = Factorisation::new(&setup.system);
+        factorisation.factor(&setup.system, &setup.work, setup.system.scales(&x));
+        let found = flat(&setup.system, &factorisation.newton_correction(&setup.system, &setup.work));
+        // The dense Newton matrix, column by column from differences of the residual.
+        let base = residual(&mut setup, &x);
+        let step = if nonlinear { 1e-6 } else { 1.0 };
+        let mut matrix = DMatrix::zeros(size, size);
+        for column in 0..size {
+            let mut v = vec![0.0; size];
+            v[column] = 1.0;
+            let dx = direction(&setup.system, &v);
+            let at = |factor: f64| setup.system.stepped(&x, &factorisation.scales, factor, &dx);
+            let (plus, minus) = (at(step), at(-step));
+            let (plus, minus) = (residual(&mut setup, &plus), residual(&mut setup, &minus));
+            for row in 0..size {
+                matrix[(row, column)] = (plus[row] - minus[row]) / (2.0 * step);
+            }
+        }
+        let dense = matrix.lu().solve(&(-DVector::from_vec(base))).unwrap();
+        let scale = dense.amax().max(1.0);
+        let tolerance = if nonlinear { 1e-6 } else { 1e-9 };
+        for (i, (a, b)) in found.iter().zip(dense.iter()).enumerate() {
+            assert!((a - b).abs() <= tolerance * scale, "order {} unknown {i} of {size}: {a} {b}", tableau.order);
+        }
+    }
+}
+
+#[test]
+fn elimination_agrees_with_a_dense_solve_for_every_size() {
+    for n in 1..=8 {
+        for intervals in [1, 2, 3, 4, 5, 7, 8, 9, 13] {
+            check(&[(n, 1)], 1, 1, &[intervals], false, 11 * n as u64 + intervals as u64);
+        }
+    }
+    check(&[(2, 0), (5, 2), (1, 3)], 3, 3, &[6, 1, 11], false, 5);
+    check(&[(4, 2), (3, 0)], 0, 0, &[5, 17], false, 6);
+    check(&[(6, 0), (6, 1)], 2, 2, &[10, 3], false, 7);
+}
+
+#[test]
+fn the_jacobian_is_the_derivative_of_the_residual() {
+    check(&[(3, 1), (2, 2)], 2, 2, &[5, 6], true, 1);
+    check(&[(7, 1)], 3, 3, &[6], true, 2);
+    check(&[(1, 1), (4, 0), (5, 1)], 2, 2, &[3, 4, 9], true, 3);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    #[test]
+    fn elimination_agrees_with_a_dense_solve(
+        sizes in proptest::collection::vec((1_usize..6, 0_usize..3), 1..4),
+        constants in 0_usize..4,
+        intervals in proptest::collection::vec(1_usize..12, 3),
+        seed in 0_u64..1000,
+    ) {
+        check(&sizes, constants, constants, &intervals, false, seed);
+    }
+}

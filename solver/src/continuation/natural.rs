@@ -1,0 +1,251 @@
+//! Continuation in a path parameter, with a tangent predictor.
+//!
+//! P. Deuflhard, "Newton Methods for Nonlinear Problems", Springer 2004, chapter 5: the step is chosen from the first
+//! contraction Θ of Newton's iteration at the predicted point. For a predictor of order 2 the step that would have
+//! given the contraction Θ̄ is `(g(Θ̄)/g(Θ))^½` times the one taken, `g(Θ) = √(1 + 4Θ) - 1`.
+
+use super::path::Path;
+use crate::collocation::Correction;
+use crate::collocation::evaluate::Derivatives;
+use crate::collocation::plan::Plan;
+use crate::error::SolveError;
+use crate::guess::Guess;
+use crate::observer::{Event, Observer, Silent};
+use crate::options::Options;
+use crate::problem::Problem;
+use crate::solution::Solution;
+use crate::solve::{Run, Solved, Start, check, intervals};
+use crate::stats::Stats;
+use thiserror::Error;
+
+/// How a path is followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathOptions {
+    /// For the solution at the end of the path.
+    pub solve: Options,
+    /// Tolerance on the way. Never tighter than `solve.tolerance`.
+    pub tolerance: f64,
+    /// First step in λ.
+    pub first_step: f64,
+    /// Smallest step in λ: a step that fails at this length ends the continuation.
+    pub smallest_step: f64,
+    /// Largest step in λ.
+    pub largest_step: f64,
+    /// The first contraction of Newton's iteration that steps aim at.
+    pub contraction: f64,
+    /// Newton iterations on each mesh of a step.
+    pub max_iterations: usize,
+    /// Steps, accepted or not.
+    pub max_steps: usize,
+}
+
+impl Default for PathOptions {
+    fn default() -> Self {
+        Self {
+            solve: Options::default(),
+            tolerance: 1e-3,
+            first_step: 0.1,
+            smallest_step: 1e-7,
+            largest_step: 1.0,
+            contraction: 0.25,
+            max_iterations: 12,
+            max_steps: 1000,
+        }
+    }
+}
+
+/// One step of a continuation, accepted or not.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepRecord {
+    /// Path parameter tried.
+    pub lambda: f64,
+    /// Whether it was reached.
+    pub accepted: bool,
+    /// First contraction of Newton's iteration; infinite if it failed.
+    pub contraction: f64,
+    /// Newton iterations, all meshes of the step.
+    pub newton_iterations: usize,
+    /// Intervals of all regions after the step.
+    pub intervals: usize,
+}
+
+/// The end of a path.
+#[derive(Debug, Clone)]
+pub struct Followed {
+    /// The solution at λ = 1. Its work counts are those of the whole continuation.
+    pub solution: Solution,
+    /// All steps, the start being the first.
+    pub steps: Vec<StepRecord>,
+}
+
+/// A path that could not be followed to its end.
+#[derive(Debug, Clone, Error)]
+#[error("continuation reached {lambda} of its path in {} steps, then failed: {cause}", .steps.len())]
+pub struct PathError {
+    /// Path parameter of the last solution; 0 if there was none.
+    pub lambda: f64,
+    /// The last solution, to the tolerance of the way. `None` if the start itself failed.
+    pub last: Option<Box<Solution>>,
+    /// All steps.
+    pub steps: Vec<StepRecord>,
+    /// Why the step beyond it failed, however short it was made.
+    pub cause: SolveError,
+}
+
+/// Solves at the start of `path` and follows it to its end.
+///
+/// # Errors
+/// [`PathError`] tells how far it got and why not farther.
+pub fn follow<P: Problem + ?Sized>(
+    problem: &P,
+    start: &Guess,
+    path: &dyn Path,
+    unknowns: &[usize],
+    options: &PathOptions,
+) -> Result<Followed, PathError> {
+    follow_observed(problem, start, path, unknowns, options, &mut Silent)
+}
+
+/// As [`follow`], watched by an observer that may cancel it.
+///
+/// # Errors
+/// As [`follow`].
+pub fn follow_observed<P: Problem + ?Sized>(
+    problem: &P,
+    start: &Guess,
+    path: &dyn Path,
+    unknowns: &[usize],
+    options: &PathOptions,
+    observer: &mut dyn Observer,
+) -> Result<Followed, PathError> {
+    let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause };
+    let layout = problem.layout();
+    check(layout, start, unknowns, &options.solve).map_err(early)?;
+    let plan = Plan::new(layout, unknowns);
+    let tolerance = options.tolerance.max(options.solve.tolerance);
+    let first = Options { tolerance, ..options.solve.clone() };
+    let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
+    let run = Run::new(problem, &plan, &first, observer);
+    Follower { run, path, options, way: &way, steps: Vec::new() }.follow(start)
+}
+
+struct Follower<'a, 'o, P: Problem + ?Sized> {
+    run: Run<'a, 'o, P>,
+    path: &'o dyn Path,
+    options: &'o PathOptions,
+    /// How each step is solved.
+    way: &'o Options,
+    steps: Vec<StepRecord>,
+}
+
+impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
+    fn follow(mut self, start: &Guess) -> Result<Followed, PathError> {
+        let grids = start.grids();
+        let mut x = start.iterate(&grids);
+        self.path.constants(0.0, &mut x.constants);
+        let before = self.run.stats;
+        let mut here = match self.run.refine(Start { grids, x }) {
+            Ok(solved) => solved,
+            Err(cause) => return Err(PathError { lambda: 0.0, last: None, steps: self.steps, cause }),
+        };
+        self.record(0.0, before, Some(&here));
+        self.run.options = self.way;
+        let mut lambda = 0.0;
+        let mut step = self.options.first_step.min(1.0);
+        while lambda < 1.0 {
+            // A last sliver would cost a step of its own.
+            let next = if lambda + 1.01 * step >= 1.0 { 1.0 } else { lambda + step };
+            match self.step(&here, lambda, next) {
+                Ok(solved) => {
+                    step = self.next_step(next - lambda, self.run.contraction);
+                    (here, lambda) = (solved, next);
+                }
+                Err(cause) => {
+                    step = 0.5 * (next - lambda);
+                    let spent = self.steps.len() >= self.options.max_steps || step < self.options.smallest_step;
+                    if spent || cause == SolveError::Cancelled {
+                        return Err(self.give_up(&here, lambda, cause));
+                    }
+                }
+            }
+        }
+        self.finish(here)
+    }
+
+    fn step(&mut self, here: &Solved<'a, P>, lambda: f64, next: f64) -> Result<Solved<'a, P>, SolveError> {
+        let before = self.run.stats;
+        let start = self.predict(here, lambda, next)?;
+        let outcome = self.run.refine(start);
+        self.record(next, before, outcome.as_ref().ok());
+        let event = match outcome {
+            Ok(_) => Event::Step { step: self.steps.len() - 1, lambda: next },
+            Err(_) => Event::Rejected { lambda: next },
+        };
+        if self.run.observer.notify(&event).is_break() { Err(SolveError::Cancelled) } else { outcome }
+    }
+
+    /// The tangent at `lambda`, followed to `next`, on meshes that suit the solution at `lambda`.
+    fn predict(&mut self, here: &Solved<'a, P>, lambda: f64, next: f64) -> Result<Start, SolveError> {
+        let mut slope = vec![0.0; here.converged.x.constants.len()];
+        self.path.slope(lambda, &mut slope);
+        let tangent = tangent(here, &slope, &mut self.run.stats)?;
+        let scales = here.converged.scales();
+        let mut x = here.system.stepped(&here.converged.x, scales, next - lambda, &tangent);
+        self.path.constants(next, &mut x.constants);
+        Ok(Start { grids: here.system.grids.clone(), x })
+    }
+
+    fn next_step(&self, step: f64, contraction: f64) -> f64 {
+        let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
+        let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
+        (step * factor.clamp(0.25, 4.0)).min(self.options.largest_step)
+    }
+
+    fn record(&mut self, lambda: f64, before: Stats, solved: Option<&Solved<'_, P>>) {
+        self.steps.push(StepRecord {
+            lambda,
+            accepted: solved.is_some(),
+            contraction: self.run.contraction,
+            newton_iterations: (self.run.stats - before).newton_iterations,
+            intervals: solved.map_or(0, |solved| intervals(&solved.system.grids)),
+        });
+    }
+
+    fn give_up(self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {
+        let last = self.run.finish(here).ok().map(Box::new);
+        PathError { lambda, last, steps: self.steps, cause }
+    }
+
+    /// From the tolerance of the way to that of the solution.
+    fn finish(mut self, here: Solved<'a, P>) -> Result<Followed, PathError> {
+        self.run.options = &self.options.solve;
+        let start = Start { grids: here.system.grids.clone(), x: here.converged.x.clone() };
+        let outcome = self.run.refine(start).and_then(|solved| self.run.finish(&solved));
+        match outcome {
+            Ok(solution) => Ok(Followed { solution, steps: self.steps }),
+            Err(cause) => {
+                self.run.options = self.way;
+                Err(self.give_up(&here, 1.0, cause))
+            }
+        }
+    }
+}
+
+/// d(solution)/dλ for constants that move at the rates `slope`, from the held factorisation.
+pub(crate) fn tangent<P: Problem + ?Sized>(
+    here: &Solved<'_, P>,
+    slope: &[f64],
+    stats: &mut Stats,
+) -> Result<Correction, SolveError> {
+    let mut work = here.system.work();
+    here.system.evaluate(&here.converged.x, Derivatives::All, &mut work, stats).map_err(|error| {
+        SolveError::Newton {
+            error: crate::error::NewtonError::NonFinite(error),
+            intervals: intervals(&here.system.grids),
+        }
+    })?;
+    let factorisation = &here.converged.factorisation;
+    let rhs = here.system.parameter_rhs(&work, &factorisation.scales, slope);
+    stats.linear_solves += 1;
+    Ok(factorisation.solve(&here.system, rhs))
+}

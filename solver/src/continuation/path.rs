@@ -1,0 +1,67 @@
+//! Paths through the given constants.
+
+/// A curve `constants(λ)`, `λ` from 0 to 1.
+pub trait Path {
+    /// Writes the constants that vary; leaves the others.
+    fn constants(&self, lambda: f64, constants: &mut [f64]);
+
+    /// Writes d(constant)/dλ of those that vary; the others stay 0.
+    fn slope(&self, lambda: f64, slope: &mut [f64]);
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Law {
+    Linear,
+    Geometric,
+}
+
+/// Several constants that move together, each linearly or geometrically.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Ramp {
+    legs: Vec<(usize, f64, f64, Law)>,
+}
+
+impl Ramp {
+    /// A path on which nothing moves.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Lets a constant (index in the layout) go in proportion to λ.
+    #[must_use]
+    pub fn linear(mut self, constant: usize, from: f64, to: f64) -> Self {
+        self.legs.push((constant, from, to, Law::Linear));
+        self
+    }
+
+    /// Lets a constant's logarithm go in proportion to λ. Ends of unlike sign, or zero, make it linear.
+    #[must_use]
+    pub fn geometric(mut self, constant: usize, from: f64, to: f64) -> Self {
+        let law = if to / from > 0.0 { Law::Geometric } else { Law::Linear };
+        self.legs.push((constant, from, to, law));
+        self
+    }
+}
+
+impl Path for Ramp {
+    fn constants(&self, lambda: f64, constants: &mut [f64]) {
+        for &(index, from, to, law) in &self.legs {
+            let Some(constant) = constants.get_mut(index) else { continue };
+            *constant = match law {
+                _ if lambda == 1.0 => to,
+                Law::Linear => from + lambda * (to - from),
+                Law::Geometric => from * (to / from).powf(lambda),
+            };
+        }
+    }
+
+    fn slope(&self, lambda: f64, slope: &mut [f64]) {
+        for &(index, from, to, law) in &self.legs {
+            let Some(slope) = slope.get_mut(index) else { continue };
+            *slope = match law {
+                Law::Linear => to - from,
+                Law::Geometric => from * (to / from).powf(lambda) * (to / from).ln(),
+            };
+        }
+    }
+}
