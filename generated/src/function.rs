@@ -161,3 +161,51 @@ const TAYLOR: [f64; 12] = [
     1.0 / 6.0,
     1.0 / 2.0,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Evenly spaced with an irrational-looking step, ends included.
+    fn samples(low: f64, high: f64) -> impl Iterator<Item = f64> {
+        let count = 200_003;
+        (0..=count).map(move |i| low + (high - low) * f64::from(i) / f64::from(count))
+    }
+
+    #[test]
+    fn sines_and_cosines() {
+        let bound = 1.5 * f64::EPSILON / 2.0 + f64::EPSILON / 4.0; // the last part is the library's own
+        for (low, high) in [(-0.8, 0.8), (-10.0, 10.0), (-1e5, 1e5), (5.2e5, 5.25e5)] {
+            for x in samples(low, high) {
+                let (sine, cosine) = sin_cos(x);
+                assert!((sine - x.sin()).abs() <= bound, "sin {x}: {sine}");
+                assert!((cosine - x.cos()).abs() <= bound, "cos {x}: {cosine}");
+            }
+        }
+        for x in samples(-std::f64::consts::FRAC_PI_4, std::f64::consts::FRAC_PI_4) {
+            assert!((sin_cos(x).0 - x.sin()).abs() <= 1.5 * f64::EPSILON * x.sin().abs(), "sin {x}");
+        }
+        assert!(sin_cos(f64::NAN).0.is_nan() && sin_cos(f64::INFINITY).1.is_nan());
+        assert_eq!(sin_cos(0.0), (0.0, 1.0));
+    }
+
+    #[test]
+    fn hyperbolic_tangents() {
+        for u in samples(-30.0, 30.0).chain(samples(-1e-3, 1e-3)).chain([1e-12, -1e-300, 0.0, 20.0]) {
+            let exact = u.tanh();
+            assert!((tanh(u) - exact).abs() <= 3.0 * f64::EPSILON * exact.abs(), "tanh {u}: {} {exact}", tanh(u));
+        }
+        assert!(tanh(f64::NAN).is_nan());
+        assert_eq!(tanh(f64::INFINITY), 1.0);
+        assert_eq!(tanh(f64::NEG_INFINITY), -1.0);
+    }
+
+    #[test]
+    fn friction_switches() {
+        assert_eq!((saturate(0.5), saturate(1.0), saturate(2.0)), (0.5, 1.0, 1.0));
+        assert_eq!((below_one(0.5), below_one(1.0), below_one(2.0)), (1.0, 0.0, 0.0));
+        assert!(saturate(f64::NAN).is_nan());
+        assert_eq!(turn(-1.0), 2.0 * std::f64::consts::PI - 1.0);
+        assert_eq!((angle(1.0, 0.0), turn(1.0)), (0.0, 1.0));
+    }
+}

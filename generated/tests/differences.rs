@@ -14,7 +14,7 @@ struct Worst {
 }
 
 /// A derivative may differ by this, relative to its own size or to what the row changes by when the input doubles.
-const TOLERANCE: f64 = 2e-7;
+const TOLERANCE: f64 = 1e-8;
 
 fn step(value: f64, name: &str) -> f64 {
     match name {
@@ -64,7 +64,8 @@ fn check_point(kernel: &RegionKernel, point: &Point, worst: &mut Worst) {
             let relative = (derivative - difference).abs() / size.max(f64::MIN_POSITIVE);
             assert!(error < 1e-4 * size || derivative == difference, "row {row}, {}: unusable difference", symbol.name);
             if relative > worst.relative {
-                *worst = Worst { relative, entry: format!("row {row}, {} (error {error:.1e} of {size:.1e})", symbol.name) };
+                *worst =
+                    Worst { relative, entry: format!("row {row}, {} (error {error:.1e} of {size:.1e})", symbol.name) };
             }
         }
     }
