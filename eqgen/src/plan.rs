@@ -157,6 +157,14 @@ impl Plan {
         self.steps.iter().find(|step| step.name == name)
     }
 
+    /// Checks that `value` has the dimension that the notation gives `name`.
+    ///
+    /// # Errors
+    /// [`Error::Dimension`] names the offending term.
+    pub fn check_dimensions(&self, name: &str, value: &Atom) -> Result<(), Error> {
+        dimension::check(name, value, self.in_notation(name, name)?, &self.known)
+    }
+
     fn push(&mut self, name: &str, definition: Definition, origin: Origin, source: &'static str) -> Result<(), Error> {
         let expected = self.in_notation(name, name)?;
         if self.known.contains_key(name) {

@@ -1,0 +1,23 @@
+//! The committed copy is what comes out today, on every run.
+
+use std::path::Path;
+
+#[test]
+fn golden_copy_is_current() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/golden");
+    let files = eqgen::generate().unwrap();
+    assert_eq!(files, eqgen::generate().unwrap(), "two runs differ");
+    for file in &files {
+        let committed = std::fs::read_to_string(folder.join(&file.name)).unwrap_or_default();
+        assert!(
+            committed == file.text,
+            "generated/golden/{} is out of date; mend it with: cargo run -p eqgen -- write",
+            file.name
+        );
+    }
+    let mut names: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    let mut expected: Vec<_> = files.iter().map(|file| std::ffi::OsString::from(&file.name)).collect();
+    expected.sort();
+    assert_eq!(names, expected, "generated/golden holds a file that nothing generates");
+}
