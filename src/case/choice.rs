@@ -45,13 +45,13 @@ macro_rules! choices {
 choices! {
     /// A set of modelling choices with a purpose.
     Edition {
-        /// linearised shear, spans and end conditions with the slips of the thesis's printed code: reproduces its chapters 6 and 7
+        /// the thesis's printed code with its slips: reproduces its chapters 6 and 7
         Published = "published",
-        /// linearised shear, zero shear at the contact ends: the model of the thesis, done right
+        /// the thesis's model done right: linearised shear, zero at the contact ends
         Thesis = "thesis",
-        /// full shear, continuous at the contact ends: conserves energy, for design work
+        /// full shear, continuous at the contact ends: conserves energy, for design
         Consistent = "consistent",
-        /// a belt without bending stiffness, spans straight (Kong and Parker)
+        /// no bending stiffness, straight spans (Kong and Parker)
         String = "string",
     }
 }

@@ -131,8 +131,8 @@ pub enum Problem {
     },
     /// The pulleys overlap.
     #[error(
-        "the pulleys overlap: radii of {primary} m and {secondary} m do not fit into `drive.center_distance` = \
-         {center_distance} m; expected a sum of the radii below it"
+        "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; expected \
+         a sum below `drive.center_distance` = {center_distance} m"
     )]
     Overlap {
         /// R_P, m.
@@ -180,9 +180,6 @@ impl Problem {
                 let units: Vec<_> = crate::quantity::symbols().collect();
                 Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
             }
-            Self::Conflict { first, second, .. } => {
-                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
-            }
             _ => None,
         }
     }
@@ -194,6 +191,9 @@ fn keys_near(path: &str) -> String {
     let section = path.split('.').next().unwrap_or_default();
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
+        if let Some(near) = sections().find(|known| strsim::damerau_levenshtein(known, section) <= 2) {
+            return format!("did you mean the section [{near}]?");
+        }
         let sections: Vec<_> = sections().map(|section| format!("[{section}]")).collect();
         return format!("a case has the key `edition` and the sections {}", sections.join(" "));
     }
@@ -236,6 +236,7 @@ impl CaseError {
         match self.0.problem {
             Problem::UnknownKey { .. } => place.key.clone(),
             Problem::Conflict { .. } => place.whole(),
+            _ if place.value.is_empty() => place.whole(),
             _ => place.value.clone(),
         }
     }
@@ -275,7 +276,17 @@ impl std::error::Error for CaseError {}
 
 impl Diagnostic for CaseError {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(self.0.problem.advice()?))
+        let advice = match (&self.0.problem, self.places()) {
+            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+                let [one, other] = [one, other].map(|place| &place.source.name);
+                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
+            }
+            (Problem::Conflict { first, second, .. }, _) => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            (problem, _) => problem.advice(),
+        };
+        Some(Box::new(advice?))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {

@@ -118,9 +118,10 @@ impl Case {
     /// Sets a key from the text `KEY=VALUE`, as [`Case::set`] does.
     ///
     /// # Errors
-    /// As [`Case::set`], and [`Problem::Assignment`] for a text without `=`.
+    /// As [`Case::set`], and [`Problem::Assignment`] for a text without a key or without `=`.
     pub fn assign(&mut self, assignment: &str) -> Result<(), CaseError> {
-        if let Some(equals) = assignment.find('=') {
+        let equals = assignment.find('=').filter(|equals| !assignment[..*equals].trim().is_empty());
+        if let Some(equals) = equals {
             return self.argument("--set", assignment.into(), equals);
         }
         let source = Arc::new(Source { name: "--set".into(), text: assignment.into() });
@@ -176,9 +177,10 @@ impl Case {
     /// Checks one key and its value, and keeps it.
     fn insert(&mut self, path: &str, raw: Raw<'_>, place: Place) -> Result<(), CaseError> {
         let key = known(path, &place)?;
+        let given = if place.given().is_empty() { "nothing" } else { place.given() };
         let value = match key.entry().kind {
-            Kind::Quantity { .. } => quantity_value(key, raw, place.given()).map(Value::Quantity),
-            Kind::Choice { choices, .. } => choice_value(key, choices, raw, place.given()).map(Value::Choice),
+            Kind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
+            Kind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
         };
         match value {
             Ok(value) => {

@@ -14,13 +14,13 @@ pub fn pitch_length(primary: f64, secondary: f64, center_distance: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NoRadii {
     /// Even with radii of zero the belt would have to be longer.
-    #[error("the belt is too short: it would have to be longer than {shortest} m")]
+    #[error("the belt is too short: it would have to be longer than {shortest:.4} m")]
     TooShort {
         /// Pitch length in the limit of the smallest radius, m.
         shortest: f64,
     },
     /// Even where the pulleys touch the belt would have to be shorter.
-    #[error("the belt is too long: where the pulleys touch, it would have to be {longest} m")]
+    #[error("the belt is too long: where the pulleys touch, it would have to be shorter than {longest:.4} m")]
     TooLong {
         /// Pitch length where the pulleys touch, m.
         longest: f64,

@@ -188,7 +188,7 @@ impl Case {
         };
         let beside = |key, fixed: f64| {
             let room = fixed < center_distance; // else the pulleys overlap whatever the other radius is
-            if room { radius_beside(fixed, length, center_distance).map_err(fails(key)) } else { Ok(fixed) }
+            if room { radius_beside(fixed, length, center_distance).map_err(fails(key)) } else { Ok(0.0) }
         };
         match (self.quantity(Key::Ratio), free) {
             (Some(ratio), _) => radii_of_ratio(ratio, length, center_distance).map_err(fails(Key::Ratio)),

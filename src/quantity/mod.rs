@@ -59,7 +59,7 @@ pub enum QuantityError {
     #[error("it is not a finite number")]
     NotFinite,
     /// A unit that is not known.
-    #[error("`{unit}` is not a known unit{}", nearest.as_ref().map(|unit| format!(", did you mean `{unit}`?")).unwrap_or_default())]
+    #[error("`{unit}` is not a known unit{}", nearest.as_ref().map(|unit| format!(" (did you mean `{unit}`?)")).unwrap_or_default())]
     UnknownUnit {
         /// As written.
         unit: String,
@@ -153,9 +153,9 @@ mod tests {
         assert_eq!(message("NaN"), "it is not a finite number");
         assert_eq!(message("1e999 mm"), "it is not a finite number");
         assert_eq!(message("68,3 mm"), "`,` is unexpected (decimals are written with a point)");
-        assert_eq!(message("3 MM"), "`MM` is not a known unit, did you mean `mm`?");
+        assert_eq!(message("3 MM"), "`MM` is not a known unit (did you mean `mm`?)");
         assert_eq!(message("3 furlong"), "`furlong` is not a known unit");
-        assert_eq!(message("3 RPM"), "`RPM` is not a known unit, did you mean `rpm`?");
+        assert_eq!(message("3 RPM"), "`RPM` is not a known unit (did you mean `rpm`?)");
         assert_eq!(message("3 kg"), "its unit is that of a mass, not of a length");
         assert_eq!(message("3 m^2"), "its unit is that of a quantity in m^2, not of a length");
         assert_eq!(message("3 m/"), "its unit is incomplete");

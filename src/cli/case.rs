@@ -1,0 +1,53 @@
+//! The arguments that say which case a command is about.
+
+use clap::Args;
+use clap::builder::PossibleValue;
+use clap::builder::PossibleValuesParser;
+use sheave::case::{Case, CaseError, Edition, Key, Resolved};
+use std::path::PathBuf;
+
+/// Which case; flattened into the arguments of every command that takes one.
+#[derive(Debug, Args)]
+pub struct CaseArguments {
+    /// Case file; without one, the built-in base case (Table 6.1 of the thesis)
+    #[arg(value_name = "CASE.toml")]
+    file: Option<PathBuf>,
+    /// Set a key of the case, in place of the file's value for it: operating_point.slack_tension="120 N"
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    set: Vec<String>,
+    /// Take a key out of the file's case, before any --set: another key can then fill its slot
+    #[arg(long = "unset", value_name = "KEY")]
+    unset: Vec<String>,
+    /// Edition of the equations, in place of the case's
+    #[arg(long, value_name = "E", value_parser = editions())]
+    edition: Option<String>,
+}
+
+fn editions() -> PossibleValuesParser {
+    let values = Edition::CHOICES.iter().map(|choice| PossibleValue::new(choice.name).help(choice.doc));
+    PossibleValuesParser::new(values)
+}
+
+impl CaseArguments {
+    /// The case: the file, then --unset, --set and --edition, in this order.
+    pub fn read(&self) -> Result<Case, CaseError> {
+        let mut case = match &self.file {
+            Some(path) => Case::read(path)?,
+            None => Case::base(),
+        };
+        self.unset.iter().try_for_each(|key| case.unset(key))?;
+        self.set.iter().try_for_each(|assignment| case.assign(assignment))?;
+        if let Some(edition) = &self.edition {
+            case.set(Key::Edition.path(), edition)?;
+        }
+        Ok(case)
+    }
+
+    /// The case, resolved and fit for the solver.
+    pub fn resolve(&self) -> Result<Resolved, CaseError> {
+        let case = self.read()?;
+        let resolved = case.resolve()?;
+        case.check_supported(&resolved)?;
+        Ok(resolved)
+    }
+}

@@ -1,0 +1,68 @@
+//! What the commands share; each command has a file of its own.
+
+mod case;
+mod keys;
+mod output;
+mod solve;
+mod stop;
+
+use clap::{ArgAction, Parser, Subcommand};
+use std::process::ExitCode;
+use tracing_subscriber::EnvFilter;
+
+/// Rubber V-belt CVTs computed: axial forces, efficiency and belt path from one boundary value problem.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true, max_term_width = 110, after_help = STATUS)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// Say on standard error what is being done; twice for more, three times for everything
+    #[arg(short, long, global = true, action = ArgAction::Count)]
+    verbose: u8,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Solve(solve::Arguments),
+    Keys(keys::Arguments),
+}
+
+/// What the exit status means.
+const STATUS: &str = "\
+Exit status: 0 solved; 2 bad input, nothing computed; 3 no solution found; 1 anything else.
+Results go to standard output, all else to standard error.";
+
+/// Runs the command that the arguments name.
+pub fn run() -> ExitCode {
+    let arguments = Arguments::parse();
+    log_to_stderr(arguments.verbose);
+    // A panic is a defect of this program; its message is on standard error by then.
+    let outcome = std::panic::catch_unwind(|| match &arguments.command {
+        Command::Solve(arguments) => solve::run(arguments),
+        Command::Keys(arguments) => keys::run(arguments),
+    });
+    match outcome {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(stop)) => stop.report(),
+        Err(_) => ExitCode::from(1),
+    }
+}
+
+/// Warnings always; more with `-v`, or as the environment variable RUST_LOG says.
+fn log_to_stderr(verbose: u8) {
+    let level = match verbose {
+        0 => "warn",
+        1 => "info",
+        2 => "debug",
+        _ => "trace",
+    };
+    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new(level));
+    let subscriber = tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr()))
+        .without_time()
+        .with_target(verbose > 1);
+    // Fails only if a subscriber is set already, and then logs go there.
+    let _ = subscriber.try_init();
+}

@@ -1,0 +1,44 @@
+//! Why a command ends without a result, and what the exit status says of it.
+
+use sheave::case::CaseError;
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command ends without a result.
+#[derive(Debug)]
+pub enum Stop {
+    /// Bad input: nothing was computed.
+    Input(CaseError),
+    /// There is no solution, or none was found; the reason.
+    NoSolution(String),
+    /// A file, or standard output, could not be written.
+    Write(String, io::Error),
+}
+
+impl Stop {
+    /// Tells people on standard error, and everyone by the exit status.
+    pub fn report(self) -> ExitCode {
+        match self {
+            Self::Input(error) => {
+                eprint!("{:?}", miette::Report::new(error));
+                ExitCode::from(2)
+            }
+            Self::NoSolution(reason) => {
+                eprintln!("{reason}");
+                ExitCode::from(3)
+            }
+            // Whoever reads has enough: nobody to tell.
+            Self::Write(_, error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::from(1),
+            Self::Write(what, error) => {
+                eprintln!("cannot write {what}: {error}");
+                ExitCode::from(1)
+            }
+        }
+    }
+}
+
+impl From<CaseError> for Stop {
+    fn from(error: CaseError) -> Self {
+        Self::Input(error)
+    }
+}

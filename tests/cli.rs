@@ -1,0 +1,164 @@
+//! The command line from outside: exit status, what goes to which stream, what is written where.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Runs the program; coarse where a test does not say otherwise, for speed.
+fn sheave(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+    command.args(arguments).env_remove("RUST_LOG").env("NO_COLOR", "1");
+    command.output().unwrap()
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+/// The one object on standard output: the parser refuses a second one.
+fn object(output: &Output) -> Value {
+    let value: Value = serde_json::from_str(stdout(output)).unwrap_or_else(|error| panic!("{error}: {output:?}"));
+    assert!(value.is_object());
+    value
+}
+
+fn case_file(folder: &Path, text: &str) -> String {
+    let path = folder.join("case.toml");
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn bad_input_is_status_2_with_nothing_on_standard_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = case_file(folder.path(), "[belt]\nlength = \"3 kg\"\n");
+    for (arguments, said) in [
+        (vec!["solve", &file], vec!["case.toml:2:10", "belt.length", "3 kg", "a length", "857.2 mm"]),
+        (vec!["solve", "no-such.toml"], vec!["no-such.toml", "cannot read"]),
+        (vec!["solve", "."], vec!["cannot read"]),
+        (vec!["solve", "--set", "belt.lenght=1"], vec!["belt.lenght", "belt.length", "--set:1:1"]),
+        (vec!["solve", "--set", "belt.length"], vec!["KEY=VALUE"]),
+        (vec!["solve", "--set", "sheave.half_angle=-1 deg"], vec!["sheave.half_angle", "-1 deg", "below 45 deg"]),
+        (vec!["solve", "--set", "sheave.friction_coefficient=nan"], vec!["not a finite number"]),
+        (vec!["solve", "--unset", "belt"], vec!["unknown key `belt`"]),
+        (
+            vec!["solve", "--set", "operating_point.slack_tension=1", "--set", "operating_point.tight_tension=2"],
+            vec!["operating_point.slack_tension", "operating_point.tight_tension", "both given"],
+        ),
+        (vec!["solve", "--edition", "thesi"], vec!["published", "thesis", "consistent", "string"]),
+        (vec!["solve", "--tol", "1"], vec!["1e-12", "1e-1"]),
+        (vec!["solve", "--tol", "nan"], vec!["1e-12", "1e-1"]),
+        (vec!["solve", "--order", "5"], vec!["4 or 6"]),
+        (vec!["solve", "--json", "--out", "somewhere"], vec!["cannot be used with"]),
+        (vec!["solve", "--frobnicate"], vec!["--frobnicate"]),
+        (vec!["frobnicate"], vec!["frobnicate"]),
+        (vec![], vec!["Usage"]),
+    ] {
+        let output = sheave(&arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}: {output:?}");
+        assert_eq!(stdout(&output), "", "{arguments:?}");
+        // The message may be broken into lines.
+        let message = stderr(&output).replace("\n  │", "").split_whitespace().collect::<Vec<_>>().join(" ");
+        for part in said {
+            assert!(message.contains(part), "{arguments:?} does not say {part}: {message}");
+        }
+    }
+}
+
+#[test]
+fn a_file_that_is_not_text_is_bad_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, [0xff, 0xfe, 0x00]).unwrap();
+    let output = sheave(&["solve", path.to_str().unwrap()]);
+    assert_eq!((status(&output), stdout(&output)), (2, ""));
+    assert!(stderr(&output).contains("cannot read"));
+}
+
+#[test]
+fn bad_input_with_json_is_one_object() {
+    let output = sheave(&["solve", "--json", "--set", "belt.length=3 kg"]);
+    assert_eq!(status(&output), 2);
+    let object = object(&output);
+    assert_eq!(object["schema"], 1);
+    assert_eq!(object["converged"], false);
+    assert!(object["failure"].as_str().unwrap().contains("`belt.length` = 3 kg"));
+    assert!(stderr(&output).contains("wrong dimension"));
+}
+
+#[test]
+fn help_names_every_key() {
+    let help = sheave(&["solve", "--help"]);
+    let keys = sheave(&["keys"]);
+    for output in [&help, &keys] {
+        assert_eq!((status(output), stderr(output)), (0, ""));
+        for entry in &sheave::case::TABLE {
+            let missing = !stdout(output).lines().any(|line| line.trim_start().starts_with(entry.name()));
+            assert!(!missing, "{} is missing", entry.path);
+        }
+    }
+    assert!(stdout(&help).contains("Exit status"));
+    insta::assert_snapshot!("keys", stdout(&keys));
+}
+
+#[test]
+fn a_solved_case_is_one_object() {
+    let output = sheave(&["solve", "--json", "--tol", "1e-3"]);
+    assert_eq!(status(&output), 0, "{output:?}");
+    let object = object(&output);
+    assert_eq!(object["converged"], true);
+    assert_eq!(object["inputs"]["belt"]["length"], 0.8572);
+    assert_eq!(object["solver"]["tolerance"], 1e-3);
+}
+
+#[test]
+fn a_solved_case_is_summed_up() {
+    let output = sheave(&["solve", "--tol", "1e-3", "--edition", "thesis", "-v"]);
+    assert_eq!(status(&output), 0, "{output:?}");
+    assert!(stdout(&output).contains("thesis") && stdout(&output).ends_with('\n'));
+}
+
+#[test]
+fn results_are_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let results = folder.path().join("deep/results");
+    let output = sheave(&["solve", "--tol", "1e-3", "--out", results.to_str().unwrap()]);
+    assert_eq!(status(&output), 0, "{output:?}");
+    let mut names: Vec<_> =
+        std::fs::read_dir(&results).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, ["profile.csv", "result.json"]);
+    let result: Value = serde_json::from_str(&std::fs::read_to_string(results.join("result.json")).unwrap()).unwrap();
+    assert_eq!(result["converged"], true);
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_status_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = case_file(folder.path(), "");
+    let output = sheave(&["solve", "--out", &format!("{file}/below")]);
+    assert_eq!((status(&output), stdout(&output)), (1, ""));
+    assert!(stderr(&output).contains("cannot write"));
+}
+
+#[test]
+fn no_solution_is_status_3_with_its_reason() {
+    // Far more torque than the clamp can carry.
+    let hopeless =
+        ["solve", "--json", "--tol", "1e-3", "--edition", "thesis", "--set", "operating_point.slack_tension=1 N"];
+    let output = sheave(&hopeless);
+    assert_eq!(status(&output), 3, "{output:?}");
+    let object = object(&output);
+    assert_eq!(object["converged"], false);
+    assert_eq!(object["edition"], "thesis");
+    assert_eq!(object["inputs"]["operating_point"]["slack_tension"], 1.0);
+    assert!(stderr(&output).contains(object["failure"].as_str().unwrap()));
+}
