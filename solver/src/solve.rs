@@ -190,7 +190,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Err(SolveError::Cancelled);
         }
         let largest = start.grids.iter().map(Grid::intervals).max().unwrap_or(0);
-        let hopeless = matches!(&error, NewtonError::Singular { empty_equations, .. } if !empty_equations.is_empty());
+        let hopeless = match &error {
+            NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
+            NewtonError::NonFinite(_) => true,
+            _ => false,
+        };
         if hopeless || *rescues >= self.options.rescues || 2 * largest > self.options.max_intervals {
             return Err(SolveError::Newton { error, intervals: intervals(&start.grids) });
         }

@@ -89,7 +89,7 @@ pub struct PathError {
     /// All steps.
     pub steps: Vec<StepRecord>,
     /// Why the step beyond it failed, however short it was made.
-    pub cause: SolveError,
+    pub cause: Box<SolveError>,
 }
 
 /// Solves at the start of `path` and follows it to its end.
@@ -118,7 +118,7 @@ pub fn follow_observed<P: Problem + ?Sized>(
     options: &PathOptions,
     observer: &mut dyn Observer,
 ) -> Result<Followed, PathError> {
-    let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause };
+    let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause: Box::new(cause) };
     let layout = problem.layout();
     check(layout, start, unknowns, &options.solve).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
@@ -146,7 +146,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         let before = self.run.stats;
         let mut here = match self.run.refine(Start { grids, x }) {
             Ok(solved) => solved,
-            Err(cause) => return Err(PathError { lambda: 0.0, last: None, steps: self.steps, cause }),
+            Err(cause) => return Err(PathError { lambda: 0.0, last: None, steps: self.steps, cause: Box::new(cause) }),
         };
         self.record(0.0, before, Some(&here));
         self.run.options = self.way;
@@ -213,7 +213,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
 
     fn give_up(self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {
         let last = self.run.finish(here).ok().map(Box::new);
-        PathError { lambda, last, steps: self.steps, cause }
+        PathError { lambda, last, steps: self.steps, cause: Box::new(cause) }
     }
 
     /// From the tolerance of the way to that of the solution.
