@@ -1,4 +1,6 @@
-//! The belt drive.
+//! Rubber V-belt CVTs, computed: a [case](case) is solved by the [drive], and its [result] says what the belt does.
 
 pub mod case;
+pub mod drive;
 pub mod quantity;
+pub mod result;

@@ -1,0 +1,158 @@
+//! The belt loop as a boundary value problem: the generated kernels joined under the solver's trait.
+
+use generated::{BoundaryKernel, RegionKernel, RegionOut};
+use solver::{Layout, Points, Problem, Region, Scope, State};
+
+use crate::case::Model;
+
+use super::constants::{Constant, Constants};
+use super::model::Kernels;
+use super::region::{Bound, RegionId};
+
+/// The boundary value problem of one belt drive.
+///
+/// Two contacts of five states and two spans of four, each on `[0, 1]`, joined by 26 boundary equations.
+#[derive(Debug, Clone)]
+pub struct Belt {
+    regions: [Bound; 4],
+    boundary: &'static BoundaryKernel,
+    layout: Layout,
+}
+
+impl Belt {
+    /// Joins the kernels that `model` chooses; `constants` only tell the typical magnitudes of the states.
+    /// `None` for a model that has no kernels.
+    pub fn new(model: &Model, constants: &Constants) -> Option<Self> {
+        let kernels = Kernels::of(model)?;
+        let bind = |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
+        let regions =
+            [bind(RegionId::Primary)?, bind(RegionId::SlackSpan)?, bind(RegionId::Secondary)?, bind(RegionId::TightSpan)?];
+        let layout = layout(&regions, kernels.boundary, constants);
+        Some(Self { regions, boundary: kernels.boundary, layout })
+    }
+
+    /// The kernel of a region.
+    pub fn kernel(&self, region: RegionId) -> &'static RegionKernel {
+        self.regions[region.index()].kernel
+    }
+
+    /// Derived fields of a region at some points: `fields * points.stride` values, in the order of the kernel's list.
+    pub fn fields(&self, region: RegionId, at: &Points<'_>, constants: &[f64]) -> Vec<f64> {
+        let bound = &self.regions[region.index()];
+        let mut fields = vec![0.0; bound.kernel.fields.len() * at.stride];
+        let mut out = RegionOut { f: &mut [], dy: &mut [], dc: &mut [], fields: &mut fields };
+        (bound.kernel.fields_fn)(at.len, at.stride, at.s, at.y, &bound.local(constants), &mut out);
+        fields
+    }
+}
+
+/// Names, sizes, sparsity and typical magnitudes.
+fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants) -> Layout {
+    let tension = constants[Constant::SlackTension];
+    let penetration = tension
+        / (constants[Constant::RadialStiffness]
+            * constants[Constant::PrimaryRadius]
+            * constants[Constant::HalfAngle].tan());
+    let scale = |state: &str| match state {
+        "T" | "tau" => tension,
+        "x" => penetration,
+        "theta" => 0.01,
+        _ => 0.1,
+    };
+    let region = |(id, bound): (RegionId, &Bound)| Region {
+        name: id.name().to_owned(),
+        interval: (0.0, 1.0),
+        states: bound
+            .kernel
+            .states
+            .iter()
+            .map(|state| State { name: state.name.to_owned(), scale: Some(scale(state.name)) })
+            .collect(),
+        integrals: bound.kernel.integrals.iter().map(|integral| integral.name.to_owned()).collect(),
+        state_pattern: bound.kernel.state_pattern.to_vec(),
+        constant_pattern: bound.pattern.clone(),
+        usual_entries: bound.usual_entries,
+    };
+    Layout {
+        regions: RegionId::ALL.into_iter().zip(regions).map(region).collect(),
+        constants: Constant::ALL
+            .into_iter()
+            .map(|constant| solver::Constant {
+                name: constant.name().to_owned(),
+                scale: Some(constants[constant].abs()).filter(|scale| *scale > 0.0),
+            })
+            .collect(),
+        equations: boundary.equations.iter().map(|equation| equation.name.to_owned()).collect(),
+        boundary_pattern: boundary.pattern.to_vec(),
+    }
+}
+
+/// Whether the unknown constants describe a belt at all: it runs forward, more slowly than a wave along it, over
+/// positive angles and lengths. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
+/// backwards under compression, satisfies the same equations and is shut out here.
+fn is_physical(constants: &[f64]) -> bool {
+    let value = |constant: Constant| constants.get(constant.index()).copied().unwrap_or(f64::NAN);
+    let positive = [
+        Constant::SpeedRatio,
+        Constant::Flow,
+        Constant::PrimaryWrap,
+        Constant::SecondaryWrap,
+        Constant::TightLength,
+        Constant::SlackLength,
+    ];
+    let unstretched_speed = value(Constant::Flow) * value(Constant::PrimaryRadius) * value(Constant::PrimarySpeed);
+    let wave_speed = (value(Constant::LongitudinalStiffness) / value(Constant::MassPerLength)).sqrt();
+    positive.into_iter().all(|constant| value(constant) > 0.0) && unstretched_speed < wave_speed
+}
+
+impl Problem for Belt {
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
+        if !is_physical(constants) {
+            return f.fill(f64::NAN);
+        }
+        let bound = &self.regions[region];
+        let mut out = RegionOut { f, dy: &mut [], dc: &mut [], fields: &mut [] };
+        (bound.kernel.value)(at.len, at.stride, at.s, at.y, &bound.local(constants), &mut out);
+    }
+
+    fn rhs_jacobian(
+        &self,
+        region: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        scope: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    ) {
+        if !is_physical(constants) {
+            return f.fill(f64::NAN);
+        }
+        let bound = &self.regions[region];
+        let local = bound.local(constants);
+        let (function, kernel_entries, entries) = match scope {
+            Scope::Usual => (bound.kernel.jacobian, bound.kernel.usual_entries, bound.usual_entries),
+            Scope::All => (bound.kernel.full, bound.kernel.constant_pattern.len(), bound.pattern.len()),
+        };
+        if scope == Scope::Usual && bound.direct() {
+            let mut out = RegionOut { f, dy, dc, fields: &mut [] };
+            return function(at.len, at.stride, at.s, at.y, &local, &mut out);
+        }
+        let mut own = vec![0.0; kernel_entries * at.stride];
+        let mut out = RegionOut { f, dy, dc: &mut own, fields: &mut [] };
+        function(at.len, at.stride, at.s, at.y, &local, &mut out);
+        bound.gather(entries, at.stride, &own, dc);
+    }
+
+    fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+        (self.boundary.value)(ends, integrals, constants, g);
+    }
+
+    fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
+        (self.boundary.jacobian)(ends, integrals, constants, g, dz);
+    }
+}

@@ -1,0 +1,13 @@
+//! The belt drive: the generated equations and the solver, joined.
+
+mod belt;
+mod constants;
+mod model;
+mod region;
+mod solve;
+mod start;
+
+pub use belt::Belt;
+pub use constants::{Constant, Constants};
+pub use region::RegionId;
+pub use solve::{Failure, SolveOptions, Solved, given, solve};

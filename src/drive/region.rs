@@ -1,0 +1,137 @@
+//! The four regions of the belt loop, and how a kernel's local constants are bound to those of the drive.
+
+use generated::RegionKernel;
+
+use super::constants::Constant;
+
+/// A region of the belt loop, in the order in which the belt runs through them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(usize)]
+pub enum RegionId {
+    /// Contact with the primary pulley.
+    Primary,
+    /// Span from the primary to the secondary.
+    SlackSpan,
+    /// Contact with the secondary pulley.
+    Secondary,
+    /// Span from the secondary to the primary.
+    TightSpan,
+}
+
+impl RegionId {
+    /// All regions, in order.
+    pub const ALL: [Self; 4] = [Self::Primary, Self::SlackSpan, Self::Secondary, Self::TightSpan];
+
+    /// Place in the problem's list of regions.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Whether the belt lies in a groove here.
+    pub const fn is_contact(self) -> bool {
+        matches!(self, Self::Primary | Self::Secondary)
+    }
+
+    /// Name that messages, results and files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Primary => "primary",
+            Self::SlackSpan => "slack_span",
+            Self::Secondary => "secondary",
+            Self::TightSpan => "tight_span",
+        }
+    }
+
+    /// What stands for a kernel's local constant in this region.
+    pub(super) fn source(self, local: &str) -> Option<Source> {
+        let constant = match (local, self) {
+            ("sigma", Self::Primary) => return Some(Source::One),
+            ("sigma", _) => Constant::SpeedRatio,
+            ("Phi", Self::Primary) => Constant::PrimaryWrap,
+            ("Phi", Self::Secondary) => Constant::SecondaryWrap,
+            ("R", Self::Primary) => Constant::PrimaryRadius,
+            ("R", Self::Secondary) => Constant::SecondaryRadius,
+            ("L", Self::TightSpan) => Constant::TightLength,
+            ("L", Self::SlackSpan) => Constant::SlackLength,
+            (name, _) => Constant::ALL.into_iter().find(|constant| constant.name() == name)?,
+        };
+        Some(Source::Constant(constant.index()))
+    }
+}
+
+/// What a local constant of a kernel stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// This constant of the drive.
+    Constant(usize),
+    /// The number one (the primary's own speed ratio).
+    One,
+}
+
+/// A kernel with its local constants bound.
+#[derive(Debug, Clone)]
+pub(super) struct Bound {
+    pub kernel: &'static RegionKernel,
+    sources: Vec<Source>,
+    /// For each entry of the region's own pattern, the kernel's entries that add up to it.
+    gather: Vec<[Option<usize>; 2]>,
+    /// Derivatives `(row, constant)` in the drive's constants.
+    pub pattern: Vec<(usize, usize)>,
+    /// Leading entries of `pattern` that come of usual constants alone.
+    pub usual_entries: usize,
+    /// The kernel's entries are the region's, one for one, so far as the usual ones go.
+    direct: bool,
+}
+
+impl Bound {
+    /// Binds `kernel` in `region`; `None` when a local constant has no meaning there.
+    pub fn new(region: RegionId, kernel: &'static RegionKernel) -> Option<Self> {
+        let sources = kernel.constants.iter().map(|symbol| region.source(symbol.name)).collect::<Option<Vec<_>>>()?;
+        let (mut pattern, mut gather) = (Vec::new(), Vec::<[Option<usize>; 2]>::new());
+        let mut usual_entries = 0;
+        for (entry, &(row, local)) in kernel.constant_pattern.iter().enumerate() {
+            if let Source::Constant(constant) = sources[local] {
+                match pattern.iter().position(|&seen| seen == (row, constant)) {
+                    Some(at) => gather[at][1] = Some(entry),
+                    None => {
+                        pattern.push((row, constant));
+                        gather.push([Some(entry), None]);
+                    }
+                }
+            }
+            if entry + 1 == kernel.usual_entries {
+                usual_entries = pattern.len();
+            }
+        }
+        let direct = gather[..usual_entries].iter().enumerate().all(|(at, entries)| entries[0] == Some(at))
+            && gather[..usual_entries].len() == kernel.usual_entries;
+        Some(Self { kernel, sources, gather, pattern, usual_entries, direct })
+    }
+
+    /// The kernel's local constants.
+    pub fn local(&self, constants: &[f64]) -> Vec<f64> {
+        let value = |source: &Source| match *source {
+            Source::Constant(constant) => constants.get(constant).copied().unwrap_or(f64::NAN),
+            Source::One => 1.0,
+        };
+        self.sources.iter().map(value).collect()
+    }
+
+    /// Whether the usual derivatives can be written by the kernel straight into the region's.
+    pub fn direct(&self) -> bool {
+        self.direct
+    }
+
+    /// Adds the kernel's derivatives up to those of the region: `entries` of them, `stride` apart.
+    pub fn gather(&self, entries: usize, stride: usize, local: &[f64], out: &mut [f64]) {
+        for (sum, from) in out.chunks_exact_mut(stride).zip(&self.gather).take(entries) {
+            let mut terms = from.iter().flatten().map(|&entry| &local[entry * stride..(entry + 1) * stride]);
+            if let Some(first) = terms.next() {
+                sum.copy_from_slice(first);
+            }
+            for term in terms {
+                sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What a solution means: the result object, the profile along the belt, the summary.
+
+mod compute;
+mod profile;
+mod schema;
+mod summary;
+
+use std::time::Instant;
+
+pub use compute::{Reading, Sampled};
+pub use profile::write_profile;
+pub use schema::{
+    BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span,
+};
+pub use summary::summary;
+
+use crate::case::Resolved;
+use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+
+/// A solved case: the result object, and the solution it was read from.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The result object.
+    pub result: DriveResult<Resolved>,
+    /// The solution.
+    pub solved: Solved,
+}
+
+/// Solves a case from nothing and reads the solution.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
+    let start = Instant::now();
+    let solved = solve(case, options)?;
+    let result = read(case, options, &solved, start);
+    Ok(Outcome { result, solved })
+}
+
+fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
+    let reading = Reading::new(&solved.belt, &solved.solution);
+    let (primary, secondary) = (reading.pulley(RegionId::Primary), reading.pulley(RegionId::Secondary));
+    let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
+    DriveResult {
+        schema: SCHEMA,
+        edition: case.edition.name().to_owned(),
+        converged: true,
+        inputs: case.clone(),
+        tight_span: reading.span(RegionId::TightSpan),
+        slack_span: reading.span(RegionId::SlackSpan),
+        efficiency: reading.efficiency(&primary, &secondary),
+        belt: reading.belt(case.belt.length),
+        energy: reading.energy(&primary, &secondary),
+        primary,
+        secondary,
+        solver: SolverReport {
+            order: options.order.number(),
+            tolerance: options.tolerance,
+            mesh_intervals: MeshIntervals {
+                primary: intervals(RegionId::Primary),
+                secondary: intervals(RegionId::Secondary),
+                tight_span: intervals(RegionId::TightSpan),
+                slack_span: intervals(RegionId::SlackSpan),
+            },
+            max_residual: solved.solution.max_defect(),
+            max_boundary_residual: solved.solution.max_boundary_residual(),
+            newton_iterations: solved.stats.newton_iterations,
+            continuation_steps: solved.continuation_steps,
+            wall_time: start.elapsed().as_secs_f64(),
+        },
+    }
+}

@@ -1,0 +1,158 @@
+//! The result object: what `solve --json` prints and what a row of a sweep flattens. SI units, ratios as fractions.
+
+use serde::Serialize;
+
+/// Version of the result object.
+pub const SCHEMA: u32 = 1;
+
+/// Everything a solved drive tells. Torques, powers and speeds are positive numbers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DriveResult<I> {
+    /// [`SCHEMA`].
+    pub schema: u32,
+    /// Name of the edition of the equations.
+    pub edition: String,
+    /// Whether defects and boundary residuals hold on the final mesh; always true of a result.
+    pub converged: bool,
+    /// The case, resolved to SI.
+    pub inputs: I,
+    /// The driving pulley.
+    pub primary: Pulley,
+    /// The driven pulley.
+    pub secondary: Pulley,
+    /// Span from the secondary to the primary.
+    pub tight_span: Span,
+    /// Span from the primary to the secondary.
+    pub slack_span: Span,
+    /// Efficiencies (6.7)–(6.9).
+    pub efficiency: Efficiency,
+    /// The belt as a whole.
+    pub belt: BeltResult,
+    /// The energy audit.
+    pub energy: Energy,
+    /// How the solution was found.
+    pub solver: SolverReport,
+}
+
+/// One pulley and its contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Pulley {
+    /// Speed of rotation, rad/s.
+    pub speed: f64,
+    /// Torque, N·m (5.54).
+    pub torque: f64,
+    /// Power, W.
+    pub power: f64,
+    /// Axial force between the sheaves, N (5.58).
+    pub axial_force: f64,
+    /// Wrap angle Φ, rad.
+    pub wrap_angle: f64,
+    /// Angle of inclination θ where the belt enters, rad.
+    pub entry_angle: f64,
+    /// Angle of inclination θ where the belt leaves, rad.
+    pub exit_angle: f64,
+    /// Orientation angle C, rad (5.17)–(5.20).
+    pub orientation_angle: f64,
+    /// Largest radial penetration, m.
+    pub max_penetration: f64,
+    /// Smallest sliding speed, m/s.
+    pub min_sliding_speed: f64,
+    /// Largest sliding speed, m/s.
+    pub max_sliding_speed: f64,
+    /// Share of the wrap angle on which the belt slides more slowly than the slip threshold.
+    pub adhesion_fraction: f64,
+    /// Where the axial force acts, m from the pulley's centre, towards the secondary's centre from the primary's (6.3).
+    pub resultant_x: f64,
+    /// Where the axial force acts, m from the pulley's centre, towards the tight span (6.4).
+    pub resultant_y: f64,
+    /// Moment of the axial force about the pulley's centre, N·m.
+    pub binding_moment: f64,
+    /// Power lost to friction, W.
+    pub friction_loss: f64,
+    /// Tractive tension where the belt enters, N.
+    pub entry_tension: f64,
+    /// Tractive tension where the belt leaves, N.
+    pub exit_tension: f64,
+}
+
+/// One span.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Span {
+    /// Arc length, m.
+    pub arc_length: f64,
+    /// Length when unloaded, m (5.56).
+    pub unstretched_length: f64,
+    /// Smallest tractive tension, N.
+    pub min_tension: f64,
+    /// Largest tractive tension, N.
+    pub max_tension: f64,
+}
+
+/// Efficiencies as fractions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Efficiency {
+    /// ω_S R_S/(ω_P R_P) (6.7).
+    pub speed: f64,
+    /// M_out R_P/(M_in R_S) (6.8).
+    pub torque: f64,
+    /// Power out over power in (6.9).
+    pub overall: f64,
+}
+
+/// The belt as a whole.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BeltResult {
+    /// Mass flow G, kg/s (3.5).
+    pub mass_flow: f64,
+    /// Length of the loop when unloaded, m (5.55), (5.56).
+    pub unstretched_length: f64,
+    /// What the drive needs less what the belt has, m.
+    pub length_error: f64,
+}
+
+/// The energy audit: power in = power out + friction loss, but for `imbalance`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Energy {
+    /// Power into the primary, W.
+    pub power_in: f64,
+    /// Power out of the secondary, W.
+    pub power_out: f64,
+    /// Power that friction turns to heat on both pulleys, W.
+    pub friction_loss: f64,
+    /// (power_in − power_out − friction_loss)/power_in.
+    pub imbalance: f64,
+}
+
+/// How the solution was found, and how well it holds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SolverReport {
+    /// Order of the collocation.
+    pub order: usize,
+    /// Relative tolerance on the defect.
+    pub tolerance: f64,
+    /// Intervals of the final meshes.
+    pub mesh_intervals: MeshIntervals,
+    /// Largest relative defect on the final meshes.
+    pub max_residual: f64,
+    /// Largest boundary residual, scaled.
+    pub max_boundary_residual: f64,
+    /// Newton iterations in all.
+    pub newton_iterations: usize,
+    /// Continuation steps in all.
+    pub continuation_steps: usize,
+    /// Seconds from the resolved case to the result, inside the process.
+    pub wall_time: f64,
+}
+
+/// Mesh intervals by region.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MeshIntervals {
+    /// Primary contact.
+    pub primary: usize,
+    /// Secondary contact.
+    pub secondary: usize,
+    /// Tight span.
+    pub tight_span: usize,
+    /// Slack span.
+    pub slack_span: usize,
+}

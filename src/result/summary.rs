@@ -1,0 +1,74 @@
+//! What a person reads at a glance, in engineering units.
+
+use std::fmt::Write;
+
+use super::schema::{DriveResult, Pulley};
+
+fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
+    let [primary, secondary] = values;
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "  {name:<26}{primary:>12.digits$}{secondary:>12.digits$}  {unit}");
+}
+
+fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
+    let both = |value: fn(&Pulley) -> f64| [value(primary), value(secondary)];
+    let _ = writeln!(text, "  {:<26}{:>12}{:>12}", "", "primary", "secondary");
+    row(text, "axial force", "N", 1, both(|p| p.axial_force));
+    row(text, "torque", "N·m", 3, both(|p| p.torque));
+    row(text, "speed", "rpm", 1, both(|p| p.speed * 30.0 / std::f64::consts::PI));
+    row(text, "power", "W", 1, both(|p| p.power));
+    row(text, "friction loss", "W", 1, both(|p| p.friction_loss));
+    row(text, "wrap angle", "deg", 2, both(|p| p.wrap_angle.to_degrees()));
+    row(text, "entry tension", "N", 1, both(|p| p.entry_tension));
+    row(text, "exit tension", "N", 1, both(|p| p.exit_tension));
+    row(text, "largest penetration", "mm", 3, both(|p| p.max_penetration * 1e3));
+    row(text, "smallest sliding speed", "mm/s", 4, both(|p| p.min_sliding_speed * 1e3));
+    row(text, "adhesion", "% of wrap", 1, both(|p| p.adhesion_fraction * 100.0));
+    row(text, "resultant x", "mm", 1, both(|p| p.resultant_x * 1e3));
+    row(text, "resultant y", "mm", 1, both(|p| p.resultant_y * 1e3));
+    row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
+}
+
+/// Axial forces, efficiencies, the energy audit and how well the solution holds.
+pub fn summary<I>(result: &DriveResult<I>) -> String {
+    let mut text = String::new();
+    let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
+    let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
+    pulleys(&mut text, &result.primary, &result.secondary);
+    let percent = |fraction: f64| 100.0 * fraction;
+    let _ = writeln!(
+        text,
+        "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque",
+        percent(efficiency.overall),
+        percent(efficiency.speed),
+        percent(efficiency.torque),
+    );
+    let _ = writeln!(
+        text,
+        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction + {:.1} W unaccounted for ({:.4} %)",
+        energy.power_in,
+        energy.power_out,
+        energy.friction_loss,
+        energy.imbalance * energy.power_in,
+        percent(energy.imbalance),
+    );
+    let _ = writeln!(
+        text,
+        "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
+        belt.unstretched_length * 1e3,
+        belt.length_error * 1e3,
+    );
+    let mesh = &solver.mesh_intervals;
+    let _ = writeln!(
+        text,
+        "  solved                    {:>11.1} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
+        solver.wall_time * 1e3,
+        solver.order,
+        solver.max_residual,
+        solver.tolerance,
+        mesh.primary + mesh.secondary + mesh.tight_span + mesh.slack_span,
+        solver.continuation_steps,
+        solver.newton_iterations,
+    );
+    text
+}

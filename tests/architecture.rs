@@ -1,0 +1,77 @@
+//! The invariants that ARCHITECTURE.md states, held by `cargo metadata` and by reading the sources.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
+
+fn metadata() -> Metadata {
+    MetadataCommand::new().no_deps().other_options(vec!["--offline".to_owned()]).exec().unwrap()
+}
+
+/// Direct dependencies of every package of the workspace.
+fn dependencies(metadata: &Metadata) -> BTreeMap<String, BTreeSet<(String, DependencyKind)>> {
+    let of = |package: &cargo_metadata::Package| {
+        package.dependencies.iter().map(|dependency| (dependency.name.clone(), dependency.kind)).collect()
+    };
+    metadata.packages.iter().map(|package| (package.name.to_string(), of(package))).collect()
+}
+
+fn depends(all: &BTreeMap<String, BTreeSet<(String, DependencyKind)>>, package: &str, on: &str) -> bool {
+    all[package].iter().any(|(name, _)| name == on)
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|ending| ["rs", "md", "toml"].iter().any(|known| ending == *known)) {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn the_solver_knows_no_equations() {
+    let all = dependencies(&metadata());
+    for other in ["eqgen", "generated", "sheave"] {
+        assert!(!depends(&all, "solver", other), "solver depends on {other}");
+    }
+    let mut sources = Vec::new();
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("solver"), &mut sources);
+    assert!(sources.len() > 10, "the solver's sources were not found");
+    for path in sources {
+        let text = std::fs::read_to_string(&path).unwrap().to_lowercase();
+        for word in ["belt", "pulley", "sheave"] {
+            assert!(!text.contains(word), "{} speaks of a {word}", path.display());
+        }
+    }
+}
+
+#[test]
+fn only_eqgen_depends_on_the_symbolic_engine() {
+    for (package, dependencies) in dependencies(&metadata()) {
+        let symbolic = dependencies.iter().any(|(name, _)| name == "symbolica" || name == "numerica");
+        assert_eq!(symbolic, package == "eqgen", "{package}");
+    }
+}
+
+#[test]
+fn eqgen_is_needed_at_build_time_only() {
+    for (package, dependencies) in dependencies(&metadata()) {
+        for (name, kind) in dependencies {
+            let build = name != "eqgen" || kind != DependencyKind::Normal;
+            assert!(build, "{package} depends on eqgen at run time");
+        }
+    }
+}
+
+#[test]
+fn only_the_drive_joins_equations_and_solver() {
+    let all = dependencies(&metadata());
+    for package in all.keys() {
+        let joins = depends(&all, package, "generated") && depends(&all, package, "solver");
+        assert_eq!(joins, package == "sheave", "{package}");
+    }
+}
