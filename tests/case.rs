@@ -1,4 +1,5 @@
 //! Cases as a library user meets them: what is accepted, what it means, and how every mistake is shown.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use proptest::prelude::*;

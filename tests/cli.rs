@@ -1,10 +1,11 @@
 //! The command line from outside: exit status, what goes to which stream, what is written where.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// Runs the program; coarse where a test does not say otherwise, for speed.
+/// Runs the program.
 fn sheave(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
     command.args(arguments).env_remove("RUST_LOG").env("NO_COLOR", "1");
