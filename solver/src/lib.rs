@@ -5,10 +5,12 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod collocation;
+mod conditioning;
 pub mod continuation;
 pub mod error;
 mod guess;
 mod linear;
+mod linearisation;
 pub mod mesh;
 pub mod model;
 mod newton;
@@ -21,8 +23,10 @@ mod solve;
 mod stats;
 mod tableau;
 
+pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
+pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
 pub use observer::{Event, Observer, Silent};
 pub use options::{Options, Order};
 pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};

@@ -126,7 +126,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         self.factorisation.factor(self.system, &self.work, scales);
         self.stats.factorisations += 1;
         let (rank, size) = self.factorisation.rank();
-        if rank < size { Err(self.singular(rank, size)) } else { Ok(()) }
+        if rank < size { Err(self.factorisation.singular(self.system)) } else { Ok(()) }
     }
 
     fn evaluate(&mut self, x: &Iterate, derivatives: Derivatives) -> Result<(), NonFinite> {
@@ -260,18 +260,6 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             largest: self.system.largest_components(dx),
         }
     }
-
-    fn singular(&self, rank: usize, size: usize) -> NewtonError {
-        let layout = self.system.layout;
-        let first = self.system.plan.states();
-        let empty = (0..layout.equations.len()).filter(|&row| self.factorisation.row_is_empty(first + row));
-        NewtonError::Singular {
-            rank,
-            size,
-            null_vector: self.system.border_components(&self.factorisation.null_vector()),
-            empty_equations: empty.map(|row| layout.equations[row].clone()).collect(),
-        }
-    }
 }
 
 /// How many components a message shows.
@@ -321,6 +309,22 @@ impl<P: Problem + ?Sized> System<'_, P> {
         components.sort_by(|a, b| b.value.abs().total_cmp(&a.value.abs()));
         components.truncate(SHOWN);
         components
+    }
+}
+
+impl Factorisation {
+    /// What the rank-deficient matrix leaves undetermined, by name.
+    pub(crate) fn singular<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> NewtonError {
+        let (rank, size) = self.rank();
+        let equations = &system.layout.equations;
+        let first = system.plan.states();
+        let empty = (0..equations.len()).filter(|&row| self.row_is_empty(first + row));
+        NewtonError::Singular {
+            rank,
+            size,
+            null_vector: system.border_components(&self.null_vector()),
+            empty_equations: empty.map(|row| equations[row].clone()).collect(),
+        }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::problem::{Layout, Problem};
 use crate::refine::{Measure, Verdict, measure, verdict};
 use crate::solution::{MeshRecord, RegionSolution, Solution};
 use crate::stats::Stats;
+use std::sync::Arc;
 
 /// Solves a boundary value problem from a guess, on meshes refined until the tolerance is met.
 ///
@@ -45,7 +46,7 @@ pub fn solve_observed<P: Problem + ?Sized>(
     let layout = problem.layout();
     check(layout, guess, unknowns, options)?;
     let plan = Plan::new(layout, unknowns);
-    let mut run = Run::new(problem, &plan, options, observer);
+    let mut run = Run::new(problem, plan, options, observer);
     let grids = guess.grids();
     let x = guess.iterate(&grids);
     let solved = run.refine(Start { grids, x })?;
@@ -95,7 +96,7 @@ pub(crate) struct Measured {
 pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     problem: &'a P,
     layout: &'a Layout,
-    plan: &'a Plan,
+    plan: Arc<Plan>,
     pub options: &'o Options,
     pub observer: &'o mut dyn Observer,
     pub stats: Stats,
@@ -105,12 +106,12 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
-    pub(crate) fn new(problem: &'a P, plan: &'a Plan, options: &'o Options, observer: &'o mut dyn Observer) -> Self {
+    pub(crate) fn new(problem: &'a P, plan: Plan, options: &'o Options, observer: &'o mut dyn Observer) -> Self {
         let layout = problem.layout();
         Self {
             problem,
             layout,
-            plan,
+            plan: Arc::new(plan),
             options,
             observer,
             stats: Stats::default(),
@@ -161,7 +162,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         System {
             problem: self.problem,
             layout: self.layout,
-            plan: self.plan,
+            plan: self.plan.clone(),
             tableau: self.options.order.tableau(),
             grids,
         }

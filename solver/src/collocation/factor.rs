@@ -14,10 +14,10 @@ use crate::problem::Problem;
 /// One region: the stretches side by side, then the stretches one after another.
 #[derive(Debug, Clone)]
 pub(crate) struct RegionFactor {
-    lanes: Chain<Lane>,
-    top: Chain<f64>,
+    pub lanes: Chain<Lane>,
+    pub top: Chain<f64>,
     /// What the interval equations were multiplied by, `steps * n`.
-    row_scale: Vec<Lane>,
+    pub row_scale: Vec<Lane>,
 }
 
 /// Right-hand sides in dimensionless equations.
@@ -35,11 +35,11 @@ pub(crate) struct Rhs {
 #[derive(Debug, Clone)]
 pub(crate) struct Factorisation {
     pub scales: Scales,
-    regions: Vec<RegionFactor>,
-    border: Lu,
+    pub regions: Vec<RegionFactor>,
+    pub border: Lu,
     dense: Vec<f64>,
     /// `(equation, region, active integral, derivative)`.
-    integral_entries: Vec<(usize, usize, usize, f64)>,
+    pub integral_entries: Vec<(usize, usize, usize, f64)>,
     /// Largest dimensionless coefficient of each boundary equation.
     pub boundary_scale: Vec<f64>,
 }

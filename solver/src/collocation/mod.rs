@@ -7,18 +7,20 @@ pub(crate) mod grid;
 pub(crate) mod interpolant;
 pub(crate) mod parameter;
 pub(crate) mod plan;
+pub(crate) mod transpose;
 
 use crate::linear::scalar::{Lane, W};
 use crate::problem::{Layout, Problem};
 use crate::tableau::Tableau;
 use grid::Grid;
 use plan::Plan;
+use std::sync::Arc;
 
 /// The collocation equations of a problem on one set of meshes.
 pub(crate) struct System<'p, P: Problem + ?Sized> {
     pub problem: &'p P,
     pub layout: &'p Layout,
-    pub plan: &'p Plan,
+    pub plan: Arc<Plan>,
     pub tableau: &'static Tableau,
     pub grids: Vec<Grid>,
 }

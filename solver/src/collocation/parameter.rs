@@ -1,8 +1,7 @@
-//! Derivative of the collocation equations along a direction in the constants.
+//! Derivatives of the collocation equations and integrals along a direction, and the transpose.
 
 use super::evaluate::{Batch, Stages, Work};
 use super::factor::Rhs;
-use super::plan::RegionPlan;
 use super::{Scales, System};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::problem::{Problem, Region};
@@ -13,8 +12,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// all constants.
     pub(crate) fn parameter_rhs(&self, work: &Work, scales: &Scales, direction: &[f64]) -> Rhs {
         let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: vec![0.0; work.g.len()] };
-        for (index, region) in self.layout.regions.iter().enumerate() {
-            let (lanes, integrals) = self.region_rhs(index, region, &work.regions[index], scales, direction);
+        for (index, stages) in work.regions.iter().enumerate() {
+            let (lanes, integrals) = self.region_rhs(index, stages, scales, direction);
             rhs.regions.push(lanes);
             rhs.integrals.push(integrals);
         }
@@ -27,17 +26,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         rhs
     }
 
-    fn region_rhs(
-        &self,
-        index: usize,
-        region: &Region,
-        stages: &Stages,
-        scales: &Scales,
-        direction: &[f64],
-    ) -> (Vec<Lane>, Vec<f64>) {
+    fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Vec<Lane>, Vec<f64>) {
         let (plan, grid) = (&self.plan.regions[index], &self.grids[index]);
         let (n, len) = (plan.n, grid.interval_stride());
-        let sums = self.weighted_rates(region, plan, stages, &grid.h, direction);
+        let sums = self.weighted_rates(index, stages, None, direction);
         let mut lanes = vec![Lane::ZERO; grid.steps * n];
         for (i, scale) in scales.states[index].iter().enumerate() {
             let (rates, _) = sums[i * len..(i + 1) * len].as_chunks::<W>();
@@ -49,16 +41,17 @@ impl<P: Problem + ?Sized> System<'_, P> {
         (lanes, plan.active.iter().map(integral).collect())
     }
 
-    /// `h Σ b dK` of all rows, integrands included: `rows * interval_stride`.
-    fn weighted_rates(
+    /// `h Σ b dK` of all rows, integrands included: `rows * interval_stride`, when the constants move at the rates
+    /// `direction` and the nodes at `nodes` (component by component in working order), if they move at all.
+    pub(crate) fn weighted_rates(
         &self,
-        region: &Region,
-        plan: &RegionPlan,
+        index: usize,
         stages: &Stages,
-        h: &[f64],
+        nodes: Option<&[f64]>,
         direction: &[f64],
     ) -> Vec<f64> {
-        let (n, rows, len) = (plan.n, plan.rows, h.len());
+        let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
+        let (n, rows, len) = (region.states.len(), region.rows(), h.len());
         let mut rates = vec![0.0; self.tableau.stages() * rows * len];
         let mut sums = vec![0.0; rows * len];
         let mut shift = vec![0.0; n * len];
@@ -68,15 +61,23 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let (batch, stride, offset) = stages.batch(stage, len);
             explicit_rates(region, batch, stride, offset, direction, out);
             shift.fill(0.0);
-            for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-                let earlier = &known[earlier * rows * len..];
-                for i in 0..n {
+            if let Some(nodes) = nodes {
+                let v = self.tableau.v[stage];
+                for (shift, du) in shift.chunks_exact_mut(len).zip(nodes.chunks_exact(len + W)) {
                     for p in 0..len {
-                        shift[i * len + p] += weight * h[p] * earlier[i * len + p];
+                        shift[p] = (1.0 - v) * du[p] + v * du[p + W];
                     }
                 }
             }
-            if self.tableau.x[stage].iter().any(|&weight| weight != 0.0) {
+            for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+                let earlier = &known[earlier * rows * len..];
+                for (shift, earlier) in shift.chunks_exact_mut(len).zip(earlier.chunks_exact(len)) {
+                    for p in 0..len {
+                        shift[p] += weight * h[p] * earlier[p];
+                    }
+                }
+            }
+            if stage >= 2 || nodes.is_some() {
                 chain(region, batch, stride, offset, &shift, out);
             }
             let b = self.tableau.b[stage];
@@ -87,6 +88,56 @@ impl<P: Problem + ?Sized> System<'_, P> {
             }
         }
         sums
+    }
+
+    /// The transpose of [`weighted_rates`](Self::weighted_rates): weights on all rows (`rows * interval_stride`) become
+    /// weights on the nodes (component by component in working order) and are added to those on the constants.
+    pub(crate) fn pull_back(&self, index: usize, stages: &Stages, weights: &[f64], constants: &mut [f64]) -> Vec<f64> {
+        let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
+        let (n, rows, len) = (region.states.len(), region.rows(), h.len());
+        let mut nodes = vec![0.0; n * (len + W)];
+        let mut rates = vec![0.0; self.tableau.stages() * rows * len];
+        for (stage, &b) in rates.chunks_exact_mut(rows * len).zip(self.tableau.b) {
+            for (out, weights) in stage.chunks_exact_mut(len).zip(weights.chunks_exact(len)) {
+                for p in 0..len {
+                    out[p] = b * h[p] * weights[p];
+                }
+            }
+        }
+        let mut shift = vec![0.0; n * len];
+        for stage in (0..self.tableau.stages()).rev() {
+            let (known, rest) = rates.split_at_mut(stage * rows * len);
+            let out = &rest[..rows * len];
+            let (batch, stride, offset) = stages.batch(stage, len);
+            for (entry, &(row, constant)) in region.constant_pattern.iter().enumerate() {
+                let values = &batch.dc[entry * stride + offset..][..len];
+                constants[constant] += out[row * len..].iter().zip(values).map(|(a, b)| a * b).sum::<f64>();
+            }
+            shift.fill(0.0);
+            for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
+                let values = &batch.dy[entry * stride + offset..][..len];
+                let (shift, out) = (&mut shift[state * len..(state + 1) * len], &out[row * len..(row + 1) * len]);
+                for p in 0..len {
+                    shift[p] += values[p] * out[p];
+                }
+            }
+            let v = self.tableau.v[stage];
+            for (nodes, shift) in nodes.chunks_exact_mut(len + W).zip(shift.chunks_exact(len)) {
+                for p in 0..len {
+                    nodes[p] += (1.0 - v) * shift[p];
+                    nodes[p + W] += v * shift[p];
+                }
+            }
+            for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+                let earlier = &mut known[earlier * rows * len..];
+                for (earlier, shift) in earlier.chunks_exact_mut(len).zip(shift.chunks_exact(len)) {
+                    for p in 0..len {
+                        earlier[p] += weight * h[p] * shift[p];
+                    }
+                }
+            }
+        }
+        nodes
     }
 }
 

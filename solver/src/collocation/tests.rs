@@ -1,9 +1,10 @@
 //! The linearisation against finite differences of the residual, and its elimination against a dense solve.
 
 use super::evaluate::{Derivatives, Work};
-use super::factor::Factorisation;
+use super::factor::{Factorisation, Rhs};
 use super::grid::Grid;
 use super::plan::Plan;
+use super::transpose::Weights;
 use super::{Correction, Iterate, System};
 use crate::linear::scalar::{Lane, W};
 use crate::model::{Differentiated, Model, Scalar};
@@ -12,6 +13,7 @@ use crate::stats::Stats;
 use crate::tableau::{ORDER_4, ORDER_6, Tableau};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
+use std::sync::Arc;
 
 /// Numbers that look random but are always the same.
 struct Random(u64);
@@ -103,7 +105,7 @@ struct Setup<'a> {
 
 fn setup<'a>(
     problem: &'a Differentiated<Mixed>,
-    plan: &'a Plan,
+    plan: Plan,
     intervals: &[usize],
     tableau: &'static Tableau,
     seed: u64,
@@ -137,7 +139,7 @@ fn setup<'a>(
         })
         .collect();
     let constants = (0..layout.constants.len()).map(|_| random.next()).collect();
-    let system = System { problem, layout, plan, tableau, grids };
+    let system = System { problem, layout, plan: Arc::new(plan), tableau, grids };
     let work = system.work();
     Setup { system, x: Iterate { y, constants }, work }
 }
@@ -193,7 +195,7 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
         let problem = Differentiated::new(Mixed::new(sizes, constants, nonlinear, seed)).unwrap();
         let chosen: Vec<usize> = (0..unknowns).rev().collect();
         let plan = Plan::new(problem.layout(), &chosen);
-        let mut setup = setup(&problem, &plan, intervals, tableau, seed);
+        let mut setup = setup(&problem, plan, intervals, tableau, seed);
         let x = setup.x.clone();
         let size: usize =
             setup.system.grids.iter().zip(sizes).map(|(g, s)| g.mesh.len() * s.0).sum::<usize>() + unknowns;
@@ -201,6 +203,7 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
         let mut factorisation = Factorisation::new(&setup.system);
         factorisation.factor(&setup.system, &setup.work, setup.system.scales(&x));
         let found = flat(&setup.system, &factorisation.newton_correction(&setup.system, &setup.work));
+        check_transpose(&setup, &factorisation, seed);
         // The dense Newton matrix, column by column from differences of the residual.
         let base = residual(&mut setup, &x);
         let step = if nonlinear { 1e-6 } else { 1.0 };
@@ -223,6 +226,69 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
             assert!((a - b).abs() <= tolerance * scale, "order {} unknown {i} of {size}: {a} {b}", tableau.order);
         }
     }
+}
+
+/// `w · solve(r) = solve_transposed(w) · r` for random weights and right-hand sides.
+fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) {
+    let system = &setup.system;
+    let mut random = Random(seed ^ 0xabcd);
+    let mut values = |len: usize| -> Vec<f64> { (0..len).map(|_| random.next()).collect() };
+    let rhs = Rhs {
+        regions: system
+            .grids
+            .iter()
+            .zip(&system.plan.regions)
+            .map(|(grid, plan)| {
+                (0..grid.steps * plan.n)
+                    .map(|at| {
+                        let values = values(W);
+                        // Padding has no equations of its own.
+                        Lane(std::array::from_fn(|l| {
+                            if l * grid.steps + at / plan.n < grid.intervals() { values[l] } else { 0.0 }
+                        }))
+                    })
+                    .collect()
+            })
+            .collect(),
+        integrals: system.plan.regions.iter().map(|plan| values(plan.active.len())).collect(),
+        boundary: values(system.layout.equations.len()),
+    };
+    let mut weights = Weights {
+        unknowns: Correction {
+            u: system
+                .plan
+                .regions
+                .iter()
+                .zip(&system.grids)
+                .map(|(plan, grid)| vec![Lane([0.0; W]); (grid.steps + 1) * plan.n])
+                .collect(),
+            c: values(system.plan.unknowns.len()),
+        },
+        integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),
+    };
+    for ((grid, plan), u) in system.grids.iter().zip(&system.plan.regions).zip(&mut weights.unknowns.u) {
+        for j in 0..grid.mesh.len() {
+            let p = if j == grid.intervals() { grid.last() } else { grid.position(j) };
+            for (i, value) in values(plan.n).into_iter().enumerate() {
+                u[p / W * plan.n + i].0[p % W] = value;
+            }
+        }
+    }
+    let dot = |a: &[Vec<Lane>], b: &[Vec<Lane>]| -> f64 {
+        a.iter()
+            .flatten()
+            .zip(b.iter().flatten())
+            .map(|(a, b)| a.0.iter().zip(b.0).map(|(a, b)| a * b).sum::<f64>())
+            .sum()
+    };
+    let plain = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let solved = factorisation.solve(system, rhs.clone());
+    let forward = dot(&weights.unknowns.u, &solved.u) + plain(&weights.unknowns.c, &solved.c);
+    let transposed = factorisation.solve_transposed(system, weights);
+    let backward = dot(&transposed.regions, &rhs.regions)
+        + plain(&transposed.boundary, &rhs.boundary)
+        + transposed.integrals.iter().zip(&rhs.integrals).map(|(a, b)| plain(a, b)).sum::<f64>();
+    assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
 }
 
 #[test]

@@ -125,7 +125,7 @@ pub fn follow_observed<P: Problem + ?Sized>(
     let tolerance = options.tolerance.max(options.solve.tolerance);
     let first = Options { tolerance, ..options.solve.clone() };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
-    let run = Run::new(problem, &plan, &first, observer);
+    let run = Run::new(problem, plan, &first, observer);
     Follower { run, path, options, way: &way, steps: Vec::new() }.follow(start)
 }
 

@@ -156,6 +156,49 @@ impl<T: Scalar> Chain<T> {
     }
 }
 
+impl<T: Scalar> Chain<T> {
+    /// Transpose of [`backward`](Self::backward): weights `u` on all nodes become weights on its inputs. On exit
+    /// `u`'s first and last node and `constants` hold theirs, `rhs` (`steps * n`, overwritten) those of the
+    /// eliminated nodes; its last block is left alone.
+    #[inline(always)]
+    pub(crate) fn backward_transposed<R: Rows>(&self, rows: R, rhs: &mut [T], constants: &mut [T], u: &mut [T]) {
+        let n = rows.n();
+        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate() {
+            let kept = kept(self.sizes, data);
+            let (first, rest) = u.split_at_mut(n);
+            let (here, next) = rest[t * n..(t + 2) * n].split_at_mut(n);
+            for i in 0..n {
+                let mut value = here[i];
+                for (&r, &x) in kept.r[i * n..i * n + i].iter().zip(&here[..i]) {
+                    value -= r * x;
+                }
+                here[i] = value * kept.inverse[i];
+            }
+            subtract_row(here, kept.e, first);
+            subtract_row(here, kept.f, next);
+            subtract_row(here, kept.g, constants);
+            rhs[t * n..(t + 1) * n].copy_from_slice(here);
+        }
+    }
+
+    /// Transpose of [`forward`](Self::forward): weights on what it leaves, in `rhs`, become weights on the interval
+    /// equations; `functionals` are the weights of the functionals.
+    #[inline(always)]
+    pub(crate) fn forward_transposed<R: Rows>(&self, rows: R, rhs: &mut [T], functionals: &[T]) {
+        let n = rows.n();
+        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate().rev() {
+            let kept = kept(self.sizes, data);
+            let (top, bottom) = rhs[t * n..(t + 2) * n].split_at_mut(n);
+            for (&weight, x) in functionals.iter().zip(kept.x.chunks_exact(n)) {
+                for i in 0..n {
+                    top[i] += weight * x[i];
+                }
+            }
+            rows.apply_transposed(kept.reflectors, top, bottom);
+        }
+    }
+}
+
 /// `out -= M x` for M by columns.
 #[inline(always)]
 fn subtract<T: Scalar>(matrix: &[T], x: &[T], out: &mut [T]) {

@@ -121,6 +121,27 @@ impl Lu {
         }
     }
 
+    /// Solves the transposed system in place. Meaningful only at full rank.
+    pub(crate) fn solve_transposed(&self, b: &mut [f64], scratch: &mut Vec<f64>) {
+        let n = self.n;
+        scratch.clear();
+        scratch.extend(self.columns.iter().map(|&column| b[column]));
+        for i in 0..n {
+            scratch[i] /= self.a[i * n + i];
+            for l in i + 1..n {
+                scratch[l] -= self.a[i * n + l] * scratch[i];
+            }
+        }
+        for i in (0..n).rev() {
+            for l in 0..i {
+                scratch[l] -= self.a[i * n + l] * scratch[i];
+            }
+        }
+        for (&row, &x) in self.rows.iter().zip(scratch.iter()) {
+            b[row] = x * self.scale[row];
+        }
+    }
+
     /// A vector that the rank-deficient matrix maps to (nearly) zero, largest component 1.
     pub(crate) fn null_vector(&self) -> Vec<f64> {
         let (n, rank) = (self.n, self.rank);

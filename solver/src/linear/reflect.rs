@@ -13,6 +13,7 @@ pub(crate) trait Rows: Copy {
     fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]);
 
     /// Applies them in reverse order: the transpose of [`apply`](Self::apply).
+    #[inline(always)]
     fn apply_transposed<T: Scalar>(self, reflectors: &[T], top: &mut [T], bottom: &mut [T]) {
         let n = self.n();
         for j in (0..n).rev() {

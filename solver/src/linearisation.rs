@@ -1,0 +1,250 @@
+//! The linearised problem at a solution: sensitivities, forward and adjoint.
+
+use crate::collocation::evaluate::{Derivatives, Work};
+use crate::collocation::factor::{Factorisation, Rhs, input_scales};
+use crate::collocation::plan::Plan;
+use crate::collocation::transpose::Weights;
+use crate::collocation::{Correction, Iterate, System};
+use crate::error::{NewtonError, SolveError};
+use crate::guess::Guess;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::problem::Problem;
+use crate::solution::Solution;
+use crate::solve::{check, intervals};
+use crate::stats::Stats;
+use std::sync::Arc;
+
+/// The equations linearised and factored at a solution. Each further question costs one linear solve or few.
+pub struct Linearisation<'p, P: Problem + ?Sized> {
+    pub(crate) system: System<'p, P>,
+    pub(crate) x: Iterate,
+    pub(crate) work: Work,
+    pub(crate) factorisation: Factorisation,
+    stats: Stats,
+}
+
+/// Rates of change of one region along a [`Tangent`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct TangentRegion {
+    /// State by state, at the nodes of the solution's mesh.
+    pub states: Vec<Vec<f64>>,
+    /// Of the integrals over the region.
+    pub integrals: Vec<f64>,
+}
+
+/// Rates of change of a solution when given constants move.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tangent {
+    /// One for each region.
+    pub regions: Vec<TangentRegion>,
+    /// All constants: the given move as was asked, the unknown follow.
+    pub constants: Vec<f64>,
+}
+
+impl Tangent {
+    /// Rates of the boundary equations' inputs: ends, integrals, constants.
+    pub fn inputs(&self) -> Vec<f64> {
+        let end = |exit: bool| move |y: &Vec<f64>| if exit { y.last() } else { y.first() }.copied().unwrap_or(0.0);
+        let ends = self
+            .regions
+            .iter()
+            .flat_map(|region| region.states.iter().map(end(false)).chain(region.states.iter().map(end(true))));
+        let integrals = self.regions.iter().flat_map(|region| region.integrals.iter().copied());
+        ends.chain(integrals).chain(self.constants.iter().copied()).collect()
+    }
+}
+
+/// A function of the solution, by its gradient there.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Functional {
+    /// With respect to the boundary equations' inputs: ends, integrals, constants.
+    pub inputs: Vec<f64>,
+    /// With respect to states at nodes: `(region, node, state, derivative)`.
+    pub nodes: Vec<(usize, usize, usize, f64)>,
+}
+
+impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
+    /// Evaluates all derivatives at the solution and factors the Newton matrix there.
+    ///
+    /// # Errors
+    /// The solution is not one of this problem's, or its Newton matrix is singular (as at a fold).
+    pub fn new(problem: &'p P, solution: &Solution) -> Result<Self, SolveError> {
+        let layout = problem.layout();
+        let guess = Guess::from(solution);
+        check(layout, &guess, solution.unknowns(), &Default::default())?;
+        let grids = guess.grids();
+        let x = guess.iterate(&grids);
+        let plan = Arc::new(Plan::new(layout, solution.unknowns()));
+        let system = System { problem, layout, plan, tableau: solution.order().tableau(), grids };
+        Self::at(system, x, Stats::default())
+    }
+
+    pub(crate) fn at(system: System<'p, P>, x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
+        let mut work = system.work();
+        let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
+        let evaluated = system.evaluate(&x, Derivatives::All, &mut work, &mut stats);
+        evaluated.map_err(|error| newton(NewtonError::NonFinite(error), &system))?;
+        let mut factorisation = Factorisation::new(&system);
+        factorisation.factor(&system, &work, system.scales(&x));
+        stats.factorisations += 1;
+        let (rank, size) = factorisation.rank();
+        if rank < size {
+            let error = factorisation.singular(&system);
+            return Err(newton(error, &system));
+        }
+        Ok(Self { system, x, work, factorisation, stats })
+    }
+
+    /// What the linearisation cost.
+    pub fn stats(&self) -> &Stats {
+        &self.stats
+    }
+
+    /// d(solution)/dλ when the given constants move at the rates `direction` (one for each constant of the layout;
+    /// entries of unknown constants are ignored).
+    pub fn tangent(&self, direction: &[f64]) -> Tangent {
+        let mut rates = direction.to_vec();
+        rates.resize(self.x.constants.len(), 0.0);
+        for &unknown in &self.system.plan.unknowns {
+            rates[unknown] = 0.0;
+        }
+        let rhs = self.system.parameter_rhs(&self.work, &self.factorisation.scales, &rates);
+        let dx = self.factorisation.solve(&self.system, rhs);
+        self.unscaled(&dx, rates)
+    }
+
+    /// d(solution)/d(constant) of one given constant; of an unknown constant, zero.
+    pub fn sensitivity(&self, constant: usize) -> Tangent {
+        let mut direction = vec![0.0; self.x.constants.len()];
+        if let Some(rate) = direction.get_mut(constant) {
+            *rate = 1.0;
+        }
+        self.tangent(&direction)
+    }
+
+    fn unscaled(&self, dx: &Correction, mut constants: Vec<f64>) -> Tangent {
+        let scales = &self.factorisation.scales;
+        for (&unknown, c) in self.system.plan.unknowns.iter().zip(&dx.c) {
+            constants[unknown] = scales.constants[unknown] * c;
+        }
+        let regions = (0..self.system.grids.len()).map(|region| {
+            let (grid, plan) = (&self.system.grids[region], &self.system.plan.regions[region]);
+            let mut nodes = vec![0.0; plan.n * grid.node_stride()];
+            for (i, (out, scale)) in nodes.chunks_exact_mut(grid.node_stride()).zip(&scales.states[region]).enumerate()
+            {
+                for (out, u) in out.as_chunks_mut::<W>().0.iter_mut().zip(dx.u[region].chunks_exact(plan.n)) {
+                    *out = u[i].times(*scale).0;
+                }
+            }
+            let stages = &self.work.regions[region];
+            let rates = self.system.weighted_rates(region, stages, Some(&nodes), &constants);
+            let len = grid.interval_stride();
+            TangentRegion {
+                states: nodes.chunks_exact(grid.node_stride()).map(|y| grid.unpack(y)).collect(),
+                integrals: rates.chunks_exact(len).skip(plan.n).map(|rates| rates.iter().sum()).collect(),
+            }
+        });
+        Tangent { regions: regions.collect(), constants }
+    }
+
+    /// d(functional)/d(constant) for all given constants, by one transposed solve; zero for unknown constants.
+    pub fn gradient(&self, functional: &Functional) -> Vec<f64> {
+        let (layout, plan) = (self.system.layout, &self.system.plan);
+        let mut inputs = functional.inputs.clone();
+        inputs.resize(layout.inputs(), 0.0);
+        let (ends, rest) = inputs.split_at(layout.ends());
+        let (integrals, explicit) = rest.split_at(layout.integrals());
+        let mut gradient = explicit.to_vec();
+        let scales = &self.factorisation.scales;
+        let mut u = Vec::new();
+        for (region, plan) in plan.regions.iter().enumerate() {
+            let grid = &self.system.grids[region];
+            let mut nodes = self.inactive_weights(region, integrals, &mut gradient);
+            let stride = grid.node_stride();
+            for i in 0..plan.n {
+                nodes[i * stride] += ends[plan.first_end + i];
+                nodes[i * stride + grid.last()] += ends[plan.first_end + plan.n + i];
+            }
+            for &(r, node, state, weight) in &functional.nodes {
+                if r == region && node < grid.mesh.len() && state < plan.n {
+                    let p = if node == grid.intervals() { grid.last() } else { grid.position(node) };
+                    nodes[state * stride + p] += weight;
+                }
+            }
+            u.push(packed(&nodes, &scales.states[region]));
+        }
+        let c = plan.unknowns.iter().map(|&unknown| gradient[unknown] * scales.constants[unknown]).collect();
+        let active = |plan: &crate::collocation::plan::RegionPlan| {
+            plan.active.iter().map(|&k| integrals[plan.first_integral + k]).collect()
+        };
+        let integrals = plan.regions.iter().map(active).collect();
+        let multipliers =
+            self.factorisation.solve_transposed(&self.system, Weights { unknowns: Correction { u, c }, integrals });
+        self.pull_back(&multipliers, &mut gradient);
+        for &unknown in &plan.unknowns {
+            gradient[unknown] = 0.0;
+        }
+        gradient
+    }
+
+    /// Weights on integrals that the Newton matrix does not hold, as weights on nodes and constants.
+    fn inactive_weights(&self, region: usize, integrals: &[f64], gradient: &mut [f64]) -> Vec<f64> {
+        let (grid, plan) = (&self.system.grids[region], &self.system.plan.regions[region]);
+        let len = grid.interval_stride();
+        let mut weights = vec![0.0; plan.rows * len];
+        for k in (0..plan.rows - plan.n).filter(|k| !plan.active.contains(k)) {
+            weights[(plan.n + k) * len..(plan.n + k + 1) * len].fill(integrals[plan.first_integral + k]);
+        }
+        if weights.iter().all(|&weight| weight == 0.0) {
+            return vec![0.0; plan.n * grid.node_stride()];
+        }
+        let mut nodes = self.system.pull_back(region, &self.work.regions[region], &weights, gradient);
+        // What stands on padding belongs to the last node.
+        for component in nodes.chunks_exact_mut(grid.node_stride()) {
+            for j in grid.intervals()..len {
+                component[grid.last()] += std::mem::take(&mut component[grid.position(j)]);
+            }
+        }
+        nodes
+    }
+
+    /// Adds `multipliers · (-∂F/∂c)` to a gradient over all constants.
+    fn pull_back(&self, multipliers: &Rhs, gradient: &mut [f64]) {
+        let layout = self.system.layout;
+        for (region, plan) in self.system.plan.regions.iter().enumerate() {
+            let len = self.system.grids[region].interval_stride();
+            let mut weights = vec![0.0; plan.rows * len];
+            for (i, scale) in self.factorisation.scales.states[region].iter().enumerate() {
+                let out = weights[i * len..(i + 1) * len].as_chunks_mut::<W>().0;
+                for (out, lanes) in out.iter_mut().zip(multipliers.regions[region].chunks_exact(plan.n)) {
+                    *out = lanes[i].times(1.0 / scale).0;
+                }
+            }
+            for (&k, &weight) in plan.active.iter().zip(&multipliers.integrals[region]) {
+                weights[(plan.n + k) * len..(plan.n + k + 1) * len].fill(weight);
+            }
+            self.system.pull_back(region, &self.work.regions[region], &weights, gradient);
+        }
+        let first = layout.ends() + layout.integrals();
+        for (&(equation, input), &value) in layout.boundary_pattern.iter().zip(&self.work.dz) {
+            if let Some(constant) = input.checked_sub(first) {
+                gradient[constant] -= value * multipliers.boundary[equation];
+            }
+        }
+    }
+
+    /// Typical magnitudes of the boundary equations' ends, as the solver scales by.
+    pub fn end_scales(&self) -> Vec<f64> {
+        input_scales(&self.factorisation.scales)
+    }
+}
+
+/// Component by component weights, in dimensionless unknowns and node by node.
+fn packed(nodes: &[f64], scales: &[f64]) -> Vec<Lane> {
+    let (n, rows) = (scales.len(), nodes.len() / scales.len() / W);
+    let lanes = nodes.as_chunks::<W>().0;
+    (0..rows)
+        .flat_map(|t| (0..n).map(move |i| (t, i)))
+        .map(|(t, i)| Lane(lanes[i * rows + t]).times(scales[i]))
+        .collect()
+}
