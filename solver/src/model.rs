@@ -39,6 +39,11 @@
 use crate::problem::{Layout, LayoutError, Points, Problem, Scope};
 use num_dual::{DualNum, DualSVec64};
 
+/// Derivatives that one pass carries: each width compiles every model once more, so there are two.
+const WIDE: usize = 4;
+/// For two states and no unknown constant.
+const NARROW: usize = 2;
+
 /// A number that a model is evaluated with: `f64` itself, or one that carries derivatives.
 ///
 /// Arithmetic, comparison with `f64`, and the elementary functions come from [`DualNum`].
@@ -192,7 +197,7 @@ impl<M: Model> Differentiated<M> {
         seen
     }
 
-    /// Values at every point and derivatives along the `W` inputs of `columns`.
+    /// Values at every point, and derivatives along the inputs of `columns`, at most `W`.
     fn rhs_pass<const W: usize>(
         &self,
         region: usize,
@@ -234,8 +239,8 @@ impl<M: Model> Differentiated<M> {
         }
     }
 
-    /// Values, and derivatives along the `W` inputs of `columns`.
-    fn boundary_pass<const W: usize>(
+    /// Values, and derivatives along the inputs of `columns`, at most `WIDE`.
+    fn boundary_pass(
         &self,
         ends: &[f64],
         integrals: &[f64],
@@ -244,15 +249,15 @@ impl<M: Model> Differentiated<M> {
         g: &mut [f64],
         dz: &mut [f64],
     ) {
-        let mut inputs = lift::<W>(ends);
-        inputs.extend(lift::<W>(integrals));
-        inputs.extend(lift::<W>(constants));
+        let mut inputs = lift::<WIDE>(ends);
+        inputs.extend(lift::<WIDE>(integrals));
+        inputs.extend(lift::<WIDE>(constants));
         for (k, column) in columns.iter().enumerate() {
             if let Input::Boundary(i) = column.input {
                 inputs[i] = inputs[i].derivative(k);
             }
         }
-        let mut out = vec![DualSVec64::<W>::from_re(0.0); self.layout.equations.len()];
+        let mut out = vec![DualSVec64::<WIDE>::from_re(0.0); self.layout.equations.len()];
         let (ends, rest) = inputs.split_at(ends.len());
         let (integrals, constants) = rest.split_at(integrals.len());
         self.model.boundary(ends, integrals, constants, &mut out);
@@ -309,12 +314,11 @@ impl<M: Model> Problem for Differentiated<M> {
         }
         let mut rest = &columns[..count];
         while !rest.is_empty() {
-            let (now, later) = rest.split_at(width(rest.len()).min(rest.len()));
-            match width(now.len()) {
-                1 => self.rhs_pass::<1>(region, at, constants, now, f, dy, dc),
-                2 => self.rhs_pass::<2>(region, at, constants, now, f, dy, dc),
-                4 => self.rhs_pass::<4>(region, at, constants, now, f, dy, dc),
-                _ => self.rhs_pass::<8>(region, at, constants, now, f, dy, dc),
+            let (now, later) = rest.split_at(rest.len().min(WIDE));
+            if now.len() <= NARROW {
+                self.rhs_pass::<NARROW>(region, at, constants, now, f, dy, dc);
+            } else {
+                self.rhs_pass::<WIDE>(region, at, constants, now, f, dy, dc);
             }
             rest = later;
         }
@@ -328,13 +332,8 @@ impl<M: Model> Problem for Differentiated<M> {
         if self.boundary.is_empty() {
             self.boundary(ends, integrals, constants, g);
         }
-        for columns in self.boundary.chunks(8) {
-            match width(columns.len()) {
-                1 => self.boundary_pass::<1>(ends, integrals, constants, columns, g, dz),
-                2 => self.boundary_pass::<2>(ends, integrals, constants, columns, g, dz),
-                4 => self.boundary_pass::<4>(ends, integrals, constants, columns, g, dz),
-                _ => self.boundary_pass::<8>(ends, integrals, constants, columns, g, dz),
-            }
+        for columns in self.boundary.chunks(WIDE) {
+            self.boundary_pass(ends, integrals, constants, columns, g, dz);
         }
     }
 }
@@ -348,16 +347,6 @@ fn columns(pattern: &[(usize, usize)], input: fn(usize) -> Input) -> Vec<Column>
         .chunk_by(|a, b| a.0 == b.0)
         .map(|same| Column { input: same[0].0, entries: same.iter().map(|&(_, row, entry)| (row, entry)).collect() })
         .collect()
-}
-
-/// The narrowest pass that takes `count` inputs at once, or the widest there is.
-fn width(count: usize) -> usize {
-    match count {
-        0 | 1 => 1,
-        2 => 2,
-        3 | 4 => 4,
-        _ => 8,
-    }
 }
 
 fn lift<const W: usize>(values: &[f64]) -> Vec<DualSVec64<W>> {

@@ -1,7 +1,7 @@
 //! Nonlinear problems, most of them singularly perturbed.
 
-use crate::testset::catalogue::{Case, Exact, dirichlet, exact, one_region};
-use crate::testset::special::{bratu_angle, integral};
+use crate::problems::catalogue::{Case, Exact, dirichlet, exact, one_region};
+use crate::problems::special::{bratu_angle, integral};
 use solver::Layout;
 use solver::model::{Model, Scalar};
 use std::f64::consts::FRAC_PI_2;

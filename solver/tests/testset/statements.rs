@@ -1,12 +1,10 @@
 //! The test set's transcription, checked without solving: against closed-form solutions, against tabulated values,
 //! and against a second transcription (`benches/testset_scipy.py samples`).
 
-#[allow(dead_code)]
-mod testset;
-
+use crate::problems;
+use crate::problems::catalogue::{Case, DATA, numbers};
 use serde_json::Value;
 use solver::{Points, Problem};
-use testset::catalogue::{Case, DATA, numbers};
 
 /// Right-hand side at one point.
 fn rhs(problem: &dyn Problem, region: usize, x: f64, y: &[f64], c: &[f64]) -> Vec<f64> {
@@ -27,9 +25,9 @@ fn deviation(value: f64, expected: f64) -> f64 {
 }
 
 fn all() -> Vec<Case> {
-    let mut cases = testset::cases();
-    cases.extend(testset::folds());
-    cases.push(testset::nonlinear::corner());
+    let mut cases = problems::cases();
+    cases.extend(problems::folds());
+    cases.push(problems::nonlinear::corner());
     cases
 }
 
@@ -112,7 +110,7 @@ fn compare_with_table(case: &Case, parameter: Option<f64>) {
 /// The ends of tabulated solutions satisfy the boundary conditions.
 #[test]
 fn tabulated_ends_satisfy_the_conditions() {
-    for case in testset::cases() {
+    for case in problems::cases() {
         for parameter in case.parameters() {
             for reference in case.references(parameter) {
                 let mut c = case.constants_at(parameter);
@@ -135,7 +133,7 @@ fn tabulated_ends_satisfy_the_conditions() {
 
 #[test]
 fn a_second_transcription_agrees() {
-    let samples: Value = serde_json::from_str(include_str!("data/bvp-testset-samples.json")).unwrap();
+    let samples: Value = serde_json::from_str(include_str!("../data/bvp-testset-samples.json")).unwrap();
     let cases = all();
     for sample in samples.as_array().unwrap() {
         let id = sample["id"].as_str().unwrap();

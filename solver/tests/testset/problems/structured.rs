@@ -1,7 +1,7 @@
 //! Singular endpoints, periodic conditions, unknown constants, several regions.
 
-use crate::testset::catalogue::{Case, Exact, one_region};
-use crate::testset::special::bessel;
+use crate::problems::catalogue::{Case, Exact, one_region};
+use crate::problems::special::bessel;
 use solver::model::{Model, Scalar};
 use solver::{Layout, Region};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,7 +1,7 @@
 //! Linear problems: layers, oscillations, resonance, and the classics of the solvers' own documentation.
 
-use crate::testset::catalogue::{Case, Exact, dirichlet, exact, one_region};
-use crate::testset::special::{dawson, erf};
+use crate::problems::catalogue::{Case, Exact, dirichlet, exact, one_region};
+use crate::problems::special::{dawson, erf};
 use solver::Layout;
 use solver::model::{Model, Scalar};
 use std::f64::consts::{LN_2, PI};

@@ -5,6 +5,7 @@
 pub mod catalogue;
 pub mod linear;
 pub mod nonlinear;
+pub mod run;
 pub mod special;
 pub mod structured;
 

@@ -180,7 +180,7 @@ pub fn numbers(value: &Value) -> Vec<f64> {
 
 /// The data.
 pub static DATA: LazyLock<Value> =
-    LazyLock::new(|| serde_json::from_str(include_str!("../data/bvp-testset.json")).unwrap());
+    LazyLock::new(|| serde_json::from_str(include_str!("../../data/bvp-testset.json")).unwrap());
 
 /// The data of one problem.
 pub fn record(id: &str) -> &'static Value {
