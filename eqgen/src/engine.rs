@@ -28,7 +28,11 @@ pub fn symbolic<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) ->
     worker()?.send(job).map_err(|_| Error::Engine("its thread has ended".into()))?;
     match receive.recv() {
         Ok(Ok(result)) => Ok(result),
-        Ok(Err(_)) => Err(Error::Engine("the work panicked".into())),
+        Ok(Err(panic)) => {
+            let text = panic.downcast_ref::<String>().cloned();
+            let text = text.or_else(|| panic.downcast_ref::<&str>().map(|&text| text.to_owned()));
+            Err(Error::Engine(format!("the work panicked: {}", text.unwrap_or_default())))
+        }
         Err(_) => Err(Error::Engine("its thread has ended".into())),
     }
 }

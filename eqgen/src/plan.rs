@@ -15,6 +15,8 @@ use crate::physics::notation;
 pub enum Function {
     /// √u
     Sqrt,
+    /// tan u; its derivative is 1 + tan² u.
+    Tan,
     /// tanh u
     Tanh,
     /// min(1, u); its derivative is 1 below u = 1 and 0 from there on.

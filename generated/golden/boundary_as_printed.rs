@@ -7,13 +7,13 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[
     (0, 4),
-    (0, 66),
+    (0, 70),
     (1, 9),
-    (1, 66),
+    (1, 70),
     (2, 22),
-    (2, 67),
+    (2, 71),
     (3, 27),
-    (3, 67),
+    (3, 71),
     (4, 0),
     (4, 32),
     (5, 5),
@@ -24,100 +24,100 @@ const PATTERN: &[(usize, usize)] = &[
     (7, 28),
     (8, 1),
     (8, 33),
-    (8, 58),
+    (8, 62),
     (9, 6),
     (9, 11),
-    (9, 56),
-    (9, 58),
+    (9, 60),
+    (9, 62),
     (10, 15),
     (10, 19),
-    (10, 57),
-    (10, 59),
+    (10, 61),
+    (10, 63),
     (11, 24),
     (11, 29),
-    (11, 59),
+    (11, 63),
     (12, 1),
     (12, 2),
     (12, 4),
     (12, 34),
-    (12, 56),
     (12, 60),
-    (12, 66),
+    (12, 64),
+    (12, 70),
     (13, 6),
     (13, 7),
     (13, 9),
     (13, 12),
-    (13, 56),
-    (13, 61),
-    (13, 66),
+    (13, 60),
+    (13, 65),
+    (13, 70),
     (14, 16),
     (14, 19),
     (14, 20),
     (14, 22),
-    (14, 57),
     (14, 61),
-    (14, 67),
+    (14, 65),
+    (14, 71),
     (15, 24),
     (15, 25),
     (15, 27),
     (15, 30),
-    (15, 57),
-    (15, 60),
-    (15, 67),
+    (15, 61),
+    (15, 64),
+    (15, 71),
     (16, 1),
     (16, 3),
     (16, 4),
-    (16, 56),
-    (16, 66),
+    (16, 60),
+    (16, 70),
     (17, 1),
     (17, 4),
     (17, 8),
-    (17, 56),
-    (17, 66),
+    (17, 60),
+    (17, 70),
     (18, 19),
     (18, 21),
     (18, 22),
-    (18, 57),
-    (18, 67),
+    (18, 61),
+    (18, 71),
     (19, 24),
     (19, 26),
     (19, 27),
-    (19, 57),
-    (19, 67),
-    (20, 42),
-    (20, 56),
-    (20, 57),
-    (20, 58),
-    (20, 59),
+    (19, 61),
+    (19, 71),
+    (20, 43),
+    (20, 60),
     (20, 61),
-    (20, 66),
-    (20, 67),
-    (20, 68),
-    (21, 43),
-    (21, 56),
-    (21, 57),
-    (21, 58),
-    (21, 59),
+    (20, 62),
+    (20, 63),
+    (20, 65),
+    (20, 70),
+    (20, 71),
+    (20, 72),
+    (21, 44),
+    (21, 60),
     (21, 61),
-    (21, 66),
-    (21, 67),
-    (22, 51),
-    (22, 58),
-    (22, 59),
-    (22, 60),
-    (22, 66),
-    (22, 67),
-    (22, 68),
-    (23, 52),
-    (23, 58),
-    (23, 59),
-    (23, 60),
-    (23, 66),
-    (23, 67),
+    (21, 62),
+    (21, 63),
+    (21, 65),
+    (21, 70),
+    (21, 71),
+    (22, 54),
+    (22, 62),
+    (22, 63),
+    (22, 64),
+    (22, 70),
+    (22, 71),
+    (22, 72),
+    (23, 55),
+    (23, 62),
+    (23, 63),
+    (23, 64),
+    (23, 70),
+    (23, 71),
     (24, 36),
-    (24, 73),
+    (24, 77),
     (25, 5),
-    (25, 74),
+    (25, 78),
 ];
 ///Boundary equations: conditions as Appendix D prints them, linearised shear.
 pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
@@ -484,6 +484,12 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             doc: "first moment of the axial force across the direction of the entry: the whole primary",
         },
         Symbol {
+            name: "E_P",
+            symbol: "E_P",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing: the whole primary",
+        },
+        Symbol {
             name: "X_s",
             symbol: "X\u{302}_s",
             unit: "",
@@ -500,6 +506,12 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             symbol: "L_o_s",
             unit: "m",
             doc: "unstretched length of the belt in the region: the whole slack span",
+        },
+        Symbol {
+            name: "E_s",
+            symbol: "E_s",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing: the whole slack span",
         },
         Symbol {
             name: "M_S",
@@ -538,6 +550,12 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             doc: "first moment of the axial force across the direction of the entry: the whole secondary",
         },
         Symbol {
+            name: "E_S",
+            symbol: "E_S",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing: the whole secondary",
+        },
+        Symbol {
             name: "X_t",
             symbol: "X\u{302}_t",
             unit: "",
@@ -554,6 +572,12 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             symbol: "L_o_t",
             unit: "m",
             doc: "unstretched length of the belt in the region: the whole tight span",
+        },
+        Symbol {
+            name: "E_t",
+            symbol: "E_t",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing: the whole tight span",
         },
     ],
     constants: &[
@@ -691,7 +715,7 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 36, "ends: too few values");
-    assert!(integrals.len() >= 18, "integrals: too few values");
+    assert!(integrals.len() >= 22, "integrals: too few values");
     assert!(constants.len() >= 21, "constants: too few values");
     let g = sized(g, 26, "g");
     let x_P1 = ends[4];
@@ -800,20 +824,20 @@ fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     g[19] = shear_S2;
     let L_c = constants[14];
     let (sin_t3, cos_t3) = sin_cos(t3);
-    let X_s = integrals[6];
+    let X_s = integrals[7];
     let t17 = Phi_S + C_S;
     let (sin_t17, cos_t17) = sin_cos(t17);
     let closure_X_s = t1 * (L_c - R_P * cos_t3 - X_s * L_s - R_S * cos_t17);
     g[20] = closure_X_s;
-    let Y_s = integrals[7];
+    let Y_s = integrals[8];
     let closure_Y_s = t1 * (R_S * sin_t17 - R_P * sin_t3 - Y_s * L_s);
     g[21] = closure_Y_s;
     let (sin_C_P, cos_C_P) = sin_cos(C_P);
-    let X_t = integrals[15];
+    let X_t = integrals[18];
     let (sin_C_S, cos_C_S) = sin_cos(C_S);
     let closure_X_t = t2 * (R_P * cos_C_P - X_t * L_t - (L_c - R_S * cos_C_S));
     g[22] = closure_X_t;
-    let Y_t = integrals[16];
+    let Y_t = integrals[19];
     let closure_Y_t = t2 * (R_P * sin_C_P - Y_t * L_t - R_S * sin_C_S);
     g[23] = closure_Y_t;
     let M_P = integrals[0];
@@ -833,7 +857,7 @@ fn derivatives(
     dz: &mut [f64],
 ) {
     assert!(ends.len() >= 36, "ends: too few values");
-    assert!(integrals.len() >= 18, "integrals: too few values");
+    assert!(integrals.len() >= 22, "integrals: too few values");
     assert!(constants.len() >= 21, "constants: too few values");
     let g = sized(g, 26, "g");
     let dz = sized(dz, PATTERN.len(), "dz");
@@ -955,23 +979,23 @@ fn derivatives(
     g[19] = shear_S2;
     let L_c = constants[14];
     let (sin_t1, cos_t1) = sin_cos(t1);
-    let X_s = integrals[6];
+    let X_s = integrals[7];
     let t36 = Phi_S + C_S;
     let (sin_t36, cos_t36) = sin_cos(t36);
     let t38 = L_c - R_P * cos_t1 - X_s * L_s - R_S * cos_t36;
     let closure_X_s = d_penetration_P1_d_x_P1 * t38;
     g[20] = closure_X_s;
-    let Y_s = integrals[7];
+    let Y_s = integrals[8];
     let t39 = R_S * sin_t36 - R_P * sin_t1 - Y_s * L_s;
     let closure_Y_s = d_penetration_P1_d_x_P1 * t39;
     g[21] = closure_Y_s;
     let (sin_C_P, cos_C_P) = sin_cos(C_P);
-    let X_t = integrals[15];
+    let X_t = integrals[18];
     let (sin_C_S, cos_C_S) = sin_cos(C_S);
     let t42 = R_P * cos_C_P - X_t * L_t - (L_c - R_S * cos_C_S);
     let closure_X_t = d_penetration_S1_d_x_S1 * t42;
     g[22] = closure_X_t;
-    let Y_t = integrals[16];
+    let Y_t = integrals[19];
     let t43 = R_P * sin_C_P - Y_t * L_t - R_S * sin_C_S;
     let closure_Y_t = d_penetration_S1_d_x_S1 * t43;
     g[23] = closure_Y_t;

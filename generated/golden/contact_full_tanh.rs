@@ -1,10 +1,10 @@
 // contact_full_tanh: The belt in a groove: full shear, tanh friction.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
 // Operations per point, and once a batch:
-//   value: 28 add, 91 mul, 7 div, 2 sqrt, 3 fn; once 22
-//   jacobian: 138 add, 424 mul, 7 div, 2 sqrt, 3 fn; once 46
-//   full: 206 add, 568 mul, 7 div, 2 sqrt, 3 fn; once 66
-//   fields: 12 add, 46 mul, 5 div, 2 sqrt, 4 fn; once 20
+//   value: 30 add, 87 mul, 6 div, 2 sqrt, 3 fn; once 32
+//   jacobian: 132 add, 366 mul, 7 div, 2 sqrt, 3 fn; once 90
+//   full: 259 add, 586 mul, 7 div, 2 sqrt, 3 fn; once 142
+//   fields: 15 add, 40 mul, 4 div, 2 sqrt, 4 fn; once 22
 
 ///The belt in a groove: full shear, tanh friction.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
@@ -158,6 +158,12 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
             unit: "N·m",
             doc: "first moment of the axial force across the direction of the entry",
         },
+        Symbol {
+            name: "E",
+            symbol: "E",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing",
+        },
     ],
     fields: &[
         Symbol {
@@ -288,6 +294,11 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (9, 4),
         (10, 1),
         (10, 4),
+        (11, 0),
+        (11, 1),
+        (11, 2),
+        (11, 3),
+        (11, 4),
     ],
     constant_pattern: &[
         (0, 0),
@@ -308,6 +319,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (8, 2),
         (9, 0),
         (10, 0),
+        (11, 0),
+        (11, 1),
+        (11, 2),
         (0, 3),
         (0, 4),
         (0, 5),
@@ -358,23 +372,33 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (9, 7),
         (10, 5),
         (10, 7),
+        (11, 3),
+        (11, 4),
+        (11, 5),
+        (11, 6),
+        (11, 7),
+        (11, 8),
+        (11, 9),
+        (11, 10),
+        (11, 11),
+        (11, 12),
     ],
-    usual_entries: 18,
+    usual_entries: 21,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (28 add, 91 mul, 7 div, 2 sqrt, 3 fn; once 22)
+///Right-hand side and integrands. (30 add, 87 mul, 6 div, 2 sqrt, 3 fn; once 32)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
     const CONSTANTS: usize = 13;
-    const F: usize = 11;
+    const F: usize = 12;
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 20];
+    type Uniforms = [f64; 24];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let Phi = constants[0];
@@ -394,17 +418,23 @@ impl Sweep for Value {
         let u4 = G * G;
         let u5 = reciprocal(EA * m_o - u4);
         let u6 = EA * u5;
-        let u7 = G * u5;
+        let V_T = G * u5;
         let sigma = constants[1];
         let omega = sigma * omega_P;
+        let u7 = reciprocal(cos_beta);
+        let u8 = u7 * u7;
+        let u9 = sin_beta * sin_beta * u8;
         let v_thr = constants[11];
-        let u8 = reciprocal(v_thr) * 4.0;
-        let u9 = sin_beta * reciprocal(cos_beta);
+        let u10 = reciprocal(v_thr) * 4.0;
+        let u11 = sin_beta * u7;
         let k = constants[5];
-        let u10 = k * 0.5;
-        let u11 = reciprocal(EI);
-        let u12 = Phi * (Phi * Phi);
-        let u13 = Phi * 2.0;
+        let u12 = k * 0.5;
+        let u13 = u2 * u3;
+        let u14 = reciprocal(EI);
+        let u15 = Phi * (Phi * Phi);
+        let u16 = 2.0 * u8;
+        let u17 = 0.5 * (u7 * (k * sin_beta));
+        let u18 = EI * EI * (0.5 * u14);
         [
             Phi,
             EA,
@@ -417,15 +447,19 @@ impl Sweep for Value {
             u3,
             u4,
             u6,
-            u7,
+            V_T,
             omega,
-            u8,
             sin_beta,
             u9,
             u10,
             u11,
             u12,
             u13,
+            u14,
+            u15,
+            u16,
+            u17,
+            u18,
         ]
     }
     #[inline(always)]
@@ -441,81 +475,79 @@ impl Sweep for Value {
         let u3 = Real::splat(uniforms[8]);
         let u4 = Real::splat(uniforms[9]);
         let u6 = Real::splat(uniforms[10]);
-        let u7 = Real::splat(uniforms[11]);
+        let V_T = Real::splat(uniforms[11]);
         let omega = Real::splat(uniforms[12]);
-        let u8 = Real::splat(uniforms[13]);
-        let sin_beta = Real::splat(uniforms[14]);
-        let u9 = Real::splat(uniforms[15]);
-        let u10 = Real::splat(uniforms[16]);
-        let u11 = Real::splat(uniforms[17]);
-        let u12 = Real::splat(uniforms[18]);
-        let u13 = Real::splat(uniforms[19]);
+        let sin_beta = Real::splat(uniforms[13]);
+        let u9 = Real::splat(uniforms[14]);
+        let u10 = Real::splat(uniforms[15]);
+        let u11 = Real::splat(uniforms[16]);
+        let u12 = Real::splat(uniforms[17]);
+        let u13 = Real::splat(uniforms[18]);
+        let u14 = Real::splat(uniforms[19]);
+        let u15 = Real::splat(uniforms[20]);
+        let u16 = Real::splat(uniforms[21]);
+        let u17 = Real::splat(uniforms[22]);
+        let u18 = Real::splat(uniforms[23]);
         let x = at.state::<Real>(4);
         let r = R - x;
+        let T = at.state::<Real>(0);
+        let V = V_T * (T + EA);
         let theta = at.state::<Real>(1);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let arc = r * reciprocal(cos_theta);
-        let T = at.state::<Real>(0);
-        let V = u7 * (T + EA);
-        let v_t = cos_theta * V - omega * r;
         let v_r = V * sin_theta;
-        let speed = sqrt(
-            v_t * v_t + (Real::splat(0.000000000000000000000001) + v_r * v_r),
-        );
-        let saturation = tanh(u8 * speed);
+        let t2 = v_r * v_r;
+        let v_t = cos_theta * V - omega * r;
+        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
+        let face_speed = sqrt(u9 * t2 + speed * speed);
+        let t3 = reciprocal(face_speed);
+        let saturation = tanh(u10 * speed);
         let mu = mu_k * saturation;
-        let t2 = reciprocal(speed);
-        let cos_gamma = v_r * t2;
-        let tan_beta_s = u9 * cos_gamma;
-        let sec_beta_s = sqrt(Real::splat(1.0) + tan_beta_s * tan_beta_s);
-        let cos_beta_s = reciprocal(sec_beta_s);
-        let sin_beta_s = tan_beta_s * cos_beta_s;
-        let p = u10 * (x * reciprocal(cos_beta + mu * sin_beta_s));
-        let t3 = arc * p;
-        let t4 = mu * cos_beta_s;
-        let sin_gamma = v_t * t2;
-        let t = Real::splat(2.0)
-            * (t3
-                * (t4 * (sin_theta * cos_gamma + cos_theta * sin_gamma)
-                    - sin_beta * sin_theta));
+        let f_r = t3 * (v_r * mu);
+        let p = u12 * (x * reciprocal(cos_beta + u11 * f_r));
+        let q = Real::splat(2.0) * (r * p);
+        let f_t = t3 * (v_t * mu);
+        let t4 = reciprocal(cos_theta);
+        let tan_theta = t4 * sin_theta;
+        let t = q * (f_t + tan_theta * (f_r - sin_beta));
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
-        let t5 = theta_1 * theta_1;
+        let t5 = theta_1 - Real::splat(1.0);
+        let arc = r * t4;
+        let t6 = reciprocal(arc);
+        let t7 = t6 * t6;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
-        let t6 = cos_theta * theta_2;
-        let t7 = reciprocal(r);
-        let t8 = t7 * t7;
-        let Q = EI * ((sin_theta * t5 - t6 - sin_theta) * (cos_theta * t8));
-        let T_hat_1 = Phi * (t - (Real::splat(1.0) - theta_1) * Q);
+        let t8 = theta1 * theta1;
+        let t9 = u3 * t8;
+        let T_hat_1 = Phi
+            * (t - t5 * (EI * (t7 * (theta_2 + tan_theta - tan_theta * t9))));
         at.write_f(0, T_hat_1);
         at.write_f(1, theta1);
         at.write_f(2, theta2);
-        let t9 = cos_theta * cos_theta;
-        let n = Real::splat(2.0)
-            * ((sin_beta * cos_theta
-                - (cos_theta * cos_gamma - sin_theta * sin_gamma) * t4) * t3);
-        let t10 = sin_theta * sin_theta;
-        let t11 = theta_1 * t5;
-        let t12 = t10 * t11 + (theta_1 * t9 + Real::splat(2.0) * (t5 * t10))
-            - Real::splat(4.0) * (sin_theta * (theta_2 * (cos_theta * theta_1)));
-        let t13 = t12 - theta_1 * t10 - Real::splat(2.0) * (sin_theta * t6) - t9 * t11
-            - Real::splat(2.0) * t10;
-        let theta_3 = u11 * reciprocal(t8 * t9)
-            * (n + T * theta_1 - EI * (t8 * t13) - T);
-        let theta_hat_3 = u12 * theta_3;
+        let n = q * (sin_beta + tan_theta * f_t - f_r);
+        let t10 = tan_theta * tan_theta;
+        let t11 = u13 * (theta1 * t8);
+        let t12 = t10 * t11 + (theta_1 + Real::splat(2.0) * (t9 * t10))
+            - Real::splat(4.0) * (tan_theta * (u13 * (theta1 * theta2)));
+        let t13 = t7
+            * (t12 - theta_1 * t10 - Real::splat(2.0) * (theta_2 * tan_theta) - t11
+                - Real::splat(2.0) * t10);
+        let theta_3 = u14 * reciprocal(t7) * (n + T * theta_1 - EI * t13 - T);
+        let theta_hat_3 = u15 * theta_3;
         at.write_f(3, theta_hat_3);
-        let x_hat_1 = -(Phi * (arc * sin_theta));
+        let x_hat_1 = -(Phi * (r * tan_theta));
         at.write_f(4, x_hat_1);
-        let M_hat_1 = u13 * (p * (cos_beta_s * (mu * (sin_gamma * (r * arc)))));
+        let M_hat_1 = Phi * (q * (arc * f_t));
         at.write_f(5, M_hat_1);
-        let axial = u10 * x;
+        let axial = u12 * x;
         let A_hat_1 = Phi * (arc * axial);
         at.write_f(6, A_hat_1);
         let F = u6 * (u4 + m_o * T);
         let L_o_hat_1 = Phi * (arc * (EA * reciprocal(EA + F)));
         at.write_f(7, L_o_hat_1);
-        let loss = Real::splat(2.0) * (p * (sec_beta_s * (speed * mu)));
+        let loss_radial = u16 * (p * (v_r * f_r));
+        let loss_tangential = Real::splat(2.0) * (p * (v_t * f_t));
+        let loss = loss_radial + loss_tangential;
         let loss_phi = arc * loss;
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
@@ -527,18 +559,22 @@ impl Sweep for Value {
         at.write_f(9, A_x_hat_1);
         let A_y_hat_1 = t16 * sin_t14;
         at.write_f(10, A_y_hat_1);
+        let t17 = t6 * t5;
+        let stored = u18 * (t17 * t17) - u17 * (x * x);
+        let E_hat_1 = V_T * (T_hat_1 * stored);
+        at.write_f(11, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (138 add, 424 mul, 7 div, 2 sqrt, 3 fn; once 46)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (132 add, 366 mul, 7 div, 2 sqrt, 3 fn; once 90)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
     const CONSTANTS: usize = 13;
-    const F: usize = 11;
-    const DY: usize = 29;
-    const DC: usize = 18;
+    const F: usize = 12;
+    const DY: usize = 34;
+    const DC: usize = 21;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 38];
+    type Uniforms = [f64; 68];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let Phi = constants[0];
@@ -559,36 +595,73 @@ impl Sweep for Derivatives {
         let u5 = EA * m_o;
         let u6 = reciprocal(u5 - u4);
         let u7 = EA * u6;
-        let u8 = G * u6;
+        let V_T = G * u6;
         let sigma = constants[1];
         let omega = sigma * omega_P;
+        let u8 = sin_beta * sin_beta;
+        let u9 = reciprocal(cos_beta);
+        let u10 = u9 * u9;
+        let u11 = u8 * u10;
         let v_thr = constants[11];
-        let u9 = reciprocal(v_thr) * 4.0;
-        let u10 = sin_beta * reciprocal(cos_beta);
+        let u12 = reciprocal(v_thr) * 4.0;
+        let u13 = sin_beta * u9;
         let k = constants[5];
-        let u11 = k * 0.5;
-        let u12 = reciprocal(EI);
-        let u13 = Phi * Phi;
-        let u14 = Phi * u13;
-        let u15 = Phi * 2.0;
-        let u16 = 2.0 * (u2 * u3);
-        let u17 = omega_P * (m_o * R_P);
-        let u18 = u6 * u6;
-        let u19 = G * (EA * 2.0);
-        let u20 = u18 * u19;
-        let u21 = u6 * u19;
-        let u22 = u18 * (2.0 * u4);
-        let u23 = 2.0 * u10;
-        let u24 = EI * 2.0;
-        let u25 = Phi * EI;
-        let u26 = u13 * 3.0;
-        let u27 = Phi * u11;
-        let u28 = Phi * EA;
-        let u29 = mu_k * u9;
-        let u30 = Phi * reciprocal(EA);
-        let u31 = u5 * u6 * u30;
-        let u32 = EI * u3;
-        let u33 = u2 * u14;
+        let u14 = k * 0.5;
+        let u15 = u2 * u3;
+        let u16 = reciprocal(EI);
+        let u17 = Phi * Phi;
+        let u18 = Phi * u17;
+        let u19 = 2.0 * u10;
+        let u20 = u9 * (k * sin_beta);
+        let u21 = 0.5 * u20;
+        let u22 = EI * EI * (0.5 * u16);
+        let u23 = omega_P * (m_o * R_P);
+        let u24 = u6 * u6;
+        let u25 = G * (EA * 2.0);
+        let u26 = u24 * u25;
+        let u27 = u6 * u25;
+        let u28 = EA * EA;
+        let u29 = u24 * (2.0 * u4);
+        let u30 = 0.5 * (u10 * (2.0 * u8));
+        let u31 = 2.0 * u14;
+        let u32 = EI * 2.0;
+        let u33 = 4.0 * u15;
+        let u34 = 2.0 * u3;
+        let u35 = u3 * 3.0;
+        let u36 = u16 * u16;
+        let u37 = Phi * EI;
+        let u38 = u17 * 3.0;
+        let u39 = Phi * u14;
+        let u40 = Phi * EA;
+        let u41 = EI * u16;
+        let u42 = mu_k * u12;
+        let u43 = Phi * reciprocal(EA);
+        let u44 = u5 * u6 * u43;
+        let u45 = u23 * (u6 + u29);
+        let u46 = Phi * u19;
+        let u47 = Phi * 2.0;
+        let u48 = Phi * V_T;
+        let u49 = u20 * u48;
+        let u50 = u48 * (EI * u41);
+        let u51 = 2.0 * u21;
+        let u52 = 2.0 * u16;
+        let u53 = EI * u3;
+        let u54 = Phi * u53;
+        let u55 = EI * (2.0 * u15);
+        let u56 = Phi * u55;
+        let u57 = Phi * u32;
+        let u58 = u16 * u55;
+        let u59 = u16 * u32;
+        let u60 = u2 * u50;
+        let u61 = u3 * u50;
+        let u62 = Phi * u51;
+        let u63 = u2 * u18;
+        let u64 = u18 * (u16 * u53);
+        let u65 = V_T * u18;
+        let u66 = u2 * V_T;
+        let u67 = V_T * u54;
+        let u68 = omega * u18;
+        let u69 = omega_P * u18;
         [
             Phi,
             EA,
@@ -603,23 +676,20 @@ impl Sweep for Derivatives {
             u4,
             u6,
             u7,
-            u8,
+            V_T,
             omega,
-            u9,
             sin_beta,
-            u10,
             u11,
             u12,
+            u13,
             u14,
             u15,
             u16,
-            u17,
-            u20,
+            u18,
+            u19,
             u21,
             u22,
             u23,
-            u24,
-            u25,
             u26,
             u27,
             u28,
@@ -628,6 +698,39 @@ impl Sweep for Derivatives {
             u31,
             u32,
             u33,
+            u34,
+            u35,
+            u36,
+            u37,
+            u38,
+            u39,
+            u40,
+            u41,
+            u42,
+            u43,
+            u44,
+            u45,
+            u46,
+            u47,
+            u49,
+            u50,
+            u51,
+            u52,
+            u54,
+            u56,
+            u57,
+            u58,
+            u59,
+            u60,
+            u61,
+            u62,
+            u63,
+            u64,
+            u65,
+            u66,
+            u67,
+            u68,
+            u69,
         ]
     }
     #[inline(always)]
@@ -645,337 +748,369 @@ impl Sweep for Derivatives {
         let u4 = Real::splat(uniforms[10]);
         let u6 = Real::splat(uniforms[11]);
         let u7 = Real::splat(uniforms[12]);
-        let u8 = Real::splat(uniforms[13]);
+        let V_T = Real::splat(uniforms[13]);
         let omega = Real::splat(uniforms[14]);
-        let u9 = Real::splat(uniforms[15]);
-        let sin_beta = Real::splat(uniforms[16]);
-        let u10 = Real::splat(uniforms[17]);
-        let u11 = Real::splat(uniforms[18]);
-        let u12 = Real::splat(uniforms[19]);
-        let u14 = Real::splat(uniforms[20]);
-        let u15 = Real::splat(uniforms[21]);
-        let u16 = Real::splat(uniforms[22]);
-        let u17 = Real::splat(uniforms[23]);
-        let u20 = Real::splat(uniforms[24]);
-        let u21 = Real::splat(uniforms[25]);
-        let u22 = Real::splat(uniforms[26]);
-        let u23 = Real::splat(uniforms[27]);
-        let u24 = Real::splat(uniforms[28]);
-        let u25 = Real::splat(uniforms[29]);
-        let u26 = Real::splat(uniforms[30]);
-        let u27 = Real::splat(uniforms[31]);
-        let u28 = Real::splat(uniforms[32]);
-        let u29 = Real::splat(uniforms[33]);
-        let u30 = Real::splat(uniforms[34]);
-        let u31 = Real::splat(uniforms[35]);
-        let u32 = Real::splat(uniforms[36]);
-        let u33 = Real::splat(uniforms[37]);
+        let sin_beta = Real::splat(uniforms[15]);
+        let u11 = Real::splat(uniforms[16]);
+        let u12 = Real::splat(uniforms[17]);
+        let u13 = Real::splat(uniforms[18]);
+        let u14 = Real::splat(uniforms[19]);
+        let u15 = Real::splat(uniforms[20]);
+        let u16 = Real::splat(uniforms[21]);
+        let u18 = Real::splat(uniforms[22]);
+        let u19 = Real::splat(uniforms[23]);
+        let u21 = Real::splat(uniforms[24]);
+        let u22 = Real::splat(uniforms[25]);
+        let u23 = Real::splat(uniforms[26]);
+        let u26 = Real::splat(uniforms[27]);
+        let u27 = Real::splat(uniforms[28]);
+        let u28 = Real::splat(uniforms[29]);
+        let u29 = Real::splat(uniforms[30]);
+        let u30 = Real::splat(uniforms[31]);
+        let u31 = Real::splat(uniforms[32]);
+        let u32 = Real::splat(uniforms[33]);
+        let u33 = Real::splat(uniforms[34]);
+        let u34 = Real::splat(uniforms[35]);
+        let u35 = Real::splat(uniforms[36]);
+        let u36 = Real::splat(uniforms[37]);
+        let u37 = Real::splat(uniforms[38]);
+        let u38 = Real::splat(uniforms[39]);
+        let u39 = Real::splat(uniforms[40]);
+        let u40 = Real::splat(uniforms[41]);
+        let u41 = Real::splat(uniforms[42]);
+        let u42 = Real::splat(uniforms[43]);
+        let u43 = Real::splat(uniforms[44]);
+        let u44 = Real::splat(uniforms[45]);
+        let u45 = Real::splat(uniforms[46]);
+        let u46 = Real::splat(uniforms[47]);
+        let u47 = Real::splat(uniforms[48]);
+        let u49 = Real::splat(uniforms[49]);
+        let u50 = Real::splat(uniforms[50]);
+        let u51 = Real::splat(uniforms[51]);
+        let u52 = Real::splat(uniforms[52]);
+        let u54 = Real::splat(uniforms[53]);
+        let u56 = Real::splat(uniforms[54]);
+        let u57 = Real::splat(uniforms[55]);
+        let u58 = Real::splat(uniforms[56]);
+        let u59 = Real::splat(uniforms[57]);
+        let u60 = Real::splat(uniforms[58]);
+        let u61 = Real::splat(uniforms[59]);
+        let u62 = Real::splat(uniforms[60]);
+        let u63 = Real::splat(uniforms[61]);
+        let u64 = Real::splat(uniforms[62]);
+        let u65 = Real::splat(uniforms[63]);
+        let u66 = Real::splat(uniforms[64]);
+        let u67 = Real::splat(uniforms[65]);
+        let u68 = Real::splat(uniforms[66]);
+        let u69 = Real::splat(uniforms[67]);
         let x = at.state::<Real>(4);
         let r = R - x;
+        let T = at.state::<Real>(0);
+        let t1 = T + EA;
+        let V = V_T * t1;
         let theta = at.state::<Real>(1);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let t2 = reciprocal(cos_theta);
-        let arc = r * t2;
-        let T = at.state::<Real>(0);
-        let t3 = T + EA;
-        let V = u8 * t3;
+        let v_r = V * sin_theta;
+        let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let v_r = V * sin_theta;
-        let speed = sqrt(
-            v_t * v_t + (Real::splat(0.000000000000000000000001) + v_r * v_r),
-        );
-        let saturation = tanh(u9 * speed);
+        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let face_speed = sqrt(u11 * t3 + speed * speed);
+        let t5 = reciprocal(face_speed);
+        let saturation = tanh(u12 * speed);
         let mu = mu_k * saturation;
-        let t5 = reciprocal(speed);
-        let cos_gamma = v_r * t5;
-        let tan_beta_s = u10 * cos_gamma;
-        let sec_beta_s = sqrt(Real::splat(1.0) + tan_beta_s * tan_beta_s);
-        let cos_beta_s = reciprocal(sec_beta_s);
-        let sin_beta_s = tan_beta_s * cos_beta_s;
-        let t6 = reciprocal(cos_beta + mu * sin_beta_s);
-        let p = u11 * (x * t6);
-        let t7 = arc * p;
-        let t8 = mu * cos_beta_s;
-        let sin_gamma = v_t * t5;
-        let t9 = sin_theta * cos_gamma + cos_theta * sin_gamma;
-        let t10 = t8 * t9 - sin_beta * sin_theta;
-        let t = Real::splat(2.0) * (t7 * t10);
+        let t6 = v_r * mu;
+        let f_r = t5 * t6;
+        let t7 = reciprocal(cos_beta + u13 * f_r);
+        let t8 = x * t7;
+        let p = u14 * t8;
+        let t9 = r * p;
+        let q = Real::splat(2.0) * t9;
+        let t10 = v_t * mu;
+        let f_t = t5 * t10;
+        let t11 = reciprocal(cos_theta);
+        let tan_theta = t11 * sin_theta;
+        let t12 = f_r - sin_beta;
+        let t13 = f_t + tan_theta * t12;
+        let t = q * t13;
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
-        let t11 = Real::splat(1.0) - theta_1;
-        let t12 = theta_1 * theta_1;
+        let t14 = theta_1 - Real::splat(1.0);
+        let arc = r * t11;
+        let t15 = reciprocal(arc);
+        let t16 = t15 * t15;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
-        let t13 = cos_theta * theta_2;
-        let t14 = sin_theta * t12 - t13 - sin_theta;
-        let t15 = reciprocal(r);
-        let t16 = t15 * t15;
-        let t17 = cos_theta * t16;
-        let t18 = t14 * t17;
-        let Q = EI * t18;
-        let t19 = t - t11 * Q;
-        let T_hat_1 = Phi * t19;
+        let t17 = theta1 * theta1;
+        let t18 = u3 * t17;
+        let t19 = tan_theta * t18;
+        let t20 = theta_2 + tan_theta - t19;
+        let t21 = t16 * t20;
+        let t22 = t - t14 * (EI * t21);
+        let T_hat_1 = Phi * t22;
         at.write_f(0, T_hat_1);
         at.write_f(1, theta1);
         at.write_f(2, theta2);
-        let t20 = cos_theta * cos_theta;
-        let t21 = t16 * t20;
-        let t22 = u12 * reciprocal(t21);
-        let t23 = cos_theta * cos_gamma - sin_theta * sin_gamma;
-        let t24 = sin_beta * cos_theta - t23 * t8;
-        let t25 = t24 * t7;
-        let n = Real::splat(2.0) * t25;
-        let t26 = sin_theta * sin_theta;
-        let t27 = theta_1 * t12;
-        let t28 = t12 * t26;
-        let t29 = cos_theta * theta_1;
-        let t30 = t26 * t27 + (theta_1 * t20 + Real::splat(2.0) * t28)
-            - Real::splat(4.0) * (sin_theta * (theta_2 * t29));
-        let t31 = theta_1 * t26;
-        let t32 = sin_theta * t13;
-        let t33 = t30 - t31 - Real::splat(2.0) * t32 - t20 * t27
-            - Real::splat(2.0) * t26;
+        let t23 = reciprocal(t16);
+        let t24 = u16 * t23;
+        let t25 = sin_beta + tan_theta * f_t - f_r;
+        let n = q * t25;
+        let t26 = tan_theta * tan_theta;
+        let t27 = u15 * (theta1 * t17);
+        let t28 = t18 * t26;
+        let t29 = theta1 * theta2;
+        let t30 = theta_1 * t26;
+        let t31 = t26 * t27 + (theta_1 + Real::splat(2.0) * t28)
+            - Real::splat(4.0) * (tan_theta * (u15 * t29)) - t30;
+        let t32 = theta_2 * tan_theta;
+        let t33 = t31 - Real::splat(2.0) * t32 - t27 - Real::splat(2.0) * t26;
         let t34 = n + T * theta_1 - EI * (t16 * t33) - T;
-        let theta_3 = t22 * t34;
-        let theta_hat_3 = u14 * theta_3;
+        let theta_3 = t24 * t34;
+        let theta_hat_3 = u18 * theta_3;
         at.write_f(3, theta_hat_3);
-        let t35 = arc * sin_theta;
+        let t35 = r * tan_theta;
         let x_hat_1 = -(Phi * t35);
         at.write_f(4, x_hat_1);
-        let t36 = r * arc;
-        let t37 = sin_gamma * t36;
-        let t38 = mu * t37;
-        let t39 = cos_beta_s * t38;
-        let t40 = p * t39;
-        let M_hat_1 = u15 * t40;
+        let t36 = arc * f_t;
+        let d_M_hat_1_d_Phi = q * t36;
+        let M_hat_1 = Phi * d_M_hat_1_d_Phi;
         at.write_f(5, M_hat_1);
-        let axial = u11 * x;
+        let axial = u14 * x;
         let d_A_hat_1_d_Phi = arc * axial;
         let A_hat_1 = Phi * d_A_hat_1_d_Phi;
         at.write_f(6, A_hat_1);
-        let t41 = u4 + m_o * T;
-        let F = u7 * t41;
-        let t42 = reciprocal(EA + F);
-        let t43 = EA * t42;
-        let d_L_o_hat_1_d_Phi = arc * t43;
+        let t37 = u4 + m_o * T;
+        let F = u7 * t37;
+        let t38 = reciprocal(EA + F);
+        let d_L_o_hat_1_d_Phi = arc * (EA * t38);
         let L_o_hat_1 = Phi * d_L_o_hat_1_d_Phi;
         at.write_f(7, L_o_hat_1);
-        let t44 = speed * mu;
-        let t45 = sec_beta_s * t44;
-        let t46 = p * t45;
-        let loss = Real::splat(2.0) * t46;
+        let t39 = v_r * f_r;
+        let loss_radial = u19 * (p * t39);
+        let t40 = v_t * f_t;
+        let loss_tangential = Real::splat(2.0) * (p * t40);
+        let loss = loss_radial + loss_tangential;
         let loss_phi = arc * loss;
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
         let s = at.position::<Real>();
-        let t47 = Phi * s;
-        let (sin_t47, cos_t47) = sin_cos(t47);
-        let t49 = r * A_hat_1;
-        let A_x_hat_1 = cos_t47 * t49;
+        let t41 = Phi * s;
+        let (sin_t41, cos_t41) = sin_cos(t41);
+        let t43 = r * A_hat_1;
+        let A_x_hat_1 = cos_t41 * t43;
         at.write_f(9, A_x_hat_1);
-        let A_y_hat_1 = t49 * sin_t47;
+        let A_y_hat_1 = t43 * sin_t41;
         at.write_f(10, A_y_hat_1);
-        let t50 = u8 * sin_theta;
-        let t51 = t5 * t50;
-        let t52 = Real::splat(2.0) * (p * (cos_beta_s * (mu * t35)));
-        let t53 = p * (arc * mu);
-        let t54 = u10 * (Real::splat(0.5) * cos_beta_s * (u23 * cos_gamma));
-        let t55 = cos_beta_s * cos_beta_s * t54;
-        let t56 = t6 * t6;
-        let t57 = u11 * (t56 * (x * mu));
-        let t58 = t55 * (tan_beta_s * t57) - t57 * (u10 * cos_beta_s);
-        let t59 = u15 * (arc * t10);
-        let t60 = Phi * (t52 - Real::splat(2.0) * (t9 * t53) * t55) + t58 * t59;
-        let t61 = Real::splat(0.5) * t5;
-        let t62 = t61 * (Real::splat(2.0) * v_r);
-        let t63 = t62 * t50;
-        let t64 = p * (arc * cos_beta_s);
-        let t65 = u29 * (Real::splat(1.0) - saturation * saturation);
-        let t66 = t5 * t5;
-        let t67 = v_t * t66;
-        let t68 = Real::splat(2.0) * (p * (cos_beta_s * (mu * (cos_theta * arc))));
-        let t69 = u11 * (t56 * (x * sin_beta_s)) * t65;
-        let t70 = v_r * t66;
-        let t71 = Phi * (Real::splat(2.0) * (t9 * t64) * t65 - t67 * t68) - t69 * t59
-            - t70 * t60;
-        let t72 = u8 * cos_theta;
-        let t73 = t61 * (Real::splat(2.0) * v_t);
-        let t74 = Phi * (t5 * t68) + t73 * t71;
-        let d_T_hat_1_d_T = t51 * t60 + t63 * t71 + t72 * t74;
+        let t44 = t15 * t14;
+        let stored = u22 * (t44 * t44) - u21 * (x * x);
+        let t45 = T_hat_1 * stored;
+        let E_hat_1 = V_T * t45;
+        at.write_f(11, E_hat_1);
+        let t46 = V_T * sin_theta;
+        let t47 = mu * t5;
+        let t48 = v_r * t5;
+        let t49 = u30 * t48;
+        let t50 = t5 * t5;
+        let t51 = t6 * t50;
+        let t52 = reciprocal(speed);
+        let t53 = v_r * t52;
+        let t54 = u42 * (Real::splat(1.0) - saturation * saturation);
+        let t55 = speed * t5;
+        let t56 = t48 * t54 - t55 * t51;
+        let t57 = t47 - t49 * t51 + t53 * t56;
+        let t58 = tan_theta * q;
+        let t59 = x * (t7 * t7);
+        let t60 = r * t59;
+        let t61 = Phi * t58 - u62 * (t13 * t60);
+        let t62 = t10 * t50;
+        let t63 = v_t * t5 * t54 - t55 * t62;
+        let t64 = t53 * t63 - t49 * t62;
+        let t65 = u47 * t9;
+        let t66 = t57 * t61 + t64 * t65;
+        let t67 = t46 * t66;
+        let t68 = V_T * cos_theta;
+        let t69 = v_t * t52;
+        let t70 = t69 * t56;
+        let t71 = t47 + t69 * t63;
+        let t72 = t70 * t61 + t71 * t65;
+        let d_T_hat_1_d_T = t67 + t68 * t72;
         at.write_dy(0, d_T_hat_1_d_T);
-        let t75 = t2 * t2;
-        let t76 = t75 * (r * sin_theta);
-        let t77 = u15 * (p * t10);
-        let t78 = EI * (t17 * (theta_2 * sin_theta + cos_theta * t12 - cos_theta))
-            - EI * (t14 * (sin_theta * t16));
-        let t79 = Phi * t11;
-        let t80 = t4 * t5;
-        let t81 = t4 * t62;
-        let t82 = t76 * t77 - (t78 * t79 + u15 * t25) + t80 * t60 + t81 * t71;
-        let d_T_hat_1_d_theta = t82 - v_r * t74;
+        let t73 = Real::splat(1.0) + t26;
+        let t74 = t73 * (Phi * (q * t12))
+            - Phi * t14 * (t73 * (EI * (t16 * (Real::splat(1.0) - t18))));
+        let t75 = t11 * t11 * (r * sin_theta);
+        let t76 = t15 * t16;
+        let t77 = u57 * (t14 * (t20 * t76));
+        let t78 = t74 + t4 * t66 + t75 * t77;
+        let d_T_hat_1_d_theta = t78 - v_r * t72;
         at.write_dy(1, d_T_hat_1_d_theta);
-        let t83 = sin_theta * t29;
-        let t84 = u25 * t18 - u24 * (t16 * t83) * t79;
-        let d_T_hat_1_d_theta1 = u2 * t84;
+        let t79 = theta_1 * tan_theta;
+        let t80 = u57 * (t14 * (t16 * t79)) - u37 * t21;
+        let d_T_hat_1_d_theta1 = u2 * t80;
         at.write_dy(2, d_T_hat_1_d_theta1);
-        let d_T_hat_1_d_theta2 = t79 * (u32 * t21);
+        let t81 = t14 * t16;
+        let d_T_hat_1_d_theta2 = -(u54 * t81);
         at.write_dy(3, d_T_hat_1_d_theta2);
-        let t85 = u11 * t6;
-        let t86 = t15 * t16;
-        let d_T_hat_1_d_x = t85 * t59 - u24 * (t86 * (cos_theta * t14)) * t79 - t2 * t77
-            + omega * t74;
+        let t82 = u31 * (r * t7) - u31 * t8;
+        let t83 = t82 * (Phi * t13) - t11 * t77;
+        let d_T_hat_1_d_x = t83 + omega * t72;
         at.write_dy(4, d_T_hat_1_d_x);
         at.write_dy(5, Real::splat(1.0));
         at.write_dy(6, Real::splat(1.0));
-        let t87 = u14 * (t22 * (Real::splat(2.0) * (arc * t24)));
-        let t88 = u14 * (t22 * (Real::splat(2.0) * (t23 * t53) * t55 - t68)) + t58 * t87;
-        let t89 = u14 * (t22 * (Real::splat(2.0) * (t23 * t64) * t65 + t67 * t52))
-            + t69 * t87;
-        let t90 = t89 + t70 * t88;
-        let t91 = u14 * (t22 * (t5 * t52)) - t73 * t90;
-        let d_theta_hat_3_d_T = t51 * t88 - u14 * (t11 * t22) - t63 * t90 + t72 * t91;
+        let t84 = t24 * t58;
+        let t85 = t25 * t24;
+        let t86 = u52 * (t9 * t23) + u51 * t60 * t85;
+        let t87 = t64 * t84 - t57 * t86;
+        let t88 = t71 * t84 - t70 * t86;
+        let d_theta_hat_3_d_T = u18 * (t14 * t24) + u65 * (sin_theta * t87)
+            + u65 * (cos_theta * t88);
         at.write_dy(7, d_theta_hat_3_d_T);
-        let t92 = cos_theta * sin_theta;
-        let t93 = t34 * (t22 * t22);
-        let t94 = theta_1 * theta_2;
-        let t95 = Real::splat(4.0) * (t27 * t92)
-            + (Real::splat(4.0) * (t12 * t92)
-                + (Real::splat(4.0) * (t26 * t94) + Real::splat(2.0) * (theta_2 * t26)));
-        let t96 = Real::splat(4.0) * t83;
-        let t97 = t95 - Real::splat(4.0) * (t20 * t94) - t96
-            - Real::splat(2.0) * (theta_2 * t20) - Real::splat(4.0) * t92;
-        let t98 = u24 * (t16 * t92) * t93 - t22 * (EI * (t16 * t97)) + t * t22;
-        let t99 = u14 * (t22 * (Real::splat(2.0) * (p * t24)));
-        let d_theta_hat_3_d_theta = u14 * t98 + t76 * t99 + t80 * t88 - t81 * t90
-            - v_r * t91;
+        let t89 = f_t * q;
+        let t90 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t27)
+            - u33 * t29 - Real::splat(2.0) * t79 - u34 * theta2;
+        let t91 = t73 * (t24 * t89)
+            - t24 * (t73 * (EI * (t16 * (t90 - Real::splat(4.0) * tan_theta))));
+        let t92 = u18 * t87;
+        let t93 = u32 * t76 * (t34 * (u36 * (t23 * t23))) + u59 * (t23 * (t33 * t76));
+        let t94 = u18 * t93;
+        let t95 = u18 * t88;
+        let d_theta_hat_3_d_theta = u18 * t91 + t4 * t92 + t75 * t94 - v_r * t95;
         at.write_dy(8, d_theta_hat_3_d_theta);
-        let t100 = Real::splat(3.0) * t28 + (t20 + Real::splat(4.0) * t31)
-            - Real::splat(4.0) * t32 - Real::splat(3.0) * (t12 * t20);
-        let t101 = T * t22 - t22 * (EI * (t16 * (t100 - t26)));
-        let d_theta_hat_3_d_theta1 = u33 * t101;
+        let t96 = Real::splat(3.0) * t28 + (Real::splat(1.0) + Real::splat(4.0) * t30)
+            - Real::splat(4.0) * t32 - u35 * t17 - t26;
+        let t97 = T * t24 - u41 * (t23 * (t16 * t96));
+        let d_theta_hat_3_d_theta1 = u63 * t97;
         at.write_dy(9, d_theta_hat_3_d_theta1);
-        let t102 = t16 * (t96 + Real::splat(2.0) * t92);
-        let d_theta_hat_3_d_theta2 = u14 * (t22 * (u32 * t102));
+        let t98 = t16 * (Real::splat(4.0) * t79 + Real::splat(2.0) * tan_theta);
+        let d_theta_hat_3_d_theta2 = u64 * (t23 * t98);
         at.write_dy(10, d_theta_hat_3_d_theta2);
-        let t103 = t85 * t87
-            - u14 * (u24 * (t20 * t86) * t93 + t22 * (u24 * (t33 * t86)));
-        let d_theta_hat_3_d_x = t103 - t2 * t99 + omega * t91;
+        let d_theta_hat_3_d_x = u18 * (t82 * t85) - t11 * t94 + u68 * t88;
         at.write_dy(11, d_theta_hat_3_d_x);
-        let d_x_hat_1_d_theta = -(Phi * r + Phi * (t75 * (r * t26)));
+        let d_x_hat_1_d_theta = -(t73 * (Phi * r));
         at.write_dy(12, d_x_hat_1_d_theta);
-        let d_x_hat_1_d_x = Phi * (t2 * sin_theta);
+        let d_x_hat_1_d_x = Phi * tan_theta;
         at.write_dy(13, d_x_hat_1_d_x);
-        let t104 = u15 * t39;
-        let t105 = t104 * t58 - u15 * (p * t38) * t55;
-        let t106 = u15 * (p * (cos_beta_s * (mu * t36)));
-        let t107 = u15 * (p * (cos_beta_s * t37)) * t65 - t67 * t106 - t104 * t69
-            - t70 * t105;
-        let t108 = t5 * t106 + t73 * t107;
-        let d_M_hat_1_d_T = t51 * t105 + t63 * t107 + t72 * t108;
+        let t99 = Phi * (arc * q);
+        let t100 = u62 * (t36 * t60);
+        let t101 = t99 * t64 - t57 * t100;
+        let t102 = t99 * t71 - t70 * t100;
+        let d_M_hat_1_d_T = t46 * t101 + t68 * t102;
         at.write_dy(14, d_M_hat_1_d_T);
-        let t109 = u15 * (p * (cos_beta_s * (mu * (r * sin_gamma))));
-        let d_M_hat_1_d_theta = t76 * t109 + t80 * t105 + t81 * t107 - v_r * t108;
+        let t103 = Phi * t89;
+        let d_M_hat_1_d_theta = t4 * t101 + t75 * t103 - v_r * t102;
         at.write_dy(15, d_M_hat_1_d_theta);
-        let t110 = t85 * t104 - u15 * (p * (cos_beta_s * (mu * (arc * sin_gamma))))
-            - t2 * t109;
-        let d_M_hat_1_d_x = t110 + omega * t108;
+        let d_M_hat_1_d_x = Phi * t36 * t82 - t11 * t103 + omega * t102;
         at.write_dy(16, d_M_hat_1_d_x);
-        let t111 = u27 * x;
-        let d_A_hat_1_d_theta = t76 * t111;
+        let t104 = u39 * x;
+        let d_A_hat_1_d_theta = t75 * t104;
         at.write_dy(17, d_A_hat_1_d_theta);
-        let t112 = u27 * arc;
-        let d_A_hat_1_d_x = t112 - t2 * t111;
+        let t105 = u39 * arc;
+        let d_A_hat_1_d_x = t105 - t11 * t104;
         at.write_dy(18, d_A_hat_1_d_x);
-        let t113 = arc * (t43 * t43);
-        let d_L_o_hat_1_d_T = -(u31 * t113);
+        let t106 = arc * (u28 * (t38 * t38));
+        let d_L_o_hat_1_d_T = -(u44 * t106);
         at.write_dy(19, d_L_o_hat_1_d_T);
-        let t114 = u28 * t42;
-        let d_L_o_hat_1_d_theta = t76 * t114;
+        let t107 = u40 * t38;
+        let d_L_o_hat_1_d_theta = t75 * t107;
         at.write_dy(20, d_L_o_hat_1_d_theta);
-        let d_L_o_hat_1_d_x = -(t2 * t114);
+        let d_L_o_hat_1_d_x = -(t11 * t107);
         at.write_dy(21, d_L_o_hat_1_d_x);
-        let t115 = Phi * arc;
-        let t116 = Real::splat(2.0) * t45 * t115;
-        let t117 = t115 * (Real::splat(2.0) * (p * t44) * t54) + t58 * t116;
-        let t118 = Real::splat(2.0) * (p * (mu * sec_beta_s)) * t115
-            + t65 * (Real::splat(2.0) * (p * (speed * sec_beta_s)) * t115);
-        let t119 = t118 - t116 * t69 - t70 * t117;
-        let t120 = t73 * t119;
-        let d_W_hat_1_d_T = t51 * t117 + t63 * t119 + t72 * t120;
+        let t108 = u46 * (arc * t39) + u47 * (arc * t40);
+        let t109 = u46 * (arc * (v_r * p)) - u21 * t59 * t108;
+        let t110 = u47 * (arc * (v_t * p));
+        let t111 = u46 * (arc * (f_r * p)) + t57 * t109 + t110 * t64;
+        let t112 = u47 * (arc * (f_t * p)) + t70 * t109 + t110 * t71;
+        let d_W_hat_1_d_T = t46 * t111 + t68 * t112;
         at.write_dy(22, d_W_hat_1_d_T);
-        let t121 = u15 * t46;
-        let d_W_hat_1_d_theta = t76 * t121 + t80 * t117 + t81 * t119 - v_r * t120;
+        let t113 = Phi * loss;
+        let d_W_hat_1_d_theta = t4 * t111 + t75 * t113 - v_r * t112;
         at.write_dy(23, d_W_hat_1_d_theta);
-        let d_W_hat_1_d_x = t85 * t116 - t2 * t121 + omega * t120;
+        let d_W_hat_1_d_x = u14 * t7 * t108 - t11 * t113 + omega * t112;
         at.write_dy(24, d_W_hat_1_d_x);
-        let t122 = r * cos_t47;
-        let t123 = t111 * t122;
-        let d_A_x_hat_1_d_theta = t76 * t123;
+        let t114 = r * cos_t41;
+        let t115 = t104 * t114;
+        let d_A_x_hat_1_d_theta = t75 * t115;
         at.write_dy(25, d_A_x_hat_1_d_theta);
-        let d_A_x_hat_1_d_x = t122 * t112 - A_hat_1 * cos_t47 - t2 * t123;
+        let d_A_x_hat_1_d_x = t114 * t105 - A_hat_1 * cos_t41 - t11 * t115;
         at.write_dy(26, d_A_x_hat_1_d_x);
-        let t124 = r * sin_t47;
-        let t125 = t111 * t124;
-        let d_A_y_hat_1_d_theta = t76 * t125;
+        let t116 = r * sin_t41;
+        let t117 = t104 * t116;
+        let d_A_y_hat_1_d_theta = t75 * t117;
         at.write_dy(27, d_A_y_hat_1_d_theta);
-        let d_A_y_hat_1_d_x = t124 * t112 - A_hat_1 * sin_t47 - t2 * t125;
+        let d_A_y_hat_1_d_x = t116 * t105 - A_hat_1 * sin_t41 - t11 * t117;
         at.write_dy(28, d_A_y_hat_1_d_x);
-        let t126 = u16 * theta2;
-        let t127 = u3 * theta1;
-        let d_T_hat_1_d_Phi = t19 - t79 * (EI * t21 * t126) - t127 * t84;
+        let t118 = V_T * stored;
+        let t119 = t118 * t72;
+        let d_E_hat_1_d_T = t118 * t67 + t68 * t119;
+        at.write_dy(29, d_E_hat_1_d_T);
+        let t120 = u50 * (t22 * (t44 * t81));
+        let d_E_hat_1_d_theta = t118 * t78 - t75 * t120 - v_r * t119;
+        at.write_dy(30, d_E_hat_1_d_theta);
+        let t121 = t22 * (t15 * t44);
+        let d_E_hat_1_d_theta1 = u60 * t121 + u66 * (stored * t80);
+        at.write_dy(31, d_E_hat_1_d_theta1);
+        let d_E_hat_1_d_theta2 = -(u67 * (stored * t81));
+        at.write_dy(32, d_E_hat_1_d_theta2);
+        let d_E_hat_1_d_x = t11 * t120 - u49 * (x * t22) + t118 * t83 + omega * t119;
+        at.write_dy(33, d_E_hat_1_d_x);
+        let t122 = u3 * theta1;
+        let d_T_hat_1_d_Phi = t22 + u56 * (t14 * (theta2 * t16)) - t122 * t80;
         at.write_dc(0, d_T_hat_1_d_Phi);
-        let t128 = omega_P * r;
-        let d_T_hat_1_d_sigma = -(t128 * t74);
+        let t123 = omega_P * r;
+        let d_T_hat_1_d_sigma = -(t123 * t72);
         at.write_dc(1, d_T_hat_1_d_sigma);
-        let t129 = u17 * (u6 * t3 + u22 * t3);
-        let t130 = sin_theta * t129;
-        let t131 = t5 * t130;
-        let t132 = t62 * t130;
-        let t133 = cos_theta * t129;
-        let d_T_hat_1_d_flow = t131 * t60 + t132 * t71 + t133 * t74;
+        let t124 = u23 * (u6 * t1 + u29 * t1);
+        let t125 = sin_theta * t124;
+        let t126 = t125 * t66;
+        let t127 = cos_theta * t124;
+        let d_T_hat_1_d_flow = t126 + t127 * t72;
         at.write_dc(2, d_T_hat_1_d_flow);
-        let d_theta_hat_3_d_Phi = u26 * theta_3
-            - u14 * (t22 * (t126 * (EI * t102)) + t127 * t101);
+        let d_theta_hat_3_d_Phi = u38 * theta_3
+            - u18 * (u58 * (t23 * (theta2 * t98)) + t122 * t97);
         at.write_dc(3, d_theta_hat_3_d_Phi);
-        let d_theta_hat_3_d_sigma = -(t128 * t91);
+        let d_theta_hat_3_d_sigma = -(u69 * (r * t88));
         at.write_dc(4, d_theta_hat_3_d_sigma);
-        let d_theta_hat_3_d_flow = t131 * t88 - t132 * t90 + t133 * t91;
+        let d_theta_hat_3_d_flow = t125 * t92 + t127 * t95;
         at.write_dc(5, d_theta_hat_3_d_flow);
         let d_x_hat_1_d_Phi = -t35;
         at.write_dc(6, d_x_hat_1_d_Phi);
-        let d_M_hat_1_d_Phi = Real::splat(2.0) * t40;
         at.write_dc(7, d_M_hat_1_d_Phi);
-        let d_M_hat_1_d_sigma = -(t128 * t108);
+        let d_M_hat_1_d_sigma = -(t123 * t102);
         at.write_dc(8, d_M_hat_1_d_sigma);
-        let d_M_hat_1_d_flow = t131 * t105 + t132 * t107 + t133 * t108;
+        let d_M_hat_1_d_flow = t125 * t101 + t127 * t102;
         at.write_dc(9, d_M_hat_1_d_flow);
         at.write_dc(10, d_A_hat_1_d_Phi);
         at.write_dc(11, d_L_o_hat_1_d_Phi);
-        let d_L_o_hat_1_d_flow = -(u30 * t113 * (u17 * (u20 * t41 + u21)));
+        let d_L_o_hat_1_d_flow = -(u23 * ((u26 * t37 + u27) * (u43 * t106)));
         at.write_dc(12, d_L_o_hat_1_d_flow);
         at.write_dc(13, loss_phi);
-        let d_W_hat_1_d_sigma = -(t128 * t120);
+        let d_W_hat_1_d_sigma = -(t123 * t112);
         at.write_dc(14, d_W_hat_1_d_sigma);
-        let d_W_hat_1_d_flow = t131 * t117 + t132 * t119 + t133 * t120;
+        let d_W_hat_1_d_flow = t125 * t111 + t127 * t112;
         at.write_dc(15, d_W_hat_1_d_flow);
-        let t134 = A_hat_1 * (s * r);
-        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t122 - sin_t47 * t134;
+        let t128 = A_hat_1 * (s * r);
+        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t114 - sin_t41 * t128;
         at.write_dc(16, d_A_x_hat_1_d_Phi);
-        let d_A_y_hat_1_d_Phi = cos_t47 * t134 + d_A_hat_1_d_Phi * t124;
+        let d_A_y_hat_1_d_Phi = cos_t41 * t128 + d_A_hat_1_d_Phi * t116;
         at.write_dc(17, d_A_y_hat_1_d_Phi);
+        let d_E_hat_1_d_Phi = t118 * d_T_hat_1_d_Phi - u61 * (theta1 * t121);
+        at.write_dc(18, d_E_hat_1_d_Phi);
+        let d_E_hat_1_d_sigma = -(t123 * t119);
+        at.write_dc(19, d_E_hat_1_d_sigma);
+        let d_E_hat_1_d_flow = u45 * t45 + t118 * t126 + t127 * t119;
+        at.write_dc(20, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (206 add, 568 mul, 7 div, 2 sqrt, 3 fn; once 66)
+///Right-hand side, integrands, and their derivatives in states and all constants. (259 add, 586 mul, 7 div, 2 sqrt, 3 fn; once 142)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
     const CONSTANTS: usize = 13;
-    const F: usize = 11;
-    const DY: usize = 29;
-    const DC: usize = 68;
+    const F: usize = 12;
+    const DY: usize = 34;
+    const DC: usize = 81;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 54];
+    type Uniforms = [f64; 103];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let Phi = constants[0];
@@ -999,51 +1134,111 @@ impl Sweep for AllDerivatives {
         let u7 = EA * m_o;
         let u8 = reciprocal(u7 - u6);
         let u9 = EA * u8;
-        let u10 = G * u8;
+        let V_T = G * u8;
         let omega = sigma * omega_P;
+        let u10 = sin_beta * sin_beta;
+        let u11 = reciprocal(cos_beta);
+        let u12 = u11 * u11;
+        let u13 = u10 * u12;
         let v_thr = constants[11];
-        let u11 = reciprocal(v_thr);
-        let u12 = u11 * 4.0;
-        let u13 = reciprocal(cos_beta);
-        let u14 = sin_beta * u13;
+        let u14 = reciprocal(v_thr);
+        let u15 = u14 * 4.0;
+        let u16 = sin_beta * u11;
         let k = constants[5];
-        let u15 = k * 0.5;
-        let u16 = reciprocal(EI);
-        let u17 = Phi * Phi;
-        let u18 = Phi * u17;
-        let u19 = reciprocal(EA);
-        let u20 = Phi * 2.0;
-        let u21 = 2.0 * (u2 * u3);
-        let u22 = omega_P * u4;
-        let u23 = omega_P * (m_o * R_P);
-        let u24 = omega_P * (flow * R_P);
-        let u25 = u8 * u8;
-        let u26 = u7 * u25;
-        let u27 = G * (EA * 2.0);
-        let u28 = u25 * u27;
-        let u29 = u8 * u27;
-        let u30 = u25 * (EA * EA);
-        let u31 = u25 * (m_o * G);
-        let u32 = u25 * (2.0 * u6);
-        let u33 = u25 * (EA * G);
-        let u34 = u11 * u11;
-        let u35 = u13 * u13 * (sin_beta * sin_beta);
-        let u36 = 2.0 * u14;
-        let u37 = 0.5 * (k * sin_beta);
-        let u38 = cos_beta * 2.0;
-        let u39 = EI * 2.0;
-        let u40 = Phi * EI;
-        let u41 = u17 * 3.0;
-        let u42 = u19 * u19;
-        let u43 = Phi * u15;
-        let u44 = Phi * EA;
-        let u45 = mu_k * 4.0;
-        let u46 = u11 * u45;
-        let u47 = Phi * u19;
-        let u48 = EI * u3;
-        let u49 = u7 * u8 * u47;
-        let u50 = EI * u2;
-        let u51 = Phi * u38;
+        let u17 = k * 0.5;
+        let u18 = u2 * u3;
+        let u19 = reciprocal(EI);
+        let u20 = Phi * Phi;
+        let u21 = Phi * u20;
+        let u22 = reciprocal(EA);
+        let u23 = 2.0 * u12;
+        let u24 = u11 * (k * sin_beta);
+        let u25 = 0.5 * u24;
+        let u26 = EI * EI;
+        let u27 = u26 * (0.5 * u19);
+        let u28 = omega_P * u4;
+        let u29 = omega_P * (m_o * R_P);
+        let u30 = omega_P * (flow * R_P);
+        let u31 = u8 * u8;
+        let u32 = u7 * u31;
+        let u33 = G * (EA * 2.0);
+        let u34 = u31 * u33;
+        let u35 = u8 * u33;
+        let u36 = EA * EA;
+        let u37 = u31 * u36;
+        let u38 = u31 * (m_o * G);
+        let u39 = u31 * (2.0 * u6);
+        let u40 = u31 * (EA * G);
+        let u41 = u11 * (2.0 * sin_beta);
+        let u42 = u11 * u12;
+        let u43 = u42 * (2.0 * (sin_beta * u10));
+        let u44 = 0.5 * (u12 * (2.0 * u10));
+        let u45 = 2.0 * u17;
+        let u46 = EI * 2.0;
+        let u47 = 4.0 * u18;
+        let u48 = 2.0 * u3;
+        let u49 = u3 * 3.0;
+        let u50 = u19 * u19;
+        let u51 = Phi * EI;
+        let u52 = u20 * 3.0;
+        let u53 = u22 * u22;
+        let u54 = Phi * u17;
+        let u55 = Phi * EA;
+        let u56 = u26 * (0.5 * u50);
+        let u57 = EI * u19;
+        let u58 = 0.5 * (u12 * (k * u10));
+        let u59 = Phi * V_T;
+        let u60 = mu_k * 4.0;
+        let u61 = u14 * u14 * u60;
+        let u62 = u14 * u60;
+        let u63 = Phi * u22;
+        let u64 = Phi * 0.5;
+        let u65 = Phi * 2.0;
+        let u66 = u7 * u8 * u63;
+        let u67 = Phi * (u42 * (sin_beta * 4.0));
+        let u68 = Phi * u23;
+        let u69 = Phi * cos_beta;
+        let u70 = EI * u3;
+        let u71 = Phi * u70;
+        let u72 = EI * (2.0 * u18);
+        let u73 = Phi * u72;
+        let u74 = Phi * u46;
+        let u75 = u19 * u72;
+        let u76 = u19 * u46;
+        let u77 = EI * u57;
+        let u78 = u59 * (u2 * u77);
+        let u79 = u24 * u59;
+        let u80 = u59 * (u3 * u77);
+        let u81 = u16 * 0.5 * u59;
+        let u82 = u59 * u77;
+        let u83 = u2 * u21;
+        let u84 = u21 * (u19 * u70);
+        let u85 = u21 * (u19 * (cos_beta * 2.0));
+        let u86 = u21 * (2.0 * u19);
+        let u87 = V_T * u68;
+        let u88 = Phi * u45;
+        let u89 = 2.0 * u25;
+        let u90 = Phi * u89;
+        let u91 = u21 * u45;
+        let u92 = u21 * u89;
+        let u93 = u8 + u39;
+        let u94 = u29 * u93;
+        let u95 = u30 * u93;
+        let u96 = u28 * u93;
+        let u97 = u5 * u93;
+        let u98 = u2 * V_T;
+        let u99 = V_T * u71;
+        let u100 = V_T * u88;
+        let u101 = V_T * u74;
+        let u102 = V_T * u65;
+        let u103 = omega * u65;
+        let u104 = omega_P * u65;
+        let u105 = u29 * u65;
+        let u106 = u28 * u65;
+        let u107 = omega * u90;
+        let u108 = omega * u21;
+        let u109 = Phi * omega;
+        let u110 = omega * u102;
         [
             Phi,
             sigma,
@@ -1060,27 +1255,24 @@ impl Sweep for AllDerivatives {
             u6,
             u8,
             u9,
-            u10,
+            V_T,
             omega,
-            u12,
             sin_beta,
-            u14,
+            u13,
             u15,
             u16,
+            u17,
             u18,
             u19,
-            u20,
             u21,
             u22,
             u23,
-            u24,
-            u26,
+            u25,
+            u27,
             u28,
             u29,
             u30,
-            u31,
             u32,
-            u33,
             u34,
             u35,
             u36,
@@ -1089,7 +1281,6 @@ impl Sweep for AllDerivatives {
             u39,
             u40,
             u41,
-            u42,
             u43,
             u44,
             u45,
@@ -1099,6 +1290,59 @@ impl Sweep for AllDerivatives {
             u49,
             u50,
             u51,
+            u52,
+            u53,
+            u54,
+            u55,
+            u56,
+            u57,
+            u58,
+            u59,
+            u61,
+            u62,
+            u63,
+            u64,
+            u65,
+            u66,
+            u67,
+            u68,
+            u69,
+            u71,
+            u73,
+            u74,
+            u75,
+            u76,
+            u78,
+            u79,
+            u80,
+            u81,
+            u82,
+            u83,
+            u84,
+            u85,
+            u86,
+            u87,
+            u88,
+            u90,
+            u91,
+            u92,
+            u94,
+            u95,
+            u96,
+            u97,
+            u98,
+            u99,
+            u100,
+            u101,
+            u102,
+            u103,
+            u104,
+            u105,
+            u106,
+            u107,
+            u108,
+            u109,
+            u110,
         ]
     }
     #[inline(always)]
@@ -1118,486 +1362,598 @@ impl Sweep for AllDerivatives {
         let u6 = Real::splat(uniforms[12]);
         let u8 = Real::splat(uniforms[13]);
         let u9 = Real::splat(uniforms[14]);
-        let u10 = Real::splat(uniforms[15]);
+        let V_T = Real::splat(uniforms[15]);
         let omega = Real::splat(uniforms[16]);
-        let u12 = Real::splat(uniforms[17]);
-        let sin_beta = Real::splat(uniforms[18]);
-        let u14 = Real::splat(uniforms[19]);
-        let u15 = Real::splat(uniforms[20]);
-        let u16 = Real::splat(uniforms[21]);
+        let sin_beta = Real::splat(uniforms[17]);
+        let u13 = Real::splat(uniforms[18]);
+        let u15 = Real::splat(uniforms[19]);
+        let u16 = Real::splat(uniforms[20]);
+        let u17 = Real::splat(uniforms[21]);
         let u18 = Real::splat(uniforms[22]);
         let u19 = Real::splat(uniforms[23]);
-        let u20 = Real::splat(uniforms[24]);
-        let u21 = Real::splat(uniforms[25]);
-        let u22 = Real::splat(uniforms[26]);
-        let u23 = Real::splat(uniforms[27]);
-        let u24 = Real::splat(uniforms[28]);
-        let u26 = Real::splat(uniforms[29]);
-        let u28 = Real::splat(uniforms[30]);
-        let u29 = Real::splat(uniforms[31]);
-        let u30 = Real::splat(uniforms[32]);
-        let u31 = Real::splat(uniforms[33]);
-        let u32 = Real::splat(uniforms[34]);
-        let u33 = Real::splat(uniforms[35]);
-        let u34 = Real::splat(uniforms[36]);
-        let u35 = Real::splat(uniforms[37]);
-        let u36 = Real::splat(uniforms[38]);
-        let u37 = Real::splat(uniforms[39]);
-        let u38 = Real::splat(uniforms[40]);
-        let u39 = Real::splat(uniforms[41]);
-        let u40 = Real::splat(uniforms[42]);
-        let u41 = Real::splat(uniforms[43]);
-        let u42 = Real::splat(uniforms[44]);
-        let u43 = Real::splat(uniforms[45]);
-        let u44 = Real::splat(uniforms[46]);
-        let u45 = Real::splat(uniforms[47]);
-        let u46 = Real::splat(uniforms[48]);
-        let u47 = Real::splat(uniforms[49]);
-        let u48 = Real::splat(uniforms[50]);
-        let u49 = Real::splat(uniforms[51]);
-        let u50 = Real::splat(uniforms[52]);
-        let u51 = Real::splat(uniforms[53]);
+        let u21 = Real::splat(uniforms[24]);
+        let u22 = Real::splat(uniforms[25]);
+        let u23 = Real::splat(uniforms[26]);
+        let u25 = Real::splat(uniforms[27]);
+        let u27 = Real::splat(uniforms[28]);
+        let u28 = Real::splat(uniforms[29]);
+        let u29 = Real::splat(uniforms[30]);
+        let u30 = Real::splat(uniforms[31]);
+        let u32 = Real::splat(uniforms[32]);
+        let u34 = Real::splat(uniforms[33]);
+        let u35 = Real::splat(uniforms[34]);
+        let u36 = Real::splat(uniforms[35]);
+        let u37 = Real::splat(uniforms[36]);
+        let u38 = Real::splat(uniforms[37]);
+        let u39 = Real::splat(uniforms[38]);
+        let u40 = Real::splat(uniforms[39]);
+        let u41 = Real::splat(uniforms[40]);
+        let u43 = Real::splat(uniforms[41]);
+        let u44 = Real::splat(uniforms[42]);
+        let u45 = Real::splat(uniforms[43]);
+        let u46 = Real::splat(uniforms[44]);
+        let u47 = Real::splat(uniforms[45]);
+        let u48 = Real::splat(uniforms[46]);
+        let u49 = Real::splat(uniforms[47]);
+        let u50 = Real::splat(uniforms[48]);
+        let u51 = Real::splat(uniforms[49]);
+        let u52 = Real::splat(uniforms[50]);
+        let u53 = Real::splat(uniforms[51]);
+        let u54 = Real::splat(uniforms[52]);
+        let u55 = Real::splat(uniforms[53]);
+        let u56 = Real::splat(uniforms[54]);
+        let u57 = Real::splat(uniforms[55]);
+        let u58 = Real::splat(uniforms[56]);
+        let u59 = Real::splat(uniforms[57]);
+        let u61 = Real::splat(uniforms[58]);
+        let u62 = Real::splat(uniforms[59]);
+        let u63 = Real::splat(uniforms[60]);
+        let u64 = Real::splat(uniforms[61]);
+        let u65 = Real::splat(uniforms[62]);
+        let u66 = Real::splat(uniforms[63]);
+        let u67 = Real::splat(uniforms[64]);
+        let u68 = Real::splat(uniforms[65]);
+        let u69 = Real::splat(uniforms[66]);
+        let u71 = Real::splat(uniforms[67]);
+        let u73 = Real::splat(uniforms[68]);
+        let u74 = Real::splat(uniforms[69]);
+        let u75 = Real::splat(uniforms[70]);
+        let u76 = Real::splat(uniforms[71]);
+        let u78 = Real::splat(uniforms[72]);
+        let u79 = Real::splat(uniforms[73]);
+        let u80 = Real::splat(uniforms[74]);
+        let u81 = Real::splat(uniforms[75]);
+        let u82 = Real::splat(uniforms[76]);
+        let u83 = Real::splat(uniforms[77]);
+        let u84 = Real::splat(uniforms[78]);
+        let u85 = Real::splat(uniforms[79]);
+        let u86 = Real::splat(uniforms[80]);
+        let u87 = Real::splat(uniforms[81]);
+        let u88 = Real::splat(uniforms[82]);
+        let u90 = Real::splat(uniforms[83]);
+        let u91 = Real::splat(uniforms[84]);
+        let u92 = Real::splat(uniforms[85]);
+        let u94 = Real::splat(uniforms[86]);
+        let u95 = Real::splat(uniforms[87]);
+        let u96 = Real::splat(uniforms[88]);
+        let u97 = Real::splat(uniforms[89]);
+        let u98 = Real::splat(uniforms[90]);
+        let u99 = Real::splat(uniforms[91]);
+        let u100 = Real::splat(uniforms[92]);
+        let u101 = Real::splat(uniforms[93]);
+        let u102 = Real::splat(uniforms[94]);
+        let u103 = Real::splat(uniforms[95]);
+        let u104 = Real::splat(uniforms[96]);
+        let u105 = Real::splat(uniforms[97]);
+        let u106 = Real::splat(uniforms[98]);
+        let u107 = Real::splat(uniforms[99]);
+        let u108 = Real::splat(uniforms[100]);
+        let u109 = Real::splat(uniforms[101]);
+        let u110 = Real::splat(uniforms[102]);
         let x = at.state::<Real>(4);
         let r = R - x;
+        let T = at.state::<Real>(0);
+        let t1 = T + EA;
+        let V = V_T * t1;
         let theta = at.state::<Real>(1);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let t2 = reciprocal(cos_theta);
-        let arc = r * t2;
-        let T = at.state::<Real>(0);
-        let t3 = T + EA;
-        let V = u10 * t3;
+        let v_r = V * sin_theta;
+        let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let v_r = V * sin_theta;
-        let speed = sqrt(
-            v_t * v_t + (Real::splat(0.000000000000000000000001) + v_r * v_r),
-        );
-        let saturation = tanh(u12 * speed);
+        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let face_speed = sqrt(u13 * t3 + speed * speed);
+        let t5 = reciprocal(face_speed);
+        let saturation = tanh(u15 * speed);
         let mu = mu_k * saturation;
-        let t5 = reciprocal(speed);
-        let cos_gamma = v_r * t5;
-        let tan_beta_s = u14 * cos_gamma;
-        let sec_beta_s = sqrt(Real::splat(1.0) + tan_beta_s * tan_beta_s);
-        let cos_beta_s = reciprocal(sec_beta_s);
-        let sin_beta_s = tan_beta_s * cos_beta_s;
-        let t6 = reciprocal(cos_beta + mu * sin_beta_s);
-        let t7 = x * t6;
-        let p = u15 * t7;
-        let t8 = arc * p;
-        let t9 = mu * cos_beta_s;
-        let sin_gamma = v_t * t5;
-        let t10 = sin_theta * cos_gamma + cos_theta * sin_gamma;
-        let t11 = t9 * t10 - sin_beta * sin_theta;
-        let t = Real::splat(2.0) * (t8 * t11);
+        let t6 = v_r * mu;
+        let f_r = t5 * t6;
+        let t7 = reciprocal(cos_beta + u16 * f_r);
+        let t8 = x * t7;
+        let p = u17 * t8;
+        let t9 = r * p;
+        let q = Real::splat(2.0) * t9;
+        let t10 = v_t * mu;
+        let f_t = t5 * t10;
+        let t11 = reciprocal(cos_theta);
+        let tan_theta = t11 * sin_theta;
+        let t12 = f_r - sin_beta;
+        let t13 = f_t + tan_theta * t12;
+        let t = q * t13;
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
-        let t12 = Real::splat(1.0) - theta_1;
-        let t13 = theta_1 * theta_1;
+        let t14 = theta_1 - Real::splat(1.0);
+        let arc = r * t11;
+        let t15 = reciprocal(arc);
+        let t16 = t15 * t15;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
-        let t14 = cos_theta * theta_2;
-        let t15 = sin_theta * t13 - t14 - sin_theta;
-        let t16 = reciprocal(r);
-        let t17 = t16 * t16;
-        let t18 = cos_theta * t17;
-        let t19 = t15 * t18;
-        let Q = EI * t19;
-        let t20 = t - t12 * Q;
-        let T_hat_1 = Phi * t20;
+        let t17 = theta1 * theta1;
+        let t18 = u3 * t17;
+        let t19 = tan_theta * t18;
+        let t20 = theta_2 + tan_theta - t19;
+        let t21 = t16 * t20;
+        let t22 = t - t14 * (EI * t21);
+        let T_hat_1 = Phi * t22;
         at.write_f(0, T_hat_1);
         at.write_f(1, theta1);
         at.write_f(2, theta2);
-        let t21 = cos_theta * cos_theta;
-        let t22 = t17 * t21;
-        let t23 = u16 * reciprocal(t22);
-        let t24 = cos_theta * cos_gamma - sin_theta * sin_gamma;
-        let t25 = sin_beta * cos_theta - t24 * t9;
-        let n = Real::splat(2.0) * (t25 * t8);
-        let t26 = sin_theta * sin_theta;
-        let t27 = theta_1 * t13;
-        let t28 = t13 * t26;
-        let t29 = cos_theta * theta_1;
-        let t30 = t26 * t27 + (theta_1 * t21 + Real::splat(2.0) * t28)
-            - Real::splat(4.0) * (sin_theta * (theta_2 * t29));
-        let t31 = theta_1 * t26;
-        let t32 = sin_theta * t14;
-        let t33 = t30 - t31 - Real::splat(2.0) * t32 - t21 * t27
-            - Real::splat(2.0) * t26;
-        let t34 = t17 * t33;
+        let t23 = reciprocal(t16);
+        let t24 = u19 * t23;
+        let t25 = sin_beta + tan_theta * f_t - f_r;
+        let n = q * t25;
+        let t26 = tan_theta * tan_theta;
+        let t27 = u18 * (theta1 * t17);
+        let t28 = t18 * t26;
+        let t29 = theta1 * theta2;
+        let t30 = theta_1 * t26;
+        let t31 = t26 * t27 + (theta_1 + Real::splat(2.0) * t28)
+            - Real::splat(4.0) * (tan_theta * (u18 * t29)) - t30;
+        let t32 = theta_2 * tan_theta;
+        let t33 = t31 - Real::splat(2.0) * t32 - t27 - Real::splat(2.0) * t26;
+        let t34 = t16 * t33;
         let t35 = n + T * theta_1 - EI * t34 - T;
-        let theta_3 = t23 * t35;
-        let theta_hat_3 = u18 * theta_3;
+        let theta_3 = t24 * t35;
+        let theta_hat_3 = u21 * theta_3;
         at.write_f(3, theta_hat_3);
-        let t36 = arc * sin_theta;
+        let t36 = r * tan_theta;
         let x_hat_1 = -(Phi * t36);
         at.write_f(4, x_hat_1);
-        let t37 = r * arc;
-        let t38 = sin_gamma * t37;
-        let t39 = mu * t38;
-        let t40 = cos_beta_s * t39;
-        let t41 = p * t40;
-        let M_hat_1 = u20 * t41;
+        let t37 = arc * f_t;
+        let d_M_hat_1_d_Phi = q * t37;
+        let M_hat_1 = Phi * d_M_hat_1_d_Phi;
         at.write_f(5, M_hat_1);
-        let axial = u15 * x;
+        let axial = u17 * x;
         let d_A_hat_1_d_Phi = arc * axial;
         let A_hat_1 = Phi * d_A_hat_1_d_Phi;
         at.write_f(6, A_hat_1);
-        let t42 = u6 + m_o * T;
-        let F = u9 * t42;
-        let t43 = EA + F;
-        let t44 = reciprocal(t43);
-        let t45 = EA * t44;
-        let d_L_o_hat_1_d_Phi = arc * t45;
+        let t38 = u6 + m_o * T;
+        let F = u9 * t38;
+        let t39 = EA + F;
+        let t40 = reciprocal(t39);
+        let d_L_o_hat_1_d_Phi = arc * (EA * t40);
         let L_o_hat_1 = Phi * d_L_o_hat_1_d_Phi;
         at.write_f(7, L_o_hat_1);
-        let t46 = speed * mu;
-        let t47 = sec_beta_s * t46;
-        let t48 = p * t47;
-        let loss = Real::splat(2.0) * t48;
+        let t41 = v_r * f_r;
+        let t42 = p * t41;
+        let loss_radial = u23 * t42;
+        let t43 = v_t * f_t;
+        let loss_tangential = Real::splat(2.0) * (p * t43);
+        let loss = loss_radial + loss_tangential;
         let loss_phi = arc * loss;
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
         let s = at.position::<Real>();
-        let t49 = Phi * s;
-        let (sin_t49, cos_t49) = sin_cos(t49);
-        let t51 = r * A_hat_1;
-        let A_x_hat_1 = cos_t49 * t51;
+        let t44 = Phi * s;
+        let (sin_t44, cos_t44) = sin_cos(t44);
+        let t46 = r * A_hat_1;
+        let A_x_hat_1 = cos_t44 * t46;
         at.write_f(9, A_x_hat_1);
-        let A_y_hat_1 = t51 * sin_t49;
+        let A_y_hat_1 = t46 * sin_t44;
         at.write_f(10, A_y_hat_1);
-        let t52 = Real::splat(2.0) * (p * (cos_beta_s * (mu * t36)));
-        let t53 = sin_theta * t5;
-        let t54 = Real::splat(0.5) * t5;
-        let t55 = t54 * (Real::splat(2.0) * v_r);
-        let t56 = sin_theta * t55;
-        let t57 = Real::splat(1.0) - saturation * saturation;
-        let t58 = u46 * t57;
-        let t59 = p * (arc * cos_beta_s);
-        let t60 = u20 * (t10 * t59);
-        let t61 = t5 * t5;
-        let t62 = v_t * t61;
-        let t63 = cos_theta * arc;
-        let t64 = Real::splat(2.0) * (p * (cos_beta_s * (mu * t63)));
-        let t65 = v_r * t61;
-        let t66 = t58 * t60 - Phi * (t62 * t64 + t65 * t52);
-        let t67 = p * (arc * mu);
-        let t68 = Real::splat(0.5) * cos_beta_s * (u36 * cos_gamma);
-        let t69 = t68 * (cos_beta_s * cos_beta_s);
-        let t70 = Phi * (Real::splat(2.0) * (t10 * t67) * t69);
-        let t71 = u14 * t65;
-        let t72 = u14 * t53 - t56 * t71;
-        let t73 = t54 * (Real::splat(2.0) * v_t);
-        let t74 = t73 * t71;
-        let t75 = Phi * (t5 * t64) + t73 * t66 + t70 * t74;
-        let t76 = Phi * (t52 * t53) + t56 * t66 - t70 * t72 + cos_theta * t75;
-        let t77 = u20 * (arc * t11);
-        let t78 = t6 * t6;
-        let t79 = u15 * (t78 * (x * mu));
-        let t80 = t69 * (tan_beta_s * t79) - cos_beta_s * t79;
-        let t81 = u15 * (t78 * (x * sin_beta_s));
-        let t82 = t81 * t58;
-        let t83 = t73 * t82 + t80 * t74;
-        let t84 = t80 * t72 - t56 * t82 - cos_theta * t83;
-        let t85 = u10 * t84;
-        let d_T_hat_1_d_T = u10 * t76 + t77 * t85;
+        let t47 = t15 * t14;
+        let t48 = t47 * t47;
+        let t49 = x * x;
+        let stored = u27 * t48 - u25 * t49;
+        let t50 = T_hat_1 * stored;
+        let E_hat_1 = V_T * t50;
+        at.write_f(11, E_hat_1);
+        let t51 = tan_theta * q;
+        let t52 = x * (t7 * t7);
+        let t53 = r * t52;
+        let t54 = Phi * t51 - u90 * (t13 * t53);
+        let t55 = V_T * sin_theta;
+        let t56 = mu * t5;
+        let t57 = t5 * t5;
+        let t58 = t6 * t57;
+        let t59 = v_r * t5;
+        let t60 = reciprocal(speed);
+        let t61 = v_r * t60;
+        let t62 = speed * t5;
+        let t63 = u44 * t59 + t61 * t62;
+        let t64 = Real::splat(1.0) - saturation * saturation;
+        let t65 = u62 * t64;
+        let t66 = t61 * t65;
+        let t67 = t56 - t58 * t63 + t59 * t66;
+        let t68 = V_T * cos_theta;
+        let t69 = v_t * t60;
+        let t70 = t69 * t65;
+        let t71 = t69 * t62;
+        let t72 = t59 * t70 - t58 * t71;
+        let t73 = t55 * t67 + t68 * t72;
+        let t74 = u65 * t9;
+        let t75 = v_t * t5;
+        let t76 = t10 * t57;
+        let t77 = t75 * t66 - t76 * t63;
+        let t78 = t56 - t76 * t71 + t75 * t70;
+        let t79 = t55 * t77 + t68 * t78;
+        let d_T_hat_1_d_T = t54 * t73 + t74 * t79;
         at.write_dy(0, d_T_hat_1_d_T);
-        let t86 = t4 * t5;
-        let t87 = EI * (t18 * (theta_2 * sin_theta + cos_theta * t13 - cos_theta))
-            - EI * (t15 * (sin_theta * t17));
-        let t88 = Phi * t12;
-        let t89 = t4 * t55;
-        let t90 = u14 * t86 - t89 * t71;
-        let t91 = Phi * (t52 * t86 - n) - t87 * t88 + t89 * t66 - t70 * t90;
-        let t92 = t2 * t2;
-        let t93 = t92 * (r * sin_theta);
-        let t94 = u20 * (p * t11);
-        let t95 = t80 * t90 - t89 * t82 + v_r * t83;
-        let d_T_hat_1_d_theta = t91 + t93 * t94 - v_r * t75 + t77 * t95;
+        let t80 = Real::splat(1.0) + t26;
+        let t81 = Phi * t14;
+        let t82 = Phi * (t80 * (q * t12))
+            - t81 * (t80 * (EI * (t16 * (Real::splat(1.0) - t18))));
+        let t83 = t11 * t11 * (r * sin_theta);
+        let t84 = t15 * t16;
+        let t85 = t14 * (t20 * t84);
+        let t86 = u74 * t85;
+        let t87 = t4 * t67 - v_r * t72;
+        let t88 = t4 * t77 - v_r * t78;
+        let d_T_hat_1_d_theta = t82 + t83 * t86 + t54 * t87 + t74 * t88;
         at.write_dy(1, d_T_hat_1_d_theta);
-        let t96 = sin_theta * t29;
-        let t97 = u40 * t19 - u39 * (t17 * t96) * t88;
-        let d_T_hat_1_d_theta1 = u2 * t97;
+        let t89 = theta_1 * tan_theta;
+        let t90 = u74 * (t14 * (t16 * t89)) - u51 * t21;
+        let d_T_hat_1_d_theta1 = u2 * t90;
         at.write_dy(2, d_T_hat_1_d_theta1);
-        let d_T_hat_1_d_theta2 = t88 * (u48 * t22);
+        let t91 = t14 * t16;
+        let d_T_hat_1_d_theta2 = -(u71 * t91);
         at.write_dy(3, d_T_hat_1_d_theta2);
-        let t98 = t16 * t17;
-        let t99 = omega * t75 - (u39 * (t98 * (cos_theta * t15)) * t88 + t2 * t94);
-        let t100 = omega * t83;
-        let t101 = u15 * t6 - t100;
-        let d_T_hat_1_d_x = t99 + t77 * t101;
+        let t92 = Phi * t13;
+        let t93 = u45 * (r * t7) - u45 * t8;
+        let t94 = t92 * t93;
+        let t95 = t11 * t86;
+        let t96 = omega * t72;
+        let t97 = t54 * t96;
+        let t98 = u103 * (t9 * t78);
+        let d_T_hat_1_d_x = t94 - t95 + t97 + t98;
         at.write_dy(4, d_T_hat_1_d_x);
         at.write_dy(5, Real::splat(1.0));
         at.write_dy(6, Real::splat(1.0));
-        let t102 = t23 * (Real::splat(2.0) * (t24 * t59));
-        let t103 = u18 * (t23 * (t65 * t64 - t62 * t52) - t58 * t102);
-        let t104 = u18 * (t23 * (Real::splat(2.0) * (t24 * t67) * t69));
-        let t105 = u18 * (t23 * (t5 * t52)) + t73 * t103 - t104 * t74;
-        let t106 = t56 * t103 - u18 * (t23 * (t64 * t53)) + t104 * t72
-            + cos_theta * t105;
-        let t107 = u18 * (t23 * (Real::splat(2.0) * (arc * t25)));
-        let d_theta_hat_3_d_T = u10 * t106 - u18 * (t12 * t23) + t107 * t85;
+        let t99 = t9 * t23;
+        let t100 = t25 * t24;
+        let t101 = u86 * t99 + u92 * (t100 * t53);
+        let t102 = t24 * t51;
+        let t103 = u21 * t102;
+        let d_theta_hat_3_d_T = u21 * (t14 * t24) - t101 * t73 + t103 * t79;
         at.write_dy(7, d_theta_hat_3_d_T);
-        let t108 = cos_theta * sin_theta;
-        let t109 = t35 * (t23 * t23);
-        let t110 = theta_1 * theta_2;
-        let t111 = Real::splat(4.0) * (t27 * t108)
-            + (Real::splat(4.0) * (t13 * t108)
-                + (Real::splat(4.0) * (t26 * t110)
-                    + Real::splat(2.0) * (theta_2 * t26)));
-        let t112 = Real::splat(4.0) * t96;
-        let t113 = t111 - Real::splat(4.0) * (t21 * t110) - t112
-            - Real::splat(2.0) * (theta_2 * t21) - Real::splat(4.0) * t108;
-        let t114 = u39 * (t17 * t108) * t109 - t23 * (EI * (t17 * t113))
-            + t23 * (t - t64 * t86);
-        let t115 = u18 * (t23 * (Real::splat(2.0) * (p * t25)));
-        let t116 = u18 * t114 + t89 * t103 + t104 * t90 + t93 * t115 - v_r * t105;
-        let d_theta_hat_3_d_theta = t116 + t107 * t95;
+        let t104 = f_t * q;
+        let t105 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t27)
+            - u47 * t29 - Real::splat(2.0) * t89 - u48 * theta2;
+        let t106 = t24 * (t80 * t104)
+            - t24 * (t80 * (EI * (t16 * (t105 - Real::splat(4.0) * tan_theta))));
+        let t107 = t35 * (u50 * (t23 * t23));
+        let t108 = u21 * (u46 * t84 * t107 + u76 * (t23 * (t33 * t84)));
+        let d_theta_hat_3_d_theta = u21 * t106 + t83 * t108 - t101 * t87 + t103 * t88;
         at.write_dy(8, d_theta_hat_3_d_theta);
-        let t117 = T * t23;
-        let t118 = Real::splat(3.0) * t28 + (t21 + Real::splat(4.0) * t31)
-            - Real::splat(4.0) * t32 - Real::splat(3.0) * (t13 * t21);
-        let t119 = t17 * (t118 - t26);
-        let d_theta_hat_3_d_theta1 = u18 * (u2 * t117 - t23 * (u50 * t119));
+        let t109 = Real::splat(3.0) * t28 + (Real::splat(1.0) + Real::splat(4.0) * t30)
+            - Real::splat(4.0) * t32 - u49 * t17 - t26;
+        let t110 = T * t24 - u57 * (t23 * (t16 * t109));
+        let d_theta_hat_3_d_theta1 = u83 * t110;
         at.write_dy(9, d_theta_hat_3_d_theta1);
-        let t120 = t17 * (t112 + Real::splat(2.0) * t108);
-        let d_theta_hat_3_d_theta2 = u18 * (t23 * (u48 * t120));
+        let t111 = t16 * (Real::splat(4.0) * t89 + Real::splat(2.0) * tan_theta);
+        let d_theta_hat_3_d_theta2 = u84 * (t23 * t111);
         at.write_dy(10, d_theta_hat_3_d_theta2);
-        let t121 = u18 * (u39 * (t21 * t98) * t109 + t23 * (u39 * (t33 * t98)))
-            + t2 * t115;
-        let t122 = omega * t105 - t121;
-        let d_theta_hat_3_d_x = t122 + t107 * t101;
+        let t112 = u21 * t100;
+        let t113 = t11 * t108;
+        let t114 = t101 * t96;
+        let t115 = u108 * (t102 * t78);
+        let d_theta_hat_3_d_x = t93 * t112 - t113 - t114 + t115;
         at.write_dy(11, d_theta_hat_3_d_x);
-        let d_x_hat_1_d_theta = -(Phi * r + Phi * (t92 * (r * t26)));
+        let d_x_hat_1_d_theta = -(t80 * (Phi * r));
         at.write_dy(12, d_x_hat_1_d_theta);
-        let d_x_hat_1_d_x = Phi * (t2 * sin_theta);
+        let d_x_hat_1_d_x = Phi * tan_theta;
         at.write_dy(13, d_x_hat_1_d_x);
-        let t123 = u20 * (p * (cos_beta_s * t38));
-        let t124 = u20 * (p * (cos_beta_s * (mu * t37)));
-        let t125 = t123 * t58 - t62 * t124;
-        let t126 = u20 * (p * t39) * t69;
-        let t127 = t5 * t124 + t73 * t125 + t126 * t74;
-        let t128 = t56 * t125 - t126 * t72 + cos_theta * t127;
-        let t129 = u20 * t40;
-        let d_M_hat_1_d_T = u10 * t128 + t129 * t85;
+        let t116 = arc * q;
+        let t117 = Phi * t116;
+        let t118 = t37 * t53;
+        let t119 = u90 * t118;
+        let d_M_hat_1_d_T = t117 * t79 - t119 * t73;
         at.write_dy(14, d_M_hat_1_d_T);
-        let t130 = u20 * (p * (cos_beta_s * (mu * (r * sin_gamma))));
-        let d_M_hat_1_d_theta = t89 * t125 - t126 * t90 + t93 * t130 - v_r * t127
-            + t129 * t95;
+        let t120 = Phi * t104;
+        let d_M_hat_1_d_theta = t83 * t120 - t119 * t87 + t117 * t88;
         at.write_dy(15, d_M_hat_1_d_theta);
-        let t131 = omega * t127
-            - (u20 * (p * (cos_beta_s * (mu * (arc * sin_gamma)))) + t2 * t130);
-        let d_M_hat_1_d_x = t131 + t129 * t101;
+        let t121 = Phi * t37;
+        let t122 = t11 * t120;
+        let t123 = u107 * (t72 * t118);
+        let t124 = u109 * (t116 * t78);
+        let d_M_hat_1_d_x = t121 * t93 - t122 - t123 + t124;
         at.write_dy(16, d_M_hat_1_d_x);
-        let t132 = u43 * x;
-        let d_A_hat_1_d_theta = t93 * t132;
+        let t125 = u54 * x;
+        let d_A_hat_1_d_theta = t83 * t125;
         at.write_dy(17, d_A_hat_1_d_theta);
-        let t133 = u43 * arc;
-        let d_A_hat_1_d_R = t2 * t132;
-        let d_A_hat_1_d_x = t133 - d_A_hat_1_d_R;
+        let t126 = u54 * arc;
+        let d_A_hat_1_d_R = t11 * t125;
+        let d_A_hat_1_d_x = t126 - d_A_hat_1_d_R;
         at.write_dy(18, d_A_hat_1_d_x);
-        let t134 = arc * (t45 * t45);
-        let d_L_o_hat_1_d_T = -(u49 * t134);
+        let t127 = arc * (u36 * (t40 * t40));
+        let d_L_o_hat_1_d_T = -(u66 * t127);
         at.write_dy(19, d_L_o_hat_1_d_T);
-        let t135 = u44 * t44;
-        let d_L_o_hat_1_d_theta = t93 * t135;
+        let t128 = u55 * t40;
+        let d_L_o_hat_1_d_theta = t83 * t128;
         at.write_dy(20, d_L_o_hat_1_d_theta);
-        let d_L_o_hat_1_d_R = t2 * t135;
+        let d_L_o_hat_1_d_R = t11 * t128;
         let d_L_o_hat_1_d_x = -d_L_o_hat_1_d_R;
         at.write_dy(21, d_L_o_hat_1_d_x);
-        let t136 = Phi * arc;
-        let t137 = Real::splat(2.0) * (p * (speed * sec_beta_s)) * t136;
-        let t138 = Real::splat(2.0) * (p * (mu * sec_beta_s)) * t136 + t58 * t137;
-        let t139 = t136 * (t68 * (Real::splat(2.0) * (p * t46)));
-        let t140 = t73 * t138 - t139 * t74;
-        let t141 = t56 * t138 + t139 * t72 + cos_theta * t140;
-        let t142 = Real::splat(2.0) * t47 * t136;
-        let d_W_hat_1_d_T = u10 * t141 + t142 * t85;
+        let t129 = arc * (f_r * p);
+        let t130 = arc * (f_t * p);
+        let t131 = u65 * (arc * t43) + u68 * (arc * t41);
+        let t132 = u68 * (arc * (v_r * p)) - u25 * t52 * t131;
+        let t133 = arc * (v_t * p);
+        let t134 = u65 * t133;
+        let d_W_hat_1_d_T = u87 * (sin_theta * t129) + u102 * (cos_theta * t130)
+            + t132 * t73 + t134 * t79;
         at.write_dy(22, d_W_hat_1_d_T);
-        let t143 = u20 * t48;
-        let d_W_hat_1_d_theta = t89 * t138 + t139 * t90 + t93 * t143 - v_r * t140
-            + t142 * t95;
+        let t135 = u68 * t129;
+        let t136 = Phi * loss;
+        let t137 = u65 * t130;
+        let d_W_hat_1_d_theta = t4 * t135 + t83 * t136 - v_r * t137 + t132 * t87
+            + t134 * t88;
         at.write_dy(23, d_W_hat_1_d_theta);
-        let t144 = omega * t140 - t2 * t143;
-        let d_W_hat_1_d_x = t144 + t142 * t101;
+        let t138 = t11 * t136;
+        let t139 = u103 * t130;
+        let t140 = t132 * t96;
+        let t141 = u103 * (t133 * t78);
+        let d_W_hat_1_d_x = u17 * t7 * t131 - t138 + t139 + t140 + t141;
         at.write_dy(24, d_W_hat_1_d_x);
-        let t145 = r * cos_t49;
-        let t146 = t132 * t145;
-        let d_A_x_hat_1_d_theta = t93 * t146;
+        let t142 = r * cos_t44;
+        let t143 = t125 * t142;
+        let d_A_x_hat_1_d_theta = t83 * t143;
         at.write_dy(25, d_A_x_hat_1_d_theta);
-        let t147 = A_hat_1 * cos_t49;
-        let t148 = t2 * t146;
-        let d_A_x_hat_1_d_x = t145 * t133 - t147 - t148;
+        let t144 = A_hat_1 * cos_t44;
+        let t145 = t11 * t143;
+        let d_A_x_hat_1_d_x = t142 * t126 - t144 - t145;
         at.write_dy(26, d_A_x_hat_1_d_x);
-        let t149 = r * sin_t49;
-        let t150 = t132 * t149;
-        let d_A_y_hat_1_d_theta = t93 * t150;
+        let t146 = r * sin_t44;
+        let t147 = t125 * t146;
+        let d_A_y_hat_1_d_theta = t83 * t147;
         at.write_dy(27, d_A_y_hat_1_d_theta);
-        let t151 = A_hat_1 * sin_t49;
-        let t152 = t2 * t150;
-        let d_A_y_hat_1_d_x = t149 * t133 - t151 - t152;
+        let t148 = A_hat_1 * sin_t44;
+        let t149 = t11 * t147;
+        let d_A_y_hat_1_d_x = t146 * t126 - t148 - t149;
         at.write_dy(28, d_A_y_hat_1_d_x);
-        let t153 = u21 * theta2;
-        let t154 = u3 * theta1;
-        let d_T_hat_1_d_Phi = t20 - t88 * (EI * t22 * t153) - t154 * t97;
+        let t150 = V_T * stored;
+        let t151 = t150 * t54;
+        let t152 = t9 * stored;
+        let t153 = u102 * t152;
+        let d_E_hat_1_d_T = t151 * t73 + t153 * t79;
+        at.write_dy(29, d_E_hat_1_d_T);
+        let t154 = u101 * (stored * t85) - u82 * (t22 * (t47 * t91));
+        let d_E_hat_1_d_theta = t150 * t82 + t83 * t154 + t151 * t87 + t153 * t88;
+        at.write_dy(30, d_E_hat_1_d_theta);
+        let t155 = t15 * t47;
+        let d_E_hat_1_d_theta1 = u78 * (t22 * t155) + u98 * (stored * t90);
+        at.write_dy(31, d_E_hat_1_d_theta1);
+        let d_E_hat_1_d_theta2 = -(u99 * (stored * t91));
+        at.write_dy(32, d_E_hat_1_d_theta2);
+        let t156 = t11 * t154;
+        let t157 = t151 * t96;
+        let t158 = u110 * (t78 * t152);
+        let d_E_hat_1_d_x = t150 * t94 - u79 * (x * t22) - t156 + t157 + t158;
+        at.write_dy(33, d_E_hat_1_d_x);
+        let t159 = u3 * theta1;
+        let d_T_hat_1_d_Phi = t22 + u73 * (t14 * (theta2 * t16)) - t159 * t90;
         at.write_dc(0, d_T_hat_1_d_Phi);
-        let t155 = omega_P * r;
-        let t156 = t155 * t83;
-        let d_T_hat_1_d_sigma = t77 * t156 - t155 * t75;
+        let t160 = omega_P * r;
+        let t161 = t160 * t72;
+        let t162 = t160 * t78;
+        let d_T_hat_1_d_sigma = -(t54 * t161 + t74 * t162);
         at.write_dc(1, d_T_hat_1_d_sigma);
-        let t157 = u8 * t3 + u32 * t3;
-        let t158 = u23 * t157;
-        let t159 = t158 * t84;
-        let d_T_hat_1_d_flow = t158 * t76 + t77 * t159;
+        let t163 = u8 * t1 + u39 * t1;
+        let t164 = sin_theta * t163;
+        let t165 = t164 * t67;
+        let t166 = cos_theta * t163;
+        let t167 = u29 * t166;
+        let t168 = u29 * t165 + t72 * t167;
+        let t169 = t164 * t77;
+        let t170 = u29 * t169 + t78 * t167;
+        let d_T_hat_1_d_flow = t54 * t168 + t74 * t170;
         at.write_dc(2, d_T_hat_1_d_flow);
-        let t160 = u18 * (t23 * (t154 * (EI * t119) - t153 * (EI * t120)) - t154 * t117);
-        let d_theta_hat_3_d_Phi = u41 * theta_3 + t160;
+        let d_theta_hat_3_d_Phi = u52 * theta_3
+            - u21 * (u75 * (t23 * (theta2 * t111)) + t159 * t110);
         at.write_dc(3, d_theta_hat_3_d_Phi);
-        let d_theta_hat_3_d_sigma = t107 * t156 - t155 * t105;
+        let d_theta_hat_3_d_sigma = t101 * t161 - t103 * t162;
         at.write_dc(4, d_theta_hat_3_d_sigma);
-        let d_theta_hat_3_d_flow = t158 * t106 + t107 * t159;
+        let d_theta_hat_3_d_flow = t103 * t170 - t101 * t168;
         at.write_dc(5, d_theta_hat_3_d_flow);
         let d_x_hat_1_d_Phi = -t36;
         at.write_dc(6, d_x_hat_1_d_Phi);
-        let d_M_hat_1_d_Phi = Real::splat(2.0) * t41;
         at.write_dc(7, d_M_hat_1_d_Phi);
-        let d_M_hat_1_d_sigma = t129 * t156 - t155 * t127;
+        let d_M_hat_1_d_sigma = t119 * t161 - t117 * t162;
         at.write_dc(8, d_M_hat_1_d_sigma);
-        let d_M_hat_1_d_flow = t158 * t128 + t129 * t159;
+        let d_M_hat_1_d_flow = t117 * t170 - t119 * t168;
         at.write_dc(9, d_M_hat_1_d_flow);
         at.write_dc(10, d_A_hat_1_d_Phi);
         at.write_dc(11, d_L_o_hat_1_d_Phi);
-        let t161 = u47 * t134;
-        let t162 = (u28 * t42 + u29) * t161;
-        let d_L_o_hat_1_d_flow = -(u23 * t162);
+        let t171 = u63 * t127;
+        let t172 = (u34 * t38 + u35) * t171;
+        let d_L_o_hat_1_d_flow = -(u29 * t172);
         at.write_dc(12, d_L_o_hat_1_d_flow);
         at.write_dc(13, loss_phi);
-        let d_W_hat_1_d_sigma = t142 * t156 - t155 * t140;
+        let d_W_hat_1_d_sigma = -(u104 * (r * t130) + t132 * t161 + t134 * t162);
         at.write_dc(14, d_W_hat_1_d_sigma);
-        let d_W_hat_1_d_flow = t158 * t141 + t142 * t159;
+        let t173 = t135 * t164;
+        let t174 = t130 * t166;
+        let d_W_hat_1_d_flow = u29 * t173 + u105 * t174 + t132 * t168 + t134 * t170;
         at.write_dc(15, d_W_hat_1_d_flow);
-        let t163 = A_hat_1 * (s * r);
-        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t145 - sin_t49 * t163;
+        let t175 = A_hat_1 * (s * r);
+        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t142 - sin_t44 * t175;
         at.write_dc(16, d_A_x_hat_1_d_Phi);
-        let d_A_y_hat_1_d_Phi = cos_t49 * t163 + d_A_hat_1_d_Phi * t149;
+        let d_A_y_hat_1_d_Phi = cos_t44 * t175 + d_A_hat_1_d_Phi * t146;
         at.write_dc(17, d_A_y_hat_1_d_Phi);
-        let t164 = u10 - u31 * t3;
-        let t165 = t164 * t84;
-        let d_T_hat_1_d_EA = t164 * t76 + t77 * t165;
-        at.write_dc(18, d_T_hat_1_d_EA);
-        let d_T_hat_1_d_EI = -(t19 * t88);
-        at.write_dc(19, d_T_hat_1_d_EI);
-        let t166 = Real::splat(0.5) * t7;
-        let d_T_hat_1_d_k = t166 * t77;
-        at.write_dc(20, d_T_hat_1_d_k);
-        let t167 = u24 * t157 - u33 * t3;
-        let t168 = t167 * t84;
-        let d_T_hat_1_d_m_o = t167 * t76 + t77 * t168;
-        at.write_dc(21, d_T_hat_1_d_m_o);
-        let d_T_hat_1_d_R = t77 * t100 - t99;
-        at.write_dc(22, d_T_hat_1_d_R);
-        let t169 = u22 * t157;
-        let t170 = t169 * t84;
-        let d_T_hat_1_d_R_P = t169 * t76 + t77 * t170;
-        at.write_dc(23, d_T_hat_1_d_R_P);
-        let t171 = cos_gamma + u35 * cos_gamma;
-        let t172 = u37 * (x * t78) + t171 * t80;
-        let d_T_hat_1_d_beta = t77 * t172 - (u51 * (p * t36) + t171 * t70);
-        at.write_dc(24, d_T_hat_1_d_beta);
-        let t173 = saturation * t81;
-        let d_T_hat_1_d_mu_k = saturation * t60 - t77 * t173;
-        at.write_dc(25, d_T_hat_1_d_mu_k);
-        let t174 = u34 * speed * (u45 * t57);
-        let t175 = t81 * t174;
-        let d_T_hat_1_d_v_thr = t77 * t175 - t174 * t60;
-        at.write_dc(26, d_T_hat_1_d_v_thr);
-        let t176 = u5 * t157;
-        let t177 = sigma * r;
-        let t178 = t177 * t83 + t176 * t84;
-        let d_T_hat_1_d_omega_P = t176 * t76 - t177 * t75 + t77 * t178;
-        at.write_dc(27, d_T_hat_1_d_omega_P);
-        let d_theta_hat_3_d_EA = t164 * t106 + t107 * t165;
-        at.write_dc(28, d_theta_hat_3_d_EA);
-        let d_theta_hat_3_d_EI = -(u18 * (t22 * t109 + t34 * t23));
-        at.write_dc(29, d_theta_hat_3_d_EI);
-        let d_theta_hat_3_d_k = t166 * t107;
-        at.write_dc(30, d_theta_hat_3_d_k);
-        let d_theta_hat_3_d_m_o = t167 * t106 + t107 * t168;
-        at.write_dc(31, d_theta_hat_3_d_m_o);
-        let d_theta_hat_3_d_R = t107 * t100 - t122;
-        at.write_dc(32, d_theta_hat_3_d_R);
-        let d_theta_hat_3_d_R_P = t169 * t106 + t107 * t170;
-        at.write_dc(33, d_theta_hat_3_d_R_P);
-        let d_theta_hat_3_d_beta = u18 * (t23 * (u38 * (p * t63))) + t171 * t104
-            + t107 * t172;
-        at.write_dc(34, d_theta_hat_3_d_beta);
-        let d_theta_hat_3_d_mu_k = -(u18 * (saturation * t102) + t173 * t107);
-        at.write_dc(35, d_theta_hat_3_d_mu_k);
-        let d_theta_hat_3_d_v_thr = u18 * (t174 * t102) + t175 * t107;
-        at.write_dc(36, d_theta_hat_3_d_v_thr);
-        let d_theta_hat_3_d_omega_P = t176 * t106 - t177 * t105 + t107 * t178;
-        at.write_dc(37, d_theta_hat_3_d_omega_P);
+        let d_E_hat_1_d_Phi = t150 * d_T_hat_1_d_Phi - u80 * (t22 * (theta1 * t155));
+        at.write_dc(18, d_E_hat_1_d_Phi);
+        let d_E_hat_1_d_sigma = -(t151 * t161 + t153 * t162);
+        at.write_dc(19, d_E_hat_1_d_sigma);
+        let d_E_hat_1_d_flow = u94 * t50 + t151 * t168 + t153 * t170;
+        at.write_dc(20, d_E_hat_1_d_flow);
+        let t176 = V_T - u38 * t1;
+        let t177 = sin_theta * t176;
+        let t178 = cos_theta * t176;
+        let t179 = t177 * t67 + t178 * t72;
+        let t180 = t177 * t77 + t178 * t78;
+        let d_T_hat_1_d_EA = t54 * t179 + t74 * t180;
+        at.write_dc(21, d_T_hat_1_d_EA);
+        let t181 = t21 * t81;
+        let d_T_hat_1_d_EI = -t181;
+        at.write_dc(22, d_T_hat_1_d_EI);
+        let t182 = r * t8;
+        let d_T_hat_1_d_k = t92 * t182;
+        at.write_dc(23, d_T_hat_1_d_k);
+        let t183 = u40 * t1;
+        let t184 = sin_theta * t183;
+        let t185 = u30 * t166 - cos_theta * t183;
+        let t186 = u30 * t165 - t184 * t67 + t72 * t185;
+        let t187 = u30 * t169 - t184 * t77 + t78 * t185;
+        let d_T_hat_1_d_m_o = t54 * t186 + t74 * t187;
+        at.write_dc(24, d_T_hat_1_d_m_o);
+        let t188 = t8 * t13;
+        let d_T_hat_1_d_R = u88 * t188 + t95 - t97 - t98;
+        at.write_dc(25, d_T_hat_1_d_R);
+        let t189 = u28 * t166;
+        let t190 = u28 * t165 + t72 * t189;
+        let t191 = u28 * t169 + t78 * t189;
+        let d_T_hat_1_d_R_P = t54 * t190 + t74 * t191;
+        at.write_dc(26, d_T_hat_1_d_R_P);
+        let t192 = (t12 + u13 * f_r) * t52;
+        let t193 = r * t192;
+        let t194 = u69 * t51 + u88 * (t13 * t193);
+        let t195 = Real::splat(0.5) * t5 * (u41 * t3 + u43 * t3);
+        let t196 = t195 * t58;
+        let t197 = t195 * t76;
+        let d_T_hat_1_d_beta = -(t194 + t196 * t54 + t74 * t197);
+        at.write_dc(27, d_T_hat_1_d_beta);
+        let t198 = saturation * t59;
+        let t199 = saturation * t75;
+        let d_T_hat_1_d_mu_k = t198 * t54 + t74 * t199;
+        at.write_dc(28, d_T_hat_1_d_mu_k);
+        let t200 = u61 * (speed * t64);
+        let t201 = t59 * t200;
+        let t202 = t75 * t200;
+        let d_T_hat_1_d_v_thr = -(t201 * t54 + t74 * t202);
+        at.write_dc(29, d_T_hat_1_d_v_thr);
+        let t203 = u5 * t166 - sigma * r;
+        let t204 = u5 * t165 + t72 * t203;
+        let t205 = u5 * t169 + t78 * t203;
+        let d_T_hat_1_d_omega_P = t54 * t204 + t74 * t205;
+        at.write_dc(30, d_T_hat_1_d_omega_P);
+        let d_theta_hat_3_d_EA = t103 * t180 - t101 * t179;
+        at.write_dc(31, d_theta_hat_3_d_EA);
+        let d_theta_hat_3_d_EI = -(u21 * (t16 * t107 + t34 * t24));
+        at.write_dc(32, d_theta_hat_3_d_EI);
+        let d_theta_hat_3_d_k = t182 * t112;
+        at.write_dc(33, d_theta_hat_3_d_k);
+        let d_theta_hat_3_d_m_o = t103 * t187 - t101 * t186;
+        at.write_dc(34, d_theta_hat_3_d_m_o);
+        let d_theta_hat_3_d_R = u91 * (t8 * t100) + t113 + t114 - t115;
+        at.write_dc(35, d_theta_hat_3_d_R);
+        let d_theta_hat_3_d_R_P = t103 * t191 - t101 * t190;
+        at.write_dc(36, d_theta_hat_3_d_R_P);
+        let d_theta_hat_3_d_beta = u85 * t99 - u91 * (t100 * t193) + t196 * t101
+            - t197 * t103;
+        at.write_dc(37, d_theta_hat_3_d_beta);
+        let d_theta_hat_3_d_mu_k = t199 * t103 - t198 * t101;
+        at.write_dc(38, d_theta_hat_3_d_mu_k);
+        let d_theta_hat_3_d_v_thr = t201 * t101 - t202 * t103;
+        at.write_dc(39, d_theta_hat_3_d_v_thr);
+        let d_theta_hat_3_d_omega_P = t103 * t205 - t101 * t204;
+        at.write_dc(40, d_theta_hat_3_d_omega_P);
         let d_x_hat_1_d_R = -d_x_hat_1_d_x;
-        at.write_dc(38, d_x_hat_1_d_R);
-        let d_M_hat_1_d_EA = t164 * t128 + t129 * t165;
-        at.write_dc(39, d_M_hat_1_d_EA);
-        let d_M_hat_1_d_k = t166 * t129;
-        at.write_dc(40, d_M_hat_1_d_k);
-        let d_M_hat_1_d_m_o = t167 * t128 + t129 * t168;
-        at.write_dc(41, d_M_hat_1_d_m_o);
-        let d_M_hat_1_d_R = t129 * t100 - t131;
-        at.write_dc(42, d_M_hat_1_d_R);
-        let d_M_hat_1_d_R_P = t169 * t128 + t129 * t170;
-        at.write_dc(43, d_M_hat_1_d_R_P);
-        let d_M_hat_1_d_beta = t129 * t172 - t171 * t126;
-        at.write_dc(44, d_M_hat_1_d_beta);
-        let d_M_hat_1_d_mu_k = saturation * t123 - t129 * t173;
-        at.write_dc(45, d_M_hat_1_d_mu_k);
-        let d_M_hat_1_d_v_thr = t129 * t175 - t123 * t174;
-        at.write_dc(46, d_M_hat_1_d_v_thr);
-        let d_M_hat_1_d_omega_P = t176 * t128 - t177 * t127 + t129 * t178;
-        at.write_dc(47, d_M_hat_1_d_omega_P);
-        let d_A_hat_1_d_k = Real::splat(0.5) * x * t136;
-        at.write_dc(48, d_A_hat_1_d_k);
-        at.write_dc(49, d_A_hat_1_d_R);
-        let t179 = (u19 - u42 * t43) * (Phi * t134) + (u8 * t42 - u26 * t42) * t161;
-        let d_L_o_hat_1_d_EA = -t179;
-        at.write_dc(50, d_L_o_hat_1_d_EA);
-        let d_L_o_hat_1_d_m_o = -((u9 * T - u30 * t42) * t161 + u24 * t162);
-        at.write_dc(51, d_L_o_hat_1_d_m_o);
-        at.write_dc(52, d_L_o_hat_1_d_R);
-        let d_L_o_hat_1_d_R_P = -(u22 * t162);
-        at.write_dc(53, d_L_o_hat_1_d_R_P);
-        let d_L_o_hat_1_d_omega_P = -(u5 * t162);
-        at.write_dc(54, d_L_o_hat_1_d_omega_P);
-        let d_W_hat_1_d_EA = t164 * t141 + t142 * t165;
-        at.write_dc(55, d_W_hat_1_d_EA);
-        let d_W_hat_1_d_k = t166 * t142;
-        at.write_dc(56, d_W_hat_1_d_k);
-        let d_W_hat_1_d_m_o = t167 * t141 + t142 * t168;
-        at.write_dc(57, d_W_hat_1_d_m_o);
-        let d_W_hat_1_d_R = t142 * t100 - t144;
-        at.write_dc(58, d_W_hat_1_d_R);
-        let d_W_hat_1_d_R_P = t169 * t141 + t142 * t170;
-        at.write_dc(59, d_W_hat_1_d_R_P);
-        let d_W_hat_1_d_beta = t171 * t139 + t142 * t172;
-        at.write_dc(60, d_W_hat_1_d_beta);
-        let d_W_hat_1_d_mu_k = saturation * t137 - t142 * t173;
-        at.write_dc(61, d_W_hat_1_d_mu_k);
-        let d_W_hat_1_d_v_thr = t142 * t175 - t174 * t137;
-        at.write_dc(62, d_W_hat_1_d_v_thr);
-        let d_W_hat_1_d_omega_P = t176 * t141 - t177 * t140 + t142 * t178;
-        at.write_dc(63, d_W_hat_1_d_omega_P);
-        let d_A_x_hat_1_d_k = t145 * d_A_hat_1_d_k;
-        at.write_dc(64, d_A_x_hat_1_d_k);
-        let d_A_x_hat_1_d_R = t147 + t148;
-        at.write_dc(65, d_A_x_hat_1_d_R);
-        let d_A_y_hat_1_d_k = t149 * d_A_hat_1_d_k;
-        at.write_dc(66, d_A_y_hat_1_d_k);
-        let d_A_y_hat_1_d_R = t151 + t152;
-        at.write_dc(67, d_A_y_hat_1_d_R);
+        at.write_dc(41, d_x_hat_1_d_R);
+        let d_M_hat_1_d_EA = t117 * t180 - t119 * t179;
+        at.write_dc(42, d_M_hat_1_d_EA);
+        let d_M_hat_1_d_k = t121 * t182;
+        at.write_dc(43, d_M_hat_1_d_k);
+        let d_M_hat_1_d_m_o = t117 * t187 - t119 * t186;
+        at.write_dc(44, d_M_hat_1_d_m_o);
+        let d_M_hat_1_d_R = u88 * (t8 * t37) + t122 + t123 - t124;
+        at.write_dc(45, d_M_hat_1_d_R);
+        let d_M_hat_1_d_R_P = t117 * t191 - t119 * t190;
+        at.write_dc(46, d_M_hat_1_d_R_P);
+        let d_M_hat_1_d_beta = t196 * t119 - u88 * (t37 * t193) - t117 * t197;
+        at.write_dc(47, d_M_hat_1_d_beta);
+        let d_M_hat_1_d_mu_k = t117 * t199 - t198 * t119;
+        at.write_dc(48, d_M_hat_1_d_mu_k);
+        let d_M_hat_1_d_v_thr = t201 * t119 - t117 * t202;
+        at.write_dc(49, d_M_hat_1_d_v_thr);
+        let d_M_hat_1_d_omega_P = t117 * t205 - t119 * t204;
+        at.write_dc(50, d_M_hat_1_d_omega_P);
+        let d_A_hat_1_d_k = u64 * (x * arc);
+        at.write_dc(51, d_A_hat_1_d_k);
+        at.write_dc(52, d_A_hat_1_d_R);
+        let t206 = (u22 - u53 * t39) * (Phi * t127) + (u8 * t38 - u32 * t38) * t171;
+        let d_L_o_hat_1_d_EA = -t206;
+        at.write_dc(53, d_L_o_hat_1_d_EA);
+        let d_L_o_hat_1_d_m_o = -((u9 * T - u37 * t38) * t171 + u30 * t172);
+        at.write_dc(54, d_L_o_hat_1_d_m_o);
+        at.write_dc(55, d_L_o_hat_1_d_R);
+        let d_L_o_hat_1_d_R_P = -(u28 * t172);
+        at.write_dc(56, d_L_o_hat_1_d_R_P);
+        let d_L_o_hat_1_d_omega_P = -(u5 * t172);
+        at.write_dc(57, d_L_o_hat_1_d_omega_P);
+        let d_W_hat_1_d_EA = t135 * t177 + t137 * t178 + t132 * t179 + t134 * t180;
+        at.write_dc(58, d_W_hat_1_d_EA);
+        let d_W_hat_1_d_k = Real::splat(0.5) * t8 * t131;
+        at.write_dc(59, d_W_hat_1_d_k);
+        let d_W_hat_1_d_m_o = u30 * t173 - t135 * t184 + t137 * t185 + t132 * t186
+            + t134 * t187;
+        at.write_dc(60, d_W_hat_1_d_m_o);
+        let d_W_hat_1_d_R = t138 - t139 - t140 - t141;
+        at.write_dc(61, d_W_hat_1_d_R);
+        let d_W_hat_1_d_R_P = u28 * t173 + u106 * t174 + t132 * t190 + t134 * t191;
+        at.write_dc(62, d_W_hat_1_d_R_P);
+        let d_W_hat_1_d_beta = u67 * (arc * t42) - u17 * t192 * t131 - t196 * t132
+            - t134 * t197;
+        at.write_dc(63, d_W_hat_1_d_beta);
+        let d_W_hat_1_d_mu_k = t198 * t132 + t134 * t199;
+        at.write_dc(64, d_W_hat_1_d_mu_k);
+        let d_W_hat_1_d_v_thr = -(t201 * t132 + t134 * t202);
+        at.write_dc(65, d_W_hat_1_d_v_thr);
+        let d_W_hat_1_d_omega_P = u5 * t173 + t137 * t203 + t132 * t204 + t134 * t205;
+        at.write_dc(66, d_W_hat_1_d_omega_P);
+        let d_A_x_hat_1_d_k = t142 * d_A_hat_1_d_k;
+        at.write_dc(67, d_A_x_hat_1_d_k);
+        let d_A_x_hat_1_d_R = t144 + t145;
+        at.write_dc(68, d_A_x_hat_1_d_R);
+        let d_A_y_hat_1_d_k = t146 * d_A_hat_1_d_k;
+        at.write_dc(69, d_A_y_hat_1_d_k);
+        let d_A_y_hat_1_d_R = t148 + t149;
+        at.write_dc(70, d_A_y_hat_1_d_R);
+        let d_E_hat_1_d_EA = t151 * t179 - u38 * t50 + t153 * t180;
+        at.write_dc(71, d_E_hat_1_d_EA);
+        let t207 = u59 * t22;
+        let d_E_hat_1_d_EI = t207 * (t47 * (u57 * t47) - u56 * t48) - t150 * t181;
+        at.write_dc(72, d_E_hat_1_d_EI);
+        let d_E_hat_1_d_k = t150 * d_T_hat_1_d_k - u81 * (t22 * t49);
+        at.write_dc(73, d_E_hat_1_d_k);
+        let d_E_hat_1_d_m_o = u95 * t50 - u40 * t50 + t151 * t186 + t153 * t187;
+        at.write_dc(74, d_E_hat_1_d_m_o);
+        let d_E_hat_1_d_R = u100 * (stored * t188) + t156 - t157 - t158;
+        at.write_dc(75, d_E_hat_1_d_R);
+        let d_E_hat_1_d_R_P = u96 * t50 + t151 * t190 + t153 * t191;
+        at.write_dc(76, d_E_hat_1_d_R_P);
+        let t208 = (u17 * t49 + u58 * t49) * t207 + t150 * t194 + t196 * t151
+            + t197 * t153;
+        let d_E_hat_1_d_beta = -t208;
+        at.write_dc(77, d_E_hat_1_d_beta);
+        let d_E_hat_1_d_mu_k = t198 * t151 + t199 * t153;
+        at.write_dc(78, d_E_hat_1_d_mu_k);
+        let d_E_hat_1_d_v_thr = -(t201 * t151 + t202 * t153);
+        at.write_dc(79, d_E_hat_1_d_v_thr);
+        let d_E_hat_1_d_omega_P = u97 * t50 + t151 * t204 + t153 * t205;
+        at.write_dc(80, d_E_hat_1_d_omega_P);
     }
 }
-///Derived fields. (12 add, 46 mul, 5 div, 2 sqrt, 4 fn; once 20)
+///Derived fields. (15 add, 40 mul, 4 div, 2 sqrt, 4 fn; once 22)
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;
@@ -1606,7 +1962,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
-    type Uniforms = [f64; 16];
+    type Uniforms = [f64; 17];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let EA = constants[3];
@@ -1626,17 +1982,37 @@ impl Sweep for Fields {
         let u4 = G * G;
         let u5 = reciprocal(EA * m_o - u4);
         let u6 = EA * u5;
-        let u7 = G * u5;
+        let V_T = G * u5;
         let sigma = constants[1];
         let omega = sigma * omega_P;
+        let u7 = reciprocal(cos_beta);
+        let u8 = u7 * u7;
+        let u9 = sin_beta * sin_beta * u8;
         let v_thr = constants[11];
-        let u8 = reciprocal(v_thr) * 4.0;
-        let u9 = reciprocal(cos_beta);
-        let u10 = sin_beta * u9;
+        let u10 = reciprocal(v_thr) * 4.0;
+        let u11 = sin_beta * u7;
         let k = constants[5];
-        let u11 = k * 0.5;
-        let u12 = 2.0 * (u9 * u9);
-        [EA, EI, m_o, R, mu_k, cos_beta, u2, u3, u4, u6, u7, omega, u8, u10, u11, u12]
+        let u12 = k * 0.5;
+        let u13 = 2.0 * u8;
+        [
+            EA,
+            EI,
+            m_o,
+            R,
+            mu_k,
+            cos_beta,
+            u2,
+            u3,
+            u4,
+            u6,
+            V_T,
+            omega,
+            u9,
+            u10,
+            u11,
+            u12,
+            u13,
+        ]
     }
     #[inline(always)]
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
@@ -1650,16 +2026,17 @@ impl Sweep for Fields {
         let u3 = Real::splat(uniforms[7]);
         let u4 = Real::splat(uniforms[8]);
         let u6 = Real::splat(uniforms[9]);
-        let u7 = Real::splat(uniforms[10]);
+        let V_T = Real::splat(uniforms[10]);
         let omega = Real::splat(uniforms[11]);
-        let u8 = Real::splat(uniforms[12]);
+        let u9 = Real::splat(uniforms[12]);
         let u10 = Real::splat(uniforms[13]);
         let u11 = Real::splat(uniforms[14]);
         let u12 = Real::splat(uniforms[15]);
+        let u13 = Real::splat(uniforms[16]);
         let T = at.state::<Real>(0);
         let F = u6 * (u4 + m_o * T);
         at.write_field(0, F);
-        let V = u7 * (T + EA);
+        let V = V_T * (T + EA);
         at.write_field(1, V);
         let theta = at.state::<Real>(1);
         let (sin_theta, cos_theta) = sin_cos(theta);
@@ -1669,46 +2046,44 @@ impl Sweep for Fields {
         let r = R - x;
         let v_t = cos_theta * V - omega * r;
         at.write_field(3, v_t);
-        let t2 = v_t * v_t;
-        let t3 = v_r * v_r;
-        let speed = sqrt(t2 + (Real::splat(0.000000000000000000000001) + t3));
+        let t2 = v_r * v_r;
+        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
         at.write_field(4, speed);
         let gamma_a = angle(v_r, v_t);
         let gamma = turn(gamma_a);
         at.write_field(5, gamma);
-        let saturation = tanh(u8 * speed);
+        let saturation = tanh(u10 * speed);
         let mu = mu_k * saturation;
         at.write_field(6, mu);
-        let t4 = reciprocal(speed);
-        let cos_gamma = v_r * t4;
-        let tan_beta_s = u10 * cos_gamma;
-        let sec_beta_s = sqrt(Real::splat(1.0) + tan_beta_s * tan_beta_s);
-        let cos_beta_s = reciprocal(sec_beta_s);
-        let sin_beta_s = tan_beta_s * cos_beta_s;
-        let p = u11 * (x * reciprocal(cos_beta + mu * sin_beta_s));
+        let face_speed = sqrt(u9 * t2 + speed * speed);
+        let t3 = reciprocal(face_speed);
+        let f_r = t3 * (v_r * mu);
+        let p = u12 * (x * reciprocal(cos_beta + u11 * f_r));
         at.write_field(7, p);
-        let beta_s = angle(cos_beta_s, sin_beta_s);
+        let beta_s = angle(speed, u11 * v_r);
         at.write_field(8, beta_s);
-        let theta1 = at.state::<Real>(2);
-        let theta_1 = u2 * theta1;
+        let t4 = reciprocal(cos_theta);
+        let arc = r * t4;
+        let t5 = reciprocal(arc);
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
-        let t5 = reciprocal(r);
-        let Q = EI
-            * ((sin_theta * (theta_1 * theta_1) - cos_theta * theta_2 - sin_theta)
-                * (cos_theta * (t5 * t5)));
+        let tan_theta = t4 * sin_theta;
+        let theta1 = at.state::<Real>(2);
+        let Q = -(EI
+            * (t5 * t5 * (theta_2 + tan_theta - tan_theta * (u3 * (theta1 * theta1)))));
         at.write_field(9, Q);
-        let M_b = EI * (t5 * (cos_theta * (Real::splat(1.0) - theta_1)));
+        let theta_1 = u2 * theta1;
+        let M_b = -(EI * (t5 * (theta_1 - Real::splat(1.0))));
         at.write_field(10, M_b);
-        let axial = u11 * x;
+        let axial = u12 * x;
         at.write_field(11, axial);
-        let loss = Real::splat(2.0) * (p * (sec_beta_s * (speed * mu)));
+        let loss_radial = u13 * (p * (v_r * f_r));
+        let f_t = t3 * (v_t * mu);
+        let loss_tangential = Real::splat(2.0) * (p * (v_t * f_t));
+        let loss = loss_radial + loss_tangential;
         at.write_field(12, loss);
-        let loss_radial = u12 * (p * (cos_beta_s * (mu * (t3 * t4))));
         at.write_field(13, loss_radial);
-        let loss_tangential = Real::splat(2.0) * (p * (cos_beta_s * (mu * (t2 * t4))));
         at.write_field(14, loss_tangential);
-        let arc = r * reciprocal(cos_theta);
         let loss_phi = arc * loss;
         at.write_field(15, loss_phi);
     }

@@ -1,9 +1,9 @@
 // span_as_printed: The free belt as Appendix C prints it: L² on the wrong side.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
 // Operations per point, and once a batch:
-//   value: 3 add, 7 mul, 1 div, 0 sqrt, 1 fn; once 15
-//   jacobian: 11 add, 20 mul, 1 div, 0 sqrt, 1 fn; once 32
-//   full: 22 add, 36 mul, 1 div, 0 sqrt, 1 fn; once 41
+//   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn; once 22
+//   jacobian: 17 add, 32 mul, 1 div, 0 sqrt, 1 fn; once 56
+//   full: 33 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 76
 //   fields: 2 add, 5 mul, 0 div, 0 sqrt, 0 fn; once 13
 
 ///The free belt as Appendix C prints it: L² on the wrong side.
@@ -98,6 +98,12 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
             unit: "m",
             doc: "unstretched length of the belt in the region",
         },
+        Symbol {
+            name: "E",
+            symbol: "E",
+            unit: "W",
+            doc: "power that changes of speed take from the energy stored in bending and squeezing",
+        },
     ],
     fields: &[
         Symbol {
@@ -136,35 +142,44 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (4, 1),
         (5, 1),
         (6, 0),
+        (7, 2),
+        (7, 3),
     ],
     constant_pattern: &[
         (0, 0),
         (3, 0),
         (6, 0),
         (6, 1),
+        (7, 0),
+        (7, 1),
         (0, 3),
         (3, 3),
         (6, 2),
         (6, 4),
         (6, 5),
         (6, 6),
+        (7, 2),
+        (7, 3),
+        (7, 4),
+        (7, 5),
+        (7, 6),
     ],
-    usual_entries: 4,
+    usual_entries: 6,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (3 add, 7 mul, 1 div, 0 sqrt, 1 fn; once 15)
+///Right-hand side and integrands. (4 add, 10 mul, 1 div, 0 sqrt, 1 fn; once 22)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 4;
     const CONSTANTS: usize = 7;
-    const F: usize = 7;
+    const F: usize = 8;
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 7];
+    type Uniforms = [f64; 8];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let EA = constants[2];
@@ -174,52 +189,61 @@ impl Sweep for Value {
         let flow = constants[1];
         let G = omega_P * (R_P * (flow * m_o));
         let u1 = G * G;
-        let u2 = EA * reciprocal(EA * m_o - u1);
+        let u2 = reciprocal(EA * m_o - u1);
+        let u3 = EA * u2;
         let EI = constants[3];
         let L = constants[0];
-        let u3 = EI * (L * L);
-        let u4 = reciprocal(L);
-        let u5 = u4 * u4 * reciprocal(EI);
-        let u6 = L * EA;
-        [EA, m_o, u1, u2, u3, u5, u6]
+        let u4 = EI * (L * L);
+        let u5 = reciprocal(L);
+        let u6 = reciprocal(EI);
+        let u7 = u5 * u5 * u6;
+        let u8 = L * EA;
+        let V_T = G * u2;
+        let u9 = EI * u5;
+        let u10 = V_T * (u4 * (u9 * u9 * (u6 * 0.5)));
+        [EA, m_o, u1, u3, u4, u7, u8, u10]
     }
     #[inline(always)]
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
         let EA = Real::splat(uniforms[0]);
         let m_o = Real::splat(uniforms[1]);
         let u1 = Real::splat(uniforms[2]);
-        let u2 = Real::splat(uniforms[3]);
-        let u3 = Real::splat(uniforms[4]);
-        let u5 = Real::splat(uniforms[5]);
-        let u6 = Real::splat(uniforms[6]);
+        let u3 = Real::splat(uniforms[3]);
+        let u4 = Real::splat(uniforms[4]);
+        let u7 = Real::splat(uniforms[5]);
+        let u8 = Real::splat(uniforms[6]);
+        let u10 = Real::splat(uniforms[7]);
         let vartheta1 = at.state::<Real>(2);
         let vartheta2 = at.state::<Real>(3);
-        let tau_hat_1 = -(u3 * (vartheta1 * vartheta2));
+        let t1 = vartheta1 * vartheta2;
+        let tau_hat_1 = -(u4 * t1);
         at.write_f(0, tau_hat_1);
         at.write_f(1, vartheta1);
         at.write_f(2, vartheta2);
         let tau = at.state::<Real>(0);
-        let vartheta_hat_3 = u5 * (tau * vartheta1);
+        let vartheta_hat_3 = u7 * (tau * vartheta1);
         at.write_f(3, vartheta_hat_3);
         let vartheta = at.state::<Real>(1);
         let (sin_vartheta, cos_vartheta) = sin_cos(vartheta);
         at.write_f(4, cos_vartheta);
         at.write_f(5, sin_vartheta);
-        let F = u2 * (u1 + m_o * tau);
-        let L_o_hat_1 = u6 * reciprocal(EA + F);
+        let F = u3 * (u1 + m_o * tau);
+        let L_o_hat_1 = u8 * reciprocal(EA + F);
         at.write_f(6, L_o_hat_1);
+        let E_hat_1 = -(u10 * (t1 * (vartheta1 * vartheta1)));
+        at.write_f(7, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (11 add, 20 mul, 1 div, 0 sqrt, 1 fn; once 32)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (17 add, 32 mul, 1 div, 0 sqrt, 1 fn; once 56)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 4;
     const CONSTANTS: usize = 7;
-    const F: usize = 7;
-    const DY: usize = 9;
-    const DC: usize = 4;
+    const F: usize = 8;
+    const DY: usize = 11;
+    const DC: usize = 6;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 14];
+    type Uniforms = [f64; 19];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let EA = constants[2];
@@ -240,15 +264,49 @@ impl Sweep for Derivatives {
         let u8 = reciprocal(EI);
         let u9 = u7 * u8;
         let u10 = L * EA;
-        let u11 = omega_P * (m_o * R_P);
-        let u12 = EA * G;
-        let u13 = u3 * u3 * (2.0 * u12);
-        let u14 = 2.0 * (u3 * u12);
-        let u15 = 2.0 * (L * EI);
-        let u16 = u6 * u7 * (u8 * 2.0);
-        let u17 = L * reciprocal(EA);
-        let u18 = u2 * u3 * u17;
-        [EA, m_o, u1, u4, u5, u9, u10, u11, u13, u14, u15, u16, u17, u18]
+        let V_T = G * u3;
+        let u11 = EI * u6;
+        let u12 = u11 * u11 * (u8 * 0.5);
+        let u13 = u5 * u12;
+        let u14 = V_T * u13;
+        let u15 = u3 * u3;
+        let u16 = EA * G;
+        let u17 = u15 * (2.0 * u16);
+        let u18 = 2.0 * (u3 * u16);
+        let u19 = 2.0 * (L * EI);
+        let u20 = u6 * u7 * (u8 * 2.0);
+        let u21 = V_T * u5 * (EI * (u11 * u8));
+        let u22 = u6 * u21;
+        let u23 = u7 * u21;
+        let u24 = omega_P * (m_o * R_P);
+        let u25 = u24 * (u13 * (u3 + u15 * (u1 * 2.0)));
+        let u26 = reciprocal(EA) * (L * (EA * EA));
+        let u27 = u2 * u3 * u26;
+        let u28 = u24 * u26;
+        let u29 = V_T * u12;
+        let u30 = u5 * u29;
+        let u31 = u19 * u29;
+        [
+            EA,
+            m_o,
+            u1,
+            u4,
+            u5,
+            u9,
+            u10,
+            u14,
+            u17,
+            u18,
+            u19,
+            u20,
+            u22,
+            u23,
+            u25,
+            u27,
+            u28,
+            u30,
+            u31,
+        ]
     }
     #[inline(always)]
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
@@ -259,13 +317,18 @@ impl Sweep for Derivatives {
         let u5 = Real::splat(uniforms[4]);
         let u9 = Real::splat(uniforms[5]);
         let u10 = Real::splat(uniforms[6]);
-        let u11 = Real::splat(uniforms[7]);
-        let u13 = Real::splat(uniforms[8]);
-        let u14 = Real::splat(uniforms[9]);
-        let u15 = Real::splat(uniforms[10]);
-        let u16 = Real::splat(uniforms[11]);
-        let u17 = Real::splat(uniforms[12]);
-        let u18 = Real::splat(uniforms[13]);
+        let u14 = Real::splat(uniforms[7]);
+        let u17 = Real::splat(uniforms[8]);
+        let u18 = Real::splat(uniforms[9]);
+        let u19 = Real::splat(uniforms[10]);
+        let u20 = Real::splat(uniforms[11]);
+        let u22 = Real::splat(uniforms[12]);
+        let u23 = Real::splat(uniforms[13]);
+        let u25 = Real::splat(uniforms[14]);
+        let u27 = Real::splat(uniforms[15]);
+        let u28 = Real::splat(uniforms[16]);
+        let u30 = Real::splat(uniforms[17]);
+        let u31 = Real::splat(uniforms[18]);
         let vartheta1 = at.state::<Real>(2);
         let vartheta2 = at.state::<Real>(3);
         let t1 = vartheta1 * vartheta2;
@@ -286,6 +349,10 @@ impl Sweep for Derivatives {
         let t5 = reciprocal(EA + F);
         let L_o_hat_1 = u10 * t5;
         at.write_f(6, L_o_hat_1);
+        let t6 = vartheta1 * vartheta1;
+        let t7 = t1 * t6;
+        let E_hat_1 = -(u14 * t7);
+        at.write_f(7, E_hat_1);
         let d_tau_hat_1_d_vartheta1 = -(u5 * vartheta2);
         at.write_dy(0, d_tau_hat_1_d_vartheta1);
         let d_tau_hat_1_d_vartheta2 = -(u5 * vartheta1);
@@ -299,32 +366,40 @@ impl Sweep for Derivatives {
         let d_X_hat_1_d_vartheta = -sin_vartheta;
         at.write_dy(6, d_X_hat_1_d_vartheta);
         at.write_dy(7, cos_vartheta);
-        let d_L_o_hat_1_d_L = EA * t5;
-        let t6 = d_L_o_hat_1_d_L * d_L_o_hat_1_d_L;
-        let d_L_o_hat_1_d_tau = -(u18 * t6);
+        let t8 = t5 * t5;
+        let d_L_o_hat_1_d_tau = -(u27 * t8);
         at.write_dy(8, d_L_o_hat_1_d_tau);
-        let d_tau_hat_1_d_L = -(u15 * t1);
+        let t9 = vartheta1 * t1;
+        let d_E_hat_1_d_vartheta1 = -(u22 * t9 + u30 * (vartheta2 * t6));
+        at.write_dy(9, d_E_hat_1_d_vartheta1);
+        let d_E_hat_1_d_vartheta2 = -(u30 * (vartheta1 * t6));
+        at.write_dy(10, d_E_hat_1_d_vartheta2);
+        let d_tau_hat_1_d_L = -(u19 * t1);
         at.write_dc(0, d_tau_hat_1_d_L);
-        let d_vartheta_hat_3_d_L = -(u16 * t2);
+        let d_vartheta_hat_3_d_L = -(u20 * t2);
         at.write_dc(1, d_vartheta_hat_3_d_L);
+        let d_L_o_hat_1_d_L = EA * t5;
         at.write_dc(2, d_L_o_hat_1_d_L);
-        let d_L_o_hat_1_d_flow = -(u11 * (u13 * t4 + u14) * (u17 * t6));
+        let d_L_o_hat_1_d_flow = -(u28 * ((u17 * t4 + u18) * t8));
         at.write_dc(3, d_L_o_hat_1_d_flow);
+        let d_E_hat_1_d_L = u23 * (vartheta1 * t9) - u31 * t7;
+        at.write_dc(4, d_E_hat_1_d_L);
+        let d_E_hat_1_d_flow = -(u25 * t7);
+        at.write_dc(5, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (22 add, 36 mul, 1 div, 0 sqrt, 1 fn; once 41)
+///Right-hand side, integrands, and their derivatives in states and all constants. (33 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 76)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 4;
     const CONSTANTS: usize = 7;
-    const F: usize = 7;
-    const DY: usize = 9;
-    const DC: usize = 10;
+    const F: usize = 8;
+    const DY: usize = 11;
+    const DC: usize = 17;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 25];
+    type Uniforms = [f64; 39];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
-        let L = constants[0];
         let EA = constants[2];
         let m_o = constants[4];
         let R_P = constants[5];
@@ -337,6 +412,7 @@ impl Sweep for AllDerivatives {
         let u4 = EA * m_o;
         let u5 = reciprocal(u4 - u3);
         let u6 = EA * u5;
+        let L = constants[0];
         let u7 = L * L;
         let EI = constants[3];
         let u8 = EI * u7;
@@ -346,23 +422,48 @@ impl Sweep for AllDerivatives {
         let u12 = u10 * u11;
         let u13 = reciprocal(EA);
         let u14 = L * EA;
-        let u15 = omega_P * u1;
-        let u16 = omega_P * (m_o * R_P);
-        let u17 = omega_P * (flow * R_P);
-        let u18 = u5 * u5;
-        let u19 = u4 * u18;
-        let u20 = EA * G;
-        let u21 = u18 * (2.0 * u20);
-        let u22 = 2.0 * (u5 * u20);
-        let u23 = u18 * (EA * EA);
-        let u24 = 2.0 * (L * EI);
-        let u25 = u10 * (u11 * u11);
-        let u26 = u9 * u10 * (u11 * 2.0);
-        let u27 = u13 * u13;
-        let u28 = L * u13;
-        let u29 = u4 * u5 * u28;
+        let V_T = G * u5;
+        let u15 = EI * u9;
+        let u16 = u15 * u15;
+        let u17 = u16 * (u11 * 0.5);
+        let u18 = u8 * u17;
+        let u19 = V_T * u18;
+        let u20 = omega_P * u1;
+        let u21 = omega_P * (m_o * R_P);
+        let u22 = omega_P * (flow * R_P);
+        let u23 = u5 * u5;
+        let u24 = u4 * u23;
+        let u25 = EA * G;
+        let u26 = u23 * (2.0 * u25);
+        let u27 = 2.0 * (u5 * u25);
+        let u28 = EA * EA;
+        let u29 = u23 * u28;
+        let u30 = 2.0 * (L * EI);
+        let u31 = u11 * u11;
+        let u32 = u10 * u31;
+        let u33 = u9 * u10 * (u11 * 2.0);
+        let u34 = u13 * u13;
+        let u35 = L * u28;
+        let u36 = u13 * u35;
+        let u37 = V_T * u8;
+        let u38 = u16 * (0.5 * u31) * u37;
+        let u39 = u15 * u11 * u37;
+        let u40 = u15 * u39;
+        let u41 = EI * u10 * u39;
+        let u42 = u9 * u39;
+        let u43 = u18 * (u23 * (m_o * G));
+        let u44 = u18 * (u23 * u25);
+        let u45 = u4 * u5 * u36;
+        let u46 = u18 * (u5 + u23 * (u3 * 2.0));
+        let u47 = u21 * u46;
+        let u48 = u22 * u46;
+        let u49 = u20 * u46;
+        let u50 = u2 * u46;
+        let u51 = V_T * u17;
+        let u52 = u8 * u51;
+        let u53 = u30 * u51;
+        let u54 = u7 * u51;
         [
-            L,
             EA,
             m_o,
             u2,
@@ -374,48 +475,77 @@ impl Sweep for AllDerivatives {
             u12,
             u13,
             u14,
-            u15,
-            u16,
-            u17,
             u19,
+            u20,
             u21,
             u22,
-            u23,
             u24,
-            u25,
             u26,
             u27,
-            u28,
             u29,
+            u30,
+            u32,
+            u33,
+            u34,
+            u35,
+            u36,
+            u38,
+            u40,
+            u41,
+            u42,
+            u43,
+            u44,
+            u45,
+            u47,
+            u48,
+            u49,
+            u50,
+            u52,
+            u53,
+            u54,
         ]
     }
     #[inline(always)]
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
-        let L = Real::splat(uniforms[0]);
-        let EA = Real::splat(uniforms[1]);
-        let m_o = Real::splat(uniforms[2]);
-        let u2 = Real::splat(uniforms[3]);
-        let u3 = Real::splat(uniforms[4]);
-        let u5 = Real::splat(uniforms[5]);
-        let u6 = Real::splat(uniforms[6]);
-        let u7 = Real::splat(uniforms[7]);
-        let u8 = Real::splat(uniforms[8]);
-        let u12 = Real::splat(uniforms[9]);
-        let u13 = Real::splat(uniforms[10]);
-        let u14 = Real::splat(uniforms[11]);
-        let u15 = Real::splat(uniforms[12]);
-        let u16 = Real::splat(uniforms[13]);
-        let u17 = Real::splat(uniforms[14]);
-        let u19 = Real::splat(uniforms[15]);
-        let u21 = Real::splat(uniforms[16]);
-        let u22 = Real::splat(uniforms[17]);
-        let u23 = Real::splat(uniforms[18]);
-        let u24 = Real::splat(uniforms[19]);
-        let u25 = Real::splat(uniforms[20]);
-        let u26 = Real::splat(uniforms[21]);
-        let u27 = Real::splat(uniforms[22]);
-        let u28 = Real::splat(uniforms[23]);
-        let u29 = Real::splat(uniforms[24]);
+        let EA = Real::splat(uniforms[0]);
+        let m_o = Real::splat(uniforms[1]);
+        let u2 = Real::splat(uniforms[2]);
+        let u3 = Real::splat(uniforms[3]);
+        let u5 = Real::splat(uniforms[4]);
+        let u6 = Real::splat(uniforms[5]);
+        let u7 = Real::splat(uniforms[6]);
+        let u8 = Real::splat(uniforms[7]);
+        let u12 = Real::splat(uniforms[8]);
+        let u13 = Real::splat(uniforms[9]);
+        let u14 = Real::splat(uniforms[10]);
+        let u19 = Real::splat(uniforms[11]);
+        let u20 = Real::splat(uniforms[12]);
+        let u21 = Real::splat(uniforms[13]);
+        let u22 = Real::splat(uniforms[14]);
+        let u24 = Real::splat(uniforms[15]);
+        let u26 = Real::splat(uniforms[16]);
+        let u27 = Real::splat(uniforms[17]);
+        let u29 = Real::splat(uniforms[18]);
+        let u30 = Real::splat(uniforms[19]);
+        let u32 = Real::splat(uniforms[20]);
+        let u33 = Real::splat(uniforms[21]);
+        let u34 = Real::splat(uniforms[22]);
+        let u35 = Real::splat(uniforms[23]);
+        let u36 = Real::splat(uniforms[24]);
+        let u38 = Real::splat(uniforms[25]);
+        let u40 = Real::splat(uniforms[26]);
+        let u41 = Real::splat(uniforms[27]);
+        let u42 = Real::splat(uniforms[28]);
+        let u43 = Real::splat(uniforms[29]);
+        let u44 = Real::splat(uniforms[30]);
+        let u45 = Real::splat(uniforms[31]);
+        let u47 = Real::splat(uniforms[32]);
+        let u48 = Real::splat(uniforms[33]);
+        let u49 = Real::splat(uniforms[34]);
+        let u50 = Real::splat(uniforms[35]);
+        let u52 = Real::splat(uniforms[36]);
+        let u53 = Real::splat(uniforms[37]);
+        let u54 = Real::splat(uniforms[38]);
         let vartheta1 = at.state::<Real>(2);
         let vartheta2 = at.state::<Real>(3);
         let t1 = vartheta1 * vartheta2;
@@ -437,6 +567,10 @@ impl Sweep for AllDerivatives {
         let t6 = reciprocal(t5);
         let L_o_hat_1 = u14 * t6;
         at.write_f(6, L_o_hat_1);
+        let t7 = vartheta1 * vartheta1;
+        let t8 = t1 * t7;
+        let E_hat_1 = -(u19 * t8);
+        at.write_f(7, E_hat_1);
         let d_tau_hat_1_d_vartheta1 = -(u8 * vartheta2);
         at.write_dy(0, d_tau_hat_1_d_vartheta1);
         let d_tau_hat_1_d_vartheta2 = -(u8 * vartheta1);
@@ -450,32 +584,52 @@ impl Sweep for AllDerivatives {
         let d_X_hat_1_d_vartheta = -sin_vartheta;
         at.write_dy(6, d_X_hat_1_d_vartheta);
         at.write_dy(7, cos_vartheta);
-        let d_L_o_hat_1_d_L = EA * t6;
-        let t7 = d_L_o_hat_1_d_L * d_L_o_hat_1_d_L;
-        let d_L_o_hat_1_d_tau = -(u29 * t7);
+        let t9 = t6 * t6;
+        let d_L_o_hat_1_d_tau = -(u45 * t9);
         at.write_dy(8, d_L_o_hat_1_d_tau);
-        let d_tau_hat_1_d_L = -(u24 * t1);
+        let t10 = vartheta1 * t1;
+        let d_E_hat_1_d_vartheta1 = -(u40 * t10 + u52 * (vartheta2 * t7));
+        at.write_dy(9, d_E_hat_1_d_vartheta1);
+        let d_E_hat_1_d_vartheta2 = -(u52 * (vartheta1 * t7));
+        at.write_dy(10, d_E_hat_1_d_vartheta2);
+        let d_tau_hat_1_d_L = -(u30 * t1);
         at.write_dc(0, d_tau_hat_1_d_L);
-        let d_vartheta_hat_3_d_L = -(u26 * t2);
+        let d_vartheta_hat_3_d_L = -(u33 * t2);
         at.write_dc(1, d_vartheta_hat_3_d_L);
+        let d_L_o_hat_1_d_L = EA * t6;
         at.write_dc(2, d_L_o_hat_1_d_L);
-        let t8 = u28 * t7;
-        let t9 = u21 * t4 + u22;
-        let d_L_o_hat_1_d_flow = -(t8 * (u16 * t9));
+        let t11 = u36 * t9;
+        let t12 = (u26 * t4 + u27) * t11;
+        let d_L_o_hat_1_d_flow = -(u21 * t12);
         at.write_dc(3, d_L_o_hat_1_d_flow);
+        let t13 = vartheta1 * t10;
+        let d_E_hat_1_d_L = u41 * t13 - u53 * t8;
+        at.write_dc(4, d_E_hat_1_d_L);
+        let d_E_hat_1_d_flow = -(u47 * t8);
+        at.write_dc(5, d_E_hat_1_d_flow);
         let d_tau_hat_1_d_EI = -(u7 * t1);
-        at.write_dc(4, d_tau_hat_1_d_EI);
-        let d_vartheta_hat_3_d_EI = -(u25 * t2);
-        at.write_dc(5, d_vartheta_hat_3_d_EI);
-        let t10 = (u13 - u27 * t5) * (L * t7) + (u5 * t4 - u19 * t4) * t8;
-        let d_L_o_hat_1_d_EA = -t10;
-        at.write_dc(6, d_L_o_hat_1_d_EA);
-        let d_L_o_hat_1_d_m_o = -(t8 * (u6 * tau - u23 * t4 + u17 * t9));
-        at.write_dc(7, d_L_o_hat_1_d_m_o);
-        let d_L_o_hat_1_d_R_P = -(t8 * (u15 * t9));
-        at.write_dc(8, d_L_o_hat_1_d_R_P);
-        let d_L_o_hat_1_d_omega_P = -(t8 * (u2 * t9));
-        at.write_dc(9, d_L_o_hat_1_d_omega_P);
+        at.write_dc(6, d_tau_hat_1_d_EI);
+        let d_vartheta_hat_3_d_EI = -(u32 * t2);
+        at.write_dc(7, d_vartheta_hat_3_d_EI);
+        let t14 = (u13 - u34 * t5) * (u35 * t9) + (u5 * t4 - u24 * t4) * t11;
+        let d_L_o_hat_1_d_EA = -t14;
+        at.write_dc(8, d_L_o_hat_1_d_EA);
+        let d_L_o_hat_1_d_m_o = -((u6 * tau - u29 * t4) * t11 + u22 * t12);
+        at.write_dc(9, d_L_o_hat_1_d_m_o);
+        let d_L_o_hat_1_d_R_P = -(u20 * t12);
+        at.write_dc(10, d_L_o_hat_1_d_R_P);
+        let d_L_o_hat_1_d_omega_P = -(u2 * t12);
+        at.write_dc(11, d_L_o_hat_1_d_omega_P);
+        let d_E_hat_1_d_EA = u43 * t8;
+        at.write_dc(12, d_E_hat_1_d_EA);
+        let d_E_hat_1_d_EI = u38 * t8 - u42 * t13 - u54 * t8;
+        at.write_dc(13, d_E_hat_1_d_EI);
+        let d_E_hat_1_d_m_o = u44 * t8 - u48 * t8;
+        at.write_dc(14, d_E_hat_1_d_m_o);
+        let d_E_hat_1_d_R_P = -(u49 * t8);
+        at.write_dc(15, d_E_hat_1_d_R_P);
+        let d_E_hat_1_d_omega_P = -(u50 * t8);
+        at.write_dc(16, d_E_hat_1_d_omega_P);
     }
 }
 ///Derived fields. (2 add, 5 mul, 0 div, 0 sqrt, 0 fn; once 13)
@@ -504,8 +658,8 @@ impl Sweep for Fields {
         let u4 = G * G;
         let u5 = reciprocal(EA * m_o - u4);
         let u6 = EA * u5;
-        let u7 = G * u5;
-        [EA, m_o, u2, u3, u4, u6, u7]
+        let V_T = G * u5;
+        [EA, m_o, u2, u3, u4, u6, V_T]
     }
     #[inline(always)]
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
@@ -515,11 +669,11 @@ impl Sweep for Fields {
         let u3 = Real::splat(uniforms[3]);
         let u4 = Real::splat(uniforms[4]);
         let u6 = Real::splat(uniforms[5]);
-        let u7 = Real::splat(uniforms[6]);
+        let V_T = Real::splat(uniforms[6]);
         let tau = at.state::<Real>(0);
         let F = u6 * (u4 + m_o * tau);
         at.write_field(0, F);
-        let V = u7 * (tau + EA);
+        let V = V_T * (tau + EA);
         at.write_field(1, V);
         let vartheta1 = at.state::<Real>(2);
         let M_b = u2 * vartheta1;

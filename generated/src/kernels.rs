@@ -80,4 +80,6 @@ boundaries! {
         "Shear continuous where the belt meets a pulley; full shear.",
     boundary_as_printed BOUNDARY_AS_PRINTED
         "Conditions as Appendix D prints them.",
+    outputs OUTPUTS
+        "What a drive is asked for: each equation's residual is an output.",
 }

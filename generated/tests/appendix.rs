@@ -1,5 +1,5 @@
 //! The thesis's own code, Appendices C and D, transcribed by hand and compared with the kernels of `published`.
-#![allow(non_snake_case)]
+#![allow(non_snake_case, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! Every generated derivative against extrapolated central differences of the generated values.
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;
 

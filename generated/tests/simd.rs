@@ -1,4 +1,5 @@
 //! All vector widths give the same bits, whatever the number of points.
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;
 

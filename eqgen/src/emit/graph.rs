@@ -197,6 +197,10 @@ impl Graph {
                 self.neg(product)
             }
             (Constant(a), Constant(b)) => self.constant(f64::from_bits(a) * f64::from_bits(b)),
+            (Mul(c, e), Mul(d, f)) if self.is_front(c, e) && self.is_front(d, f) => {
+                let (front, back) = (self.mul(c, d), self.mul(e, f));
+                self.mul(front, back)
+            }
             // Uniform factors gather in front, where they are multiplied once a batch.
             (_, Mul(c, d)) if self.is_uniform(a) && self.is_uniform(c) && !self.is_uniform(d) => {
                 let front = self.mul(a, c);
@@ -212,6 +216,11 @@ impl Graph {
                 self.intern(Mul(first, second))
             }
         }
+    }
+
+    /// Whether a product is a uniform factor in front of a varying one.
+    fn is_front(&self, front: Node, back: Node) -> bool {
+        self.is_uniform(front) && !self.is_uniform(back)
     }
 
     /// 1/a

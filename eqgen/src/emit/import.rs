@@ -73,6 +73,7 @@ impl<'a> Import<'a> {
                 self.must_not_vanish(step, u)?;
                 Operation::Sqrt(u)
             }
+            (Function::Tan, &[u]) => return self.tangent(step, u),
             (Function::Tanh, &[u]) => Operation::Tanh(u),
             (Function::Saturate, &[u]) => Operation::Saturate(u),
             (Function::Angle, &[u, v]) => Operation::Angle(u, v),
@@ -80,6 +81,14 @@ impl<'a> Import<'a> {
             _ => return Err(Error::Unsupported { step: step.into(), expression: format!("{function:?}") }),
         };
         Ok(self.graph.function(operation))
+    }
+
+    fn tangent(&mut self, step: &str, argument: Node) -> Result<Node, Error> {
+        let sine = self.graph.function(Operation::Sin(argument));
+        let cosine = self.graph.function(Operation::Cos(argument));
+        self.must_not_vanish(step, cosine)?;
+        let secant = self.graph.reciprocal(cosine);
+        Ok(self.graph.mul(sine, secant))
     }
 
     /// Partial derivatives of a step with respect to the symbols it uses, by name; those that vanish are left out.
@@ -131,6 +140,10 @@ impl<'a> Import<'a> {
                 self.must_not_vanish(&step.name, value)?;
                 let inverse = self.graph.reciprocal(value);
                 Ok(self.graph.mul(half, inverse))
+            }
+            Function::Tan => {
+                let square = self.graph.mul(value, value);
+                Ok(self.graph.add(one, square))
             }
             Function::Tanh => {
                 let square = self.graph.mul(value, value);

@@ -1,6 +1,6 @@
 //! Bending: moment and shear of the belt as a beam, exact and linearised.
 
-use symbolica::atom::Atom;
+use symbolica::atom::{Atom, AtomCore};
 
 use super::kinematics::{ARC, PSI, SLOPE};
 use crate::derive::{Linear, linear_in, linearise, on_path, total_derivative};
@@ -63,7 +63,8 @@ impl Bending {
         Ok(Self { curvature, moment, moment_1, moment_2, shear, shear_1 })
     }
 
-    /// Q and Q' of the chosen form as functions of θ, θ', θ'', θ''' and x: x' and x'' follow the belt's path (3.24).
+    /// Q and Q' of the chosen form as functions of tanθ, ds/dφ, θ', θ'', θ''' and x: x' and x'' follow
+    /// the belt's path (3.24).
     ///
     /// # Errors
     /// As [`Bending::derive`].
@@ -73,8 +74,16 @@ impl Bending {
             Shear::Linearised => linearise(exact, &SMALL),
             Shear::Full => exact.clone(),
         };
-        Ok((on_path(&shape(&self.shear), &slope)?, on_path(&shape(&self.shear_1), &slope)?))
+        let compact = |exact: &Atom| -> Result<Atom, Error> { in_arc(&on_path(&shape(exact), &slope)?) };
+        Ok((compact(&self.shear)?, compact(&self.shear_1)?))
     }
+}
+
+/// sinθ as tanθ cosθ, cosθ as (R − x)/(ds/dφ): the belt's shear is short in these.
+fn in_arc(expression: &Atom) -> Result<Atom, Error> {
+    let read = |text| read("arc", text);
+    let tangent = expression.replace(read("sin(theta)")?).with(read("tan_theta*cos(theta)")?);
+    Ok(tangent.replace(read("cos(theta)")?).with(read("(R - x)/arc")?).factor())
 }
 
 /// Adds M_b, Q and the two parts of Q' = ∂Q'/∂θ''' θ''' + rest to a plan.
@@ -84,7 +93,6 @@ impl Bending {
 pub fn add_bending(plan: &mut Plan, form: Shear) -> Result<(), Error> {
     plan.nonzero("EI", "the belt resists bending")?;
     plan.nonzero("R", "a pulley has a radius")?;
-    plan.nonzero("R - x", "the belt runs around the pulley's centre")?;
     plan.nonzero("R + 2*x", "x stays far below R")?;
     let bending = Bending::derive()?;
     let (shear, shear_1) = bending.on_path(form)?;
@@ -93,7 +101,7 @@ pub fn add_bending(plan: &mut Plan, form: Shear) -> Result<(), Error> {
         Shear::Linearised => ("(3.38)", "(3.40)"),
         Shear::Full => ("(3.33)", "(3.35)"),
     };
-    plan.derived("M_b", bending.moment, "(3.32)")?;
+    plan.derived("M_b", in_arc(&bending.moment)?, "(3.32)")?;
     plan.derived("Q", shear, numbers.0)?;
     plan.derived("Q_theta3", coefficient, numbers.1)?;
     plan.derived("Q_rest", rest, numbers.1)

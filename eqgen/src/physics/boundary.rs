@@ -134,7 +134,10 @@ impl Interface {
     fn at_contact(&self, expression: &Atom) -> Result<Atom, Error> {
         let (end, wrap) = (self.contact, format!("Phi_{}", self.pulley));
         let symbol = |text: String| read("end", &text);
+        let radius = format!("(R_{} - x_{end})", self.pulley);
         let replacements = [
+            ("tan_theta", symbol(format!("sin(theta_{end})/cos(theta_{end})"))?),
+            ("arc", symbol(format!("{radius}/cos(theta_{end})"))?),
             ("theta", symbol(format!("theta_{end}"))?),
             ("theta_1", symbol(format!("theta1_{end}/{wrap}"))?),
             ("theta_2", symbol(format!("theta2_{end}/{wrap}^2"))?),
@@ -326,7 +329,7 @@ impl Equations {
     }
 }
 
-fn end_symbols() -> Vec<notation::Symbol> {
+pub(super) fn end_symbols() -> Vec<notation::Symbol> {
     let mut all = Vec::new();
     for (region, title, is_contact) in REGIONS {
         let states: &[&str] = if is_contact { &contact::STATES } else { &span::STATES };
@@ -340,7 +343,7 @@ fn end_symbols() -> Vec<notation::Symbol> {
     all
 }
 
-fn integral_symbols() -> Vec<notation::Symbol> {
+pub(super) fn integral_symbols() -> Vec<notation::Symbol> {
     let mut all = Vec::new();
     for (region, title, is_contact) in REGIONS {
         let integrals: &[&str] = if is_contact { &contact::INTEGRALS } else { &span::INTEGRALS };

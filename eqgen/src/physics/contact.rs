@@ -5,18 +5,20 @@ use super::edition::RegionModel;
 use super::energy::add_contact_integrands;
 use super::friction::{Law, add_friction, add_loads};
 use super::kinematics::{SLOPE, add_sliding, add_stretch};
-use crate::derive::{solve_linear, substitute};
+use symbolica::atom::AtomCore;
+
+use crate::derive::solve_linear;
 use crate::error::Error;
 use crate::plan::{Function, Plan, read};
 
 /// States, in order.
 pub const STATES: [&str; 5] = ["T", "theta", "theta1", "theta2", "x"];
 /// Integrals, in order.
-pub const INTEGRALS: [&str; 6] = ["M", "A", "L_o", "W", "A_x", "A_y"];
+pub const INTEGRALS: [&str; 7] = ["M", "A", "L_o", "W", "A_x", "A_y", "E"];
 /// Constants, in order; the first three are usually unknown.
 pub const CONSTANTS: [&str; 13] =
     ["Phi", "sigma", "flow", "EA", "EI", "k", "m_o", "R", "R_P", "beta", "mu_k", "v_thr", "omega_P"];
-const ROWS: [&str; 11] = [
+const ROWS: [&str; 12] = [
     "T_hat_1",
     "theta1",
     "theta2",
@@ -28,6 +30,7 @@ const ROWS: [&str; 11] = [
     "W_hat_1",
     "A_x_hat_1",
     "A_y_hat_1",
+    "E_hat_1",
 ];
 const FIELDS: [&str; 16] = [
     "F",
@@ -93,15 +96,13 @@ fn add_system(plan: &mut Plan) -> Result<(), Error> {
     let rate = |text: &str| read("rate", text);
     plan.derived("T_hat_1", rate("Phi")? * rate(TANGENTIAL_MOMENTUM)?, "(3.31), (5.5)")?;
     plan.derived("theta_hat_3", rate("Phi^3*theta_3")?, "(5.4), (5.6)")?;
-    plan.derived("x_hat_1", rate("Phi")? * substitute(&rate(SLOPE)?, &[("R", rate("r + x")?)]), "(3.24)")
+    let slope = rate(SLOPE)?.replace(rate("sin(theta)")?).with(rate("tan_theta*cos(theta)")?);
+    plan.derived("x_hat_1", rate("Phi")? * slope, "(3.24)")
 }
 
 fn add_fields(plan: &mut Plan) -> Result<(), Error> {
     plan.apply("gamma_a", Function::Angle, &["v_r", "v_t"], "(3.13)")?;
     plan.apply("gamma", Function::Turn, &["gamma_a"], "Fig. 6.8")?;
-    plan.apply("beta_s", Function::Angle, &["cos_beta_s", "sin_beta_s"], "(3.14)")?;
-    // The velocity on the sheave's face splits into v_r/cosβ up the face and v_t around it.
-    plan.primitive("loss_radial", "2*mu*p*cos_beta_s/speed*v_r^2/cos(beta)^2", "power of friction")?;
-    plan.primitive("loss_tangential", "2*mu*p*cos_beta_s/speed*v_t^2", "power of friction")?;
+    plan.apply("beta_s", Function::Angle, &["speed", "v_r*sin(beta)/cos(beta)"], "(3.14)")?;
     plan.primitive("loss_phi", "loss*arc", "power of friction")
 }

@@ -4,6 +4,7 @@ use super::beam::Shear;
 use super::boundary::{self, BoundaryModel, Ends};
 use super::contact;
 use super::friction::Law;
+use super::outputs;
 use super::span::{self, Equations};
 use crate::error::Error;
 use crate::plan::Plan;
@@ -110,5 +111,6 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         }
     }
     all.push(Model::Boundary(boundary::model(Ends::AsPrinted, Shear::Linearised)?));
+    all.push(Model::Boundary(outputs::model()?));
     Ok(all)
 }

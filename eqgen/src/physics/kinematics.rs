@@ -46,21 +46,21 @@ pub fn add_stretch(plan: &mut Plan, tractive: &str) -> Result<(), Error> {
     plan.derived("V", speed, "(3.11)")
 }
 
-/// Adds the sliding speed and its direction to a plan, (3.12), (3.13).
+/// Adds the sliding velocity to a plan, (3.12).
 ///
 /// # Errors
 /// As [`Plan::primitive`].
 pub fn add_sliding(plan: &mut Plan) -> Result<(), Error> {
     plan.nonzero("cos(theta)", "a belt at θ = ±90° would point at the pulley's centre")?;
+    plan.nonzero("arc", "the belt runs around the pulley's centre")?;
     plan.nonzero("speed", "|v| ≥ v_0 > 0")?;
     plan.nonzero("v_0^2 + v_r^2 + v_t^2", "v_0 > 0")?;
     plan.primitive("omega", "sigma*omega_P", "definition of the speed ratio")?;
     plan.primitive("r", "R - x", "(3.1)")?;
     plan.primitive("arc", ARC, "(3.4)")?;
+    plan.apply("tan_theta", Function::Tan, &["theta"], "(3.24)")?;
     plan.primitive("v_r", "V*sin(theta)", "(3.12)")?;
     plan.primitive("v_t", "V*cos(theta) - (R - x)*omega", "(3.12)")?;
     plan.number("v_0", GUARD_SPEED, "guard: replaces |v| = 0 by 1e-12 m/s; smooth, and without effect elsewhere")?;
-    plan.apply("speed", Function::Sqrt, &["v_r^2 + v_t^2 + v_0^2"], "(3.12)")?;
-    plan.primitive("cos_gamma", "v_r/speed", "(3.13)")?;
-    plan.primitive("sin_gamma", "v_t/speed", "(3.13)")
+    plan.apply("speed", Function::Sqrt, &["v_r^2 + v_t^2 + v_0^2"], "(3.12)")
 }

@@ -9,4 +9,5 @@ pub mod energy;
 pub mod friction;
 pub mod kinematics;
 pub mod notation;
+pub mod outputs;
 pub mod span;

@@ -1,5 +1,5 @@
 //! Random states inside physical ranges, and ways to call kernels. Not every test uses all of it.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::panic)]
 
 use generated::{RegionFn, RegionKernel, RegionOut};
 
