@@ -1,4 +1,4 @@
-//! Rubber V-belt CVTs, computed: a [case](case) is solved by the [drive], and its [result] says what the belt does.
+//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does.
 
 pub mod case;
 pub mod drive;

@@ -1,6 +1,6 @@
 //! The invariants that ARCHITECTURE.md states, held by `cargo metadata` and by reading the sources.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
@@ -10,14 +10,14 @@ fn metadata() -> Metadata {
 }
 
 /// Direct dependencies of every package of the workspace.
-fn dependencies(metadata: &Metadata) -> BTreeMap<String, BTreeSet<(String, DependencyKind)>> {
+fn dependencies(metadata: &Metadata) -> BTreeMap<String, Vec<(String, DependencyKind)>> {
     let of = |package: &cargo_metadata::Package| {
         package.dependencies.iter().map(|dependency| (dependency.name.clone(), dependency.kind)).collect()
     };
     metadata.packages.iter().map(|package| (package.name.to_string(), of(package))).collect()
 }
 
-fn depends(all: &BTreeMap<String, BTreeSet<(String, DependencyKind)>>, package: &str, on: &str) -> bool {
+fn depends(all: &BTreeMap<String, Vec<(String, DependencyKind)>>, package: &str, on: &str) -> bool {
     all[package].iter().any(|(name, _)| name == on)
 }
 

@@ -33,6 +33,9 @@ pub struct Arguments {
     /// Write result.json and profile.csv into this folder, and print the summary
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Add the derivatives of the outputs with respect to every given constant to the object
+    #[arg(long)]
+    sensitivities: bool,
 }
 
 /// What stands in the place of a result that could not be had.
@@ -53,7 +56,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
     }
-    let options = SolveOptions { tolerance: arguments.tol, order: arguments.order };
+    let options =
+        SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
         Err(failure) => Err(arguments.failed(&case, &failure.to_string())),

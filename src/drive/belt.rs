@@ -24,9 +24,14 @@ impl Belt {
     /// `None` for a model that has no kernels.
     pub fn new(model: &Model, constants: &Constants) -> Option<Self> {
         let kernels = Kernels::of(model)?;
-        let bind = |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
-        let regions =
-            [bind(RegionId::Primary)?, bind(RegionId::SlackSpan)?, bind(RegionId::Secondary)?, bind(RegionId::TightSpan)?];
+        let bind =
+            |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
+        let regions = [
+            bind(RegionId::Primary)?,
+            bind(RegionId::SlackSpan)?,
+            bind(RegionId::Secondary)?,
+            bind(RegionId::TightSpan)?,
+        ];
         let layout = layout(&regions, kernels.boundary, constants);
         Some(Self { regions, boundary: kernels.boundary, layout })
     }

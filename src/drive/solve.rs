@@ -20,11 +20,13 @@ pub struct SolveOptions {
     pub tolerance: f64,
     /// Order of the collocation.
     pub order: Order,
+    /// Whether derivatives of the outputs with respect to the given constants are wanted.
+    pub sensitivities: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false }
     }
 }
 
@@ -54,6 +56,9 @@ pub enum Failure {
     /// Newton's method failed on the straight belt under a small torque.
     #[error("no solution was found for the start, a straight belt under a small torque: {0}")]
     Start(Box<SolveError>),
+    /// The equations are singular at the solution.
+    #[error("the solution has no derivatives: {0}")]
+    Sensitivities(SolveError),
     /// The way from the start to the case was lost.
     #[error(
         "the solution was lost at primary torque {torque:.4} N·m, slip threshold {slip_threshold:.3e} m/s, slack tension \

@@ -1,11 +1,10 @@
 //! From a solution to what it means.
 
-use std::f64::consts::PI;
-
-use solver::{Points, RegionSolution, Solution};
+use generated::{OUTPUTS, Symbol};
+use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
-use crate::drive::{Belt, Constant, Constants, RegionId};
+use crate::drive::{Belt, Constant, RegionId};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
 const INNER: usize = 3;
@@ -50,11 +49,40 @@ pub fn refined(mesh: &[f64], inner: usize) -> Vec<f64> {
     mesh.windows(2).flat_map(part).chain(mesh.last().copied()).collect()
 }
 
-/// Reads a solution: constants, integrals and sampled regions.
-pub struct Reading<'a> {
-    belt: &'a Belt,
-    solution: &'a Solution,
-    constants: Constants,
+/// The outputs of a solution by their names in the result object, from the generated outputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outputs(Vec<f64>);
+
+impl Outputs {
+    /// Of a solution.
+    pub fn new(solution: &Solution) -> Self {
+        let (ends, integrals) = inputs(solution);
+        let mut values = vec![0.0; OUTPUTS.equations.len()];
+        (OUTPUTS.value)(&ends, &integrals, solution.constants(), &mut values);
+        Self(values)
+    }
+
+    /// An output by region and key; NaN if there is none.
+    pub fn get(&self, region: &str, key: &str) -> f64 {
+        let named = |name: &str| name.split_once(SEPARATOR) == Some((region, key));
+        let at = OUTPUTS.equations.iter().position(|output| named(output.name));
+        at.and_then(|at| self.0.get(at).copied()).unwrap_or(f64::NAN)
+    }
+}
+
+/// Between region and key in the name of a generated output.
+pub const SEPARATOR: &str = "__";
+
+/// Ends and integrals of a solution, as boundary equations take them.
+pub fn inputs(solution: &Solution) -> (Vec<f64>, Vec<f64>) {
+    let value = |end: Option<&f64>| end.copied().unwrap_or(f64::NAN);
+    let ends = solution.regions().iter().flat_map(|part| {
+        let entries = (0..part.states()).map(|i| value(part.state(i).first()));
+        let exits = (0..part.states()).map(|i| value(part.state(i).last()));
+        entries.chain(exits)
+    });
+    let integrals = solution.regions().iter().flat_map(|part| part.integrals().iter().copied());
+    (ends.collect(), integrals.collect())
 }
 
 /// The smallest and largest of some values.
@@ -77,122 +105,94 @@ fn share_below(s: &[f64], v: &[f64], threshold: f64) -> f64 {
     s.windows(2).zip(v.windows(2)).map(part).sum()
 }
 
-impl<'a> Reading<'a> {
-    /// Of a solution of `belt`.
-    pub fn new(belt: &'a Belt, solution: &'a Solution) -> Self {
-        let mut constants = Constants([0.0; Constant::ALL.len()]);
-        constants.0.iter_mut().zip(solution.constants()).for_each(|(to, from)| *to = *from);
-        Self { belt, solution, constants }
-    }
+/// What a contact shows along its length.
+struct Contact {
+    penetration: f64,
+    slowest: f64,
+    fastest: f64,
+    adhesion: f64,
+}
 
-    /// The drive's constants, given and found.
-    pub fn constants(&self) -> &Constants {
-        &self.constants
-    }
-
-    fn part(&self, region: RegionId) -> &'a RegionSolution {
-        &self.solution.regions()[region.index()]
-    }
-
-    /// An integral over a region by its name in the notation; NaN if there is none.
-    fn integral(&self, region: RegionId, name: &str) -> f64 {
-        let at = self.belt.kernel(region).integrals.iter().position(|symbol| symbol.name == name);
-        at.and_then(|at| self.part(region).integrals().get(at).copied()).unwrap_or(f64::NAN)
-    }
-
-    /// A state's values in a region.
-    fn state(&self, region: RegionId, name: &str) -> &'a [f64] {
-        let at = self.belt.kernel(region).states.iter().position(|symbol| symbol.name == name);
-        at.map_or(&[], |at| self.part(region).state(at))
-    }
-
-    fn ends(&self, region: RegionId, name: &str) -> (f64, f64) {
-        let values = self.state(region, name);
-        (values.first().copied().unwrap_or(f64::NAN), values.last().copied().unwrap_or(f64::NAN))
-    }
-
-    fn speed(&self, region: RegionId) -> f64 {
-        let primary = self.constants[Constant::PrimarySpeed];
-        if region == RegionId::Primary { primary } else { primary * self.constants[Constant::SpeedRatio] }
-    }
-
-    /// One pulley, `region` being its contact.
-    pub fn pulley(&self, region: RegionId) -> Pulley {
-        let c = &self.constants;
-        let sampled = Sampled::new(self.belt, self.solution, region, INNER);
-        let kernel = self.belt.kernel(region);
-        let field = |name: &str| kernel.fields.iter().position(|symbol| symbol.name == name).map(|at| &sampled.fields[at]);
-        let states = |name: &str| kernel.states.iter().position(|symbol| symbol.name == name).map(|at| &sampled.states[at]);
-        let nothing = Vec::new();
-        let sliding = field("speed").unwrap_or(&nothing);
-        let (wrap, orientation, entry) = match region {
-            RegionId::Primary => (c[Constant::PrimaryWrap], c[Constant::PrimaryOrientation], c[Constant::PrimaryOrientation]),
-            _ => {
-                let (wrap, orientation) = (c[Constant::SecondaryWrap], c[Constant::SecondaryOrientation]);
-                (wrap, orientation, PI - orientation - wrap)
-            }
-        };
-        let force = self.integral(region, "A");
-        let (moment_x, moment_y) = (self.integral(region, "A_x"), self.integral(region, "A_y"));
-        let (sin, cos) = entry.sin_cos();
-        let resultant = nalgebra::Vector2::new(cos * moment_x - sin * moment_y, sin * moment_x + cos * moment_y) / force;
-        let (speed, torque) = (self.speed(region), self.integral(region, "M").abs());
-        let (entry_angle, exit_angle) = self.ends(region, "theta");
-        let (entry_tension, exit_tension) = self.ends(region, "T");
-        let (slowest, fastest) = extremes(sliding);
-        Pulley {
-            speed,
-            torque,
-            power: speed * torque,
-            axial_force: force,
-            wrap_angle: wrap,
-            entry_angle,
-            exit_angle,
-            orientation_angle: orientation,
-            max_penetration: extremes(states("x").unwrap_or(&nothing)).1,
-            min_sliding_speed: slowest,
-            max_sliding_speed: fastest,
-            adhesion_fraction: share_below(&sampled.s, sliding, c[Constant::SlipThreshold]),
-            resultant_x: resultant.x,
-            resultant_y: resultant.y,
-            binding_moment: force * resultant.norm(),
-            friction_loss: self.integral(region, "W"),
-            entry_tension,
-            exit_tension,
+impl Contact {
+    fn new(belt: &Belt, solution: &Solution, region: RegionId) -> Self {
+        let kernel = belt.kernel(region);
+        let sampled = Sampled::new(belt, solution, region, INNER);
+        let at = |symbols: &[Symbol], name: &str| symbols.iter().position(|symbol| symbol.name == name);
+        let column =
+            |values: &[Vec<f64>], at: Option<usize>| at.and_then(|at| values.get(at).cloned()).unwrap_or_default();
+        let sliding = column(&sampled.fields, at(kernel.fields, "speed"));
+        let threshold = solution.constants().get(Constant::SlipThreshold.index()).copied().unwrap_or(f64::NAN);
+        let (slowest, fastest) = extremes(&sliding);
+        Self {
+            penetration: extremes(&column(&sampled.states, at(kernel.states, "x"))).1,
+            slowest,
+            fastest,
+            adhesion: share_below(&sampled.s, &sliding, threshold),
         }
     }
+}
 
-    /// One span.
-    pub fn span(&self, region: RegionId) -> Span {
-        let length = if region == RegionId::TightSpan { Constant::TightLength } else { Constant::SlackLength };
-        let (min_tension, max_tension) = extremes(self.state(region, "tau"));
-        Span {
-            arc_length: self.constants[length],
-            unstretched_length: self.integral(region, "L_o"),
-            min_tension,
-            max_tension,
-        }
+/// One pulley, `region` being its contact.
+pub fn pulley(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionId) -> Pulley {
+    let contact = Contact::new(belt, solution, region);
+    let output = |key: &str| outputs.get(region.name(), key);
+    Pulley {
+        speed: output("speed"),
+        torque: output("torque"),
+        power: output("power"),
+        axial_force: output("axial_force"),
+        wrap_angle: output("wrap_angle"),
+        entry_angle: output("entry_angle"),
+        exit_angle: output("exit_angle"),
+        orientation_angle: output("orientation_angle"),
+        max_penetration: contact.penetration,
+        min_sliding_speed: contact.slowest,
+        max_sliding_speed: contact.fastest,
+        adhesion_fraction: contact.adhesion,
+        resultant_x: output("resultant_x"),
+        resultant_y: output("resultant_y"),
+        binding_moment: output("binding_moment"),
+        friction_loss: output("friction_loss"),
+        entry_tension: output("entry_tension"),
+        exit_tension: output("exit_tension"),
     }
+}
 
-    /// Efficiencies (6.7)–(6.9).
-    pub fn efficiency(&self, primary: &Pulley, secondary: &Pulley) -> Efficiency {
-        let radii = self.constants[Constant::SecondaryRadius] / self.constants[Constant::PrimaryRadius];
-        let (speed, torque) = (secondary.speed / primary.speed * radii, secondary.torque / primary.torque / radii);
-        Efficiency { speed, torque, overall: speed * torque }
+/// One span.
+pub fn span(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionId) -> Span {
+    let output = |key: &str| outputs.get(region.name(), key);
+    let sampled = Sampled::new(belt, solution, region, INNER);
+    let (min_tension, max_tension) = extremes(sampled.states.first().map_or(&[], Vec::as_slice));
+    Span {
+        arc_length: output("arc_length"),
+        unstretched_length: output("unstretched_length"),
+        min_tension,
+        max_tension,
     }
+}
 
-    /// The belt as a whole, `length` being what it measures unstretched, m.
-    pub fn belt(&self, length: f64) -> BeltResult {
-        let c = &self.constants;
-        let mass_flow = c[Constant::Flow] * c[Constant::MassPerLength] * c[Constant::PrimaryRadius] * c[Constant::PrimarySpeed];
-        let unstretched_length = RegionId::ALL.into_iter().map(|region| self.integral(region, "L_o")).sum();
-        BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length }
-    }
+/// Efficiencies.
+pub fn efficiency(outputs: &Outputs) -> Efficiency {
+    let output = |key: &str| outputs.get("efficiency", key);
+    Efficiency { speed: output("speed"), torque: output("torque"), overall: output("overall") }
+}
 
-    /// The energy audit.
-    pub fn energy(&self, primary: &Pulley, secondary: &Pulley) -> Energy {
-        let (power_in, power_out) = (primary.power, secondary.power);
-        let friction_loss = primary.friction_loss + secondary.friction_loss;
-        Energy { power_in, power_out, friction_loss, imbalance: (power_in - power_out - friction_loss) / power_in }
+/// The belt as a whole, `length` being what it measures unstretched, m.
+pub fn belt(outputs: &Outputs, length: f64) -> BeltResult {
+    let output = |key: &str| outputs.get("belt", key);
+    let unstretched_length = output("unstretched_length");
+    BeltResult { mass_flow: output("mass_flow"), unstretched_length, length_error: unstretched_length - length }
+}
+
+/// The energy audit.
+pub fn energy(outputs: &Outputs) -> Energy {
+    let output = |key: &str| outputs.get("energy", key);
+    Energy {
+        power_in: output("power_in"),
+        power_out: output("power_out"),
+        friction_loss: output("friction_loss"),
+        imbalance: output("imbalance"),
+        stretch_work: output("stretch_work"),
+        closure: output("closure"),
     }
 }

@@ -3,15 +3,15 @@
 mod compute;
 mod profile;
 mod schema;
+mod sensitivity;
 mod summary;
 
 use std::time::Instant;
 
-pub use compute::{Reading, Sampled};
+pub use compute::{Outputs, Sampled};
 pub use profile::write_profile;
-pub use schema::{
-    BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span,
-};
+pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
+pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 
 use crate::case::Resolved;
@@ -33,26 +33,29 @@ pub struct Outcome {
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let solved = solve(case, options)?;
-    let result = read(case, options, &solved, start);
+    let mut result = read(case, options, &solved, start);
+    if options.sensitivities {
+        result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
+    }
     Ok(Outcome { result, solved })
 }
 
 fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
-    let reading = Reading::new(&solved.belt, &solved.solution);
-    let (primary, secondary) = (reading.pulley(RegionId::Primary), reading.pulley(RegionId::Secondary));
+    let (belt, solution) = (&solved.belt, &solved.solution);
+    let outputs = Outputs::new(solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
-        tight_span: reading.span(RegionId::TightSpan),
-        slack_span: reading.span(RegionId::SlackSpan),
-        efficiency: reading.efficiency(&primary, &secondary),
-        belt: reading.belt(case.belt.length),
-        energy: reading.energy(&primary, &secondary),
-        primary,
-        secondary,
+        primary: compute::pulley(belt, solution, &outputs, RegionId::Primary),
+        secondary: compute::pulley(belt, solution, &outputs, RegionId::Secondary),
+        tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
+        slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
+        efficiency: compute::efficiency(&outputs),
+        belt: compute::belt(&outputs, case.belt.length),
+        energy: compute::energy(&outputs),
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,
@@ -68,5 +71,6 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             continuation_steps: solved.continuation_steps,
             wall_time: start.elapsed().as_secs_f64(),
         },
+        sensitivities: None,
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::sensitivity::Sensitivities;
+
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
 
@@ -32,6 +34,9 @@ pub struct DriveResult<I> {
     pub energy: Energy,
     /// How the solution was found.
     pub solver: SolverReport,
+    /// Derivatives of the outputs with respect to the given constants, if they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// One pulley and its contact.
@@ -110,7 +115,7 @@ pub struct BeltResult {
     pub length_error: f64,
 }
 
-/// The energy audit: power in = power out + friction loss, but for `imbalance`.
+/// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Energy {
     /// Power into the primary, W.
@@ -121,6 +126,11 @@ pub struct Energy {
     pub friction_loss: f64,
     /// (power_in − power_out − friction_loss)/power_in.
     pub imbalance: f64,
+    /// Power that the belt's stretching takes from the energy of bending and squeezing, W: moment and pressure are given
+    /// per stretched length, so that a piece of belt that grows shorter carries a little less.
+    pub stretch_work: f64,
+    /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for.
+    pub closure: f64,
 }
 
 /// How the solution was found, and how well it holds.

@@ -45,12 +45,13 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
     );
     let _ = writeln!(
         text,
-        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction + {:.1} W unaccounted for ({:.4} %)",
+        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {:.4} % unaccounted for",
         energy.power_in,
         energy.power_out,
         energy.friction_loss,
-        energy.imbalance * energy.power_in,
-        percent(energy.imbalance),
+        if energy.stretch_work < 0.0 { '−' } else { '+' },
+        energy.stretch_work.abs(),
+        percent(energy.closure),
     );
     let _ = writeln!(
         text,

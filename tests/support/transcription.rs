@@ -60,8 +60,8 @@ impl<S: Number> Constants<S> {
     }
 }
 
-/// A contact: five derivatives with respect to φ̂, then the integrands M, A, L_o, W, A_x, A_y.
-pub fn contact<S: Number>(choice: Choice, primary: bool, s: f64, y: &[S], c: &Constants<S>) -> [S; 11] {
+/// A contact: five derivatives with respect to φ̂, then the integrands M, A, L_o, W, A_x, A_y, E.
+pub fn contact<S: Number>(choice: Choice, primary: bool, s: f64, y: &[S], c: &Constants<S>) -> [S; 12] {
     let one = S::from(1.0);
     let (r_n, phi, w) =
         if primary { (c.r_p, c.phi_p, c.omega_p) } else { (c.r_s, c.phi_s, c.omega_p * c.speed_ratio) };
@@ -93,6 +93,9 @@ pub fn contact<S: Number>(choice: Choice, primary: bool, s: f64, y: &[S], c: &Co
     let t1 = tang - q * (one - d1);
     let a1 = c.k * x / 2.0 * r / ct;
     let angle = phi * s;
+    let curvature = (one - d1) * ct / r;
+    let stored = (c.ei * curvature * curvature - c.k * c.beta.tan() * x * x) / 2.0;
+    let v_t = g / (c.ea * c.m_o - g * g);
     [
         t1 * phi,
         y[2],
@@ -105,6 +108,7 @@ pub fn contact<S: Number>(choice: Choice, primary: bool, s: f64, y: &[S], c: &Co
         mu * p * 2.0 * speed / cbs * r / ct * phi,
         a1 * phi * r * angle.cos(),
         a1 * phi * r * angle.sin(),
+        stored * v_t * t1 * phi,
     ]
 }
 
@@ -134,8 +138,8 @@ fn full_shear<S: Number>(ei: S, r: S, n: S, t: S, [st, ct, d1, d2]: [S; 4], [x1,
     (q, d3)
 }
 
-/// A span: four derivatives with respect to ŝ, then the integrands X̂, Ŷ, L_o.
-pub fn span<S: Number>(choice: Choice, tight: bool, y: &[S], c: &Constants<S>) -> [S; 7] {
+/// A span: four derivatives with respect to ŝ, then the integrands X̂, Ŷ, L_o, E.
+pub fn span<S: Number>(choice: Choice, tight: bool, y: &[S], c: &Constants<S>) -> [S; 8] {
     let one = S::from(1.0);
     let l = if tight { c.l_t } else { c.l_s };
     let g = c.mass_flow();
@@ -145,10 +149,12 @@ pub fn span<S: Number>(choice: Choice, tight: bool, y: &[S], c: &Constants<S>) -
     } else {
         (-c.ei / (l * l) * y[2] * y[3], l * l / c.ei * y[0] * y[2])
     };
-    [t1, y[2], y[3], d3, y[1].cos(), y[1].sin(), l / (one + f / c.ea)]
+    let stored = c.ei * (y[2] / l).powi(2) / 2.0;
+    let e1 = stored * g / (c.ea * c.m_o - g * g) * t1;
+    [t1, y[2], y[3], d3, y[1].cos(), y[1].sin(), l / (one + f / c.ea), e1]
 }
 
-/// The 26 boundary equations. `ends`: region by region (primary, slack span, secondary, tight span), entry then exit.
+/// The 26 boundary equations. `ends`: region by region (primary, slack span, secondary, tight span), entry then exit; integrals likewise.
 pub fn boundary<S: Number>(choice: Choice, ends: &[S], integrals: &[S], c: &Constants<S>) -> Vec<S> {
     let pi = std::f64::consts::PI;
     let one = S::from(1.0);
@@ -186,8 +192,8 @@ pub fn boundary<S: Number>(choice: Choice, ends: &[S], integrals: &[S], c: &Cons
     let (slack_from, slack_to) = (primary(c.c_p + c.phi_p), secondary(c.c_s + c.phi_s));
     let (tight_from, tight_to) = (secondary(c.c_s), primary(c.c_p));
     for i in 0..2 {
-        g.push(slack_to[i] - slack_from[i] - c.l_s * integrals[6 + i]);
-        g.push(tight_to[i] - tight_from[i] - c.l_t * integrals[15 + i]);
+        g.push(slack_to[i] - slack_from[i] - c.l_s * integrals[7 + i]);
+        g.push(tight_to[i] - tight_from[i] - c.l_t * integrals[18 + i]);
     }
     g.push(integrals[0] + c.m_in);
     g.push(p2[0] - c.t_slack);
