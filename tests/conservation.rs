@@ -57,7 +57,8 @@ fn torque_and_force_balance_on_the_whole_drive() {
 #[test]
 fn sensitivities_agree_with_differences_of_whole_solves() {
     let options = SolveOptions { tolerance: 1e-10, sensitivities: true, ..SolveOptions::default() };
-    let base = [("edition", "consistent")];
+    // The smooth law: with the kink of the other, differences of solves on different meshes agree to 1e-4 only.
+    let base = [("edition", "consistent"), ("model.friction", "tanh")];
     let result = solve(&base, &options).result;
     let sensitivities = result.sensitivities.clone().unwrap();
     let value = |outcome: &Outcome| {
@@ -81,14 +82,14 @@ fn sensitivities_agree_with_differences_of_whole_solves() {
         ("sheave.friction_coefficient", 0.4),
     ] {
         let step = 1e-4 * at;
-        let moved = |by: f64| value(&solve(&[base[0], (key, &format!("{}", at + by))], &options));
+        let moved = |by: f64| value(&solve(&[base[0], base[1], (key, &format!("{}", at + by))], &options));
         let (up, down, up2, down2) = (moved(step), moved(-step), moved(2.0 * step), moved(-2.0 * step));
         for i in 0..up.len() {
             let (name, centre) = (up[i].0, (up[i].1 + down[i].1) / 2.0);
             let difference = (8.0 * (up[i].1 - down[i].1) - (up2[i].1 - down2[i].1)) / (12.0 * step);
             let found = sensitivities[name][key];
             let scale = difference.abs().max(1e-2 * centre.abs() / at);
-            assert!((found - difference).abs() <= 1e-5 * scale, "d({name})/d({key}): {found} for {difference}");
+            assert!((found - difference).abs() <= 1e-6 * scale, "d({name})/d({key}): {found} for {difference}");
         }
     }
 }
