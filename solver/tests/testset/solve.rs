@@ -2,9 +2,9 @@
 
 use crate::problems;
 use crate::problems::catalogue::{Case, record};
+use crate::problems::folds::{BRATU, NON};
 use crate::problems::run::{How, errors, run};
-use solver::model::{Differentiated, Model, Scalar};
-use solver::{Guess, Layout, Options, Order, Problem, Region, solve};
+use solver::{Guess, Options, Order, solve};
 
 const TOLERANCE: f64 = 1e-6;
 
@@ -70,55 +70,14 @@ fn the_corner_solution_is_reached_by_continuation() {
     assert!(errors.tabulated.max(errors.everywhere) < 10.0 * TOLERANCE, "{errors:?}");
 }
 
-/// `u'' = -λ exp(x^k u)` and its linearisation's null vector, of unit norm: a fold as a boundary value problem.
-struct Fold {
-    power: i32,
-}
-
-impl Model for Fold {
-    fn layout(&self) -> Layout {
-        let region = Region::dense("line", (0.0, 1.0), &["u", "slope", "null", "null slope"], &["norm"], 1);
-        Layout::dense(vec![region], &["lambda"], &["left", "right", "left null", "right null", "unit norm"])
-    }
-    fn rhs<S: Scalar>(&self, _: usize, x: S, y: &[S], c: &[S], f: &mut [S]) {
-        let weight = x.powi(self.power);
-        let source = -c[0] * (weight * y[0]).exp();
-        f.copy_from_slice(&[y[1], source, y[3], source * weight * y[2], y[2] * y[2]]);
-    }
-    fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], _: &[S], g: &mut [S]) {
-        g.copy_from_slice(&[ends[0], ends[4], ends[2], ends[6], integrals[0] - 1.0]);
-    }
-}
-
-/// Solves for the fold: parameter, largest `u`, slope at the left end.
-fn fold(power: i32, height: f64, lambda: f64) -> (f64, f64, f64) {
-    let problem = Differentiated::new(Fold { power }).unwrap();
-    let guess = Guess::uniform(problem.layout(), 20, &[lambda], |_, x, y| {
-        let (sin, cos) = (std::f64::consts::PI * x).sin_cos();
-        y.copy_from_slice(&[height * sin, 3.0 * height * cos, 1.4 * sin, 4.4 * cos]);
-    });
-    let options = Options { order: Order::Six, tolerance: 1e-10, ..Options::default() };
-    let solution = solve(&problem, &guess, &[0], &options).unwrap();
-    let line = &solution.regions()[0];
-    let peak = (0..=20_000).map(|j| line.eval(f64::from(j) / 20_000.0)[0]).fold(0.0, f64::max);
-    (solution.constants()[0], peak, line.state(1)[0])
-}
-
 #[test]
 fn folds_as_boundary_value_problems_have_eight_digits() {
-    let eight_digits = |value: f64, reference: f64| {
-        assert!((value - reference).abs() < 0.5e-8 * reference.abs(), "{value} is not {reference}");
-    };
-    let bratu = &record("FOLD_BRATU")["references"][0];
-    let (lambda, peak, slope) = fold(0, 1.2, 3.4);
-    eight_digits(lambda, bratu["lambda_fold"].as_f64().unwrap());
-    eight_digits(peak, bratu["u_max"].as_f64().unwrap());
-    eight_digits(slope, bratu["uprime0"].as_f64().unwrap());
-    let non = &record("FOLD_NON")["references"][0];
-    let (lambda, peak, slope) = fold(3, 3.5, 14.0);
-    eight_digits(lambda, non["p1_fold"].as_f64().unwrap());
-    eight_digits(peak, non["u_max"].as_f64().unwrap());
-    eight_digits(slope, non["uprime0"].as_f64().unwrap());
+    for fold in [BRATU, NON] {
+        let found = fold.locate();
+        for (value, reference) in found.values().into_iter().zip(fold.reference()) {
+            assert!((value - reference).abs() < 0.5e-8 * reference.abs(), "{}: {value} is not {reference}", fold.id);
+        }
+    }
 }
 
 /// Both branches of Bratu's problem, at the parameters of the data.

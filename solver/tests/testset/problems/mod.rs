@@ -3,6 +3,7 @@
 //! Equations here; reference values and their provenance in `tests/data/bvp-testset.json`.
 
 pub mod catalogue;
+pub mod folds;
 pub mod linear;
 pub mod nonlinear;
 pub mod run;

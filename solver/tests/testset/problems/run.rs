@@ -2,7 +2,7 @@
 
 use crate::problems::catalogue::{Case, Reference};
 use solver::continuation::{PathOptions, Ramp, follow};
-use solver::{Guess, Options, Order, Solution, solve};
+use solver::{Guess, Linearisation, Options, Order, Solution, solve};
 use std::time::Instant;
 
 /// How a solution was reached.
@@ -50,6 +50,11 @@ pub fn continued(case: &Case, parameter: Option<f64>, options: &Options) -> Opti
         Ok(followed) => (Ok(followed.solution), followed.steps.len()),
         Err(error) => (Err(error.to_string()), error.steps.len()),
     })
+}
+
+/// Largest reaction of the solution to defects and boundary residuals of 1, in units of typical magnitudes.
+pub fn kappa(case: &Case, solution: &Solution) -> f64 {
+    Linearisation::new(&*case.problem, solution).map_or(f64::NAN, |linearised| linearised.conditioning().kappa())
 }
 
 /// True errors, in the data's convention: largest over components and points of `|difference| / (1 + max |y_i|)`.

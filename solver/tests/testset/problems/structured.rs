@@ -200,7 +200,7 @@ pub struct BesselPoints;
 impl BesselPoints {
     const NU: f64 = 3.4123;
     /// `Γ(ν + 1)`.
-    const GAMMA: f64 = 10.307_750_572_695_341;
+    const GAMMA: f64 = 10.307_750_572_695_34;
 }
 
 impl Model for BesselPoints {

@@ -1,0 +1,270 @@
+//! The whole test set at moderate and hard parameters, as a Markdown table, beside scipy.integrate.solve_bvp.
+//!
+//! ```text
+//! cargo bench -p solver --bench testset                       prints the tables
+//! cargo bench -p solver --bench testset -- --write            and puts them into docs/testset.md
+//! cargo bench -p solver --bench testset -- T28 NERVE          only these
+//! ```
+//!
+//! SciPy is run by `$TESTSET_PYTHON`, else `python3`, if that can import scipy; without it its columns say n/a.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
+
+// The tests use the same problems, each its own part.
+#[allow(dead_code)]
+#[path = "../tests/testset/problems/mod.rs"]
+mod problems;
+
+use problems::catalogue::Case;
+use problems::folds::{BRATU, NON};
+use problems::run::{How, errors, kappa, run};
+use serde_json::Value;
+use solver::{Options, Order};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::process::Command;
+use std::time::Instant;
+
+const TOLERANCE: f64 = 1e-6;
+/// Repetitions stop after this many seconds.
+const PATIENCE: f64 = 0.1;
+const REPETITIONS: usize = 7;
+const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/testset.md");
+const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
+
+/// One problem at one parameter by one order.
+struct Cell {
+    how: How,
+    /// Why the direct solve failed, or the continuation too.
+    reason: Option<String>,
+    solved: Option<Solved>,
+    seconds: f64,
+}
+
+struct Solved {
+    error: f64,
+    intervals: usize,
+    iterations: usize,
+    kappa: f64,
+    /// Which of several solutions it is.
+    solution: Option<String>,
+}
+
+struct Row {
+    label: String,
+    parameter: Option<f64>,
+    orders: [Cell; 2],
+}
+
+fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
+    let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
+    let start = Instant::now();
+    let mut outcome = run(case, parameter, &options);
+    for _ in 1..REPETITIONS {
+        if start.elapsed().as_secs_f64() > PATIENCE {
+            break;
+        }
+        outcome.seconds = outcome.seconds.min(run(case, parameter, &options).seconds);
+    }
+    let reason = outcome.solution.as_ref().err().cloned().or(outcome.direct);
+    let solved = outcome.solution.ok().map(|solution| {
+        let errors = errors(case, parameter, &solution);
+        Solved {
+            error: if errors.everywhere.is_nan() { f64::NAN } else { errors.everywhere.max(errors.tabulated) },
+            intervals: solution.intervals(),
+            iterations: solution.stats().newton_iterations,
+            kappa: kappa(case, &solution),
+            solution: errors.solution,
+        }
+    });
+    Cell { how: outcome.how, reason, solved, seconds: outcome.seconds }
+}
+
+/// SciPy's records by label and parameter; empty without Python.
+fn scipy(ids: &[String]) -> BTreeMap<(String, String), Value> {
+    let python = std::env::var("TESTSET_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/testset_scipy.py");
+    let output = Command::new(&python).arg(script).arg("run").args(ids).output();
+    let records: Vec<Value> = match output {
+        Ok(output) if output.status.success() => serde_json::from_slice(&output.stdout).unwrap_or_default(),
+        _ => {
+            eprintln!("{python} cannot run {script}: SciPy's columns are n/a (set TESTSET_PYTHON)");
+            Vec::new()
+        }
+    };
+    let key = |record: &Value| {
+        let label = record["variant"].as_str().or(record["id"].as_str()).unwrap_or_default();
+        (label.to_owned(), shown(record["parameter"].as_f64()))
+    };
+    records.into_iter().map(|record| (key(&record), record)).collect()
+}
+
+/// The parameter, short.
+fn shown(parameter: Option<f64>) -> String {
+    parameter.map_or_else(String::new, |p| {
+        let plain = format!("{p}");
+        if plain.len() <= 6 { plain } else { format!("{p:.1e}") }
+    })
+}
+
+fn milliseconds(seconds: f64) -> String {
+    let ms = 1e3 * seconds;
+    if ms < 10.0 { format!("{ms:.2}") } else { format!("{ms:.0}") }
+}
+
+fn verdict(error: f64) -> String {
+    if error <= 10.0 * TOLERANCE { format!("{error:.0e}") } else { format!("**{error:.0e}**") }
+}
+
+fn cell(cell: &Cell) -> String {
+    let how = match (&cell.solved, cell.how) {
+        (None, _) => "**failed**".to_owned(),
+        (_, How::Direct) => "direct".to_owned(),
+        (_, How::Continued(steps)) => format!("{steps} steps"),
+    };
+    match &cell.solved {
+        None => format!("{how} | | | | {}", milliseconds(cell.seconds)),
+        Some(solved) => {
+            let Solved { error, intervals, iterations, .. } = solved;
+            format!("{how} | {} | {intervals} | {iterations} | {}", verdict(*error), milliseconds(cell.seconds))
+        }
+    }
+}
+
+fn scipy_cell(record: Option<&Value>) -> String {
+    let Some(record) = record else { return "n/a | |".to_owned() };
+    let status = record["status"].as_str().unwrap_or_default();
+    let time = record["seconds"].as_f64().map_or_else(String::new, milliseconds);
+    let nodes = record["nodes"].as_u64().map_or_else(String::new, |nodes| nodes.to_string());
+    match record["error"].as_f64() {
+        Some(error) => format!("{} | {nodes} | {time}", verdict(error)),
+        None => format!("{} | {nodes} | {time}", status.trim_start_matches("failed: ")),
+    }
+}
+
+fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
+    let mut out = String::from(
+        "| problem | parameter | κ | order 4 | error | intervals | Newton | ms | order 6 | error | intervals | Newton | ms \
+         | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let kappa = row.orders[1].solved.as_ref().map_or_else(String::new, |solved| format!("{:.0e}", solved.kappa));
+        let peer = scipy.get(&(row.label.clone(), shown(row.parameter)));
+        let [four, six] = &row.orders;
+        let solution = six.solved.as_ref().and_then(|solved| solved.solution.as_deref());
+        let label = match solution {
+            Some(name) if name != row.label => format!("{} ({name})", row.label),
+            _ => row.label.clone(),
+        };
+        let parameter = shown(row.parameter);
+        let _ = writeln!(
+            out,
+            "| {label} | {parameter} | {kappa} | {} | {} | {} |",
+            cell(four),
+            cell(six),
+            scipy_cell(peer)
+        );
+    }
+    out
+}
+
+fn folds() -> String {
+    let mut out = String::from(
+        "| fold | parameter | relative error | largest u | slope at 0 | intervals | ms |\n|---|---|---|---|---|---|---|\n",
+    );
+    for fold in [BRATU, NON] {
+        let start = Instant::now();
+        let found = fold.locate();
+        let seconds = start.elapsed().as_secs_f64();
+        let ([parameter, peak, slope], reference) = (found.values(), fold.reference());
+        let error = (parameter - reference[0]).abs() / reference[0];
+        let (intervals, time) = (found.0.intervals(), milliseconds(seconds));
+        let id = fold.id;
+        let _ =
+            writeln!(out, "| {id} | {parameter:.10} | {error:.0e} | {peak:.9} | {slope:.9} | {intervals} | {time} |");
+    }
+    out
+}
+
+/// Counts, and the comparison of times where both solved directly.
+fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
+    let mut out = format!("{} runs (problem × parameter × guess) at a tolerance of {TOLERANCE:.0e}.\n\n", rows.len());
+    for (index, name) in ["order 4", "order 6"].into_iter().enumerate() {
+        let cells = || rows.iter().map(|row| (row, &row.orders[index]));
+        let direct = cells().filter(|(_, cell)| cell.solved.is_some() && cell.how == How::Direct).count();
+        let continued = cells().filter(|(_, cell)| cell.solved.is_some()).count() - direct;
+        let list = |wanted: &dyn Fn(&Cell) -> bool| {
+            let named = cells().filter(|(_, cell)| wanted(cell));
+            let names: Vec<_> = named.map(|(row, _)| format!("{} {}", row.label, shown(row.parameter))).collect();
+            if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+        };
+        let failed = list(&|cell| cell.solved.is_none());
+        let inexact =
+            list(&|cell| cell.solved.as_ref().is_some_and(|s| s.error.is_nan() || s.error > 10.0 * TOLERANCE));
+        let _ = writeln!(
+            out,
+            "- {name}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × tolerance: {inexact}."
+        );
+    }
+    let mut ratios: Vec<f64> = rows
+        .iter()
+        .filter_map(|row| {
+            let peer = scipy.get(&(row.label.clone(), shown(row.parameter)))?;
+            peer["error"].as_f64()?;
+            Some(peer["seconds"].as_f64()? / row.orders[1].seconds)
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    if let Some(median) = ratios.get(ratios.len() / 2) {
+        let failures = scipy.values().filter(|record| record["error"].is_null()).count();
+        let _ = writeln!(
+            out,
+            "- SciPy: {failures} of {} runs fail directly; where it succeeds it takes {median:.0} times as long as order 6 (median; {:.0} to {:.0}).",
+            scipy.len(),
+            ratios[0],
+            ratios[ratios.len() - 1]
+        );
+    }
+    out
+}
+
+fn reasons(rows: &[Row]) -> String {
+    let mut out = String::new();
+    for row in rows {
+        for (order, cell) in [4, 6].into_iter().zip(&row.orders) {
+            if let Some(reason) = &cell.reason {
+                let outcome = if cell.solved.is_some() { "not directly" } else { "failed" };
+                let _ = writeln!(out, "- {} {}, order {order}, {outcome}: {reason}", row.label, shown(row.parameter));
+            }
+        }
+    }
+    out
+}
+
+fn write(text: &str) -> std::io::Result<()> {
+    let old = std::fs::read_to_string(DOCUMENT)?;
+    let [begin, end] = MARKERS.map(|marker| old.find(marker));
+    let (Some(begin), Some(end)) = (begin, end) else {
+        return Err(std::io::Error::other(format!("{DOCUMENT} has no markers {MARKERS:?}")));
+    };
+    let head = &old[..begin + MARKERS[0].len()];
+    std::fs::write(DOCUMENT, format!("{head}\n\n{text}\n{}", &old[end..]))
+}
+
+fn main() -> std::io::Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let (flags, ids): (Vec<_>, Vec<_>) = arguments.into_iter().partition(|argument| argument.starts_with("--"));
+    let rows: Vec<Row> = problems::cases()
+        .iter()
+        .filter(|case| ids.is_empty() || ids.iter().any(|id| id == case.id))
+        .flat_map(|case| case.parameters().into_iter().map(move |parameter| (case, parameter)))
+        .map(|(case, parameter)| Row {
+            label: case.label(),
+            parameter,
+            orders: [Order::Four, Order::Six].map(|order| measure(case, parameter, order)),
+        })
+        .collect();
+    let scipy = scipy(&ids);
+    let text = format!("{}\n{}\n{}", summary(&rows, &scipy), table(&rows, &scipy), folds());
+    println!("{text}\n{}", reasons(&rows));
+    if flags.iter().any(|flag| flag == "--write") { write(&text) } else { Ok(()) }
+}
