@@ -96,7 +96,7 @@ fn value(plan: &eqgen::plan::Plan, name: &str, inline: &[&str]) -> Result<Atom, 
 fn isolated_contact_is_3_41_and_5_5() {
     symbolic(|| {
         let model = contact::model(Shear::Linearised, eqgen::physics::friction::Law::ViscousCoulomb).unwrap();
-        let highest = value(&model.plan, "theta_3", &["Q_theta3", "Q_rest"]).unwrap();
+        let highest = value(&model.plan, "theta_3", &["Q_theta3", "theta_30"]).unwrap();
         // (3.41) with the sign of Q' as (3.39) and the thesis's code have it, and x'' by (3.42).
         let bend = on_path(&read("", "x_2").unwrap(), &read("", SLOPE).unwrap()).unwrap();
         let printed = read("", "-T*R^3/(EI*(R+2*x))*(1 - n/T - theta_1 - EI/(T*R^3)*x_2)").unwrap();

@@ -1,10 +1,10 @@
 // contact_full_tanh: The belt in a groove: full shear, tanh friction.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
 // Operations per point, and once a batch:
-//   value: 30 add, 87 mul, 6 div, 2 sqrt, 3 fn; once 32
-//   jacobian: 132 add, 366 mul, 7 div, 2 sqrt, 3 fn; once 90
-//   full: 259 add, 586 mul, 7 div, 2 sqrt, 3 fn; once 142
-//   fields: 15 add, 40 mul, 4 div, 2 sqrt, 4 fn; once 22
+//   value: 30 add, 86 mul, 6 div, 2 sqrt, 3 fn; once 32
+//   jacobian: 132 add, 350 mul, 7 div, 2 sqrt, 3 fn; once 87
+//   full: 210 add, 521 mul, 7 div, 2 sqrt, 3 fn; once 122
+//   fields: 15 add, 41 mul, 4 div, 2 sqrt, 4 fn; once 22
 
 ///The belt in a groove: full shear, tanh friction.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
@@ -389,7 +389,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (30 add, 87 mul, 6 div, 2 sqrt, 3 fn; once 32)
+///Right-hand side and integrands. (30 add, 86 mul, 6 div, 2 sqrt, 3 fn; once 32)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -512,8 +512,7 @@ impl Sweep for Value {
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
         let t5 = theta_1 - Real::splat(1.0);
-        let arc = r * t4;
-        let t6 = reciprocal(arc);
+        let t6 = cos_theta * reciprocal(r);
         let t7 = t6 * t6;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
@@ -529,14 +528,14 @@ impl Sweep for Value {
         let t11 = u13 * (theta1 * t8);
         let t12 = t10 * t11 + (theta_1 + Real::splat(2.0) * (t9 * t10))
             - Real::splat(4.0) * (tan_theta * (u13 * (theta1 * theta2)));
-        let t13 = t7
-            * (t12 - theta_1 * t10 - Real::splat(2.0) * (theta_2 * tan_theta) - t11
+        let theta_3 = u14 * reciprocal(t7) * (n + T * theta_1 - T)
+            - (t12 - theta_1 * t10 - Real::splat(2.0) * (theta_2 * tan_theta) - t11
                 - Real::splat(2.0) * t10);
-        let theta_3 = u14 * reciprocal(t7) * (n + T * theta_1 - EI * t13 - T);
         let theta_hat_3 = u15 * theta_3;
         at.write_f(3, theta_hat_3);
         let x_hat_1 = -(Phi * (r * tan_theta));
         at.write_f(4, x_hat_1);
+        let arc = r * t4;
         let M_hat_1 = Phi * (q * (arc * f_t));
         at.write_f(5, M_hat_1);
         let axial = u12 * x;
@@ -552,20 +551,20 @@ impl Sweep for Value {
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
         let s = at.position::<Real>();
-        let t14 = Phi * s;
-        let (sin_t14, cos_t14) = sin_cos(t14);
-        let t16 = r * A_hat_1;
-        let A_x_hat_1 = cos_t14 * t16;
+        let t13 = Phi * s;
+        let (sin_t13, cos_t13) = sin_cos(t13);
+        let t15 = r * A_hat_1;
+        let A_x_hat_1 = cos_t13 * t15;
         at.write_f(9, A_x_hat_1);
-        let A_y_hat_1 = t16 * sin_t14;
+        let A_y_hat_1 = t15 * sin_t13;
         at.write_f(10, A_y_hat_1);
-        let t17 = t6 * t5;
-        let stored = u18 * (t17 * t17) - u17 * (x * x);
+        let t16 = t6 * t5;
+        let stored = u18 * (t16 * t16) - u17 * (x * x);
         let E_hat_1 = V_T * (T_hat_1 * stored);
         at.write_f(11, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (132 add, 366 mul, 7 div, 2 sqrt, 3 fn; once 90)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (132 add, 350 mul, 7 div, 2 sqrt, 3 fn; once 87)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -574,7 +573,7 @@ impl Sweep for Derivatives {
     const DY: usize = 34;
     const DC: usize = 21;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 68];
+    type Uniforms = [f64; 67];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let Phi = constants[0];
@@ -603,65 +602,63 @@ impl Sweep for Derivatives {
         let u10 = u9 * u9;
         let u11 = u8 * u10;
         let v_thr = constants[11];
-        let u12 = reciprocal(v_thr) * 4.0;
-        let u13 = sin_beta * u9;
+        let u12 = reciprocal(v_thr);
+        let u13 = u12 * 4.0;
+        let u14 = sin_beta * u9;
         let k = constants[5];
-        let u14 = k * 0.5;
-        let u15 = u2 * u3;
-        let u16 = reciprocal(EI);
-        let u17 = Phi * Phi;
-        let u18 = Phi * u17;
-        let u19 = 2.0 * u10;
-        let u20 = u9 * (k * sin_beta);
-        let u21 = 0.5 * u20;
-        let u22 = EI * EI * (0.5 * u16);
-        let u23 = omega_P * (m_o * R_P);
-        let u24 = u6 * u6;
-        let u25 = G * (EA * 2.0);
-        let u26 = u24 * u25;
-        let u27 = u6 * u25;
-        let u28 = EA * EA;
-        let u29 = u24 * (2.0 * u4);
-        let u30 = 0.5 * (u10 * (2.0 * u8));
-        let u31 = 2.0 * u14;
-        let u32 = EI * 2.0;
-        let u33 = 4.0 * u15;
-        let u34 = 2.0 * u3;
-        let u35 = u3 * 3.0;
-        let u36 = u16 * u16;
-        let u37 = Phi * EI;
-        let u38 = u17 * 3.0;
-        let u39 = Phi * u14;
-        let u40 = Phi * EA;
-        let u41 = EI * u16;
-        let u42 = mu_k * u12;
+        let u15 = k * 0.5;
+        let u16 = u2 * u3;
+        let u17 = reciprocal(EI);
+        let u18 = Phi * Phi;
+        let u19 = Phi * u18;
+        let u20 = 2.0 * u10;
+        let u21 = u9 * (k * sin_beta);
+        let u22 = 0.5 * u21;
+        let u23 = EI * EI * (0.5 * u17);
+        let u24 = 2.0 * u16;
+        let u25 = omega_P * (m_o * R_P);
+        let u26 = u6 * u6;
+        let u27 = G * (EA * 2.0);
+        let u28 = u26 * u27;
+        let u29 = u6 * u27;
+        let u30 = EA * EA;
+        let u31 = u26 * (2.0 * u4);
+        let u32 = 0.5 * (u10 * (2.0 * u8));
+        let u33 = 2.0 * u15;
+        let u34 = EI * 2.0;
+        let u35 = 4.0 * u16;
+        let u36 = 2.0 * u3;
+        let u37 = u3 * 3.0;
+        let u38 = u17 * u17;
+        let u39 = Phi * EI;
+        let u40 = u18 * 3.0;
+        let u41 = Phi * u15;
+        let u42 = Phi * EA;
         let u43 = Phi * reciprocal(EA);
-        let u44 = u5 * u6 * u43;
-        let u45 = u23 * (u6 + u29);
-        let u46 = Phi * u19;
-        let u47 = Phi * 2.0;
-        let u48 = Phi * V_T;
-        let u49 = u20 * u48;
-        let u50 = u48 * (EI * u41);
-        let u51 = 2.0 * u21;
-        let u52 = 2.0 * u16;
-        let u53 = EI * u3;
-        let u54 = Phi * u53;
-        let u55 = EI * (2.0 * u15);
-        let u56 = Phi * u55;
-        let u57 = Phi * u32;
-        let u58 = u16 * u55;
-        let u59 = u16 * u32;
-        let u60 = u2 * u50;
-        let u61 = u3 * u50;
-        let u62 = Phi * u51;
-        let u63 = u2 * u18;
-        let u64 = u18 * (u16 * u53);
-        let u65 = V_T * u18;
-        let u66 = u2 * V_T;
-        let u67 = V_T * u54;
-        let u68 = omega * u18;
-        let u69 = omega_P * u18;
+        let u44 = u12 * (mu_k * 4.0);
+        let u45 = Phi * V_T;
+        let u46 = u21 * u45;
+        let u47 = EI * (EI * u17 * u45);
+        let u48 = u5 * u6 * u43;
+        let u49 = Phi * 2.0;
+        let u50 = Phi * u20;
+        let u51 = u25 * (u6 + u31);
+        let u52 = Phi * u34;
+        let u53 = 2.0 * u17;
+        let u54 = 2.0 * u22;
+        let u55 = u3 * u39;
+        let u56 = u24 * u39;
+        let u57 = Phi * u54;
+        let u58 = u2 * u47;
+        let u59 = u3 * u47;
+        let u60 = u2 * u19;
+        let u61 = u3 * u19;
+        let u62 = V_T * u19;
+        let u63 = u2 * V_T;
+        let u64 = V_T * u55;
+        let u65 = V_T * u52;
+        let u66 = omega * u19;
+        let u67 = omega_P * u19;
         [
             Phi,
             EA,
@@ -680,18 +677,17 @@ impl Sweep for Derivatives {
             omega,
             sin_beta,
             u11,
-            u12,
             u13,
             u14,
             u15,
             u16,
-            u18,
+            u17,
             u19,
-            u21,
+            u20,
             u22,
             u23,
-            u26,
-            u27,
+            u24,
+            u25,
             u28,
             u29,
             u30,
@@ -709,14 +705,16 @@ impl Sweep for Derivatives {
             u42,
             u43,
             u44,
-            u45,
             u46,
             u47,
+            u48,
             u49,
             u50,
             u51,
             u52,
+            u53,
             u54,
+            u55,
             u56,
             u57,
             u58,
@@ -729,8 +727,6 @@ impl Sweep for Derivatives {
             u65,
             u66,
             u67,
-            u68,
-            u69,
         ]
     }
     #[inline(always)]
@@ -752,57 +748,56 @@ impl Sweep for Derivatives {
         let omega = Real::splat(uniforms[14]);
         let sin_beta = Real::splat(uniforms[15]);
         let u11 = Real::splat(uniforms[16]);
-        let u12 = Real::splat(uniforms[17]);
-        let u13 = Real::splat(uniforms[18]);
-        let u14 = Real::splat(uniforms[19]);
-        let u15 = Real::splat(uniforms[20]);
-        let u16 = Real::splat(uniforms[21]);
-        let u18 = Real::splat(uniforms[22]);
-        let u19 = Real::splat(uniforms[23]);
-        let u21 = Real::splat(uniforms[24]);
-        let u22 = Real::splat(uniforms[25]);
-        let u23 = Real::splat(uniforms[26]);
-        let u26 = Real::splat(uniforms[27]);
-        let u27 = Real::splat(uniforms[28]);
-        let u28 = Real::splat(uniforms[29]);
-        let u29 = Real::splat(uniforms[30]);
-        let u30 = Real::splat(uniforms[31]);
-        let u31 = Real::splat(uniforms[32]);
-        let u32 = Real::splat(uniforms[33]);
-        let u33 = Real::splat(uniforms[34]);
-        let u34 = Real::splat(uniforms[35]);
-        let u35 = Real::splat(uniforms[36]);
-        let u36 = Real::splat(uniforms[37]);
-        let u37 = Real::splat(uniforms[38]);
-        let u38 = Real::splat(uniforms[39]);
-        let u39 = Real::splat(uniforms[40]);
-        let u40 = Real::splat(uniforms[41]);
-        let u41 = Real::splat(uniforms[42]);
-        let u42 = Real::splat(uniforms[43]);
-        let u43 = Real::splat(uniforms[44]);
-        let u44 = Real::splat(uniforms[45]);
-        let u45 = Real::splat(uniforms[46]);
-        let u46 = Real::splat(uniforms[47]);
-        let u47 = Real::splat(uniforms[48]);
-        let u49 = Real::splat(uniforms[49]);
-        let u50 = Real::splat(uniforms[50]);
-        let u51 = Real::splat(uniforms[51]);
-        let u52 = Real::splat(uniforms[52]);
+        let u13 = Real::splat(uniforms[17]);
+        let u14 = Real::splat(uniforms[18]);
+        let u15 = Real::splat(uniforms[19]);
+        let u16 = Real::splat(uniforms[20]);
+        let u17 = Real::splat(uniforms[21]);
+        let u19 = Real::splat(uniforms[22]);
+        let u20 = Real::splat(uniforms[23]);
+        let u22 = Real::splat(uniforms[24]);
+        let u23 = Real::splat(uniforms[25]);
+        let u24 = Real::splat(uniforms[26]);
+        let u25 = Real::splat(uniforms[27]);
+        let u28 = Real::splat(uniforms[28]);
+        let u29 = Real::splat(uniforms[29]);
+        let u30 = Real::splat(uniforms[30]);
+        let u31 = Real::splat(uniforms[31]);
+        let u32 = Real::splat(uniforms[32]);
+        let u33 = Real::splat(uniforms[33]);
+        let u34 = Real::splat(uniforms[34]);
+        let u35 = Real::splat(uniforms[35]);
+        let u36 = Real::splat(uniforms[36]);
+        let u37 = Real::splat(uniforms[37]);
+        let u38 = Real::splat(uniforms[38]);
+        let u39 = Real::splat(uniforms[39]);
+        let u40 = Real::splat(uniforms[40]);
+        let u41 = Real::splat(uniforms[41]);
+        let u42 = Real::splat(uniforms[42]);
+        let u43 = Real::splat(uniforms[43]);
+        let u44 = Real::splat(uniforms[44]);
+        let u46 = Real::splat(uniforms[45]);
+        let u47 = Real::splat(uniforms[46]);
+        let u48 = Real::splat(uniforms[47]);
+        let u49 = Real::splat(uniforms[48]);
+        let u50 = Real::splat(uniforms[49]);
+        let u51 = Real::splat(uniforms[50]);
+        let u52 = Real::splat(uniforms[51]);
+        let u53 = Real::splat(uniforms[52]);
         let u54 = Real::splat(uniforms[53]);
-        let u56 = Real::splat(uniforms[54]);
-        let u57 = Real::splat(uniforms[55]);
-        let u58 = Real::splat(uniforms[56]);
-        let u59 = Real::splat(uniforms[57]);
-        let u60 = Real::splat(uniforms[58]);
-        let u61 = Real::splat(uniforms[59]);
-        let u62 = Real::splat(uniforms[60]);
-        let u63 = Real::splat(uniforms[61]);
-        let u64 = Real::splat(uniforms[62]);
-        let u65 = Real::splat(uniforms[63]);
-        let u66 = Real::splat(uniforms[64]);
-        let u67 = Real::splat(uniforms[65]);
-        let u68 = Real::splat(uniforms[66]);
-        let u69 = Real::splat(uniforms[67]);
+        let u55 = Real::splat(uniforms[54]);
+        let u56 = Real::splat(uniforms[55]);
+        let u57 = Real::splat(uniforms[56]);
+        let u58 = Real::splat(uniforms[57]);
+        let u59 = Real::splat(uniforms[58]);
+        let u60 = Real::splat(uniforms[59]);
+        let u61 = Real::splat(uniforms[60]);
+        let u62 = Real::splat(uniforms[61]);
+        let u63 = Real::splat(uniforms[62]);
+        let u64 = Real::splat(uniforms[63]);
+        let u65 = Real::splat(uniforms[64]);
+        let u66 = Real::splat(uniforms[65]);
+        let u67 = Real::splat(uniforms[66]);
         let x = at.state::<Real>(4);
         let r = R - x;
         let T = at.state::<Real>(0);
@@ -817,13 +812,13 @@ impl Sweep for Derivatives {
         let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
         let face_speed = sqrt(u11 * t3 + speed * speed);
         let t5 = reciprocal(face_speed);
-        let saturation = tanh(u12 * speed);
+        let saturation = tanh(u13 * speed);
         let mu = mu_k * saturation;
         let t6 = v_r * mu;
         let f_r = t5 * t6;
-        let t7 = reciprocal(cos_beta + u13 * f_r);
+        let t7 = reciprocal(cos_beta + u14 * f_r);
         let t8 = x * t7;
-        let p = u14 * t8;
+        let p = u15 * t8;
         let t9 = r * p;
         let q = Real::splat(2.0) * t9;
         let t10 = v_t * mu;
@@ -836,8 +831,7 @@ impl Sweep for Derivatives {
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
         let t14 = theta_1 - Real::splat(1.0);
-        let arc = r * t11;
-        let t15 = reciprocal(arc);
+        let t15 = cos_theta * reciprocal(r);
         let t16 = t15 * t15;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
@@ -852,256 +846,258 @@ impl Sweep for Derivatives {
         at.write_f(1, theta1);
         at.write_f(2, theta2);
         let t23 = reciprocal(t16);
-        let t24 = u16 * t23;
+        let t24 = u17 * t23;
         let t25 = sin_beta + tan_theta * f_t - f_r;
         let n = q * t25;
-        let t26 = tan_theta * tan_theta;
-        let t27 = u15 * (theta1 * t17);
-        let t28 = t18 * t26;
-        let t29 = theta1 * theta2;
-        let t30 = theta_1 * t26;
-        let t31 = t26 * t27 + (theta_1 + Real::splat(2.0) * t28)
-            - Real::splat(4.0) * (tan_theta * (u15 * t29)) - t30;
-        let t32 = theta_2 * tan_theta;
-        let t33 = t31 - Real::splat(2.0) * t32 - t27 - Real::splat(2.0) * t26;
-        let t34 = n + T * theta_1 - EI * (t16 * t33) - T;
-        let theta_3 = t24 * t34;
-        let theta_hat_3 = u18 * theta_3;
+        let t26 = n + T * theta_1 - T;
+        let t27 = tan_theta * tan_theta;
+        let t28 = u16 * (theta1 * t17);
+        let t29 = t18 * t27;
+        let t30 = theta1 * theta2;
+        let t31 = theta_1 * t27;
+        let t32 = t27 * t28 + (theta_1 + Real::splat(2.0) * t29)
+            - Real::splat(4.0) * (tan_theta * (u16 * t30)) - t31;
+        let t33 = theta_2 * tan_theta;
+        let theta_3 = t24 * t26
+            - (t32 - Real::splat(2.0) * t33 - t28 - Real::splat(2.0) * t27);
+        let theta_hat_3 = u19 * theta_3;
         at.write_f(3, theta_hat_3);
-        let t35 = r * tan_theta;
-        let x_hat_1 = -(Phi * t35);
+        let t34 = r * tan_theta;
+        let x_hat_1 = -(Phi * t34);
         at.write_f(4, x_hat_1);
-        let t36 = arc * f_t;
-        let d_M_hat_1_d_Phi = q * t36;
+        let arc = r * t11;
+        let t35 = arc * f_t;
+        let d_M_hat_1_d_Phi = q * t35;
         let M_hat_1 = Phi * d_M_hat_1_d_Phi;
         at.write_f(5, M_hat_1);
-        let axial = u14 * x;
+        let axial = u15 * x;
         let d_A_hat_1_d_Phi = arc * axial;
         let A_hat_1 = Phi * d_A_hat_1_d_Phi;
         at.write_f(6, A_hat_1);
-        let t37 = u4 + m_o * T;
-        let F = u7 * t37;
-        let t38 = reciprocal(EA + F);
-        let d_L_o_hat_1_d_Phi = arc * (EA * t38);
+        let t36 = u4 + m_o * T;
+        let F = u7 * t36;
+        let t37 = reciprocal(EA + F);
+        let d_L_o_hat_1_d_Phi = arc * (EA * t37);
         let L_o_hat_1 = Phi * d_L_o_hat_1_d_Phi;
         at.write_f(7, L_o_hat_1);
-        let t39 = v_r * f_r;
-        let loss_radial = u19 * (p * t39);
-        let t40 = v_t * f_t;
-        let loss_tangential = Real::splat(2.0) * (p * t40);
+        let t38 = v_r * f_r;
+        let loss_radial = u20 * (p * t38);
+        let t39 = v_t * f_t;
+        let loss_tangential = Real::splat(2.0) * (p * t39);
         let loss = loss_radial + loss_tangential;
         let loss_phi = arc * loss;
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
         let s = at.position::<Real>();
-        let t41 = Phi * s;
-        let (sin_t41, cos_t41) = sin_cos(t41);
-        let t43 = r * A_hat_1;
-        let A_x_hat_1 = cos_t41 * t43;
+        let t40 = Phi * s;
+        let (sin_t40, cos_t40) = sin_cos(t40);
+        let t42 = r * A_hat_1;
+        let A_x_hat_1 = cos_t40 * t42;
         at.write_f(9, A_x_hat_1);
-        let A_y_hat_1 = t43 * sin_t41;
+        let A_y_hat_1 = t42 * sin_t40;
         at.write_f(10, A_y_hat_1);
-        let t44 = t15 * t14;
-        let stored = u22 * (t44 * t44) - u21 * (x * x);
-        let t45 = T_hat_1 * stored;
-        let E_hat_1 = V_T * t45;
+        let t43 = t15 * t14;
+        let stored = u23 * (t43 * t43) - u22 * (x * x);
+        let t44 = T_hat_1 * stored;
+        let E_hat_1 = V_T * t44;
         at.write_f(11, E_hat_1);
-        let t46 = V_T * sin_theta;
-        let t47 = mu * t5;
-        let t48 = v_r * t5;
-        let t49 = u30 * t48;
-        let t50 = t5 * t5;
-        let t51 = t6 * t50;
-        let t52 = reciprocal(speed);
-        let t53 = v_r * t52;
-        let t54 = u42 * (Real::splat(1.0) - saturation * saturation);
-        let t55 = speed * t5;
-        let t56 = t48 * t54 - t55 * t51;
-        let t57 = t47 - t49 * t51 + t53 * t56;
-        let t58 = tan_theta * q;
-        let t59 = x * (t7 * t7);
-        let t60 = r * t59;
-        let t61 = Phi * t58 - u62 * (t13 * t60);
-        let t62 = t10 * t50;
-        let t63 = v_t * t5 * t54 - t55 * t62;
-        let t64 = t53 * t63 - t49 * t62;
-        let t65 = u47 * t9;
-        let t66 = t57 * t61 + t64 * t65;
-        let t67 = t46 * t66;
-        let t68 = V_T * cos_theta;
-        let t69 = v_t * t52;
-        let t70 = t69 * t56;
-        let t71 = t47 + t69 * t63;
-        let t72 = t70 * t61 + t71 * t65;
-        let d_T_hat_1_d_T = t67 + t68 * t72;
+        let t45 = V_T * sin_theta;
+        let t46 = u49 * t9;
+        let t47 = reciprocal(speed);
+        let t48 = v_r * t47;
+        let t49 = u44 * (Real::splat(1.0) - saturation * saturation);
+        let t50 = speed * t5;
+        let t51 = t5 * t5;
+        let t52 = t10 * t51;
+        let t53 = v_t * t5 * t49 - t50 * t52;
+        let t54 = v_r * t5;
+        let t55 = u32 * t54;
+        let t56 = t48 * t53 - t55 * t52;
+        let t57 = mu * t5;
+        let t58 = t6 * t51;
+        let t59 = t54 * t49 - t50 * t58;
+        let t60 = t57 - t55 * t58 + t48 * t59;
+        let t61 = tan_theta * q;
+        let t62 = x * (t7 * t7);
+        let t63 = r * t62;
+        let t64 = Phi * t61 - u57 * (t13 * t63);
+        let t65 = t46 * t56 + t60 * t64;
+        let t66 = t45 * t65;
+        let t67 = V_T * cos_theta;
+        let t68 = v_t * t47;
+        let t69 = t57 + t68 * t53;
+        let t70 = t68 * t59;
+        let t71 = t46 * t69 + t70 * t64;
+        let d_T_hat_1_d_T = t66 + t67 * t71;
         at.write_dy(0, d_T_hat_1_d_T);
-        let t73 = Real::splat(1.0) + t26;
-        let t74 = t73 * (Phi * (q * t12))
-            - Phi * t14 * (t73 * (EI * (t16 * (Real::splat(1.0) - t18))));
-        let t75 = t11 * t11 * (r * sin_theta);
-        let t76 = t15 * t16;
-        let t77 = u57 * (t14 * (t20 * t76));
-        let t78 = t74 + t4 * t66 + t75 * t77;
-        let d_T_hat_1_d_theta = t78 - v_r * t72;
+        let t72 = Real::splat(1.0) + t27;
+        let t73 = t72
+            * (Phi * (q * t12) - u39 * (t14 * (t16 * (Real::splat(1.0) - t18))))
+            + t4 * t65;
+        let t74 = t11 * t11 * (r * sin_theta);
+        let t75 = t15 * t16;
+        let t76 = t14 * (t20 * t75);
+        let t77 = u52 * t76;
+        let d_T_hat_1_d_theta = t73 + t74 * t77 - v_r * t71;
         at.write_dy(1, d_T_hat_1_d_theta);
-        let t79 = theta_1 * tan_theta;
-        let t80 = u57 * (t14 * (t16 * t79)) - u37 * t21;
-        let d_T_hat_1_d_theta1 = u2 * t80;
+        let t78 = theta_1 * tan_theta;
+        let t79 = u52 * (t14 * (t16 * t78)) - u39 * t21;
+        let d_T_hat_1_d_theta1 = u2 * t79;
         at.write_dy(2, d_T_hat_1_d_theta1);
-        let t81 = t14 * t16;
-        let d_T_hat_1_d_theta2 = -(u54 * t81);
+        let t80 = t14 * t16;
+        let d_T_hat_1_d_theta2 = -(u55 * t80);
         at.write_dy(3, d_T_hat_1_d_theta2);
-        let t82 = u31 * (r * t7) - u31 * t8;
-        let t83 = t82 * (Phi * t13) - t11 * t77;
-        let d_T_hat_1_d_x = t83 + omega * t72;
+        let t81 = u33 * (r * t7) - u33 * t8;
+        let t82 = Phi * t13 * t81;
+        let d_T_hat_1_d_x = t82 - t11 * t77 + omega * t71;
         at.write_dy(4, d_T_hat_1_d_x);
         at.write_dy(5, Real::splat(1.0));
         at.write_dy(6, Real::splat(1.0));
-        let t84 = t24 * t58;
-        let t85 = t25 * t24;
-        let t86 = u52 * (t9 * t23) + u51 * t60 * t85;
-        let t87 = t64 * t84 - t57 * t86;
-        let t88 = t71 * t84 - t70 * t86;
-        let d_theta_hat_3_d_T = u18 * (t14 * t24) + u65 * (sin_theta * t87)
-            + u65 * (cos_theta * t88);
+        let t83 = t24 * t61;
+        let t84 = t25 * t24;
+        let t85 = u53 * (t9 * t23) + t84 * (u54 * t63);
+        let t86 = t83 * t56 - t60 * t85;
+        let t87 = t83 * t69 - t70 * t85;
+        let d_theta_hat_3_d_T = u19 * (t14 * t24) + u62 * (sin_theta * t86)
+            + u62 * (cos_theta * t87);
         at.write_dy(7, d_theta_hat_3_d_T);
-        let t89 = f_t * q;
-        let t90 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t27)
-            - u33 * t29 - Real::splat(2.0) * t79 - u34 * theta2;
-        let t91 = t73 * (t24 * t89)
-            - t24 * (t73 * (EI * (t16 * (t90 - Real::splat(4.0) * tan_theta))));
-        let t92 = u18 * t87;
-        let t93 = u32 * t76 * (t34 * (u36 * (t23 * t23))) + u59 * (t23 * (t33 * t76));
-        let t94 = u18 * t93;
-        let t95 = u18 * t88;
-        let d_theta_hat_3_d_theta = u18 * t91 + t4 * t92 + t75 * t94 - v_r * t95;
+        let t88 = f_t * q;
+        let t89 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t28)
+            - u35 * t30 - Real::splat(2.0) * t78 - u36 * theta2;
+        let t90 = u19 * t86;
+        let t91 = u19 * (u34 * t75 * (t26 * (u38 * (t23 * t23))));
+        let t92 = u19 * (t72 * (t24 * t88 - (t89 - Real::splat(4.0) * tan_theta)))
+            + t4 * t90 + t74 * t91;
+        let t93 = u19 * t87;
+        let d_theta_hat_3_d_theta = t92 - v_r * t93;
         at.write_dy(8, d_theta_hat_3_d_theta);
-        let t96 = Real::splat(3.0) * t28 + (Real::splat(1.0) + Real::splat(4.0) * t30)
-            - Real::splat(4.0) * t32 - u35 * t17 - t26;
-        let t97 = T * t24 - u41 * (t23 * (t16 * t96));
-        let d_theta_hat_3_d_theta1 = u63 * t97;
+        let t94 = Real::splat(3.0) * t29 + (Real::splat(1.0) + Real::splat(4.0) * t31)
+            - Real::splat(4.0) * t33 - u37 * t17 - t27;
+        let t95 = T * t24 - t94;
+        let d_theta_hat_3_d_theta1 = u60 * t95;
         at.write_dy(9, d_theta_hat_3_d_theta1);
-        let t98 = t16 * (Real::splat(4.0) * t79 + Real::splat(2.0) * tan_theta);
-        let d_theta_hat_3_d_theta2 = u64 * (t23 * t98);
+        let t96 = Real::splat(4.0) * t78 + Real::splat(2.0) * tan_theta;
+        let d_theta_hat_3_d_theta2 = u61 * t96;
         at.write_dy(10, d_theta_hat_3_d_theta2);
-        let d_theta_hat_3_d_x = u18 * (t82 * t85) - t11 * t94 + u68 * t88;
+        let d_theta_hat_3_d_x = u19 * (t84 * t81) - t11 * t91 + u66 * t87;
         at.write_dy(11, d_theta_hat_3_d_x);
-        let d_x_hat_1_d_theta = -(t73 * (Phi * r));
+        let d_x_hat_1_d_theta = -(t72 * (Phi * r));
         at.write_dy(12, d_x_hat_1_d_theta);
         let d_x_hat_1_d_x = Phi * tan_theta;
         at.write_dy(13, d_x_hat_1_d_x);
-        let t99 = Phi * (arc * q);
-        let t100 = u62 * (t36 * t60);
-        let t101 = t99 * t64 - t57 * t100;
-        let t102 = t99 * t71 - t70 * t100;
-        let d_M_hat_1_d_T = t46 * t101 + t68 * t102;
+        let t97 = Phi * (arc * q);
+        let t98 = u57 * (t35 * t63);
+        let t99 = t97 * t56 - t60 * t98;
+        let t100 = t97 * t69 - t70 * t98;
+        let d_M_hat_1_d_T = t45 * t99 + t67 * t100;
         at.write_dy(14, d_M_hat_1_d_T);
-        let t103 = Phi * t89;
-        let d_M_hat_1_d_theta = t4 * t101 + t75 * t103 - v_r * t102;
+        let t101 = Phi * t88;
+        let d_M_hat_1_d_theta = t4 * t99 + t74 * t101 - v_r * t100;
         at.write_dy(15, d_M_hat_1_d_theta);
-        let d_M_hat_1_d_x = Phi * t36 * t82 - t11 * t103 + omega * t102;
+        let d_M_hat_1_d_x = Phi * t35 * t81 - t11 * t101 + omega * t100;
         at.write_dy(16, d_M_hat_1_d_x);
-        let t104 = u39 * x;
-        let d_A_hat_1_d_theta = t75 * t104;
+        let t102 = u41 * x;
+        let d_A_hat_1_d_theta = t74 * t102;
         at.write_dy(17, d_A_hat_1_d_theta);
-        let t105 = u39 * arc;
-        let d_A_hat_1_d_x = t105 - t11 * t104;
+        let t103 = u41 * arc;
+        let d_A_hat_1_d_x = t103 - t11 * t102;
         at.write_dy(18, d_A_hat_1_d_x);
-        let t106 = arc * (u28 * (t38 * t38));
-        let d_L_o_hat_1_d_T = -(u44 * t106);
+        let t104 = arc * (u30 * (t37 * t37));
+        let d_L_o_hat_1_d_T = -(u48 * t104);
         at.write_dy(19, d_L_o_hat_1_d_T);
-        let t107 = u40 * t38;
-        let d_L_o_hat_1_d_theta = t75 * t107;
+        let t105 = u42 * t37;
+        let d_L_o_hat_1_d_theta = t74 * t105;
         at.write_dy(20, d_L_o_hat_1_d_theta);
-        let d_L_o_hat_1_d_x = -(t11 * t107);
+        let d_L_o_hat_1_d_x = -(t11 * t105);
         at.write_dy(21, d_L_o_hat_1_d_x);
-        let t108 = u46 * (arc * t39) + u47 * (arc * t40);
-        let t109 = u46 * (arc * (v_r * p)) - u21 * t59 * t108;
-        let t110 = u47 * (arc * (v_t * p));
-        let t111 = u46 * (arc * (f_r * p)) + t57 * t109 + t110 * t64;
-        let t112 = u47 * (arc * (f_t * p)) + t70 * t109 + t110 * t71;
-        let d_W_hat_1_d_T = t46 * t111 + t68 * t112;
+        let t106 = u49 * (arc * (v_t * p));
+        let t107 = u49 * (arc * t39) + u50 * (arc * t38);
+        let t108 = u50 * (arc * (v_r * p)) - u22 * t62 * t107;
+        let t109 = u50 * (arc * (f_r * p)) + t106 * t56 + t108 * t60;
+        let t110 = u49 * (arc * (f_t * p)) + t106 * t69 + t108 * t70;
+        let d_W_hat_1_d_T = t45 * t109 + t67 * t110;
         at.write_dy(22, d_W_hat_1_d_T);
-        let t113 = Phi * loss;
-        let d_W_hat_1_d_theta = t4 * t111 + t75 * t113 - v_r * t112;
+        let t111 = Phi * loss;
+        let d_W_hat_1_d_theta = t4 * t109 + t74 * t111 - v_r * t110;
         at.write_dy(23, d_W_hat_1_d_theta);
-        let d_W_hat_1_d_x = u14 * t7 * t108 - t11 * t113 + omega * t112;
+        let d_W_hat_1_d_x = u15 * t7 * t107 - t11 * t111 + omega * t110;
         at.write_dy(24, d_W_hat_1_d_x);
-        let t114 = r * cos_t41;
-        let t115 = t104 * t114;
-        let d_A_x_hat_1_d_theta = t75 * t115;
+        let t112 = r * cos_t40;
+        let t113 = t102 * t112;
+        let d_A_x_hat_1_d_theta = t74 * t113;
         at.write_dy(25, d_A_x_hat_1_d_theta);
-        let d_A_x_hat_1_d_x = t114 * t105 - A_hat_1 * cos_t41 - t11 * t115;
+        let d_A_x_hat_1_d_x = t112 * t103 - A_hat_1 * cos_t40 - t11 * t113;
         at.write_dy(26, d_A_x_hat_1_d_x);
-        let t116 = r * sin_t41;
-        let t117 = t104 * t116;
-        let d_A_y_hat_1_d_theta = t75 * t117;
+        let t114 = r * sin_t40;
+        let t115 = t102 * t114;
+        let d_A_y_hat_1_d_theta = t74 * t115;
         at.write_dy(27, d_A_y_hat_1_d_theta);
-        let d_A_y_hat_1_d_x = t116 * t105 - A_hat_1 * sin_t41 - t11 * t117;
+        let d_A_y_hat_1_d_x = t114 * t103 - A_hat_1 * sin_t40 - t11 * t115;
         at.write_dy(28, d_A_y_hat_1_d_x);
-        let t118 = V_T * stored;
-        let t119 = t118 * t72;
-        let d_E_hat_1_d_T = t118 * t67 + t68 * t119;
+        let t116 = V_T * stored;
+        let t117 = t116 * t71;
+        let d_E_hat_1_d_T = t116 * t66 + t67 * t117;
         at.write_dy(29, d_E_hat_1_d_T);
-        let t120 = u50 * (t22 * (t44 * t81));
-        let d_E_hat_1_d_theta = t118 * t78 - t75 * t120 - v_r * t119;
+        let t118 = t43 * t22;
+        let t119 = u65 * (stored * t76) - u47 * (t80 * t118);
+        let d_E_hat_1_d_theta = t116 * t73 + t74 * t119 - v_r * t117;
         at.write_dy(30, d_E_hat_1_d_theta);
-        let t121 = t22 * (t15 * t44);
-        let d_E_hat_1_d_theta1 = u60 * t121 + u66 * (stored * t80);
+        let t120 = t15 * t118;
+        let d_E_hat_1_d_theta1 = u58 * t120 + u63 * (stored * t79);
         at.write_dy(31, d_E_hat_1_d_theta1);
-        let d_E_hat_1_d_theta2 = -(u67 * (stored * t81));
+        let d_E_hat_1_d_theta2 = -(u64 * (stored * t80));
         at.write_dy(32, d_E_hat_1_d_theta2);
-        let d_E_hat_1_d_x = t11 * t120 - u49 * (x * t22) + t118 * t83 + omega * t119;
+        let d_E_hat_1_d_x = t116 * t82 - u46 * (x * t22) - t11 * t119 + omega * t117;
         at.write_dy(33, d_E_hat_1_d_x);
-        let t122 = u3 * theta1;
-        let d_T_hat_1_d_Phi = t22 + u56 * (t14 * (theta2 * t16)) - t122 * t80;
+        let t121 = u3 * theta1;
+        let d_T_hat_1_d_Phi = t22 + u56 * (theta2 * t80) - t121 * t79;
         at.write_dc(0, d_T_hat_1_d_Phi);
-        let t123 = omega_P * r;
-        let d_T_hat_1_d_sigma = -(t123 * t72);
+        let t122 = omega_P * r;
+        let d_T_hat_1_d_sigma = -(t122 * t71);
         at.write_dc(1, d_T_hat_1_d_sigma);
-        let t124 = u23 * (u6 * t1 + u29 * t1);
-        let t125 = sin_theta * t124;
-        let t126 = t125 * t66;
-        let t127 = cos_theta * t124;
-        let d_T_hat_1_d_flow = t126 + t127 * t72;
+        let t123 = u25 * (u6 * t1 + u31 * t1);
+        let t124 = sin_theta * t123;
+        let t125 = t124 * t65;
+        let t126 = cos_theta * t123;
+        let d_T_hat_1_d_flow = t125 + t126 * t71;
         at.write_dc(2, d_T_hat_1_d_flow);
-        let d_theta_hat_3_d_Phi = u38 * theta_3
-            - u18 * (u58 * (t23 * (theta2 * t98)) + t122 * t97);
+        let d_theta_hat_3_d_Phi = u40 * theta_3
+            - u19 * (u24 * theta2 * t96 + t121 * t95);
         at.write_dc(3, d_theta_hat_3_d_Phi);
-        let d_theta_hat_3_d_sigma = -(u69 * (r * t88));
+        let d_theta_hat_3_d_sigma = -(u67 * (r * t87));
         at.write_dc(4, d_theta_hat_3_d_sigma);
-        let d_theta_hat_3_d_flow = t125 * t92 + t127 * t95;
+        let d_theta_hat_3_d_flow = t124 * t90 + t126 * t93;
         at.write_dc(5, d_theta_hat_3_d_flow);
-        let d_x_hat_1_d_Phi = -t35;
+        let d_x_hat_1_d_Phi = -t34;
         at.write_dc(6, d_x_hat_1_d_Phi);
         at.write_dc(7, d_M_hat_1_d_Phi);
-        let d_M_hat_1_d_sigma = -(t123 * t102);
+        let d_M_hat_1_d_sigma = -(t122 * t100);
         at.write_dc(8, d_M_hat_1_d_sigma);
-        let d_M_hat_1_d_flow = t125 * t101 + t127 * t102;
+        let d_M_hat_1_d_flow = t124 * t99 + t126 * t100;
         at.write_dc(9, d_M_hat_1_d_flow);
         at.write_dc(10, d_A_hat_1_d_Phi);
         at.write_dc(11, d_L_o_hat_1_d_Phi);
-        let d_L_o_hat_1_d_flow = -(u23 * ((u26 * t37 + u27) * (u43 * t106)));
+        let d_L_o_hat_1_d_flow = -(u25 * ((u28 * t36 + u29) * (u43 * t104)));
         at.write_dc(12, d_L_o_hat_1_d_flow);
         at.write_dc(13, loss_phi);
-        let d_W_hat_1_d_sigma = -(t123 * t112);
+        let d_W_hat_1_d_sigma = -(t122 * t110);
         at.write_dc(14, d_W_hat_1_d_sigma);
-        let d_W_hat_1_d_flow = t125 * t111 + t127 * t112;
+        let d_W_hat_1_d_flow = t124 * t109 + t126 * t110;
         at.write_dc(15, d_W_hat_1_d_flow);
-        let t128 = A_hat_1 * (s * r);
-        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t114 - sin_t41 * t128;
+        let t127 = A_hat_1 * (s * r);
+        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t112 - sin_t40 * t127;
         at.write_dc(16, d_A_x_hat_1_d_Phi);
-        let d_A_y_hat_1_d_Phi = cos_t41 * t128 + d_A_hat_1_d_Phi * t116;
+        let d_A_y_hat_1_d_Phi = cos_t40 * t127 + d_A_hat_1_d_Phi * t114;
         at.write_dc(17, d_A_y_hat_1_d_Phi);
-        let d_E_hat_1_d_Phi = t118 * d_T_hat_1_d_Phi - u61 * (theta1 * t121);
+        let d_E_hat_1_d_Phi = t116 * d_T_hat_1_d_Phi - u59 * (theta1 * t120);
         at.write_dc(18, d_E_hat_1_d_Phi);
-        let d_E_hat_1_d_sigma = -(t123 * t119);
+        let d_E_hat_1_d_sigma = -(t122 * t117);
         at.write_dc(19, d_E_hat_1_d_sigma);
-        let d_E_hat_1_d_flow = u45 * t45 + t118 * t126 + t127 * t119;
+        let d_E_hat_1_d_flow = u51 * t44 + t116 * t125 + t126 * t117;
         at.write_dc(20, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (259 add, 586 mul, 7 div, 2 sqrt, 3 fn; once 142)
+///Right-hand side, integrands, and their derivatives in states and all constants. (210 add, 521 mul, 7 div, 2 sqrt, 3 fn; once 122)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1110,7 +1106,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 34;
     const DC: usize = 81;
     const FIELDS: usize = 0;
-    type Uniforms = [f64; 103];
+    type Uniforms = [f64; 90];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
         let Phi = constants[0];
@@ -1174,71 +1170,55 @@ impl Sweep for AllDerivatives {
         let u43 = u42 * (2.0 * (sin_beta * u10));
         let u44 = 0.5 * (u12 * (2.0 * u10));
         let u45 = 2.0 * u17;
-        let u46 = EI * 2.0;
-        let u47 = 4.0 * u18;
-        let u48 = 2.0 * u3;
-        let u49 = u3 * 3.0;
-        let u50 = u19 * u19;
-        let u51 = Phi * EI;
-        let u52 = u20 * 3.0;
-        let u53 = u22 * u22;
-        let u54 = Phi * u17;
-        let u55 = Phi * EA;
-        let u56 = u26 * (0.5 * u50);
-        let u57 = EI * u19;
-        let u58 = 0.5 * (u12 * (k * u10));
-        let u59 = Phi * V_T;
-        let u60 = mu_k * 4.0;
-        let u61 = u14 * u14 * u60;
-        let u62 = u14 * u60;
-        let u63 = Phi * u22;
-        let u64 = Phi * 0.5;
-        let u65 = Phi * 2.0;
-        let u66 = u7 * u8 * u63;
-        let u67 = Phi * (u42 * (sin_beta * 4.0));
-        let u68 = Phi * u23;
-        let u69 = Phi * cos_beta;
-        let u70 = EI * u3;
-        let u71 = Phi * u70;
-        let u72 = EI * (2.0 * u18);
-        let u73 = Phi * u72;
-        let u74 = Phi * u46;
-        let u75 = u19 * u72;
-        let u76 = u19 * u46;
-        let u77 = EI * u57;
-        let u78 = u59 * (u2 * u77);
-        let u79 = u24 * u59;
-        let u80 = u59 * (u3 * u77);
-        let u81 = u16 * 0.5 * u59;
-        let u82 = u59 * u77;
-        let u83 = u2 * u21;
-        let u84 = u21 * (u19 * u70);
-        let u85 = u21 * (u19 * (cos_beta * 2.0));
-        let u86 = u21 * (2.0 * u19);
-        let u87 = V_T * u68;
-        let u88 = Phi * u45;
-        let u89 = 2.0 * u25;
-        let u90 = Phi * u89;
-        let u91 = u21 * u45;
+        let u46 = 4.0 * u18;
+        let u47 = 2.0 * u3;
+        let u48 = u3 * 3.0;
+        let u49 = u19 * u19;
+        let u50 = Phi * EI;
+        let u51 = u20 * 3.0;
+        let u52 = u22 * u22;
+        let u53 = Phi * u17;
+        let u54 = Phi * EA;
+        let u55 = u8 + u39;
+        let u56 = 0.5 * (u12 * (k * u10));
+        let u57 = Phi * V_T;
+        let u58 = u24 * u57;
+        let u59 = u26 * (0.5 * u49) * u57;
+        let u60 = u16 * 0.5 * u57;
+        let u61 = EI * u19 * u57;
+        let u62 = Phi * 2.0;
+        let u63 = Phi * (u42 * (sin_beta * 4.0));
+        let u64 = Phi * u23;
+        let u65 = Phi * 0.5;
+        let u66 = Phi * u22;
+        let u67 = V_T * u50;
+        let u68 = u19 * u21;
+        let u69 = EI * 2.0;
+        let u70 = u21 * u69;
+        let u71 = Phi * u69;
+        let u72 = u69 * u57;
+        let u73 = EI * u57;
+        let u74 = EI * u61;
+        let u75 = Phi * cos_beta;
+        let u76 = cos_beta * u57;
+        let u77 = 2.0 * u57;
+        let u78 = cos_beta * 2.0 * u68;
+        let u79 = 2.0 * u68;
+        let u80 = Phi * u45;
+        let u81 = u17 * u62;
+        let u82 = 0.5 * u62;
+        let u83 = u25 * u62;
+        let u84 = mu_k * 4.0;
+        let u85 = u14 * u14 * u84;
+        let u86 = u14 * u84;
+        let u87 = u7 * u8 * u66;
+        let u88 = u3 * u50;
+        let u89 = 2.0 * u18;
+        let u90 = u89 * u50;
+        let u91 = u3 * u21;
         let u92 = u21 * u89;
-        let u93 = u8 + u39;
-        let u94 = u29 * u93;
-        let u95 = u30 * u93;
-        let u96 = u28 * u93;
-        let u97 = u5 * u93;
-        let u98 = u2 * V_T;
-        let u99 = V_T * u71;
-        let u100 = V_T * u88;
-        let u101 = V_T * u74;
-        let u102 = V_T * u65;
-        let u103 = omega * u65;
-        let u104 = omega_P * u65;
-        let u105 = u29 * u65;
-        let u106 = u28 * u65;
-        let u107 = omega * u90;
-        let u108 = omega * u21;
-        let u109 = Phi * omega;
-        let u110 = omega * u102;
+        let u93 = u3 * u73;
+        let u94 = u89 * u73;
         [
             Phi,
             sigma,
@@ -1298,6 +1278,7 @@ impl Sweep for AllDerivatives {
             u57,
             u58,
             u59,
+            u60,
             u61,
             u62,
             u63,
@@ -1306,19 +1287,20 @@ impl Sweep for AllDerivatives {
             u66,
             u67,
             u68,
-            u69,
+            u70,
             u71,
+            u72,
             u73,
             u74,
             u75,
             u76,
+            u77,
             u78,
             u79,
             u80,
             u81,
             u82,
             u83,
-            u84,
             u85,
             u86,
             u87,
@@ -1326,23 +1308,8 @@ impl Sweep for AllDerivatives {
             u90,
             u91,
             u92,
+            u93,
             u94,
-            u95,
-            u96,
-            u97,
-            u98,
-            u99,
-            u100,
-            u101,
-            u102,
-            u103,
-            u104,
-            u105,
-            u106,
-            u107,
-            u108,
-            u109,
-            u110,
         ]
     }
     #[inline(always)]
@@ -1405,51 +1372,38 @@ impl Sweep for AllDerivatives {
         let u57 = Real::splat(uniforms[55]);
         let u58 = Real::splat(uniforms[56]);
         let u59 = Real::splat(uniforms[57]);
-        let u61 = Real::splat(uniforms[58]);
-        let u62 = Real::splat(uniforms[59]);
-        let u63 = Real::splat(uniforms[60]);
-        let u64 = Real::splat(uniforms[61]);
-        let u65 = Real::splat(uniforms[62]);
-        let u66 = Real::splat(uniforms[63]);
-        let u67 = Real::splat(uniforms[64]);
-        let u68 = Real::splat(uniforms[65]);
-        let u69 = Real::splat(uniforms[66]);
-        let u71 = Real::splat(uniforms[67]);
-        let u73 = Real::splat(uniforms[68]);
-        let u74 = Real::splat(uniforms[69]);
-        let u75 = Real::splat(uniforms[70]);
-        let u76 = Real::splat(uniforms[71]);
-        let u78 = Real::splat(uniforms[72]);
-        let u79 = Real::splat(uniforms[73]);
-        let u80 = Real::splat(uniforms[74]);
-        let u81 = Real::splat(uniforms[75]);
-        let u82 = Real::splat(uniforms[76]);
-        let u83 = Real::splat(uniforms[77]);
-        let u84 = Real::splat(uniforms[78]);
-        let u85 = Real::splat(uniforms[79]);
-        let u86 = Real::splat(uniforms[80]);
-        let u87 = Real::splat(uniforms[81]);
-        let u88 = Real::splat(uniforms[82]);
-        let u90 = Real::splat(uniforms[83]);
-        let u91 = Real::splat(uniforms[84]);
-        let u92 = Real::splat(uniforms[85]);
-        let u94 = Real::splat(uniforms[86]);
-        let u95 = Real::splat(uniforms[87]);
-        let u96 = Real::splat(uniforms[88]);
-        let u97 = Real::splat(uniforms[89]);
-        let u98 = Real::splat(uniforms[90]);
-        let u99 = Real::splat(uniforms[91]);
-        let u100 = Real::splat(uniforms[92]);
-        let u101 = Real::splat(uniforms[93]);
-        let u102 = Real::splat(uniforms[94]);
-        let u103 = Real::splat(uniforms[95]);
-        let u104 = Real::splat(uniforms[96]);
-        let u105 = Real::splat(uniforms[97]);
-        let u106 = Real::splat(uniforms[98]);
-        let u107 = Real::splat(uniforms[99]);
-        let u108 = Real::splat(uniforms[100]);
-        let u109 = Real::splat(uniforms[101]);
-        let u110 = Real::splat(uniforms[102]);
+        let u60 = Real::splat(uniforms[58]);
+        let u61 = Real::splat(uniforms[59]);
+        let u62 = Real::splat(uniforms[60]);
+        let u63 = Real::splat(uniforms[61]);
+        let u64 = Real::splat(uniforms[62]);
+        let u65 = Real::splat(uniforms[63]);
+        let u66 = Real::splat(uniforms[64]);
+        let u67 = Real::splat(uniforms[65]);
+        let u68 = Real::splat(uniforms[66]);
+        let u70 = Real::splat(uniforms[67]);
+        let u71 = Real::splat(uniforms[68]);
+        let u72 = Real::splat(uniforms[69]);
+        let u73 = Real::splat(uniforms[70]);
+        let u74 = Real::splat(uniforms[71]);
+        let u75 = Real::splat(uniforms[72]);
+        let u76 = Real::splat(uniforms[73]);
+        let u77 = Real::splat(uniforms[74]);
+        let u78 = Real::splat(uniforms[75]);
+        let u79 = Real::splat(uniforms[76]);
+        let u80 = Real::splat(uniforms[77]);
+        let u81 = Real::splat(uniforms[78]);
+        let u82 = Real::splat(uniforms[79]);
+        let u83 = Real::splat(uniforms[80]);
+        let u85 = Real::splat(uniforms[81]);
+        let u86 = Real::splat(uniforms[82]);
+        let u87 = Real::splat(uniforms[83]);
+        let u88 = Real::splat(uniforms[84]);
+        let u90 = Real::splat(uniforms[85]);
+        let u91 = Real::splat(uniforms[86]);
+        let u92 = Real::splat(uniforms[87]);
+        let u93 = Real::splat(uniforms[88]);
+        let u94 = Real::splat(uniforms[89]);
         let x = at.state::<Real>(4);
         let r = R - x;
         let T = at.state::<Real>(0);
@@ -1483,8 +1437,7 @@ impl Sweep for AllDerivatives {
         let theta1 = at.state::<Real>(2);
         let theta_1 = u2 * theta1;
         let t14 = theta_1 - Real::splat(1.0);
-        let arc = r * t11;
-        let t15 = reciprocal(arc);
+        let t15 = cos_theta * reciprocal(r);
         let t16 = t15 * t15;
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
@@ -1502,458 +1455,447 @@ impl Sweep for AllDerivatives {
         let t24 = u19 * t23;
         let t25 = sin_beta + tan_theta * f_t - f_r;
         let n = q * t25;
-        let t26 = tan_theta * tan_theta;
-        let t27 = u18 * (theta1 * t17);
-        let t28 = t18 * t26;
-        let t29 = theta1 * theta2;
-        let t30 = theta_1 * t26;
-        let t31 = t26 * t27 + (theta_1 + Real::splat(2.0) * t28)
-            - Real::splat(4.0) * (tan_theta * (u18 * t29)) - t30;
-        let t32 = theta_2 * tan_theta;
-        let t33 = t31 - Real::splat(2.0) * t32 - t27 - Real::splat(2.0) * t26;
-        let t34 = t16 * t33;
-        let t35 = n + T * theta_1 - EI * t34 - T;
-        let theta_3 = t24 * t35;
+        let t26 = n + T * theta_1 - T;
+        let t27 = tan_theta * tan_theta;
+        let t28 = u18 * (theta1 * t17);
+        let t29 = t18 * t27;
+        let t30 = theta1 * theta2;
+        let t31 = theta_1 * t27;
+        let t32 = t27 * t28 + (theta_1 + Real::splat(2.0) * t29)
+            - Real::splat(4.0) * (tan_theta * (u18 * t30)) - t31;
+        let t33 = theta_2 * tan_theta;
+        let theta_3 = t24 * t26
+            - (t32 - Real::splat(2.0) * t33 - t28 - Real::splat(2.0) * t27);
         let theta_hat_3 = u21 * theta_3;
         at.write_f(3, theta_hat_3);
-        let t36 = r * tan_theta;
-        let x_hat_1 = -(Phi * t36);
+        let t34 = r * tan_theta;
+        let x_hat_1 = -(Phi * t34);
         at.write_f(4, x_hat_1);
-        let t37 = arc * f_t;
-        let d_M_hat_1_d_Phi = q * t37;
+        let arc = r * t11;
+        let t35 = arc * f_t;
+        let d_M_hat_1_d_Phi = q * t35;
         let M_hat_1 = Phi * d_M_hat_1_d_Phi;
         at.write_f(5, M_hat_1);
         let axial = u17 * x;
         let d_A_hat_1_d_Phi = arc * axial;
         let A_hat_1 = Phi * d_A_hat_1_d_Phi;
         at.write_f(6, A_hat_1);
-        let t38 = u6 + m_o * T;
-        let F = u9 * t38;
-        let t39 = EA + F;
-        let t40 = reciprocal(t39);
-        let d_L_o_hat_1_d_Phi = arc * (EA * t40);
+        let t36 = u6 + m_o * T;
+        let F = u9 * t36;
+        let t37 = EA + F;
+        let t38 = reciprocal(t37);
+        let d_L_o_hat_1_d_Phi = arc * (EA * t38);
         let L_o_hat_1 = Phi * d_L_o_hat_1_d_Phi;
         at.write_f(7, L_o_hat_1);
-        let t41 = v_r * f_r;
-        let t42 = p * t41;
-        let loss_radial = u23 * t42;
-        let t43 = v_t * f_t;
-        let loss_tangential = Real::splat(2.0) * (p * t43);
+        let t39 = v_r * f_r;
+        let t40 = p * t39;
+        let loss_radial = u23 * t40;
+        let t41 = v_t * f_t;
+        let loss_tangential = Real::splat(2.0) * (p * t41);
         let loss = loss_radial + loss_tangential;
         let loss_phi = arc * loss;
         let W_hat_1 = Phi * loss_phi;
         at.write_f(8, W_hat_1);
         let s = at.position::<Real>();
-        let t44 = Phi * s;
-        let (sin_t44, cos_t44) = sin_cos(t44);
-        let t46 = r * A_hat_1;
-        let A_x_hat_1 = cos_t44 * t46;
+        let t42 = Phi * s;
+        let (sin_t42, cos_t42) = sin_cos(t42);
+        let t44 = r * A_hat_1;
+        let A_x_hat_1 = cos_t42 * t44;
         at.write_f(9, A_x_hat_1);
-        let A_y_hat_1 = t46 * sin_t44;
+        let A_y_hat_1 = t44 * sin_t42;
         at.write_f(10, A_y_hat_1);
-        let t47 = t15 * t14;
-        let t48 = t47 * t47;
-        let t49 = x * x;
-        let stored = u27 * t48 - u25 * t49;
-        let t50 = T_hat_1 * stored;
-        let E_hat_1 = V_T * t50;
+        let t45 = t15 * t14;
+        let t46 = t45 * t45;
+        let t47 = x * x;
+        let stored = u27 * t46 - u25 * t47;
+        let t48 = T_hat_1 * stored;
+        let E_hat_1 = V_T * t48;
         at.write_f(11, E_hat_1);
-        let t51 = tan_theta * q;
-        let t52 = x * (t7 * t7);
-        let t53 = r * t52;
-        let t54 = Phi * t51 - u90 * (t13 * t53);
-        let t55 = V_T * sin_theta;
-        let t56 = mu * t5;
-        let t57 = t5 * t5;
-        let t58 = t6 * t57;
-        let t59 = v_r * t5;
-        let t60 = reciprocal(speed);
-        let t61 = v_r * t60;
+        let t49 = mu * t5;
+        let t50 = u62 * t9;
+        let t51 = reciprocal(speed);
+        let t52 = v_t * t51;
+        let t53 = Real::splat(1.0) - saturation * saturation;
+        let t54 = v_t * t5;
+        let t55 = v_r * t5;
+        let t56 = tan_theta * q;
+        let t57 = x * (t7 * t7);
+        let t58 = r * t13;
+        let t59 = Phi * t56 - u83 * (t57 * t58);
+        let t60 = t54 * t50 + t55 * t59;
+        let t61 = t53 * t60;
         let t62 = speed * t5;
-        let t63 = u44 * t59 + t61 * t62;
-        let t64 = Real::splat(1.0) - saturation * saturation;
-        let t65 = u62 * t64;
-        let t66 = t61 * t65;
-        let t67 = t56 - t58 * t63 + t59 * t66;
-        let t68 = V_T * cos_theta;
-        let t69 = v_t * t60;
-        let t70 = t69 * t65;
-        let t71 = t69 * t62;
-        let t72 = t59 * t70 - t58 * t71;
-        let t73 = t55 * t67 + t68 * t72;
-        let t74 = u65 * t9;
-        let t75 = v_t * t5;
-        let t76 = t10 * t57;
-        let t77 = t75 * t66 - t76 * t63;
-        let t78 = t56 - t76 * t71 + t75 * t70;
-        let t79 = t55 * t77 + t68 * t78;
-        let d_T_hat_1_d_T = t54 * t73 + t74 * t79;
+        let t63 = t5 * t5;
+        let t64 = t10 * t63;
+        let t65 = t6 * t63;
+        let t66 = t64 * t50 + t65 * t59;
+        let t67 = u86 * t61 - t62 * t66;
+        let t68 = t49 * t50 + t52 * t67;
+        let t69 = u44 * t55;
+        let t70 = v_r * t51;
+        let t71 = t49 * t59 - t69 * t66 + t70 * t67;
+        let t72 = cos_theta * t68 + sin_theta * t71;
+        let d_T_hat_1_d_T = V_T * t72;
         at.write_dy(0, d_T_hat_1_d_T);
-        let t80 = Real::splat(1.0) + t26;
-        let t81 = Phi * t14;
-        let t82 = Phi * (t80 * (q * t12))
-            - t81 * (t80 * (EI * (t16 * (Real::splat(1.0) - t18))));
-        let t83 = t11 * t11 * (r * sin_theta);
-        let t84 = t15 * t16;
-        let t85 = t14 * (t20 * t84);
-        let t86 = u74 * t85;
-        let t87 = t4 * t67 - v_r * t72;
-        let t88 = t4 * t77 - v_r * t78;
-        let d_T_hat_1_d_theta = t82 + t83 * t86 + t54 * t87 + t74 * t88;
+        let t73 = Real::splat(1.0) + t27;
+        let t74 = q * t12;
+        let t75 = t16 * (Real::splat(1.0) - t18);
+        let t76 = t4 * t71 - v_r * t68 + t73 * (Phi * t74 - u50 * (t14 * t75));
+        let t77 = t11 * t11 * (r * sin_theta);
+        let t78 = t15 * t16;
+        let t79 = t20 * t78;
+        let t80 = u71 * (t14 * t79);
+        let d_T_hat_1_d_theta = t76 + t77 * t80;
         at.write_dy(1, d_T_hat_1_d_theta);
-        let t89 = theta_1 * tan_theta;
-        let t90 = u74 * (t14 * (t16 * t89)) - u51 * t21;
-        let d_T_hat_1_d_theta1 = u2 * t90;
+        let t81 = theta_1 * tan_theta;
+        let t82 = t16 * t81;
+        let t83 = u71 * (t14 * t82) - u50 * t21;
+        let d_T_hat_1_d_theta1 = u2 * t83;
         at.write_dy(2, d_T_hat_1_d_theta1);
-        let t91 = t14 * t16;
-        let d_T_hat_1_d_theta2 = -(u71 * t91);
+        let t84 = t14 * t16;
+        let d_T_hat_1_d_theta2 = -(u88 * t84);
         at.write_dy(3, d_T_hat_1_d_theta2);
-        let t92 = Phi * t13;
-        let t93 = u45 * (r * t7) - u45 * t8;
-        let t94 = t92 * t93;
-        let t95 = t11 * t86;
-        let t96 = omega * t72;
-        let t97 = t54 * t96;
-        let t98 = u103 * (t9 * t78);
-        let d_T_hat_1_d_x = t94 - t95 + t97 + t98;
+        let t85 = omega * t68;
+        let t86 = t11 * t80;
+        let t87 = u80 * (t8 * t13);
+        let d_T_hat_1_d_x = u81 * (t7 * t58) + t85 - t86 - t87;
         at.write_dy(4, d_T_hat_1_d_x);
         at.write_dy(5, Real::splat(1.0));
         at.write_dy(6, Real::splat(1.0));
-        let t99 = t9 * t23;
-        let t100 = t25 * t24;
-        let t101 = u86 * t99 + u92 * (t100 * t53);
-        let t102 = t24 * t51;
-        let t103 = u21 * t102;
-        let d_theta_hat_3_d_T = u21 * (t14 * t24) - t101 * t73 + t103 * t79;
+        let t88 = u68 * t23;
+        let t89 = t56 * t88;
+        let t90 = t9 * t23;
+        let t91 = u25 * t57;
+        let t92 = Real::splat(2.0) * r;
+        let t93 = t25 * t88;
+        let t94 = t92 * t93;
+        let t95 = u79 * t90 + t91 * t94;
+        let t96 = t65 * t95 - t64 * t89;
+        let t97 = t54 * t89 - t55 * t95;
+        let t98 = t53 * t97;
+        let t99 = t62 * t96 + u86 * t98;
+        let t100 = t49 * t89 + t52 * t99;
+        let t101 = t69 * t96 - t49 * t95 + t70 * t99;
+        let t102 = cos_theta * t100 + sin_theta * t101;
+        let d_theta_hat_3_d_T = u21 * (t14 * t24) + V_T * t102;
         at.write_dy(7, d_theta_hat_3_d_T);
-        let t104 = f_t * q;
-        let t105 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t27)
-            - u47 * t29 - Real::splat(2.0) * t89 - u48 * theta2;
-        let t106 = t24 * (t80 * t104)
-            - t24 * (t80 * (EI * (t16 * (t105 - Real::splat(4.0) * tan_theta))));
-        let t107 = t35 * (u50 * (t23 * t23));
-        let t108 = u21 * (u46 * t84 * t107 + u76 * (t23 * (t33 * t84)));
-        let d_theta_hat_3_d_theta = u21 * t106 + t83 * t108 - t101 * t87 + t103 * t88;
+        let t103 = f_t * q;
+        let t104 = Real::splat(4.0) * t19 + Real::splat(2.0) * (tan_theta * t28)
+            - u46 * t30 - Real::splat(2.0) * t81 - u47 * theta2;
+        let t105 = t4 * t101 - v_r * t100
+            + t73 * (t103 * t88 - u21 * (t104 - Real::splat(4.0) * tan_theta));
+        let t106 = t26 * (u49 * (t23 * t23));
+        let t107 = u70 * (t78 * t106);
+        let d_theta_hat_3_d_theta = t105 + t77 * t107;
         at.write_dy(8, d_theta_hat_3_d_theta);
-        let t109 = Real::splat(3.0) * t28 + (Real::splat(1.0) + Real::splat(4.0) * t30)
-            - Real::splat(4.0) * t32 - u49 * t17 - t26;
-        let t110 = T * t24 - u57 * (t23 * (t16 * t109));
-        let d_theta_hat_3_d_theta1 = u83 * t110;
+        let t108 = Real::splat(3.0) * t29 + (Real::splat(1.0) + Real::splat(4.0) * t31)
+            - Real::splat(4.0) * t33 - u48 * t17 - t27;
+        let t109 = u21 * (T * t24) - u21 * t108;
+        let d_theta_hat_3_d_theta1 = u2 * t109;
         at.write_dy(9, d_theta_hat_3_d_theta1);
-        let t111 = t16 * (Real::splat(4.0) * t89 + Real::splat(2.0) * tan_theta);
-        let d_theta_hat_3_d_theta2 = u84 * (t23 * t111);
+        let t110 = Real::splat(4.0) * t81 + Real::splat(2.0) * tan_theta;
+        let d_theta_hat_3_d_theta2 = u91 * t110;
         at.write_dy(10, d_theta_hat_3_d_theta2);
-        let t112 = u21 * t100;
-        let t113 = t11 * t108;
-        let t114 = t101 * t96;
-        let t115 = u108 * (t102 * t78);
-        let d_theta_hat_3_d_x = t93 * t112 - t113 - t114 + t115;
+        let t111 = u17 * t7;
+        let t112 = omega * t100;
+        let t113 = t11 * t107;
+        let t114 = u45 * t8;
+        let t115 = t114 * t93;
+        let d_theta_hat_3_d_x = t111 * t94 + t112 - t113 - t115;
         at.write_dy(11, d_theta_hat_3_d_x);
-        let d_x_hat_1_d_theta = -(t80 * (Phi * r));
+        let d_x_hat_1_d_theta = -(t73 * (Phi * r));
         at.write_dy(12, d_x_hat_1_d_theta);
         let d_x_hat_1_d_x = Phi * tan_theta;
         at.write_dy(13, d_x_hat_1_d_x);
-        let t116 = arc * q;
-        let t117 = Phi * t116;
-        let t118 = t37 * t53;
-        let t119 = u90 * t118;
-        let d_M_hat_1_d_T = t117 * t79 - t119 * t73;
+        let t116 = Phi * (arc * q);
+        let t117 = r * t35;
+        let t118 = u83 * (t57 * t117);
+        let t119 = t65 * t118 - t64 * t116;
+        let t120 = t54 * t116 - t55 * t118;
+        let t121 = t53 * t120;
+        let t122 = t62 * t119 + u86 * t121;
+        let t123 = t49 * t116 + t52 * t122;
+        let t124 = t69 * t119 - t49 * t118 + t70 * t122;
+        let t125 = cos_theta * t123 + sin_theta * t124;
+        let d_M_hat_1_d_T = V_T * t125;
         at.write_dy(14, d_M_hat_1_d_T);
-        let t120 = Phi * t104;
-        let d_M_hat_1_d_theta = t83 * t120 - t119 * t87 + t117 * t88;
+        let t126 = Phi * t103;
+        let d_M_hat_1_d_theta = t4 * t124 - v_r * t123 + t77 * t126;
         at.write_dy(15, d_M_hat_1_d_theta);
-        let t121 = Phi * t37;
-        let t122 = t11 * t120;
-        let t123 = u107 * (t72 * t118);
-        let t124 = u109 * (t116 * t78);
-        let d_M_hat_1_d_x = t121 * t93 - t122 - t123 + t124;
+        let t127 = omega * t123;
+        let t128 = t11 * t126;
+        let t129 = u80 * (t8 * t35);
+        let d_M_hat_1_d_x = u81 * (t7 * t117) + t127 - t128 - t129;
         at.write_dy(16, d_M_hat_1_d_x);
-        let t125 = u54 * x;
-        let d_A_hat_1_d_theta = t83 * t125;
+        let t130 = u53 * x;
+        let d_A_hat_1_d_theta = t77 * t130;
         at.write_dy(17, d_A_hat_1_d_theta);
-        let t126 = u54 * arc;
-        let d_A_hat_1_d_R = t11 * t125;
-        let d_A_hat_1_d_x = t126 - d_A_hat_1_d_R;
+        let d_A_hat_1_d_R = t11 * t130;
+        let d_A_hat_1_d_x = u53 * arc - d_A_hat_1_d_R;
         at.write_dy(18, d_A_hat_1_d_x);
-        let t127 = arc * (u36 * (t40 * t40));
-        let d_L_o_hat_1_d_T = -(u66 * t127);
+        let t131 = arc * (u36 * (t38 * t38));
+        let d_L_o_hat_1_d_T = -(u87 * t131);
         at.write_dy(19, d_L_o_hat_1_d_T);
-        let t128 = u55 * t40;
-        let d_L_o_hat_1_d_theta = t83 * t128;
+        let t132 = u54 * t38;
+        let d_L_o_hat_1_d_theta = t77 * t132;
         at.write_dy(20, d_L_o_hat_1_d_theta);
-        let d_L_o_hat_1_d_R = t11 * t128;
+        let d_L_o_hat_1_d_R = t11 * t132;
         let d_L_o_hat_1_d_x = -d_L_o_hat_1_d_R;
         at.write_dy(21, d_L_o_hat_1_d_x);
-        let t129 = arc * (f_r * p);
-        let t130 = arc * (f_t * p);
-        let t131 = u65 * (arc * t43) + u68 * (arc * t41);
-        let t132 = u68 * (arc * (v_r * p)) - u25 * t52 * t131;
-        let t133 = arc * (v_t * p);
-        let t134 = u65 * t133;
-        let d_W_hat_1_d_T = u87 * (sin_theta * t129) + u102 * (cos_theta * t130)
-            + t132 * t73 + t134 * t79;
+        let t133 = u62 * (arc * (v_t * p));
+        let t134 = u62 * (arc * t41) + u64 * (arc * t39);
+        let t135 = u64 * (arc * (v_r * p)) - t91 * t134;
+        let t136 = t54 * t133 + t55 * t135;
+        let t137 = t53 * t136;
+        let t138 = t64 * t133 + t65 * t135;
+        let t139 = u86 * t137 - t62 * t138;
+        let t140 = u62 * (arc * (f_t * p)) + t49 * t133 + t52 * t139;
+        let t141 = u64 * (arc * (f_r * p)) + t49 * t135 - t69 * t138 + t70 * t139;
+        let t142 = cos_theta * t140 + sin_theta * t141;
+        let d_W_hat_1_d_T = V_T * t142;
         at.write_dy(22, d_W_hat_1_d_T);
-        let t135 = u68 * t129;
-        let t136 = Phi * loss;
-        let t137 = u65 * t130;
-        let d_W_hat_1_d_theta = t4 * t135 + t83 * t136 - v_r * t137 + t132 * t87
-            + t134 * t88;
+        let t143 = Phi * loss;
+        let d_W_hat_1_d_theta = t4 * t141 - v_r * t140 + t77 * t143;
         at.write_dy(23, d_W_hat_1_d_theta);
-        let t138 = t11 * t136;
-        let t139 = u103 * t130;
-        let t140 = t132 * t96;
-        let t141 = u103 * (t133 * t78);
-        let d_W_hat_1_d_x = u17 * t7 * t131 - t138 + t139 + t140 + t141;
-        at.write_dy(24, d_W_hat_1_d_x);
-        let t142 = r * cos_t44;
-        let t143 = t125 * t142;
-        let d_A_x_hat_1_d_theta = t83 * t143;
-        at.write_dy(25, d_A_x_hat_1_d_theta);
-        let t144 = A_hat_1 * cos_t44;
+        let t144 = omega * t140;
         let t145 = t11 * t143;
-        let d_A_x_hat_1_d_x = t142 * t126 - t144 - t145;
+        let d_W_hat_1_d_x = t111 * t134 + t144 - t145;
+        at.write_dy(24, d_W_hat_1_d_x);
+        let t146 = r * cos_t42;
+        let t147 = t130 * t146;
+        let d_A_x_hat_1_d_theta = t77 * t147;
+        at.write_dy(25, d_A_x_hat_1_d_theta);
+        let t148 = Phi * arc;
+        let t149 = t148 * t146;
+        let t150 = t11 * t147;
+        let t151 = A_hat_1 * cos_t42;
+        let d_A_x_hat_1_d_x = u17 * t149 - t150 - t151;
         at.write_dy(26, d_A_x_hat_1_d_x);
-        let t146 = r * sin_t44;
-        let t147 = t125 * t146;
-        let d_A_y_hat_1_d_theta = t83 * t147;
+        let t152 = r * sin_t42;
+        let t153 = t130 * t152;
+        let d_A_y_hat_1_d_theta = t77 * t153;
         at.write_dy(27, d_A_y_hat_1_d_theta);
-        let t148 = A_hat_1 * sin_t44;
-        let t149 = t11 * t147;
-        let d_A_y_hat_1_d_x = t146 * t126 - t148 - t149;
+        let t154 = t148 * t152;
+        let t155 = t11 * t153;
+        let t156 = A_hat_1 * sin_t42;
+        let d_A_y_hat_1_d_x = u17 * t154 - t155 - t156;
         at.write_dy(28, d_A_y_hat_1_d_x);
-        let t150 = V_T * stored;
-        let t151 = t150 * t54;
-        let t152 = t9 * stored;
-        let t153 = u102 * t152;
-        let d_E_hat_1_d_T = t151 * t73 + t153 * t79;
+        let t157 = u77 * (t9 * stored);
+        let t158 = u57 * stored;
+        let t159 = t13 * t158;
+        let t160 = t92 * t159;
+        let t161 = t56 * t158 - t91 * t160;
+        let t162 = t54 * t157 + t55 * t161;
+        let t163 = t53 * t162;
+        let t164 = t64 * t157 + t65 * t161;
+        let t165 = u86 * t163 - t62 * t164;
+        let t166 = t49 * t157 + t52 * t165;
+        let t167 = t49 * t161 - t69 * t164 + t70 * t165;
+        let t168 = cos_theta * t166 + sin_theta * t167;
+        let d_E_hat_1_d_T = V_T * t168;
         at.write_dy(29, d_E_hat_1_d_T);
-        let t154 = u101 * (stored * t85) - u82 * (t22 * (t47 * t91));
-        let d_E_hat_1_d_theta = t150 * t82 + t83 * t154 + t151 * t87 + t153 * t88;
+        let t169 = t14 * stored;
+        let t170 = t4 * t167 - v_r * t166 + t73 * (t74 * t158 - u73 * (t75 * t169));
+        let t171 = t45 * t22;
+        let t172 = u72 * (t79 * t169) - u74 * (t84 * t171);
+        let d_E_hat_1_d_theta = t170 + t77 * t172;
         at.write_dy(30, d_E_hat_1_d_theta);
-        let t155 = t15 * t47;
-        let d_E_hat_1_d_theta1 = u78 * (t22 * t155) + u98 * (stored * t90);
+        let t173 = u72 * (t82 * t169) - u67 * (t21 * stored) + u74 * (t15 * t171);
+        let d_E_hat_1_d_theta1 = u2 * t173;
         at.write_dy(31, d_E_hat_1_d_theta1);
-        let d_E_hat_1_d_theta2 = -(u99 * (stored * t91));
+        let t174 = t16 * t169;
+        let d_E_hat_1_d_theta2 = -(u93 * t174);
         at.write_dy(32, d_E_hat_1_d_theta2);
-        let t156 = t11 * t154;
-        let t157 = t151 * t96;
-        let t158 = u110 * (t78 * t152);
-        let d_E_hat_1_d_x = t150 * t94 - u79 * (x * t22) - t156 + t157 + t158;
+        let t175 = omega * t166;
+        let t176 = t11 * t172;
+        let t177 = t114 * t159;
+        let d_E_hat_1_d_x = t111 * t160 - u58 * (x * t22) + t175 - t176 - t177;
         at.write_dy(33, d_E_hat_1_d_x);
-        let t159 = u3 * theta1;
-        let d_T_hat_1_d_Phi = t22 + u73 * (t14 * (theta2 * t16)) - t159 * t90;
+        let t178 = u3 * theta1;
+        let d_T_hat_1_d_Phi = t22 + u90 * (theta2 * t84) - t178 * t83;
         at.write_dc(0, d_T_hat_1_d_Phi);
-        let t160 = omega_P * r;
-        let t161 = t160 * t72;
-        let t162 = t160 * t78;
-        let d_T_hat_1_d_sigma = -(t54 * t161 + t74 * t162);
+        let t179 = r * t68;
+        let d_T_hat_1_d_sigma = -(omega_P * t179);
         at.write_dc(1, d_T_hat_1_d_sigma);
-        let t163 = u8 * t1 + u39 * t1;
-        let t164 = sin_theta * t163;
-        let t165 = t164 * t67;
-        let t166 = cos_theta * t163;
-        let t167 = u29 * t166;
-        let t168 = u29 * t165 + t72 * t167;
-        let t169 = t164 * t77;
-        let t170 = u29 * t169 + t78 * t167;
-        let d_T_hat_1_d_flow = t54 * t168 + t74 * t170;
+        let t180 = u8 * t1 + u39 * t1;
+        let t181 = t180 * t72;
+        let d_T_hat_1_d_flow = u29 * t181;
         at.write_dc(2, d_T_hat_1_d_flow);
-        let d_theta_hat_3_d_Phi = u52 * theta_3
-            - u21 * (u75 * (t23 * (theta2 * t111)) + t159 * t110);
+        let d_theta_hat_3_d_Phi = u51 * theta_3 - u92 * (theta2 * t110) - t178 * t109;
         at.write_dc(3, d_theta_hat_3_d_Phi);
-        let d_theta_hat_3_d_sigma = t101 * t161 - t103 * t162;
+        let t182 = r * t100;
+        let d_theta_hat_3_d_sigma = -(omega_P * t182);
         at.write_dc(4, d_theta_hat_3_d_sigma);
-        let d_theta_hat_3_d_flow = t103 * t170 - t101 * t168;
+        let t183 = t180 * t102;
+        let d_theta_hat_3_d_flow = u29 * t183;
         at.write_dc(5, d_theta_hat_3_d_flow);
-        let d_x_hat_1_d_Phi = -t36;
+        let d_x_hat_1_d_Phi = -t34;
         at.write_dc(6, d_x_hat_1_d_Phi);
         at.write_dc(7, d_M_hat_1_d_Phi);
-        let d_M_hat_1_d_sigma = t119 * t161 - t117 * t162;
+        let t184 = r * t123;
+        let d_M_hat_1_d_sigma = -(omega_P * t184);
         at.write_dc(8, d_M_hat_1_d_sigma);
-        let d_M_hat_1_d_flow = t117 * t170 - t119 * t168;
+        let t185 = t180 * t125;
+        let d_M_hat_1_d_flow = u29 * t185;
         at.write_dc(9, d_M_hat_1_d_flow);
         at.write_dc(10, d_A_hat_1_d_Phi);
         at.write_dc(11, d_L_o_hat_1_d_Phi);
-        let t171 = u63 * t127;
-        let t172 = (u34 * t38 + u35) * t171;
-        let d_L_o_hat_1_d_flow = -(u29 * t172);
+        let t186 = u66 * t131;
+        let t187 = (u34 * t36 + u35) * t186;
+        let d_L_o_hat_1_d_flow = -(u29 * t187);
         at.write_dc(12, d_L_o_hat_1_d_flow);
         at.write_dc(13, loss_phi);
-        let d_W_hat_1_d_sigma = -(u104 * (r * t130) + t132 * t161 + t134 * t162);
+        let t188 = r * t140;
+        let d_W_hat_1_d_sigma = -(omega_P * t188);
         at.write_dc(14, d_W_hat_1_d_sigma);
-        let t173 = t135 * t164;
-        let t174 = t130 * t166;
-        let d_W_hat_1_d_flow = u29 * t173 + u105 * t174 + t132 * t168 + t134 * t170;
+        let t189 = t180 * t142;
+        let d_W_hat_1_d_flow = u29 * t189;
         at.write_dc(15, d_W_hat_1_d_flow);
-        let t175 = A_hat_1 * (s * r);
-        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t142 - sin_t44 * t175;
+        let t190 = A_hat_1 * (s * r);
+        let d_A_x_hat_1_d_Phi = d_A_hat_1_d_Phi * t146 - sin_t42 * t190;
         at.write_dc(16, d_A_x_hat_1_d_Phi);
-        let d_A_y_hat_1_d_Phi = cos_t44 * t175 + d_A_hat_1_d_Phi * t146;
+        let d_A_y_hat_1_d_Phi = cos_t42 * t190 + d_A_hat_1_d_Phi * t152;
         at.write_dc(17, d_A_y_hat_1_d_Phi);
-        let d_E_hat_1_d_Phi = t150 * d_T_hat_1_d_Phi - u80 * (t22 * (theta1 * t155));
+        let d_E_hat_1_d_Phi = t22 * (V_T * stored) + u94 * (theta2 * t174) - t178 * t173;
         at.write_dc(18, d_E_hat_1_d_Phi);
-        let d_E_hat_1_d_sigma = -(t151 * t161 + t153 * t162);
+        let t191 = r * t166;
+        let d_E_hat_1_d_sigma = -(omega_P * t191);
         at.write_dc(19, d_E_hat_1_d_sigma);
-        let d_E_hat_1_d_flow = u94 * t50 + t151 * t168 + t153 * t170;
+        let t192 = u55 * t48 + t180 * t168;
+        let d_E_hat_1_d_flow = u29 * t192;
         at.write_dc(20, d_E_hat_1_d_flow);
-        let t176 = V_T - u38 * t1;
-        let t177 = sin_theta * t176;
-        let t178 = cos_theta * t176;
-        let t179 = t177 * t67 + t178 * t72;
-        let t180 = t177 * t77 + t178 * t78;
-        let d_T_hat_1_d_EA = t54 * t179 + t74 * t180;
+        let t193 = V_T - u38 * t1;
+        let d_T_hat_1_d_EA = t193 * t72;
         at.write_dc(21, d_T_hat_1_d_EA);
-        let t181 = t21 * t81;
-        let d_T_hat_1_d_EI = -t181;
+        let d_T_hat_1_d_EI = -(t21 * (Phi * t14));
         at.write_dc(22, d_T_hat_1_d_EI);
-        let t182 = r * t8;
-        let d_T_hat_1_d_k = t92 * t182;
+        let d_T_hat_1_d_k = u82 * (t8 * t58);
         at.write_dc(23, d_T_hat_1_d_k);
-        let t183 = u40 * t1;
-        let t184 = sin_theta * t183;
-        let t185 = u30 * t166 - cos_theta * t183;
-        let t186 = u30 * t165 - t184 * t67 + t72 * t185;
-        let t187 = u30 * t169 - t184 * t77 + t78 * t185;
-        let d_T_hat_1_d_m_o = t54 * t186 + t74 * t187;
+        let t194 = u40 * t1;
+        let d_T_hat_1_d_m_o = u30 * t181 - t194 * t72;
         at.write_dc(24, d_T_hat_1_d_m_o);
-        let t188 = t8 * t13;
-        let d_T_hat_1_d_R = u88 * t188 + t95 - t97 - t98;
+        let d_T_hat_1_d_R = t87 + (t86 - t85);
         at.write_dc(25, d_T_hat_1_d_R);
-        let t189 = u28 * t166;
-        let t190 = u28 * t165 + t72 * t189;
-        let t191 = u28 * t169 + t78 * t189;
-        let d_T_hat_1_d_R_P = t54 * t190 + t74 * t191;
+        let d_T_hat_1_d_R_P = u28 * t181;
         at.write_dc(26, d_T_hat_1_d_R_P);
-        let t192 = (t12 + u13 * f_r) * t52;
-        let t193 = r * t192;
-        let t194 = u69 * t51 + u88 * (t13 * t193);
-        let t195 = Real::splat(0.5) * t5 * (u41 * t3 + u43 * t3);
-        let t196 = t195 * t58;
-        let t197 = t195 * t76;
-        let d_T_hat_1_d_beta = -(t194 + t196 * t54 + t74 * t197);
+        let t195 = (t12 + u13 * f_r) * t57;
+        let t196 = Real::splat(0.5) * t5 * (u41 * t3 + u43 * t3);
+        let d_T_hat_1_d_beta = -(u75 * t56 + u81 * (t195 * t58) + t196 * t66);
         at.write_dc(27, d_T_hat_1_d_beta);
-        let t198 = saturation * t59;
-        let t199 = saturation * t75;
-        let d_T_hat_1_d_mu_k = t198 * t54 + t74 * t199;
+        let d_T_hat_1_d_mu_k = saturation * t60;
         at.write_dc(28, d_T_hat_1_d_mu_k);
-        let t200 = u61 * (speed * t64);
-        let t201 = t59 * t200;
-        let t202 = t75 * t200;
-        let d_T_hat_1_d_v_thr = -(t201 * t54 + t74 * t202);
+        let d_T_hat_1_d_v_thr = -(u85 * (speed * t61));
         at.write_dc(29, d_T_hat_1_d_v_thr);
-        let t203 = u5 * t166 - sigma * r;
-        let t204 = u5 * t165 + t72 * t203;
-        let t205 = u5 * t169 + t78 * t203;
-        let d_T_hat_1_d_omega_P = t54 * t204 + t74 * t205;
+        let d_T_hat_1_d_omega_P = u5 * t181 - sigma * t179;
         at.write_dc(30, d_T_hat_1_d_omega_P);
-        let d_theta_hat_3_d_EA = t103 * t180 - t101 * t179;
+        let d_theta_hat_3_d_EA = t193 * t102;
         at.write_dc(31, d_theta_hat_3_d_EA);
-        let d_theta_hat_3_d_EI = -(u21 * (t16 * t107 + t34 * t24));
+        let d_theta_hat_3_d_EI = -(t16 * (u21 * t106));
         at.write_dc(32, d_theta_hat_3_d_EI);
-        let d_theta_hat_3_d_k = t182 * t112;
+        let t197 = Real::splat(0.5) * t8;
+        let d_theta_hat_3_d_k = t197 * t94;
         at.write_dc(33, d_theta_hat_3_d_k);
-        let d_theta_hat_3_d_m_o = t103 * t187 - t101 * t186;
+        let d_theta_hat_3_d_m_o = u30 * t183 - t194 * t102;
         at.write_dc(34, d_theta_hat_3_d_m_o);
-        let d_theta_hat_3_d_R = u91 * (t8 * t100) + t113 + t114 - t115;
+        let d_theta_hat_3_d_R = t115 + (t113 - t112);
         at.write_dc(35, d_theta_hat_3_d_R);
-        let d_theta_hat_3_d_R_P = t103 * t191 - t101 * t190;
+        let d_theta_hat_3_d_R_P = u28 * t183;
         at.write_dc(36, d_theta_hat_3_d_R_P);
-        let d_theta_hat_3_d_beta = u85 * t99 - u91 * (t100 * t193) + t196 * t101
-            - t197 * t103;
+        let t198 = u17 * t195;
+        let d_theta_hat_3_d_beta = u78 * t90 - t198 * t94 + t196 * t96;
         at.write_dc(37, d_theta_hat_3_d_beta);
-        let d_theta_hat_3_d_mu_k = t199 * t103 - t198 * t101;
+        let d_theta_hat_3_d_mu_k = saturation * t97;
         at.write_dc(38, d_theta_hat_3_d_mu_k);
-        let d_theta_hat_3_d_v_thr = t201 * t101 - t202 * t103;
+        let d_theta_hat_3_d_v_thr = -(u85 * (speed * t98));
         at.write_dc(39, d_theta_hat_3_d_v_thr);
-        let d_theta_hat_3_d_omega_P = t103 * t205 - t101 * t204;
+        let d_theta_hat_3_d_omega_P = u5 * t183 - sigma * t182;
         at.write_dc(40, d_theta_hat_3_d_omega_P);
         let d_x_hat_1_d_R = -d_x_hat_1_d_x;
         at.write_dc(41, d_x_hat_1_d_R);
-        let d_M_hat_1_d_EA = t117 * t180 - t119 * t179;
+        let d_M_hat_1_d_EA = t193 * t125;
         at.write_dc(42, d_M_hat_1_d_EA);
-        let d_M_hat_1_d_k = t121 * t182;
+        let d_M_hat_1_d_k = u82 * (t8 * t117);
         at.write_dc(43, d_M_hat_1_d_k);
-        let d_M_hat_1_d_m_o = t117 * t187 - t119 * t186;
+        let d_M_hat_1_d_m_o = u30 * t185 - t194 * t125;
         at.write_dc(44, d_M_hat_1_d_m_o);
-        let d_M_hat_1_d_R = u88 * (t8 * t37) + t122 + t123 - t124;
+        let d_M_hat_1_d_R = t129 + (t128 - t127);
         at.write_dc(45, d_M_hat_1_d_R);
-        let d_M_hat_1_d_R_P = t117 * t191 - t119 * t190;
+        let d_M_hat_1_d_R_P = u28 * t185;
         at.write_dc(46, d_M_hat_1_d_R_P);
-        let d_M_hat_1_d_beta = t196 * t119 - u88 * (t37 * t193) - t117 * t197;
+        let d_M_hat_1_d_beta = t196 * t119 - u81 * (t195 * t117);
         at.write_dc(47, d_M_hat_1_d_beta);
-        let d_M_hat_1_d_mu_k = t117 * t199 - t198 * t119;
+        let d_M_hat_1_d_mu_k = saturation * t120;
         at.write_dc(48, d_M_hat_1_d_mu_k);
-        let d_M_hat_1_d_v_thr = t201 * t119 - t117 * t202;
+        let d_M_hat_1_d_v_thr = -(u85 * (speed * t121));
         at.write_dc(49, d_M_hat_1_d_v_thr);
-        let d_M_hat_1_d_omega_P = t117 * t205 - t119 * t204;
+        let d_M_hat_1_d_omega_P = u5 * t185 - sigma * t184;
         at.write_dc(50, d_M_hat_1_d_omega_P);
-        let d_A_hat_1_d_k = u64 * (x * arc);
+        let d_A_hat_1_d_k = u65 * (x * arc);
         at.write_dc(51, d_A_hat_1_d_k);
         at.write_dc(52, d_A_hat_1_d_R);
-        let t206 = (u22 - u53 * t39) * (Phi * t127) + (u8 * t38 - u32 * t38) * t171;
-        let d_L_o_hat_1_d_EA = -t206;
+        let t199 = (u22 - u52 * t37) * (Phi * t131) + (u8 * t36 - u32 * t36) * t186;
+        let d_L_o_hat_1_d_EA = -t199;
         at.write_dc(53, d_L_o_hat_1_d_EA);
-        let d_L_o_hat_1_d_m_o = -((u9 * T - u37 * t38) * t171 + u30 * t172);
+        let d_L_o_hat_1_d_m_o = -((u9 * T - u37 * t36) * t186 + u30 * t187);
         at.write_dc(54, d_L_o_hat_1_d_m_o);
         at.write_dc(55, d_L_o_hat_1_d_R);
-        let d_L_o_hat_1_d_R_P = -(u28 * t172);
+        let d_L_o_hat_1_d_R_P = -(u28 * t187);
         at.write_dc(56, d_L_o_hat_1_d_R_P);
-        let d_L_o_hat_1_d_omega_P = -(u5 * t172);
+        let d_L_o_hat_1_d_omega_P = -(u5 * t187);
         at.write_dc(57, d_L_o_hat_1_d_omega_P);
-        let d_W_hat_1_d_EA = t135 * t177 + t137 * t178 + t132 * t179 + t134 * t180;
+        let d_W_hat_1_d_EA = t193 * t142;
         at.write_dc(58, d_W_hat_1_d_EA);
-        let d_W_hat_1_d_k = Real::splat(0.5) * t8 * t131;
+        let d_W_hat_1_d_k = t197 * t134;
         at.write_dc(59, d_W_hat_1_d_k);
-        let d_W_hat_1_d_m_o = u30 * t173 - t135 * t184 + t137 * t185 + t132 * t186
-            + t134 * t187;
+        let d_W_hat_1_d_m_o = u30 * t189 - t194 * t142;
         at.write_dc(60, d_W_hat_1_d_m_o);
-        let d_W_hat_1_d_R = t138 - t139 - t140 - t141;
+        let d_W_hat_1_d_R = t145 - t144;
         at.write_dc(61, d_W_hat_1_d_R);
-        let d_W_hat_1_d_R_P = u28 * t173 + u106 * t174 + t132 * t190 + t134 * t191;
+        let d_W_hat_1_d_R_P = u28 * t189;
         at.write_dc(62, d_W_hat_1_d_R_P);
-        let d_W_hat_1_d_beta = u67 * (arc * t42) - u17 * t192 * t131 - t196 * t132
-            - t134 * t197;
+        let d_W_hat_1_d_beta = u63 * (arc * t40) - t198 * t134 - t196 * t138;
         at.write_dc(63, d_W_hat_1_d_beta);
-        let d_W_hat_1_d_mu_k = t198 * t132 + t134 * t199;
+        let d_W_hat_1_d_mu_k = saturation * t136;
         at.write_dc(64, d_W_hat_1_d_mu_k);
-        let d_W_hat_1_d_v_thr = -(t201 * t132 + t134 * t202);
+        let d_W_hat_1_d_v_thr = -(u85 * (speed * t137));
         at.write_dc(65, d_W_hat_1_d_v_thr);
-        let d_W_hat_1_d_omega_P = u5 * t173 + t137 * t203 + t132 * t204 + t134 * t205;
+        let d_W_hat_1_d_omega_P = u5 * t189 - sigma * t188;
         at.write_dc(66, d_W_hat_1_d_omega_P);
-        let d_A_x_hat_1_d_k = t142 * d_A_hat_1_d_k;
+        let t200 = Real::splat(0.5) * x;
+        let d_A_x_hat_1_d_k = t200 * t149;
         at.write_dc(67, d_A_x_hat_1_d_k);
-        let d_A_x_hat_1_d_R = t144 + t145;
+        let d_A_x_hat_1_d_R = t151 + t150;
         at.write_dc(68, d_A_x_hat_1_d_R);
-        let d_A_y_hat_1_d_k = t146 * d_A_hat_1_d_k;
+        let d_A_y_hat_1_d_k = t200 * t154;
         at.write_dc(69, d_A_y_hat_1_d_k);
-        let d_A_y_hat_1_d_R = t148 + t149;
+        let d_A_y_hat_1_d_R = t156 + t155;
         at.write_dc(70, d_A_y_hat_1_d_R);
-        let d_E_hat_1_d_EA = t151 * t179 - u38 * t50 + t153 * t180;
+        let d_E_hat_1_d_EA = t193 * t168 - u38 * t48;
         at.write_dc(71, d_E_hat_1_d_EA);
-        let t207 = u59 * t22;
-        let d_E_hat_1_d_EI = t207 * (t47 * (u57 * t47) - u56 * t48) - t150 * t181;
+        let d_E_hat_1_d_EI = t45 * (u61 * t171)
+            - (u59 * (t22 * t46) + t21 * (u57 * t169));
         at.write_dc(72, d_E_hat_1_d_EI);
-        let d_E_hat_1_d_k = t150 * d_T_hat_1_d_k - u81 * (t22 * t49);
+        let d_E_hat_1_d_k = t197 * t160 - u60 * (t22 * t47);
         at.write_dc(73, d_E_hat_1_d_k);
-        let d_E_hat_1_d_m_o = u95 * t50 - u40 * t50 + t151 * t186 + t153 * t187;
+        let d_E_hat_1_d_m_o = u30 * t192 - (u40 * t48 + t194 * t168);
         at.write_dc(74, d_E_hat_1_d_m_o);
-        let d_E_hat_1_d_R = u100 * (stored * t188) + t156 - t157 - t158;
+        let d_E_hat_1_d_R = t177 + (t176 - t175);
         at.write_dc(75, d_E_hat_1_d_R);
-        let d_E_hat_1_d_R_P = u96 * t50 + t151 * t190 + t153 * t191;
+        let d_E_hat_1_d_R_P = u28 * t192;
         at.write_dc(76, d_E_hat_1_d_R_P);
-        let t208 = (u17 * t49 + u58 * t49) * t207 + t150 * t194 + t196 * t151
-            + t197 * t153;
-        let d_E_hat_1_d_beta = -t208;
+        let t201 = (u17 * t47 + u56 * t47) * (u57 * t22) + u76 * (stored * t56)
+            + t198 * t160;
+        let d_E_hat_1_d_beta = -(t201 + t196 * t164);
         at.write_dc(77, d_E_hat_1_d_beta);
-        let d_E_hat_1_d_mu_k = t198 * t151 + t199 * t153;
+        let d_E_hat_1_d_mu_k = saturation * t162;
         at.write_dc(78, d_E_hat_1_d_mu_k);
-        let d_E_hat_1_d_v_thr = -(t201 * t151 + t202 * t153);
+        let d_E_hat_1_d_v_thr = -(u85 * (speed * t163));
         at.write_dc(79, d_E_hat_1_d_v_thr);
-        let d_E_hat_1_d_omega_P = u97 * t50 + t151 * t204 + t153 * t205;
+        let d_E_hat_1_d_omega_P = u5 * t192 - sigma * t191;
         at.write_dc(80, d_E_hat_1_d_omega_P);
     }
 }
-///Derived fields. (15 add, 40 mul, 4 div, 2 sqrt, 4 fn; once 22)
+///Derived fields. (15 add, 41 mul, 4 div, 2 sqrt, 4 fn; once 22)
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;
@@ -2062,18 +2004,17 @@ impl Sweep for Fields {
         at.write_field(7, p);
         let beta_s = angle(speed, u11 * v_r);
         at.write_field(8, beta_s);
-        let t4 = reciprocal(cos_theta);
-        let arc = r * t4;
-        let t5 = reciprocal(arc);
+        let t4 = cos_theta * reciprocal(r);
         let theta2 = at.state::<Real>(3);
         let theta_2 = u3 * theta2;
-        let tan_theta = t4 * sin_theta;
+        let t5 = reciprocal(cos_theta);
+        let tan_theta = t5 * sin_theta;
         let theta1 = at.state::<Real>(2);
         let Q = -(EI
-            * (t5 * t5 * (theta_2 + tan_theta - tan_theta * (u3 * (theta1 * theta1)))));
+            * (t4 * t4 * (theta_2 + tan_theta - tan_theta * (u3 * (theta1 * theta1)))));
         at.write_field(9, Q);
         let theta_1 = u2 * theta1;
-        let M_b = -(EI * (t5 * (theta_1 - Real::splat(1.0))));
+        let M_b = -(EI * (t4 * (theta_1 - Real::splat(1.0))));
         at.write_field(10, M_b);
         let axial = u12 * x;
         at.write_field(11, axial);
@@ -2084,6 +2025,7 @@ impl Sweep for Fields {
         at.write_field(12, loss);
         at.write_field(13, loss_radial);
         at.write_field(14, loss_tangential);
+        let arc = r * t5;
         let loss_phi = arc * loss;
         at.write_field(15, loss_phi);
     }

@@ -2,8 +2,8 @@
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
 // Operations per point, and once a batch:
 //   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn; once 22
-//   jacobian: 15 add, 32 mul, 1 div, 0 sqrt, 1 fn; once 56
-//   full: 31 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 75
+//   jacobian: 15 add, 31 mul, 1 div, 0 sqrt, 1 fn; once 57
+//   full: 32 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 85
 //   fields: 2 add, 5 mul, 0 div, 0 sqrt, 0 fn; once 13
 
 ///The free belt.
@@ -234,7 +234,7 @@ impl Sweep for Value {
         at.write_f(7, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (15 add, 32 mul, 1 div, 0 sqrt, 1 fn; once 56)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (15 add, 31 mul, 1 div, 0 sqrt, 1 fn; once 57)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 4;
@@ -275,17 +275,19 @@ impl Sweep for Derivatives {
         let u18 = 2.0 * (u6 * u16);
         let u19 = u1 * u2 * (EI * 2.0);
         let u20 = 2.0 * (L * u8);
-        let u21 = u3 * V_T * (EI * (u11 * u8));
-        let u22 = u1 * u21;
-        let u23 = u2 * u21;
-        let u24 = omega_P * (m_o * R_P);
-        let u25 = u24 * (u13 * (u6 + u15 * (u4 * 2.0)));
-        let u26 = reciprocal(EA) * (L * (EA * EA));
-        let u27 = u5 * u6 * u26;
-        let u28 = u24 * u26;
-        let u29 = V_T * u12;
-        let u30 = u3 * u29;
-        let u31 = u19 * u29;
+        let u21 = V_T * u12;
+        let u22 = u3 * u21;
+        let u23 = u19 * u21;
+        let u24 = L * (EA * EA);
+        let u25 = reciprocal(EA);
+        let u26 = u24 * (u25 * (u5 * u6));
+        let u27 = omega_P * (m_o * R_P);
+        let u28 = u24 * (u25 * u27);
+        let u29 = u13 * (u27 * (u6 + u15 * (u4 * 2.0)));
+        let u30 = u3 * V_T;
+        let u31 = u11 * u8;
+        let u32 = u30 * (u11 * u31);
+        let u33 = u30 * (u3 * u31);
         [
             EA,
             m_o,
@@ -301,11 +303,11 @@ impl Sweep for Derivatives {
             u20,
             u22,
             u23,
-            u25,
-            u27,
+            u26,
             u28,
-            u30,
-            u31,
+            u29,
+            u32,
+            u33,
         ]
     }
     #[inline(always)]
@@ -324,11 +326,11 @@ impl Sweep for Derivatives {
         let u20 = Real::splat(uniforms[11]);
         let u22 = Real::splat(uniforms[12]);
         let u23 = Real::splat(uniforms[13]);
-        let u25 = Real::splat(uniforms[14]);
-        let u27 = Real::splat(uniforms[15]);
-        let u28 = Real::splat(uniforms[16]);
-        let u30 = Real::splat(uniforms[17]);
-        let u31 = Real::splat(uniforms[18]);
+        let u26 = Real::splat(uniforms[14]);
+        let u28 = Real::splat(uniforms[15]);
+        let u29 = Real::splat(uniforms[16]);
+        let u32 = Real::splat(uniforms[17]);
+        let u33 = Real::splat(uniforms[18]);
         let vartheta1 = at.state::<Real>(2);
         let vartheta2 = at.state::<Real>(3);
         let t1 = vartheta1 * vartheta2;
@@ -368,12 +370,11 @@ impl Sweep for Derivatives {
         at.write_dy(6, d_X_hat_1_d_vartheta);
         at.write_dy(7, cos_vartheta);
         let t8 = t5 * t5;
-        let d_L_o_hat_1_d_tau = -(u27 * t8);
+        let d_L_o_hat_1_d_tau = -(u26 * t8);
         at.write_dy(8, d_L_o_hat_1_d_tau);
-        let t9 = vartheta1 * t1;
-        let d_E_hat_1_d_vartheta1 = -(u22 * t9 + u30 * (vartheta2 * t6));
+        let d_E_hat_1_d_vartheta1 = -(u22 * (vartheta2 * t6) + u32 * (vartheta1 * t1));
         at.write_dy(9, d_E_hat_1_d_vartheta1);
-        let d_E_hat_1_d_vartheta2 = -(u30 * (vartheta1 * t6));
+        let d_E_hat_1_d_vartheta2 = -(u22 * (vartheta1 * t6));
         at.write_dy(10, d_E_hat_1_d_vartheta2);
         let d_tau_hat_1_d_L = u19 * t1;
         at.write_dc(0, d_tau_hat_1_d_L);
@@ -383,13 +384,13 @@ impl Sweep for Derivatives {
         at.write_dc(2, d_L_o_hat_1_d_L);
         let d_L_o_hat_1_d_flow = -(u28 * ((u17 * t4 + u18) * t8));
         at.write_dc(3, d_L_o_hat_1_d_flow);
-        let d_E_hat_1_d_L = u23 * (vartheta1 * t9) + u31 * t7;
+        let d_E_hat_1_d_L = u23 * t7 + u33 * t7;
         at.write_dc(4, d_E_hat_1_d_L);
-        let d_E_hat_1_d_flow = -(u25 * t7);
+        let d_E_hat_1_d_flow = -(u29 * t7);
         at.write_dc(5, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (31 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 75)
+///Right-hand side, integrands, and their derivatives in states and all constants. (32 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 85)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 4;
@@ -408,11 +409,11 @@ impl Sweep for AllDerivatives {
         let u2 = u1 * u1;
         let EI = constants[3];
         let u3 = EI * u2;
+        let omega_P = constants[6];
         let R_P = constants[5];
         let flow = constants[1];
         let u4 = flow * m_o;
         let u5 = R_P * u4;
-        let omega_P = constants[6];
         let G = omega_P * u5;
         let u6 = G * G;
         let u7 = EA * m_o;
@@ -429,47 +430,48 @@ impl Sweep for AllDerivatives {
         let u17 = u16 * (u11 * 0.5);
         let u18 = u3 * u17;
         let u19 = V_T * u18;
-        let u20 = omega_P * u4;
-        let u21 = omega_P * (m_o * R_P);
-        let u22 = omega_P * (flow * R_P);
-        let u23 = u8 * u8;
-        let u24 = u7 * u23;
-        let u25 = EA * G;
-        let u26 = u23 * (2.0 * u25);
-        let u27 = 2.0 * (u8 * u25);
-        let u28 = EA * EA;
-        let u29 = u23 * u28;
-        let u30 = u1 * u2 * (EI * 2.0);
-        let u31 = u11 * u11;
-        let u32 = u10 * u31;
-        let u33 = 2.0 * (L * u11);
-        let u34 = u13 * u13;
-        let u35 = L * u28;
-        let u36 = u13 * u35;
-        let u37 = u3 * V_T;
-        let u38 = u16 * (0.5 * u31) * u37;
-        let u39 = u15 * u11 * u37;
-        let u40 = u15 * u39;
-        let u41 = u3 * u39;
-        let u42 = u1 * u39;
-        let u43 = u18 * (u23 * (m_o * G));
-        let u44 = u18 * (u23 * u25);
-        let u45 = u7 * u8 * u36;
-        let u46 = u18 * (u8 + u23 * (u6 * 2.0));
-        let u47 = u21 * u46;
-        let u48 = u22 * u46;
-        let u49 = u20 * u46;
-        let u50 = u5 * u46;
-        let u51 = V_T * u17;
-        let u52 = u3 * u51;
-        let u53 = u30 * u51;
-        let u54 = u2 * u51;
+        let u20 = omega_P * (flow * R_P);
+        let u21 = u8 * u8;
+        let u22 = u7 * u21;
+        let u23 = EA * G;
+        let u24 = u21 * (2.0 * u23);
+        let u25 = 2.0 * (u8 * u23);
+        let u26 = EA * EA;
+        let u27 = u21 * u26;
+        let u28 = u1 * u2 * (EI * 2.0);
+        let u29 = u11 * u11;
+        let u30 = u10 * u29;
+        let u31 = 2.0 * (L * u11);
+        let u32 = u13 * u13;
+        let u33 = L * u26;
+        let u34 = u16 * (0.5 * u29);
+        let u35 = u3 * V_T;
+        let u36 = u15 * u11;
+        let u37 = u1 * u36;
+        let u38 = V_T * u17;
+        let u39 = u3 * u38;
+        let u40 = u28 * u38;
+        let u41 = u2 * u38;
+        let u42 = u33 * (u13 * (u7 * u8));
+        let u43 = omega_P * (m_o * R_P);
+        let u44 = u33 * (u13 * u43);
+        let u45 = u13 * u33;
+        let u46 = omega_P * u4;
+        let u47 = u33 * (u13 * u46);
+        let u48 = u33 * (u5 * u13);
+        let u49 = u8 + u21 * (u6 * 2.0);
+        let u50 = u18 * (u43 * u49);
+        let u51 = u18 * (u21 * (m_o * G));
+        let u52 = u18 * (u20 * u49 - u21 * u23);
+        let u53 = u18 * (u46 * u49);
+        let u54 = u18 * (u5 * u49);
+        let u55 = u35 * (u15 * u36);
+        let u56 = u35 * (u3 * u36);
         [
             EA,
             m_o,
             u2,
             u3,
-            u5,
             u6,
             u8,
             u9,
@@ -478,32 +480,33 @@ impl Sweep for AllDerivatives {
             u14,
             u19,
             u20,
-            u21,
             u22,
             u24,
-            u26,
+            u25,
             u27,
-            u29,
+            u28,
             u30,
+            u31,
             u32,
             u33,
             u34,
             u35,
-            u36,
-            u38,
+            u37,
+            u39,
             u40,
             u41,
             u42,
-            u43,
             u44,
             u45,
             u47,
             u48,
-            u49,
             u50,
+            u51,
             u52,
             u53,
             u54,
+            u55,
+            u56,
         ]
     }
     #[inline(always)]
@@ -512,41 +515,41 @@ impl Sweep for AllDerivatives {
         let m_o = Real::splat(uniforms[1]);
         let u2 = Real::splat(uniforms[2]);
         let u3 = Real::splat(uniforms[3]);
-        let u5 = Real::splat(uniforms[4]);
-        let u6 = Real::splat(uniforms[5]);
-        let u8 = Real::splat(uniforms[6]);
-        let u9 = Real::splat(uniforms[7]);
-        let u12 = Real::splat(uniforms[8]);
-        let u13 = Real::splat(uniforms[9]);
-        let u14 = Real::splat(uniforms[10]);
-        let u19 = Real::splat(uniforms[11]);
-        let u20 = Real::splat(uniforms[12]);
-        let u21 = Real::splat(uniforms[13]);
-        let u22 = Real::splat(uniforms[14]);
-        let u24 = Real::splat(uniforms[15]);
-        let u26 = Real::splat(uniforms[16]);
-        let u27 = Real::splat(uniforms[17]);
-        let u29 = Real::splat(uniforms[18]);
-        let u30 = Real::splat(uniforms[19]);
-        let u32 = Real::splat(uniforms[20]);
-        let u33 = Real::splat(uniforms[21]);
-        let u34 = Real::splat(uniforms[22]);
-        let u35 = Real::splat(uniforms[23]);
-        let u36 = Real::splat(uniforms[24]);
-        let u38 = Real::splat(uniforms[25]);
-        let u40 = Real::splat(uniforms[26]);
-        let u41 = Real::splat(uniforms[27]);
-        let u42 = Real::splat(uniforms[28]);
-        let u43 = Real::splat(uniforms[29]);
-        let u44 = Real::splat(uniforms[30]);
-        let u45 = Real::splat(uniforms[31]);
-        let u47 = Real::splat(uniforms[32]);
-        let u48 = Real::splat(uniforms[33]);
-        let u49 = Real::splat(uniforms[34]);
-        let u50 = Real::splat(uniforms[35]);
-        let u52 = Real::splat(uniforms[36]);
-        let u53 = Real::splat(uniforms[37]);
-        let u54 = Real::splat(uniforms[38]);
+        let u6 = Real::splat(uniforms[4]);
+        let u8 = Real::splat(uniforms[5]);
+        let u9 = Real::splat(uniforms[6]);
+        let u12 = Real::splat(uniforms[7]);
+        let u13 = Real::splat(uniforms[8]);
+        let u14 = Real::splat(uniforms[9]);
+        let u19 = Real::splat(uniforms[10]);
+        let u20 = Real::splat(uniforms[11]);
+        let u22 = Real::splat(uniforms[12]);
+        let u24 = Real::splat(uniforms[13]);
+        let u25 = Real::splat(uniforms[14]);
+        let u27 = Real::splat(uniforms[15]);
+        let u28 = Real::splat(uniforms[16]);
+        let u30 = Real::splat(uniforms[17]);
+        let u31 = Real::splat(uniforms[18]);
+        let u32 = Real::splat(uniforms[19]);
+        let u33 = Real::splat(uniforms[20]);
+        let u34 = Real::splat(uniforms[21]);
+        let u35 = Real::splat(uniforms[22]);
+        let u37 = Real::splat(uniforms[23]);
+        let u39 = Real::splat(uniforms[24]);
+        let u40 = Real::splat(uniforms[25]);
+        let u41 = Real::splat(uniforms[26]);
+        let u42 = Real::splat(uniforms[27]);
+        let u44 = Real::splat(uniforms[28]);
+        let u45 = Real::splat(uniforms[29]);
+        let u47 = Real::splat(uniforms[30]);
+        let u48 = Real::splat(uniforms[31]);
+        let u50 = Real::splat(uniforms[32]);
+        let u51 = Real::splat(uniforms[33]);
+        let u52 = Real::splat(uniforms[34]);
+        let u53 = Real::splat(uniforms[35]);
+        let u54 = Real::splat(uniforms[36]);
+        let u55 = Real::splat(uniforms[37]);
+        let u56 = Real::splat(uniforms[38]);
         let vartheta1 = at.state::<Real>(2);
         let vartheta2 = at.state::<Real>(3);
         let t1 = vartheta1 * vartheta2;
@@ -587,50 +590,48 @@ impl Sweep for AllDerivatives {
         at.write_dy(6, d_X_hat_1_d_vartheta);
         at.write_dy(7, cos_vartheta);
         let t9 = t6 * t6;
-        let d_L_o_hat_1_d_tau = -(u45 * t9);
+        let d_L_o_hat_1_d_tau = -(u42 * t9);
         at.write_dy(8, d_L_o_hat_1_d_tau);
-        let t10 = vartheta1 * t1;
-        let d_E_hat_1_d_vartheta1 = -(u40 * t10 + u52 * (vartheta2 * t7));
+        let d_E_hat_1_d_vartheta1 = -(u39 * (vartheta2 * t7) + u55 * (vartheta1 * t1));
         at.write_dy(9, d_E_hat_1_d_vartheta1);
-        let d_E_hat_1_d_vartheta2 = -(u52 * (vartheta1 * t7));
+        let d_E_hat_1_d_vartheta2 = -(u39 * (vartheta1 * t7));
         at.write_dy(10, d_E_hat_1_d_vartheta2);
-        let d_tau_hat_1_d_L = u30 * t1;
+        let d_tau_hat_1_d_L = u28 * t1;
         at.write_dc(0, d_tau_hat_1_d_L);
-        let d_vartheta_hat_3_d_L = u33 * t2;
+        let d_vartheta_hat_3_d_L = u31 * t2;
         at.write_dc(1, d_vartheta_hat_3_d_L);
         let d_L_o_hat_1_d_L = EA * t6;
         at.write_dc(2, d_L_o_hat_1_d_L);
-        let t11 = u36 * t9;
-        let t12 = (u26 * t4 + u27) * t11;
-        let d_L_o_hat_1_d_flow = -(u21 * t12);
+        let t10 = u24 * t4 + u25;
+        let t11 = t10 * t9;
+        let d_L_o_hat_1_d_flow = -(u44 * t11);
         at.write_dc(3, d_L_o_hat_1_d_flow);
-        let t13 = vartheta1 * t10;
-        let d_E_hat_1_d_L = u41 * t13 + u53 * t8;
+        let d_E_hat_1_d_L = u40 * t8 + u56 * t8;
         at.write_dc(4, d_E_hat_1_d_L);
-        let d_E_hat_1_d_flow = -(u47 * t8);
+        let d_E_hat_1_d_flow = -(u50 * t8);
         at.write_dc(5, d_E_hat_1_d_flow);
         let d_tau_hat_1_d_EI = -(u2 * t1);
         at.write_dc(6, d_tau_hat_1_d_EI);
-        let d_vartheta_hat_3_d_EI = -(u32 * t2);
+        let d_vartheta_hat_3_d_EI = -(u30 * t2);
         at.write_dc(7, d_vartheta_hat_3_d_EI);
-        let t14 = (u13 - u34 * t5) * (u35 * t9) + (u8 * t4 - u24 * t4) * t11;
-        let d_L_o_hat_1_d_EA = -t14;
+        let t12 = u33 * t9 * (u13 - u32 * t5 + u13 * (u8 * t4 - u22 * t4));
+        let d_L_o_hat_1_d_EA = -t12;
         at.write_dc(8, d_L_o_hat_1_d_EA);
-        let d_L_o_hat_1_d_m_o = -((u9 * tau - u29 * t4) * t11 + u22 * t12);
+        let d_L_o_hat_1_d_m_o = -(u45 * (t9 * (u9 * tau - u27 * t4 + u20 * t10)));
         at.write_dc(9, d_L_o_hat_1_d_m_o);
-        let d_L_o_hat_1_d_R_P = -(u20 * t12);
+        let d_L_o_hat_1_d_R_P = -(u47 * t11);
         at.write_dc(10, d_L_o_hat_1_d_R_P);
-        let d_L_o_hat_1_d_omega_P = -(u5 * t12);
+        let d_L_o_hat_1_d_omega_P = -(u48 * t11);
         at.write_dc(11, d_L_o_hat_1_d_omega_P);
-        let d_E_hat_1_d_EA = u43 * t8;
+        let d_E_hat_1_d_EA = u51 * t8;
         at.write_dc(12, d_E_hat_1_d_EA);
-        let d_E_hat_1_d_EI = u38 * t8 - u42 * t13 - u54 * t8;
+        let d_E_hat_1_d_EI = -(u41 * t8 + u35 * t1 * (u37 * t7 - u34 * t7));
         at.write_dc(13, d_E_hat_1_d_EI);
-        let d_E_hat_1_d_m_o = u44 * t8 - u48 * t8;
+        let d_E_hat_1_d_m_o = -(u52 * t8);
         at.write_dc(14, d_E_hat_1_d_m_o);
-        let d_E_hat_1_d_R_P = -(u49 * t8);
+        let d_E_hat_1_d_R_P = -(u53 * t8);
         at.write_dc(15, d_E_hat_1_d_R_P);
-        let d_E_hat_1_d_omega_P = -(u50 * t8);
+        let d_E_hat_1_d_omega_P = -(u54 * t8);
         at.write_dc(16, d_E_hat_1_d_omega_P);
     }
 }

@@ -218,6 +218,10 @@ impl Graph {
         }
     }
 
+    fn is_reciprocal(&self, node: Node) -> bool {
+        matches!(self.operation(node), Operation::Reciprocal(_))
+    }
+
     /// Whether a product is a uniform factor in front of a varying one.
     fn is_front(&self, front: Node, back: Node) -> bool {
         self.is_uniform(front) && !self.is_uniform(back)
@@ -232,6 +236,10 @@ impl Graph {
             }
             Operation::Reciprocal(a) => a,
             Operation::Constant(bits) => self.constant(1.0 / f64::from_bits(bits)),
+            Operation::Mul(a, b) if self.is_reciprocal(a) || self.is_reciprocal(b) => {
+                let (a, b) = (self.reciprocal(a), self.reciprocal(b));
+                self.mul(a, b)
+            }
             // 1/(u a) with u uniform: one division a batch and one a point, both shared with others.
             Operation::Mul(u, a) if self.is_uniform(u) => {
                 let (u, a) = (self.reciprocal(u), self.reciprocal(a));
@@ -281,6 +289,25 @@ impl Graph {
             }
             _ => self.intern(operation),
         }
+    }
+
+    /// What the roots take at every point: an operation counts 1, a division or function more.
+    pub fn cost(&self, roots: &[Node]) -> usize {
+        let (mut seen, mut open) = (vec![false; self.operations.len()], roots.to_vec());
+        let mut cost = 0;
+        while let Some(node) = open.pop() {
+            if std::mem::replace(&mut seen[node.0], true) || self.is_uniform(node) {
+                continue;
+            }
+            let operation = self.operation(node);
+            cost += match operation {
+                Operation::Input(_) | Operation::Neg(_) => 0,
+                Operation::Reciprocal(_) | Operation::Sqrt(_) => 6,
+                _ => 1,
+            };
+            open.extend(operation.operands());
+        }
+        cost
     }
 
     fn intern(&mut self, operation: Operation) -> Node {

@@ -86,7 +86,7 @@ fn in_arc(expression: &Atom) -> Result<Atom, Error> {
     Ok(tangent.replace(read("cos(theta)")?).with(read("(R - x)/arc")?).factor())
 }
 
-/// Adds M_b, Q and the two parts of Q' = ∂Q'/∂θ''' θ''' + rest to a plan.
+/// Adds M_b, Q and the two parts of Q' = ∂Q'/∂θ''' (θ''' − θ'''_0) to a plan.
 ///
 /// # Errors
 /// As [`Plan::derived`].
@@ -103,6 +103,6 @@ pub fn add_bending(plan: &mut Plan, form: Shear) -> Result<(), Error> {
     };
     plan.derived("M_b", in_arc(&bending.moment)?, "(3.32)")?;
     plan.derived("Q", shear, numbers.0)?;
-    plan.derived("Q_theta3", coefficient, numbers.1)?;
-    plan.derived("Q_rest", rest, numbers.1)
+    plan.derived("theta_30", (-rest / &coefficient).factor(), numbers.1)?;
+    plan.derived("Q_theta3", coefficient, numbers.1)
 }

@@ -7,7 +7,7 @@ use super::friction::{Law, add_friction, add_loads};
 use super::kinematics::{SLOPE, add_sliding, add_stretch};
 use symbolica::atom::AtomCore;
 
-use crate::derive::solve_linear;
+use crate::derive::{Linear, linear_in};
 use crate::error::Error;
 use crate::plan::{Function, Plan, read};
 
@@ -52,7 +52,7 @@ const FIELDS: [&str; 16] = [
 ];
 
 /// Normal momentum (3.28) with T = F − G V and (3.2): T (1 − θ') = n + Q'.
-pub const NORMAL_MOMENTUM: &str = "T*(1 - theta_1) - n - (Q_theta3*theta_3 + Q_rest)";
+pub const NORMAL_MOMENTUM: &str = "T*(1 - theta_1) - n - Q_theta3*(theta_3 - theta_30)";
 /// Tangential momentum (3.29): T' = t − Q (1 − θ').
 pub const TANGENTIAL_MOMENTUM: &str = "t - Q*(1 - theta_1)";
 
@@ -91,7 +91,9 @@ pub fn model(shear: Shear, law: Law) -> Result<RegionModel, Error> {
 /// Solves the momentum balances for the highest derivatives and writes them in φ̂.
 fn add_system(plan: &mut Plan) -> Result<(), Error> {
     plan.nonzero("Q_theta3", "a multiple of EI")?;
-    let highest = solve_linear(&read("theta_3", NORMAL_MOMENTUM)?, "theta_3")?;
+    let Linear { coefficient, rest } = linear_in(&read("theta_3", NORMAL_MOMENTUM)?, "theta_3")?;
+    let load = linear_in(&rest, "theta_30")?;
+    let highest = read("theta_30", "theta_30")? - load.rest / coefficient;
     plan.derived("theta_3", highest, "(3.41)")?;
     let rate = |text: &str| read("rate", text);
     plan.derived("T_hat_1", rate("Phi")? * rate(TANGENTIAL_MOMENTUM)?, "(3.31), (5.5)")?;

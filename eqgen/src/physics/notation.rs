@@ -127,7 +127,7 @@ const QUANTITIES: &[Row] = &[
     ("M_b", "M_b", "N m", 0, "bending moment"),
     ("Q", "Q", "N", 0, "transverse shear force"),
     ("Q_theta3", "∂Q'/∂θ'''", "N", 0, "coefficient of θ''' in Q'"),
-    ("Q_rest", "Q'|θ'''=0", "N", 0, "Q' without its term in θ'''"),
+    ("theta_30", "θ'''_0", "rad", 0, "third derivative of θ at which the shear does not change"),
     ("stretch", "1 + F/EA", "", 0, "stretched over unstretched length"),
     ("axial", "dA/ds", "N/m", 0, "axial force on one sheave per length"),
     ("loss", "dW/ds", "W/m", 0, "power lost to friction per length"),
