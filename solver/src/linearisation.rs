@@ -8,9 +8,10 @@ use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::measure::intervals;
 use crate::problem::Problem;
 use crate::solution::Solution;
-use crate::solve::{check, intervals};
+use crate::solve::check;
 use crate::stats::Stats;
 use std::sync::Arc;
 

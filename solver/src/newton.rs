@@ -25,9 +25,13 @@ pub(crate) struct Limits {
     pub tolerance: f64,
     pub iterations: usize,
     pub smallest_damping: f64,
-    /// Give up at the first full correction that does not contract by this factor (continuation); 1 otherwise.
-    pub contraction: f64,
+    /// Corrections of this size are accepted if smaller ones cannot be had.
+    pub stagnation: f64,
 }
+
+/// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is
+/// good enough to measure the mesh with, if not for a solution.
+const STAGNANT: f64 = 1e-3;
 
 /// Where the iteration ended, with what it held.
 #[derive(Debug, Clone)]
@@ -38,6 +42,10 @@ pub(crate) struct Converged {
     pub factorisation: Factorisation,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
+    /// The first correction was already negligible.
+    pub at_once: bool,
+    /// The iteration ended short of its tolerance, at a correction small enough to go on with.
+    pub stagnated: Option<NewtonError>,
 }
 
 struct Newton<'a, 'p, P: Problem + ?Sized> {
@@ -55,6 +63,8 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
 enum Step {
     /// The iterate converged.
     Done(Iterate),
+    /// No damping factor makes progress.
+    Stuck(NewtonError),
     /// A new iterate, the simplified correction there, and the damping factor that led to it.
     Moved { x: Iterate, simplified: Correction, damping: f64, contraction: f64 },
 }
@@ -94,19 +104,21 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
             if self.system.largest(&dx) <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
-                return self.finish(x);
+                return self.finish(x, None);
             }
             if self.iteration > self.limits.iterations {
-                return Err(self.limit_reached(&dx));
+                let error = self.limit_reached(&dx);
+                return self.stagnate(x, &dx, error);
             }
             let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
             match self.damped_step(&x, &dx, size, damping)? {
-                Step::Done(x) => return self.finish(x),
+                Step::Done(x) => return self.finish(x, None),
+                Step::Stuck(error) => return self.stagnate(x, &dx, error),
                 Step::Moved { x: next, simplified, damping, contraction } => {
                     x = next;
                     if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
                         match self.simplified_steps(x, &simplified, contraction)? {
-                            (next, true) => return self.finish(next),
+                            (next, true) => return self.finish(next, None),
                             (next, false) => x = next,
                         }
                         before = None;
@@ -149,9 +161,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, NewtonError> {
         let mut damping = first;
         let mut reduced = false;
+        let largest = self.system.largest(dx);
+        let smallest = if largest <= STAGNANT { 0.01 } else { self.limits.smallest_damping };
         loop {
-            if damping < self.limits.smallest_damping {
-                return Err(self.stalled(damping, dx));
+            if damping < smallest {
+                return Ok(Step::Stuck(self.stalled(damping, dx)));
             }
             let trial = self.system.stepped(x, &self.factorisation.scales, damping, dx);
             if let Err(error) = self.evaluate(&trial, Derivatives::None) {
@@ -171,10 +185,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if self.contraction.is_none() && damping == 1.0 {
                 self.contraction = Some(contraction);
             }
-            if !(contraction < self.limits.contraction.min(1.0)) {
-                if self.limits.contraction < 1.0 {
-                    return Err(self.stalled(damping, dx));
-                }
+            if !(contraction < 1.0) {
                 reduced = true;
                 let next = if estimate.is_finite() { estimate.min(damping / 2.0) } else { damping / 2.0 };
                 damping = next.max(damping / 10.0);
@@ -228,14 +239,28 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     }
 
     /// The residual where the iteration ended, for integrals, boundary residuals and dense output.
-    fn finish(mut self, x: Iterate) -> Result<Converged, NewtonError> {
+    fn finish(mut self, x: Iterate, stagnated: Option<NewtonError>) -> Result<Converged, NewtonError> {
         self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         Ok(Converged {
             x,
             work: self.work,
             factorisation: self.factorisation,
             contraction: self.contraction.unwrap_or(0.0),
+            at_once: self.iteration == 1 && self.contraction.is_none(),
+            stagnated,
         })
+    }
+
+    /// Ends the iteration at `x` for want of a better iterate.
+    fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, NewtonError> {
+        let size = self.system.largest(dx);
+        if size <= self.limits.stagnation {
+            self.finish(x, None)
+        } else if size <= STAGNANT {
+            self.finish(x, Some(error))
+        } else {
+            Err(error)
+        }
     }
 
     fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), NewtonError> {

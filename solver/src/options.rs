@@ -27,11 +27,25 @@ impl Order {
     }
 }
 
+/// What the tolerance bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Control {
+    /// The defect.
+    Defect,
+    /// The defect, and where that is not enough also the estimated true error: the defect is then held to as little
+    /// as a thousandth of the tolerance. If that is not enough either, the problem is ill-conditioned, and the
+    /// solution's [`error_estimate`](crate::Solution::error_estimate) says how inaccurate it is.
+    #[default]
+    Error,
+}
+
 /// Tolerances and limits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Order of the method.
     pub order: Order,
+    /// What `tolerance` bounds.
+    pub control: Control,
     /// Largest relative defect of the solution; see [`Solution::max_defect`](crate::Solution::max_defect).
     pub tolerance: f64,
     /// Largest boundary residual, relative to the largest term of its equation. Default: as `tolerance`.
@@ -55,6 +69,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             order: Order::default(),
+            control: Control::default(),
             tolerance: 1e-6,
             boundary_tolerance: None,
             newton_tolerance: None,
@@ -76,6 +91,11 @@ impl Options {
     /// The Newton tolerance in force.
     pub fn newton_tolerance(&self) -> f64 {
         self.newton_tolerance.unwrap_or_else(|| (0.01 * self.tolerance).max(1e-13))
+    }
+
+    /// Corrections of this size are accepted where rounding prevents smaller ones.
+    pub(crate) fn stagnation_tolerance(&self) -> f64 {
+        self.newton_tolerance.unwrap_or(0.1 * self.tolerance)
     }
 
     pub(crate) fn check(&self) -> Result<(), SolveError> {

@@ -15,6 +15,8 @@ const SAFETY: f64 = 0.4;
 const GROSSLY: f64 = 4.0;
 /// If at most this fraction of the intervals fails, they are split where they are.
 const FEW: f64 = 0.1;
+/// Intervals grow at most by this factor: a small defect says little about much longer intervals.
+const LONGER: f64 = 8.0;
 /// Fewest intervals that redistribution makes.
 const FEWEST: usize = 4;
 
@@ -64,7 +66,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f6
     let length = mesh[intervals] - mesh[0];
     let wish = |j: usize| {
         let excess = (measure.defects[j] / (SAFETY * tolerance)).max(1e-12);
-        (mesh[j + 1] - mesh[j]) * excess.powf(-1.0 / order)
+        (mesh[j + 1] - mesh[j]) * excess.powf(-1.0 / order).min(LONGER)
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| wish(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);

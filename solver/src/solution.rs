@@ -155,6 +155,7 @@ pub struct Solution {
     pub(crate) order: Order,
     pub(crate) max_defect: f64,
     pub(crate) max_boundary_residual: f64,
+    pub(crate) error_estimate: f64,
     pub(crate) stats: Stats,
     pub(crate) history: Vec<MeshRecord>,
 }
@@ -181,8 +182,8 @@ impl Solution {
     }
 
     /// Largest defect over all intervals, as held to the tolerance: per interval the root mean square of
-    /// `|S' - f| ℓ / (Y + |f| ℓ)`, largest over states, with Y the state's typical magnitude and ℓ the region's
-    /// length; intervals whose defects together cannot move a state by more than the tolerance are counted by that
+    /// `|S' - f| ℓ / (Y + F ℓ)`, largest over states, with Y the state's typical magnitude, ℓ the region's length, and F
+    /// the size of the right-hand side's terms, `max(|f|, Σ |∂f/∂y| |y|)`; intervals whose defects together cannot move a state by more than the tolerance are counted by that
     /// movement instead.
     pub fn max_defect(&self) -> f64 {
         self.max_defect
@@ -191,6 +192,12 @@ impl Solution {
     /// Largest boundary residual, each relative to the largest term of its equation.
     pub fn max_boundary_residual(&self) -> f64 {
         self.max_boundary_residual
+    }
+
+    /// Estimated true error at the nodes and in the constants found, largest component relative to typical magnitudes.
+    /// To first order, from the defects and the linearised equations.
+    pub fn error_estimate(&self) -> f64 {
+        self.error_estimate
     }
 
     /// What it cost.

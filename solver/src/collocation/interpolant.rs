@@ -64,13 +64,19 @@ impl Basis {
 /// Defects of one region, one an interval, in the mesh's order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Defects {
-    /// Root mean square over the interval of `|S' - f| ℓ / (Y + |f| ℓ)`, largest over states: Y the state's typical
-    /// magnitude, ℓ the region's length.
+    /// Root mean square over the interval of `|S' - f| ℓ / (Y + F ℓ)`, largest over states: Y the state's typical
+    /// magnitude, ℓ the region's length, F the larger of |f| and of the size of f's terms, `Σ |∂f/∂y| |y|`, at the nodes:
+    /// where large terms nearly cancel, they cannot be met better than they are known.
     pub relative: Vec<f64>,
     /// What the interval's defect can move a state by, relative to its typical magnitude: `h |S' - f| / Y`.
     pub contribution: Vec<f64>,
     /// State of the largest relative defect.
     pub state: Vec<usize>,
+    /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
+    /// working order.
+    pub integrated: Vec<f64>,
+    /// f(S) of the states at each sample, `n * interval_stride`, in working order.
+    pub samples: Vec<Vec<f64>>,
 }
 
 /// Points and results of one evaluation at the same σ in all intervals.
@@ -167,19 +173,25 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn sample(&self, extension: Option<&Extension>, sigma: f64, stats: &mut Stats) -> Result<Sample, NonFinite> {
         let intervals = self.intervals();
         let basis = Basis::value(sigma);
+        let mut y = vec![0.0; self.n() * intervals];
+        for i in 0..self.n() {
+            for p in 0..intervals {
+                y[i * intervals + p] = self.x.y[self.region][i * self.nodes() + p] + self.at(extension, &basis, i, p);
+            }
+        }
+        self.call(sigma, y, stats)
+    }
+
+    /// f at one σ in all intervals, for given states.
+    fn call(&self, sigma: f64, y: Vec<f64>, stats: &mut Stats) -> Result<Sample, NonFinite> {
+        let intervals = self.intervals();
         let grid = &self.system.grids[self.region];
         let rows = self.system.plan.regions[self.region].rows;
         let mut sample = Sample {
             s: (0..intervals).map(|p| grid.s[p] + sigma * grid.h[p]).collect(),
-            y: vec![0.0; self.n() * intervals],
+            y,
             f: vec![0.0; rows * intervals],
         };
-        for i in 0..self.n() {
-            for p in 0..intervals {
-                sample.y[i * intervals + p] =
-                    self.x.y[self.region][i * self.nodes() + p] + self.at(extension, &basis, i, p);
-            }
-        }
         let at = Points { len: intervals, stride: intervals, s: &sample.s, y: &sample.y };
         stats.rhs_points += intervals;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut sample.f);
@@ -199,9 +211,13 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let grid = &self.system.grids[self.region];
         let (a, b) = self.system.layout.regions[self.region].interval;
         let length = b - a;
+        let terms = self.terms();
         let (mut relative, mut absolute) = (vec![0.0; n * intervals], vec![0.0; n * intervals]);
+        let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
+        let mut samples = Vec::new();
         for &(sigma, weight) in self.system.tableau.samples {
-            let sample = self.sample(Some(extension), sigma, stats)?;
+            let mut sample = self.sample(Some(extension), sigma, stats)?;
+            means.iter_mut().zip(&sample.f).for_each(|(mean, f)| *mean += weight * f);
             let basis = Basis::slope(sigma);
             for (i, scale) in scales.states[self.region].iter().enumerate() {
                 for p in 0..intervals {
@@ -209,13 +225,15 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                     // Padding has no length and no defect.
                     let h = grid.h[p];
                     let defect = if h > 0.0 { self.at(Some(extension), &basis, i, p) / h - f } else { 0.0 };
-                    let fraction = defect * length / (scale + f.abs() * length);
+                    let fraction = defect * length / (scale + f.abs().max(terms[i * intervals + p]) * length);
                     relative[i * intervals + p] += weight * fraction * fraction;
                     absolute[i * intervals + p] += weight * (defect * h / scale) * (defect * h / scale);
                 }
             }
+            sample.f.truncate(n * intervals);
+            samples.push(sample.f);
         }
-        let mut defects = Defects::default();
+        let mut defects = Defects { integrated: self.integrated(means), samples, ..Defects::default() };
         for j in 0..grid.intervals() {
             let p = grid.position(j);
             let state = (0..n).max_by(|&i, &l| relative[i * intervals + p].total_cmp(&relative[l * intervals + p]));
@@ -227,4 +245,83 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         }
         Ok(defects)
     }
+
+    /// `Σ |∂f/∂y| |y|` of each state, the larger of both nodes: `n * intervals`.
+    fn terms(&self) -> Vec<f64> {
+        let (n, nodes, intervals) = (self.n(), self.nodes(), self.intervals());
+        let mut at_nodes = vec![0.0; n * nodes];
+        let pattern = &self.system.layout.regions[self.region].state_pattern;
+        for (entry, &(row, state)) in pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
+            let dy = &self.stages.nodes.dy[entry * nodes..(entry + 1) * nodes];
+            let y = &self.x.y[self.region][state * nodes..(state + 1) * nodes];
+            let out = &mut at_nodes[row * nodes..(row + 1) * nodes];
+            for p in 0..nodes {
+                out[p] += (dy[p] * y[p]).abs();
+            }
+        }
+        let larger = |terms: &[f64]| -> Vec<f64> { (0..intervals).map(|p| terms[p].max(terms[p + W])).collect() };
+        at_nodes.chunks_exact(nodes).flat_map(larger).collect()
+    }
+
+    /// From the means of f over the intervals: what the defects of the states, and the quadrature of the integrals,
+    /// amount to.
+    fn integrated(&self, mut means: Vec<f64>) -> Vec<f64> {
+        let (n, intervals) = (self.n(), self.intervals());
+        let rules = self.system.interval_integrals(self.region, self.stages);
+        for (row, out) in means.chunks_exact_mut(intervals).enumerate() {
+            let y = self.x.y[self.region].get(row * self.nodes()..).unwrap_or_default();
+            for p in 0..intervals {
+                let rise = if row < n { y[p + W] - y[p] } else { rules[(row - n) * intervals + p] };
+                out[p] = rise - self.h()[p] * out[p];
+            }
+        }
+        means
+    }
+
+    /// `∫ (S̃' - f(S̃)) ds` of each state, and the error of each integral, per interval, with
+    /// `S̃ = y_0 + ∫ f(S) ds`: as [`Defects::integrated`], but from an extension that is one order better, as order 6
+    /// needs.
+    ///
+    /// # Errors
+    /// The right-hand side is undefined between the collocation points.
+    pub(crate) fn improved(&self, defects: &Defects, stats: &mut Stats) -> Result<Vec<f64>, NonFinite> {
+        let (n, nodes, intervals) = (self.n(), self.nodes(), self.intervals());
+        let samples = self.system.tableau.samples;
+        let weights = partial_integrals(samples);
+        let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
+        for (&(sigma, weight), partial) in samples.iter().zip(&weights) {
+            let mut y = vec![0.0; n * intervals];
+            for (i, out) in y.chunks_exact_mut(intervals).enumerate() {
+                let f = &self.stages.nodes.f[i * nodes..];
+                let left = &self.x.y[self.region][i * nodes..];
+                for p in 0..intervals {
+                    out[p] = partial[0] * f[p] + partial[samples.len() + 1] * f[p + W];
+                }
+                for (sample, &share) in defects.samples.iter().zip(&partial[1..]) {
+                    for p in 0..intervals {
+                        out[p] += share * sample[i * intervals + p];
+                    }
+                }
+                for p in 0..intervals {
+                    out[p] = left[p] + self.h()[p] * out[p];
+                }
+            }
+            let sample = self.call(sigma, y, stats)?;
+            means.iter_mut().zip(&sample.f).for_each(|(mean, f)| *mean += weight * f);
+        }
+        Ok(self.integrated(means))
+    }
+}
+
+/// Weights that integrate the polynomial through 0, the samples and 1 from 0 to each sample. The samples are the points
+/// of a Gauss rule, which is exact for these integrals.
+fn partial_integrals(samples: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    let nodes: Vec<f64> =
+        std::iter::once(0.0).chain(samples.iter().map(|sample| sample.0)).chain(std::iter::once(1.0)).collect();
+    let lagrange = |k: usize, x: f64| -> f64 {
+        let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
+        others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
+    };
+    let to = |end: f64, k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(k, end * x)).sum();
+    samples.iter().map(|&(end, _)| (0..nodes.len()).map(|k| to(end, k)).collect()).collect()
 }

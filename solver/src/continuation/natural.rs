@@ -10,11 +10,13 @@ use crate::collocation::evaluate::Derivatives;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::Guess;
+use crate::measure::{Solved, intervals};
 use crate::observer::{Event, Observer, Silent};
-use crate::options::Options;
+use crate::options::{Control, Options};
 use crate::problem::Problem;
+use crate::run::{Run, Start};
 use crate::solution::Solution;
-use crate::solve::{Run, Solved, Start, check, intervals};
+use crate::solve::check;
 use crate::stats::Stats;
 use thiserror::Error;
 
@@ -123,7 +125,7 @@ pub fn follow_observed<P: Problem + ?Sized>(
     check(layout, start, unknowns, &options.solve).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
     let tolerance = options.tolerance.max(options.solve.tolerance);
-    let first = Options { tolerance, ..options.solve.clone() };
+    let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
     let run = Run::new(problem, plan, &first, observer);
     Follower { run, path, options, way: &way, steps: Vec::new() }.follow(start)
@@ -211,7 +213,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         });
     }
 
-    fn give_up(self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {
+    fn give_up(mut self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {
         let last = self.run.finish(here).ok().map(Box::new);
         PathError { lambda, last, steps: self.steps, cause: Box::new(cause) }
     }

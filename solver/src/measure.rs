@@ -1,0 +1,103 @@
+//! How good a converged iterate is: its defects, and the error they cause.
+
+use crate::collocation::System;
+use crate::collocation::factor::Rhs;
+use crate::collocation::grid::Grid;
+use crate::collocation::interpolant::{Defects, Extended, Extension};
+use crate::error::{NewtonError, NonFinite, SolveError};
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::newton::Converged;
+use crate::problem::Problem;
+use crate::solution::RegionSolution;
+use crate::stats::Stats;
+use std::borrow::Cow;
+
+/// What Newton's iteration left on one set of meshes, with its continuous extension and defects.
+pub(crate) struct Solved<'a, P: Problem + ?Sized> {
+    pub system: System<'a, P>,
+    pub converged: Converged,
+    pub extensions: Vec<Extension>,
+    pub defects: Vec<Defects>,
+}
+
+impl<'a, P: Problem + ?Sized> Solved<'a, P> {
+    /// # Errors
+    /// The right-hand side is undefined between the collocation points.
+    pub(crate) fn new(system: System<'a, P>, converged: Converged, stats: &mut Stats) -> Result<Self, SolveError> {
+        let (mut extensions, mut defects) = (Vec::new(), Vec::new());
+        for region in 0..system.grids.len() {
+            let extended =
+                Extended { system: &system, region, x: &converged.x, stages: &converged.work.regions[region] };
+            let extension = extended.extension(stats);
+            let measured = extension.and_then(|extension| {
+                let defects = extended.defects(&extension, converged.scales(), stats)?;
+                Ok((extension, defects))
+            });
+            let (extension, defect) = measured.map_err(|error| SolveError::Newton {
+                error: NewtonError::NonFinite(error),
+                intervals: intervals(&system.grids),
+            })?;
+            extensions.push(extension);
+            defects.push(defect);
+        }
+        Ok(Self { system, converged, extensions, defects })
+    }
+
+    pub(crate) fn regions(&self) -> Vec<RegionSolution> {
+        let Converged { x, work, .. } = &self.converged;
+        let regions = self.extensions.iter().enumerate();
+        regions.map(|(region, extension)| RegionSolution::new(&self.system, region, x, work, extension)).collect()
+    }
+
+    /// Estimated error at the nodes and in the constants, largest component relative to typical magnitudes.
+    ///
+    /// The continuous extension S has the error `e = S - y` with `e' = f_y e + (S' - f(S))` to first order; the
+    /// collocation equations linearised at S, solved for the integrals of the defect over the intervals, give e.
+    ///
+    /// Infinite if the right-hand side is undefined where the estimate needs it.
+    pub(crate) fn error_estimate(&self, stats: &mut Stats) -> f64 {
+        let factorisation = &self.converged.factorisation;
+        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: self.converged.work.g.clone() };
+        for (region, defects) in self.defects.iter().enumerate() {
+            let Ok(integrated) = self.integrated(region, defects, stats) else { return f64::INFINITY };
+            let (grid, plan) = (&self.system.grids[region], &self.system.plan.regions[region]);
+            let len = grid.interval_stride();
+            let mut lanes = vec![Lane::ZERO; grid.steps * plan.n];
+            for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
+                let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
+                for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {
+                    out[i] = Lane(*integrated).times(1.0 / scale);
+                }
+            }
+            rhs.regions.push(lanes);
+            let sum = |&k: &usize| integrated[(plan.n + k) * len..(plan.n + k + 1) * len].iter().sum();
+            rhs.integrals.push(plan.active.iter().map(sum).collect());
+        }
+        stats.linear_solves += 1;
+        self.system.largest(&factorisation.solve(&self.system, rhs))
+    }
+
+    /// Integrals of the defect over the intervals.
+    fn integrated(&self, region: usize, defects: &Defects, stats: &mut Stats) -> Result<Cow<'_, [f64]>, NonFinite> {
+        if self.system.tableau.order == 4 {
+            return Ok(Cow::Borrowed(&self.defects[region].integrated));
+        }
+        let Converged { x, work, .. } = &self.converged;
+        let extended = Extended { system: &self.system, region, x, stages: &work.regions[region] };
+        extended.improved(defects, stats).map(Cow::Owned)
+    }
+
+    /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
+    pub(crate) fn worst_boundary_residual(&self) -> (f64, String) {
+        let scale = &self.converged.factorisation.boundary_scale;
+        let relative = |(g, scale): (&f64, &f64)| if *g == 0.0 { 0.0 } else { g.abs() / scale };
+        let residuals = self.converged.work.g.iter().zip(scale).map(relative);
+        let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        worst.map_or((0.0, String::new()), |(i, residual)| (residual, self.system.layout.equations[i].clone()))
+    }
+}
+
+/// Intervals of all regions.
+pub(crate) fn intervals(grids: &[Grid]) -> usize {
+    grids.iter().map(Grid::intervals).sum()
+}

@@ -1,0 +1,344 @@
+//! The main loop: solve on a mesh, measure the defect, improve the mesh.
+
+use crate::collocation::grid::Grid;
+use crate::collocation::plan::Plan;
+use crate::collocation::{Iterate, System};
+use crate::error::{NewtonError, SolveError};
+use crate::guess::{Guess, RegionGuess};
+use crate::measure::{Solved, intervals};
+use crate::newton::{self, Limits};
+use crate::observer::{Event, Observer};
+use crate::options::{Control, Options};
+use crate::problem::{Layout, Problem};
+use crate::refine::{Measure, Verdict, measure, verdict};
+use crate::solution::{MeshRecord, RegionSolution, Solution};
+use crate::stats::Stats;
+use std::sync::Arc;
+
+/// For the sake of the estimated error, defects are held to no less than this fraction of the tolerance.
+const TIGHTEST: f64 = 1e-3;
+
+/// Where Newton's iteration is to start.
+pub(crate) struct Start {
+    pub grids: Vec<Grid>,
+    pub x: Iterate,
+}
+
+/// One solve, or the solves of one continuation: what they share, and what they have cost so far.
+pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
+    problem: &'a P,
+    layout: &'a Layout,
+    plan: Arc<Plan>,
+    pub options: &'o Options,
+    pub observer: &'o mut dyn Observer,
+    pub stats: Stats,
+    pub history: Vec<MeshRecord>,
+    /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
+    pub contraction: f64,
+}
+
+/// State of one solve.
+struct Progress<'a, P: Problem + ?Sized> {
+    rescues: usize,
+    /// What defects are held to at present.
+    target: f64,
+    /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
+    fallback: Option<Solved<'a, P>>,
+    coarsening: bool,
+}
+
+/// What to do about a solution whose defects meet their target.
+enum Next {
+    Accept,
+    /// The fallback is the better one.
+    Fallback,
+    Remesh(Vec<Vec<f64>>),
+}
+
+impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
+    pub(crate) fn new(problem: &'a P, plan: Plan, options: &'o Options, observer: &'o mut dyn Observer) -> Self {
+        Self {
+            problem,
+            layout: problem.layout(),
+            plan: Arc::new(plan),
+            options,
+            observer,
+            stats: Stats::default(),
+            history: Vec::new(),
+            contraction: 0.0,
+        }
+    }
+
+    /// Solves and improves the meshes until they pass.
+    pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
+        let mut progress = Progress { rescues: 0, target: self.options.tolerance, fallback: None, coarsening: false };
+        for attempt in 0..self.options.max_meshes {
+            let solved = match self.solve_on(start, attempt == 0) {
+                Ok(solved) => solved,
+                Err(Stop::Error(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
+                Err(Stop::Error(error)) => return progress.fallback.ok_or(error),
+                Err(Stop::Newton(failed, error)) => {
+                    if let Some(fallback) = progress.fallback {
+                        return Ok(fallback);
+                    }
+                    start = self.rescue(*failed, error, &mut progress.rescues)?;
+                    continue;
+                }
+            };
+            let measures = measured(&solved, progress.target);
+            let passes = measures.iter().all(|measure| measure.largest <= progress.target);
+            if progress.coarsening && !passes {
+                return progress.fallback.ok_or_else(|| self.out_of_meshes());
+            }
+            if !passes {
+                start = match self.refined(&solved, &measures, progress.target) {
+                    Ok(meshes) => transfer(&solved, meshes),
+                    Err(error) => return progress.fallback.ok_or(error),
+                };
+                continue;
+            }
+            if let Some(error) = solved.converged.stagnated.clone() {
+                let intervals = intervals(&solved.system.grids);
+                return progress.fallback.ok_or(SolveError::Newton { error, intervals });
+            }
+            let again = attempt == 0 && solved.converged.at_once;
+            match self.improve(&solved, again, &mut progress) {
+                Next::Accept => return Ok(solved),
+                Next::Fallback => return Ok(progress.fallback.unwrap_or(solved)),
+                Next::Remesh(meshes) => {
+                    start = transfer(&solved, meshes);
+                    progress.fallback = Some(solved);
+                }
+            }
+        }
+        progress.fallback.ok_or_else(|| self.out_of_meshes())
+    }
+
+    /// Newton's iteration on one set of meshes.
+    fn solve_on(&mut self, start: Start, first: bool) -> Result<Solved<'a, P>, Stop> {
+        let Start { grids, x } = start;
+        let system = System {
+            problem: self.problem,
+            layout: self.layout,
+            plan: self.plan.clone(),
+            tableau: self.options.order.tableau(),
+            grids,
+        };
+        self.stats.meshes += 1;
+        let before = self.stats.newton_iterations;
+        let outcome = newton::solve(&system, &x, self.limits(), &mut self.stats, self.observer);
+        if first {
+            self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
+        }
+        let mut record = MeshRecord {
+            intervals: system.grids.iter().map(Grid::intervals).collect(),
+            defects: vec![f64::INFINITY; system.grids.len()],
+            newton_iterations: self.stats.newton_iterations - before,
+        };
+        let converged = match outcome {
+            Ok(converged) => converged,
+            Err(error) => {
+                self.history.push(record);
+                return Err(Stop::Newton(Box::new(Start { grids: system.grids, x }), error));
+            }
+        };
+        let solved = Solved::new(system, converged, &mut self.stats).map_err(Stop::Error)?;
+        record.defects = measured(&solved, self.options.tolerance).iter().map(|measure| measure.largest).collect();
+        let defect = record.defects.iter().fold(0.0, |max: f64, defect| max.max(*defect));
+        self.history.push(record);
+        let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
+        if self.observer.notify(&event).is_break() { Err(Stop::Error(SolveError::Cancelled)) } else { Ok(solved) }
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            tolerance: self.options.newton_tolerance(),
+            stagnation: self.options.stagnation_tolerance(),
+            iterations: self.options.max_iterations,
+            smallest_damping: self.options.smallest_damping,
+        }
+    }
+
+    /// A failed iteration may succeed on finer meshes.
+    fn rescue(&self, failed: Start, error: NewtonError, rescues: &mut usize) -> Result<Start, SolveError> {
+        if error == NewtonError::Cancelled {
+            return Err(SolveError::Cancelled);
+        }
+        let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
+        let hopeless = match &error {
+            NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
+            NewtonError::NonFinite(_) => true,
+            _ => false,
+        };
+        if hopeless || *rescues >= self.options.rescues || 2 * largest > self.options.max_intervals {
+            return Err(SolveError::Newton { error, intervals: intervals(&failed.grids) });
+        }
+        *rescues += 1;
+        Ok(halved(&failed))
+    }
+
+    /// Finer meshes where the defects are too large.
+    fn refined(&self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Result<Vec<Vec<f64>>, SolveError> {
+        let mut meshes = Vec::new();
+        for (region, verdict) in self.verdicts(solved, measures, target).into_iter().enumerate() {
+            meshes.push(match verdict {
+                Verdict::Keep | Verdict::Coarsen(_) => solved.system.grids[region].mesh.clone(),
+                Verdict::Refine(mesh) => mesh,
+                Verdict::Exhausted => return Err(self.exhausted(region, solved, &measures[region])),
+            });
+        }
+        Ok(meshes)
+    }
+
+    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Vec<Verdict> {
+        let order = self.options.order.tableau().defect_order;
+        let most = self.options.max_intervals;
+        let regions = solved.system.grids.iter().zip(measures);
+        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, target, order, most)).collect()
+    }
+
+    /// Defects meet their target: is the estimated error small enough, are the meshes not far too fine?
+    fn improve(&mut self, solved: &Solved<'a, P>, again: bool, progress: &mut Progress<'a, P>) -> Next {
+        if again {
+            return Next::Accept;
+        }
+        let tolerance = self.options.tolerance;
+        if self.options.control == Control::Error {
+            let error = solved.error_estimate(&mut self.stats);
+            if !(error <= tolerance) {
+                if progress.coarsening {
+                    return Next::Fallback;
+                }
+                return self.tightened(solved, error, progress);
+            }
+        }
+        let verdicts = self.verdicts(solved, &measured(solved, progress.target), progress.target);
+        if !verdicts.iter().any(|verdict| matches!(verdict, Verdict::Coarsen(_))) {
+            return Next::Accept;
+        }
+        progress.coarsening = true;
+        let meshes = verdicts.into_iter().zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
+            Verdict::Coarsen(mesh) => mesh,
+            _ => grid.mesh.clone(),
+        });
+        Next::Remesh(meshes.collect())
+    }
+
+    /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
+    fn tightened(&mut self, solved: &Solved<'a, P>, error: f64, progress: &mut Progress<'a, P>) -> Next {
+        let tolerance = self.options.tolerance;
+        let largest = measured(solved, progress.target).iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
+        let mut target = (0.5 * largest * tolerance / error).min(0.5 * progress.target);
+        while progress.target > TIGHTEST * tolerance {
+            progress.target = target.max(TIGHTEST * tolerance);
+            target *= 0.5;
+            let measures = measured(solved, progress.target);
+            if measures.iter().all(|measure| measure.largest <= progress.target) {
+                continue;
+            }
+            return match self.refined(solved, &measures, progress.target) {
+                Ok(meshes) => Next::Remesh(meshes),
+                Err(_) => Next::Accept,
+            };
+        }
+        Next::Accept
+    }
+
+    fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
+        let (names, grid) = (&self.layout.regions[region], &solved.system.grids[region]);
+        let state = solved.defects[region].state.get(measure.worst).and_then(|&state| names.states.get(state));
+        SolveError::MeshLimit {
+            region: names.name.clone(),
+            position: grid.mesh[measure.worst],
+            state: state.map_or_else(String::new, |state| state.name.clone()),
+            defect: measure.largest,
+            tolerance: self.options.tolerance,
+            intervals: grid.intervals(),
+        }
+    }
+
+    fn out_of_meshes(&self) -> SolveError {
+        let (defects, counts) = self.history.last().map_or((&[][..], &[][..]), |last| (&last.defects, &last.intervals));
+        let worst = (0..defects.len()).max_by(|&i, &j| defects[i].total_cmp(&defects[j])).unwrap_or(0);
+        let region = self.layout.regions.get(worst);
+        SolveError::MeshLimit {
+            region: region.map_or_else(String::new, |region| region.name.clone()),
+            position: region.map_or(f64::NAN, |region| region.interval.0),
+            state: "one of its states".to_owned(),
+            defect: defects.get(worst).copied().unwrap_or(f64::NAN),
+            tolerance: self.options.tolerance,
+            intervals: counts.get(worst).copied().unwrap_or(0),
+        }
+    }
+
+    /// The solution, if its boundary residuals too meet their tolerance.
+    pub(crate) fn finish(&mut self, solved: &Solved<'_, P>) -> Result<Solution, SolveError> {
+        let (residual, equation) = solved.worst_boundary_residual();
+        let tolerance = self.options.boundary_tolerance();
+        if !(residual <= tolerance) {
+            return Err(SolveError::Boundary { equation, residual, tolerance });
+        }
+        let measures = measured(solved, self.options.tolerance);
+        let error_estimate = solved.error_estimate(&mut self.stats);
+        Ok(Solution {
+            regions: solved.regions(),
+            constants: solved.converged.x.constants.clone(),
+            unknowns: self.plan.unknowns.clone(),
+            order: self.options.order,
+            max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
+            max_boundary_residual: residual,
+            error_estimate,
+            stats: self.stats,
+            history: self.history.clone(),
+        })
+    }
+}
+
+/// Why there is no converged iterate on a set of meshes.
+enum Stop {
+    Newton(Box<Start>, NewtonError),
+    Error(SolveError),
+}
+
+fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64) -> Vec<Measure> {
+    solved.defects.iter().map(|defects| measure(defects, target)).collect()
+}
+
+/// The solution on other meshes.
+fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
+    let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
+    Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
+}
+
+/// Halves every interval, states interpolated linearly.
+fn halved(start: &Start) -> Start {
+    let halve = |values: &[f64]| -> Vec<f64> {
+        let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+        pairs.chain(values.last().copied()).collect()
+    };
+    let regions = start.grids.iter().zip(&start.x.y).map(|(grid, y)| RegionGuess {
+        mesh: halve(&grid.mesh),
+        states: y.chunks_exact(grid.node_stride()).map(|y| halve(&grid.unpack(y))).collect(),
+    });
+    Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
+}
+
+impl From<&Guess> for Start {
+    fn from(guess: &Guess) -> Self {
+        let grids = guess.grids();
+        Self { x: guess.iterate(&grids), grids }
+    }
+}
+
+impl RegionSolution {
+    /// The solution at other nodes; old nodes keep their values exactly.
+    pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
+        let mut states = vec![Vec::with_capacity(mesh.len()); self.states()];
+        let mut y = vec![0.0; self.states()];
+        for &s in &mesh {
+            self.eval_into(s, &mut y);
+            states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
+        }
+        RegionGuess { mesh, states }
+    }
+}
