@@ -1,17 +1,22 @@
 //! From a resolved case to a solution, from nothing.
 
 use solver::continuation::{PathError, PathOptions, Ramp, follow};
-use solver::{Guess, Options, Order, Problem, Solution, SolveError, Stats};
+use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 use thiserror::Error;
 
 use super::belt::Belt;
 use super::constants::{Constant, Constants};
-use super::region::RegionId;
-use super::start::{self, START_INTERVALS, START_SLIP_THRESHOLD, START_TORQUE};
+use super::start;
 use crate::case::{Clamp, Load, Resolved, Speed};
 
 /// Tolerance on the way from the start to the case.
 const ROUGH_TOLERANCE: f64 = 1e-2;
+/// Intervals of a region on the way.
+const WAY_INTERVALS: usize = 2000;
+/// Smallest step on a leg of the way, as a share of the leg.
+const SMALLEST_STEP: f64 = 1e-4;
+/// Steps on a leg of the way, accepted or not.
+const LEG_STEPS: usize = 200;
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,6 +82,19 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// That of two failures which came closer to the case: with the case's own friction if possible, then with less
+    /// tension, for it is loose belts that are lost.
+    fn farther(first: Option<Self>, second: Self) -> Self {
+        let key = |failure: &Self| match failure {
+            Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
+            _ => (f64::INFINITY, f64::INFINITY),
+        };
+        match first {
+            Some(first) if key(&first) <= key(&second) => first,
+            _ => second,
+        }
+    }
+
     fn of(error: PathError) -> Self {
         match error.last {
             None => Self::Start(error.cause),
@@ -123,8 +141,8 @@ pub fn given(case: &Resolved) -> Result<Constants, Failure> {
     Ok(constants)
 }
 
-/// Solves a case from nothing: a straight belt under a small torque with friction that is linear in the sliding
-/// speed; then the torque is raised, then the slip threshold brought down.
+/// Solves a case from nothing: a straight belt under a small torque, at a tension that wraps it, with friction that is
+/// linear in the sliding speed; then torque, slip threshold and tension go where the case wants them.
 ///
 /// # Errors
 /// See [`Failure`].
@@ -132,34 +150,63 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
     let target = start::constants(&given(case)?);
     let belt = Belt::new(&case.model, &target).ok_or(Failure::NoEquations)?;
     let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-    let last = Options { tolerance: options.tolerance, order: options.order, ..Options::default() };
-    let rough = Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..last.clone() };
-
-    let mut begin = target.clone();
-    begin[Constant::PrimaryTorque] = target[Constant::PrimaryTorque].min(START_TORQUE);
-    begin[Constant::SlipThreshold] = target[Constant::SlipThreshold].max(START_SLIP_THRESHOLD);
-    let guess = Guess::uniform(belt.layout(), START_INTERVALS, &begin.0, |region, s, y| {
-        if let Some(region) = RegionId::ALL.get(region) {
-            y.copy_from_slice(&start::states(*region, s, &begin));
+    let mut failure = None;
+    for tension in start::tensions(&target) {
+        let begin = start::easy(&target, tension);
+        match climb(&belt, &begin, &target, &unknowns, options) {
+            Ok((solution, stats, continuation_steps)) => {
+                return Ok(Solved { belt, solution, stats, continuation_steps });
+            }
+            Err(next) => failure = Some(Failure::farther(failure, next)),
         }
-    });
-    let leg = |constant: Constant| (constant.index(), begin[constant], target[constant]);
-    let (torque, from_torque, to_torque) = leg(Constant::PrimaryTorque);
-    let (threshold, from_threshold, to_threshold) = leg(Constant::SlipThreshold);
-    let legs = [
-        (Ramp::new().linear(torque, from_torque, to_torque), rough.clone()),
-        (Ramp::new().geometric(threshold, from_threshold, to_threshold), last),
-    ];
+    }
+    Err(failure.unwrap_or(Failure::NoEquations))
+}
 
-    let (mut guess, mut stats, mut steps, mut solution) = (guess, Stats::default(), 0, None);
-    for (path, solve) in legs {
-        let options = PathOptions { solve, tolerance: ROUGH_TOLERANCE, ..PathOptions::default() };
-        let followed = follow(&belt, &guess, &path, &unknowns, &options).map_err(Failure::of)?;
+/// The legs of the way from an easy drive to the case, in order: each moves some constants to where the case has them.
+fn legs(begin: &Constants, target: &Constants) -> Vec<Ramp> {
+    let ends = |constant: Constant| (constant.index(), begin[constant], target[constant]);
+    let linear = |ramp: Ramp, (at, from, to): (usize, f64, f64)| ramp.linear(at, from, to);
+    let geometric = |ramp: Ramp, (at, from, to): (usize, f64, f64)| ramp.geometric(at, from, to);
+    let torque = linear(Ramp::new(), ends(Constant::PrimaryTorque));
+    let threshold = geometric(Ramp::new(), ends(Constant::SlipThreshold));
+    let tension = ends(Constant::SlackTension);
+    if target[Constant::SlackTension] > begin[Constant::SlackTension] {
+        vec![geometric(torque, tension), threshold]
+    } else if target[Constant::SlackTension] < begin[Constant::SlackTension] {
+        // A loose belt may transmit the torque only once friction is what the case says.
+        vec![torque, threshold, geometric(Ramp::new(), tension)]
+    } else {
+        vec![torque, threshold]
+    }
+}
+
+fn climb(
+    belt: &Belt,
+    begin: &Constants,
+    target: &Constants,
+    unknowns: &[usize],
+    options: &SolveOptions,
+) -> Result<(Solution, Stats, usize), Failure> {
+    let last = Options { tolerance: options.tolerance, order: options.order, ..Options::default() };
+    let way =
+        Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..last.clone() };
+    let legs = legs(begin, target);
+    let (count, mut stats, mut steps, mut found) = (legs.len(), Stats::default(), 0, None::<Solution>);
+    for (index, path) in legs.into_iter().enumerate() {
+        let solve = if index + 1 == count { last.clone() } else { way.clone() };
+        let options = PathOptions {
+            solve,
+            tolerance: ROUGH_TOLERANCE,
+            smallest_step: SMALLEST_STEP,
+            max_steps: LEG_STEPS,
+            ..PathOptions::default()
+        };
+        let guess = found.as_ref().map_or_else(|| start::guess(belt, begin), Guess::from);
+        let followed = follow(belt, &guess, &path, unknowns, &options).map_err(Failure::of)?;
         stats += *followed.solution.stats();
         steps += followed.steps.iter().filter(|step| step.accepted).count();
-        guess = Guess::from(&followed.solution);
-        solution = Some(followed.solution);
+        found = Some(followed.solution);
     }
-    let solution = solution.ok_or(Failure::NoEquations)?;
-    Ok(Solved { belt, solution, stats, continuation_steps: steps })
+    found.map(|solution| (solution, stats, steps)).ok_or(Failure::NoEquations)
 }

@@ -2,15 +2,25 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use solver::{Guess, Problem};
+
+use super::belt::Belt;
 use super::constants::{Constant, Constants};
 use super::region::RegionId;
 
 /// Torque, N·m, at which the straight belt is a good enough guess for Newton's method.
-pub(super) const START_TORQUE: f64 = 0.5;
+const START_TORQUE: f64 = 0.5;
 /// Slip threshold, m/s, at which friction is still linear almost everywhere.
-pub(super) const START_SLIP_THRESHOLD: f64 = 1.0;
+const START_SLIP_THRESHOLD: f64 = 1.0;
 /// Mesh intervals of each region at the start.
-pub(super) const START_INTERVALS: usize = 40;
+const START_INTERVALS: usize = 40;
+
+/// Slack tension of the start, N, if the case's is higher: a tighter belt sinks too deep for the straight guess.
+const HIGHEST_TENSION: f64 = 150.0;
+/// Slack tension of the start over EI/R² of the smaller pulley, if the case's is lower: a looser belt does not wrap.
+const LOWEST_TENSION: f64 = 1.7;
+/// Factors on the start's tension, tried in turn.
+const ATTEMPTS: [f64; 4] = [1.0, 2.0, 0.5, 4.0];
 
 /// Share of the tension that the groove's elasticity carries, against friction, in the start's penetration.
 const PENETRATION_SHARE: f64 = 0.8;
@@ -34,8 +44,34 @@ pub(super) fn constants(given: &Constants) -> Constants {
     start
 }
 
+/// Slack tensions to start from, the most promising first.
+pub(super) fn tensions(target: &Constants) -> impl Iterator<Item = f64> {
+    let radius = target[Constant::PrimaryRadius].min(target[Constant::SecondaryRadius]);
+    let lowest = LOWEST_TENSION * target[Constant::BendingStiffness] / radius.powi(2);
+    let first = target[Constant::SlackTension].clamp(lowest.min(HIGHEST_TENSION), HIGHEST_TENSION).max(lowest);
+    ATTEMPTS.into_iter().map(move |factor| first * factor)
+}
+
+/// The case's drive at a small torque and that slack tension, with friction that is linear in the sliding speed.
+pub(super) fn easy(target: &Constants, tension: f64) -> Constants {
+    let mut easy = target.clone();
+    easy[Constant::PrimaryTorque] = target[Constant::PrimaryTorque].min(START_TORQUE);
+    easy[Constant::SlipThreshold] = target[Constant::SlipThreshold].max(START_SLIP_THRESHOLD);
+    easy[Constant::SlackTension] = tension;
+    easy
+}
+
+/// The straight belt as a guess.
+pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
+    Guess::uniform(belt.layout(), START_INTERVALS, &constants.0, |region, s, y| {
+        if let Some(region) = RegionId::ALL.get(region) {
+            y.copy_from_slice(&states(*region, s, constants));
+        }
+    })
+}
+
 /// The start's states in a region at `s` in `[0, 1]`, in the order of the kernel's list.
-pub(super) fn states(region: RegionId, s: f64, constants: &Constants) -> Vec<f64> {
+fn states(region: RegionId, s: f64, constants: &Constants) -> Vec<f64> {
     let tension = constants[Constant::SlackTension];
     let slope = constants[Constant::PrimaryOrientation] - FRAC_PI_2;
     let contact = |radius: f64| {
