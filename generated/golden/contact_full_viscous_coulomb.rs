@@ -1,10 +1,10 @@
 // contact_full_viscous_coulomb: The belt in a groove: full shear, viscous-coulomb friction.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
-// Operations per point, and once a batch:
-//   value: 31 add, 86 mul, 6 div, 2 sqrt, 2 fn; once 31
-//   jacobian: 133 add, 349 mul, 7 div, 2 sqrt, 2 fn; once 85
-//   full: 211 add, 521 mul, 7 div, 2 sqrt, 2 fn; once 118
-//   fields: 16 add, 41 mul, 4 div, 2 sqrt, 3 fn; once 21
+// Operations:
+//   value: 31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once
+//   jacobian: 133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once
+//   full: 211 add, 521 mul, 7 div, 2 sqrt, 2 fn a point; 118 once
+//   fields: 16 add, 41 mul, 4 div, 2 sqrt, 3 fn a point; 21 once
 
 ///The belt in a groove: full shear, viscous-coulomb friction.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
@@ -389,7 +389,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (31 add, 86 mul, 6 div, 2 sqrt, 2 fn; once 31)
+///Right-hand side and integrands. (31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -497,7 +497,7 @@ impl Sweep for Value {
         let v_r = V * sin_theta;
         let t2 = v_r * v_r;
         let v_t = cos_theta * V - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t2));
         let face_speed = sqrt(u9 * t2 + speed * speed);
         let t3 = reciprocal(face_speed);
         let slip = u10 * speed;
@@ -565,7 +565,7 @@ impl Sweep for Value {
         at.write_f(11, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (133 add, 349 mul, 7 div, 2 sqrt, 2 fn; once 85)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -809,7 +809,7 @@ impl Sweep for Derivatives {
         let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t3));
         let face_speed = sqrt(u11 * t3 + speed * speed);
         let t5 = reciprocal(face_speed);
         let slip = u12 * speed;
@@ -1098,7 +1098,7 @@ impl Sweep for Derivatives {
         at.write_dc(20, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (211 add, 521 mul, 7 div, 2 sqrt, 2 fn; once 118)
+///Right-hand side, integrands, and their derivatives in states and all constants. (211 add, 521 mul, 7 div, 2 sqrt, 2 fn a point; 118 once)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1411,7 +1411,7 @@ impl Sweep for AllDerivatives {
         let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t3));
         let face_speed = sqrt(u13 * t3 + speed * speed);
         let t5 = reciprocal(face_speed);
         let slip = u14 * speed;
@@ -1893,7 +1893,7 @@ impl Sweep for AllDerivatives {
         at.write_dc(80, d_E_hat_1_d_omega_P);
     }
 }
-///Derived fields. (16 add, 41 mul, 4 div, 2 sqrt, 3 fn; once 21)
+///Derived fields. (16 add, 41 mul, 4 div, 2 sqrt, 3 fn a point; 21 once)
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;
@@ -1987,7 +1987,7 @@ impl Sweep for Fields {
         let v_t = cos_theta * V - omega * r;
         at.write_field(3, v_t);
         let t2 = v_r * v_r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t2));
         at.write_field(4, speed);
         let gamma_a = angle(v_r, v_t);
         let gamma = turn(gamma_a);

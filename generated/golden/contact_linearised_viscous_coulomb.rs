@@ -1,10 +1,10 @@
 // contact_linearised_viscous_coulomb: The belt in a groove: linearised shear, viscous-coulomb friction.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
-// Operations per point, and once a batch:
-//   value: 27 add, 74 mul, 6 div, 2 sqrt, 2 fn; once 38
-//   jacobian: 116 add, 312 mul, 7 div, 2 sqrt, 2 fn; once 90
-//   full: 200 add, 500 mul, 7 div, 2 sqrt, 2 fn; once 131
-//   fields: 16 add, 38 mul, 4 div, 2 sqrt, 3 fn; once 26
+// Operations:
+//   value: 27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once
+//   jacobian: 116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once
+//   full: 200 add, 500 mul, 7 div, 2 sqrt, 2 fn a point; 131 once
+//   fields: 16 add, 38 mul, 4 div, 2 sqrt, 3 fn a point; 26 once
 
 ///The belt in a groove: linearised shear, viscous-coulomb friction.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
@@ -388,7 +388,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (27 add, 74 mul, 6 div, 2 sqrt, 2 fn; once 38)
+///Right-hand side and integrands. (27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -496,7 +496,7 @@ impl Sweep for Value {
         let v_r = V * sin_theta;
         let t2 = v_r * v_r;
         let v_t = cos_theta * V - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t2));
         let face_speed = sqrt(u8 * t2 + speed * speed);
         let t3 = reciprocal(face_speed);
         let slip = u9 * speed;
@@ -556,7 +556,7 @@ impl Sweep for Value {
         at.write_f(11, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (116 add, 312 mul, 7 div, 2 sqrt, 2 fn; once 90)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -782,7 +782,7 @@ impl Sweep for Derivatives {
         let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t3));
         let face_speed = sqrt(u10 * t3 + speed * speed);
         let t5 = reciprocal(face_speed);
         let slip = u11 * speed;
@@ -1045,7 +1045,7 @@ impl Sweep for Derivatives {
         at.write_dc(20, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (200 add, 500 mul, 7 div, 2 sqrt, 2 fn; once 131)
+///Right-hand side, integrands, and their derivatives in states and all constants. (200 add, 500 mul, 7 div, 2 sqrt, 2 fn a point; 131 once)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1362,7 +1362,7 @@ impl Sweep for AllDerivatives {
         let t3 = v_r * v_r;
         let t4 = cos_theta * V;
         let v_t = t4 - omega * r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t3));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t3));
         let face_speed = sqrt(u13 * t3 + speed * speed);
         let t5 = reciprocal(face_speed);
         let slip = u14 * speed;
@@ -1826,7 +1826,7 @@ impl Sweep for AllDerivatives {
         at.write_dc(80, d_E_hat_1_d_omega_P);
     }
 }
-///Derived fields. (16 add, 38 mul, 4 div, 2 sqrt, 3 fn; once 26)
+///Derived fields. (16 add, 38 mul, 4 div, 2 sqrt, 3 fn a point; 26 once)
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;
@@ -1924,7 +1924,7 @@ impl Sweep for Fields {
         let v_t = cos_theta * V - omega * r;
         at.write_field(3, v_t);
         let t2 = v_r * v_r;
-        let speed = sqrt(v_t * v_t + (Real::splat(0.000000000000000000000001) + t2));
+        let speed = sqrt(v_t * v_t + (Real::splat(1e-24) + t2));
         at.write_field(4, speed);
         let gamma_a = angle(v_r, v_t);
         let gamma = turn(gamma_a);

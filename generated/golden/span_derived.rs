@@ -1,10 +1,10 @@
 // span_derived: The free belt.
 // Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
-// Operations per point, and once a batch:
-//   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn; once 22
-//   jacobian: 15 add, 31 mul, 1 div, 0 sqrt, 1 fn; once 57
-//   full: 32 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 85
-//   fields: 2 add, 5 mul, 0 div, 0 sqrt, 0 fn; once 13
+// Operations:
+//   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once
+//   jacobian: 15 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 57 once
+//   full: 32 add, 55 mul, 1 div, 0 sqrt, 1 fn a point; 85 once
+//   fields: 2 add, 5 mul, 0 div, 0 sqrt, 0 fn a point; 13 once
 
 ///The free belt.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
@@ -170,7 +170,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (4 add, 10 mul, 1 div, 0 sqrt, 1 fn; once 22)
+///Right-hand side and integrands. (4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once)
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 4;
@@ -234,7 +234,7 @@ impl Sweep for Value {
         at.write_f(7, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (15 add, 31 mul, 1 div, 0 sqrt, 1 fn; once 57)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (15 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 57 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 4;
@@ -390,7 +390,7 @@ impl Sweep for Derivatives {
         at.write_dc(5, d_E_hat_1_d_flow);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (32 add, 55 mul, 1 div, 0 sqrt, 1 fn; once 85)
+///Right-hand side, integrands, and their derivatives in states and all constants. (32 add, 55 mul, 1 div, 0 sqrt, 1 fn a point; 85 once)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 4;
@@ -635,7 +635,7 @@ impl Sweep for AllDerivatives {
         at.write_dc(16, d_E_hat_1_d_omega_P);
     }
 }
-///Derived fields. (2 add, 5 mul, 0 div, 0 sqrt, 0 fn; once 13)
+///Derived fields. (2 add, 5 mul, 0 div, 0 sqrt, 0 fn a point; 13 once)
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 4;

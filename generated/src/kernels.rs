@@ -67,6 +67,12 @@ regions! {
         "The free belt, (3.43) to (3.48).",
     span_as_printed SPAN_AS_PRINTED
         "The free belt as Appendix C prints it.",
+    contact_string_viscous_coulomb CONTACT_STRING_VISCOUS_COULOMB
+        "The belt in a groove without bending stiffness (3.22) to (3.24), viscous Coulomb friction.",
+    contact_string_tanh CONTACT_STRING_TANH
+        "The belt in a groove without bending stiffness (3.22) to (3.24), smooth friction.",
+    span_string SPAN_STRING
+        "The free belt without bending stiffness: a straight line at constant tension.",
 }
 
 boundaries! {
@@ -82,4 +88,8 @@ boundaries! {
         "Conditions as Appendix D prints them.",
     outputs OUTPUTS
         "What a drive is asked for: each equation's residual is an output.",
+    boundary_string BOUNDARY_STRING
+        "Conditions of a belt without bending stiffness.",
+    outputs_string OUTPUTS_STRING
+        "What a drive is asked for, without bending stiffness: each equation's residual is an output.",
 }

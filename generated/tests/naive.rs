@@ -8,23 +8,19 @@ mod series;
 use std::f64::consts::PI;
 
 use common::{Point, Random, Slip, at, point};
-use generated::{BOUNDARIES, BoundaryKernel, REGIONS, RegionKernel};
+use generated::{BOUNDARIES, BOUNDARY_STRING, BoundaryKernel, REGIONS, RegionKernel, Symbol};
 use series::Series;
 
 const TOLERANCE: f64 = 2e-11;
 
-/// Values by name.
+/// Values by name; what a kernel does not have is zero.
 struct Names<'a>(&'a RegionKernel, &'a Point);
 
 impl Names<'_> {
     fn get(&self, name: &str) -> f64 {
         let Names(kernel, point) = self;
         let named = kernel.states.iter().zip(&point.y).chain(kernel.constants.iter().zip(&point.constants));
-        named
-            .into_iter()
-            .find(|(symbol, _)| symbol.name == name)
-            .map(|(_, value)| *value)
-            .unwrap_or_else(|| panic!("{name}"))
+        named.into_iter().find(|(symbol, _)| symbol.name == name).map_or(0.0, |(_, value)| *value)
     }
 }
 
@@ -96,9 +92,12 @@ fn contact(kernel: &RegionKernel, point: &Point) -> Naive {
     let t = 2.0 * p * (-beta.sin() * theta.sin() + mu * beta_s.cos() * (theta + gamma).sin()) * arc;
     // Q' is linear in θ''': two values give the one at which T (1 − θ') = n + Q'.
     let at = |theta_3: f64| shear(kernel.name, [theta, theta_1, theta_2, theta_3], x, R, EI);
-    let (here, there) = (at(0.0), at(1.0));
+    let is_string = kernel.name.contains("string");
+    let none = || Shear { M_b: 0.0, Q: 0.0, Q_1: 0.0 };
+    let (here, there) = if is_string { (none(), none()) } else { (at(0.0), at(1.0)) };
     let theta_3 = (T * (1.0 - theta_1) - n - here.Q_1) / (there.Q_1 - here.Q_1);
     let size = (T.abs() + n.abs() + here.Q_1.abs()) / (there.Q_1 - here.Q_1).abs();
+    let turn = Phi * (1.0 - n / T);
     let T_1 = Phi * (t - here.Q * (1.0 - theta_1));
     let axial = k * x / 2.0;
     let loss = 2.0 * mu * p * speed / beta_s.cos();
@@ -107,11 +106,14 @@ fn contact(kernel: &RegionKernel, point: &Point) -> Naive {
     let stored = here.M_b.powi(2) / (2.0 * EI) - k * beta.tan() * x * x / 2.0;
     let place = |angle: f64| Phi * axial * arc * (R - x) * angle;
     let exact = |value: f64| (value, value.abs());
-    let rows = vec![
-        (T_1, Phi * (t.abs() + here.Q.abs())),
-        exact(c("theta1")),
-        exact(c("theta2")),
-        (Phi.powi(3) * theta_3, Phi.powi(3) * size),
+    let angles = if is_string {
+        vec![(turn, Phi * (1.0 + (n / T).abs()))]
+    } else {
+        vec![exact(c("theta1")), exact(c("theta2")), (Phi.powi(3) * theta_3, Phi.powi(3) * size)]
+    };
+    let mut rows = vec![(T_1, Phi * (t.abs() + here.Q.abs()))];
+    rows.extend(angles);
+    rows.extend([
         exact(-Phi * (R - x) * theta.tan()),
         exact(Phi * 2.0 * mu * p * beta_s.cos() * gamma.sin() * (R - x) * arc),
         exact(Phi * axial * arc),
@@ -119,8 +121,8 @@ fn contact(kernel: &RegionKernel, point: &Point) -> Naive {
         exact(Phi * loss * arc),
         exact(place((Phi * point.s).cos())),
         exact(place((Phi * point.s).sin())),
-        (stored * V_T * T_1, here.M_b.powi(2) / EI * V_T * Phi * (t.abs() + here.Q.abs())),
-    ];
+        (stored * V_T * T_1, (here.M_b.powi(2) / EI + stored.abs()) * V_T * Phi * (t.abs() + here.Q.abs())),
+    ]);
     // Sliding up the face at v_r/cosβ and around at v_t.
     let force = 2.0 * mu * p * beta_s.cos() / speed;
     let (radial, tangential) = (force * (v_r / beta.cos()).powi(2), force * v_t.powi(2));
@@ -156,18 +158,14 @@ fn span(kernel: &RegionKernel, point: &Point) -> Naive {
     let slip = if kernel.name.ends_with("printed") { L.powi(4) } else { 1.0 };
     let tau_1 = -slip * EI / L.powi(2) * first * second;
     let V_T = G / (EA * m_o - G * G);
-    let rows = [
-        tau_1,
-        first,
-        second,
-        L.powi(2) / slip * tau * first / EI,
-        direction.cos(),
-        direction.sin(),
-        L / (1.0 + F / EA),
-        M_b.powi(2) / (2.0 * EI) * V_T * tau_1,
-    ];
+    let angles = match kernel.name {
+        "span_string" => vec![0.0],
+        _ => vec![first, second, L.powi(2) / slip * tau * first / EI],
+    };
+    let integrands = [direction.cos(), direction.sin(), L / (1.0 + F / EA), M_b.powi(2) / (2.0 * EI) * V_T * tau_1];
+    let rows = [tau_1].into_iter().chain(angles).chain(integrands);
     let fields = vec![F, G / m_o * (1.0 + F / EA), M_b, Q];
-    Naive { rows: rows.map(|value| (value, value.abs().max(1e-3))).to_vec(), fields }
+    Naive { rows: rows.map(|value| (value, value.abs().max(1e-3))).collect(), fields }
 }
 
 fn close(found: f64, expected: f64, size: f64, what: &str) {
@@ -247,22 +245,30 @@ fn check_shear(kernel: &BoundaryKernel, random: &mut Random) {
     }
 }
 
-/// All sets share their other equations.
+/// All sets share their other equations; that of a string has no more than them.
 #[test]
 fn other_conditions_are_shared() {
-    let mut random = Random::new(35);
-    let shared = |kernel: &BoundaryKernel| kernel.equations.iter().any(|equation| equation.name == "shear_P1");
-    let sets: Vec<_> = BOUNDARIES.iter().filter(|kernel| shared(kernel)).collect();
-    let mut draw = |count: usize| (0..count).map(|_| random.between(0.1, 0.9)).collect::<Vec<f64>>();
-    let (ends, integrals) = (draw(sets[0].ends.len()), draw(sets[0].integrals.len()));
-    let constants = draw(sets[0].constants.len());
+    // The same value for the same name in every set.
+    let value =
+        |name: &str| Random::new(name.bytes().fold(7, |seed, byte| 31 * seed + u64::from(byte))).between(0.1, 0.9);
     let residuals = |kernel: &BoundaryKernel| {
+        let values = |symbols: &[Symbol]| symbols.iter().map(|symbol| value(symbol.name)).collect::<Vec<f64>>();
         let mut g = vec![f64::NAN; kernel.equations.len()];
-        (kernel.value)(&ends, &integrals, &constants, &mut g);
-        let named = kernel.equations.iter().map(|equation| equation.name).zip(g);
-        named.filter(|(name, _)| !name.starts_with("shear")).collect::<Vec<_>>()
+        (kernel.value)(&values(kernel.ends), &values(kernel.integrals), &values(kernel.constants), &mut g);
+        kernel.equations.iter().map(|equation| equation.name).zip(g).collect::<Vec<_>>()
     };
-    let first = residuals(sets[0]);
-    assert_eq!((sets.len(), first.len()), (5, 22));
-    sets.iter().for_each(|set| assert_eq!(residuals(set), first, "{}", set.name));
+    let own = |name: &str| name.starts_with("shear") || name.starts_with("curvature");
+    let string = residuals(&BOUNDARY_STRING);
+    assert!(string.len() == 18 && string.iter().all(|(name, _)| !own(name)));
+    let sets = BOUNDARIES.iter().filter(|set| set.equations.iter().any(|equation| equation.name == "shear_P1"));
+    let mut first = None;
+    for set in sets {
+        let all = residuals(set);
+        assert_eq!(all.len(), 26);
+        let curved: Vec<_> = all.iter().filter(|(name, _)| !name.starts_with("shear")).copied().collect();
+        assert_eq!(first.get_or_insert_with(|| curved.clone()), &curved, "{}", set.name);
+        let shared: Vec<_> = all.into_iter().filter(|(name, _)| !own(name)).collect();
+        assert_eq!(shared, string, "{}", set.name);
+    }
+    assert!(first.is_some());
 }

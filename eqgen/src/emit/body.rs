@@ -33,9 +33,12 @@ pub struct Count {
 impl std::fmt::Display for Count {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { additions, multiplications, divisions, roots, functions, uniform } = self;
+        if additions + multiplications + divisions + roots + functions == 0 {
+            return write!(f, "{uniform} operations");
+        }
         write!(
             f,
-            "{additions} add, {multiplications} mul, {divisions} div, {roots} sqrt, {functions} fn; once {uniform}"
+            "{additions} add, {multiplications} mul, {divisions} div, {roots} sqrt, {functions} fn a point; {uniform} once"
         )
     }
 }
@@ -137,6 +140,15 @@ fn reach(graph: &Graph, roots: &[Node]) -> BTreeSet<Node> {
         }
     }
     reachable
+}
+
+/// A literal, with an exponent where it would be long otherwise.
+fn number(value: f64) -> Literal {
+    let plain = Literal::f64_unsuffixed(value);
+    if value == 0.0 || (1e-5..1e9).contains(&value) {
+        return plain;
+    }
+    format!("{value:e}").parse().unwrap_or(plain)
 }
 
 /// How tightly an expression binds.
@@ -305,7 +317,7 @@ impl<'a> Body<'a> {
         };
         match self.graph.operation(node) {
             Constant(bits) => {
-                let literal = Literal::f64_unsuffixed(f64::from_bits(bits));
+                let literal = number(f64::from_bits(bits));
                 let tokens = if self.once { quote!(#literal) } else { quote!(Real::splat(#literal)) };
                 Expression { tokens, binding: Binding::Whole, operations: 0 }
             }

@@ -61,7 +61,7 @@ fn header(emitted: &Emitted) -> String {
     let mut lines = vec![
         format!("// {}: {}", emitted.name, emitted.doc),
         "// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.".to_owned(),
-        "// Operations per point, and once a batch:".to_owned(),
+        "// Operations:".to_owned(),
     ];
     lines.extend(emitted.counts.iter().map(|(name, count)| format!("//   {name}: {count}")));
     lines.join("\n") + "\n"

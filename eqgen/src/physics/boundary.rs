@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::beam::{Bending, Shear};
 use super::kinematics::SLOPE;
-use super::{contact, notation, span};
+use super::{contact, notation, span, string};
 use crate::derive::substitute;
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;
@@ -67,6 +67,26 @@ pub const CONSTANTS: [&str; 21] = [
     "M_in",
     "T_slack",
 ];
+
+/// What the belt is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Belt {
+    /// It resists bending.
+    Beam,
+    /// It does not.
+    String,
+}
+
+impl Belt {
+    fn states(self, is_contact: bool) -> &'static [&'static str] {
+        match (self, is_contact) {
+            (Belt::Beam, true) => &contact::STATES,
+            (Belt::Beam, false) => &span::STATES,
+            (Belt::String, true) => &string::CONTACT_STATES,
+            (Belt::String, false) => &string::SPAN_STATES,
+        }
+    }
+}
 
 /// Regions in the order of the belt's travel: suffix, name, and whether it is a contact.
 const REGIONS: [(&str, &str, bool); 4] =
@@ -168,7 +188,7 @@ impl Interface {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn model(ends: Ends, shear: Shear) -> Result<BoundaryModel, Error> {
-    let mut set = Equations::new()?;
+    let mut set = Equations::new(Belt::Beam)?;
     for end in &INTERFACES {
         set.penetration(end)?;
     }
@@ -204,16 +224,29 @@ pub fn model(ends: Ends, shear: Shear) -> Result<BoundaryModel, Error> {
         Ends::Continuous => "shear continuous where the belt meets a pulley",
         Ends::AsPrinted => "conditions as Appendix D prints them",
     };
-    let doc = format!("Boundary equations: {what}, {} shear.", shear.name());
-    Ok(BoundaryModel {
-        name,
-        doc,
-        plan: set.plan,
-        ends: set.ends,
-        integrals: set.integrals,
-        constants: CONSTANTS.iter().filter_map(|name| notation::find(name)).collect(),
-        equations: set.names,
-    })
+    Ok(set.finish(name, format!("Boundary equations: {what}, {} shear.", shear.name())))
+}
+
+/// The boundary equations of a belt without bending stiffness: 18, nothing said of curvature and shear.
+///
+/// # Errors
+/// If an equation is inconsistent; the message names it.
+pub fn string_model() -> Result<BoundaryModel, Error> {
+    let mut set = Equations::new(Belt::String)?;
+    for end in &INTERFACES {
+        set.penetration(end)?;
+    }
+    for end in &INTERFACES {
+        set.tension(end)?;
+    }
+    for end in &INTERFACES {
+        set.direction(end)?;
+    }
+    let [p1, p2, s1, s2] = &INTERFACES;
+    set.closure("s", p2, s1, "(5.29) to (5.32)")?;
+    set.closure("t", s2, p1, "(5.27), (5.28), (5.33), (5.34)")?;
+    set.operating_point()?;
+    Ok(set.finish("boundary_string".into(), "Boundary equations of a belt without bending stiffness.".into()))
 }
 
 struct Equations {
@@ -224,8 +257,8 @@ struct Equations {
 }
 
 impl Equations {
-    fn new() -> Result<Self, Error> {
-        let (ends, integrals) = (end_symbols(), integral_symbols());
+    fn new(belt: Belt) -> Result<Self, Error> {
+        let (ends, integrals) = (end_symbols(belt), integral_symbols());
         let own = ends.iter().chain(&integrals).map(|symbol| (symbol.name.clone(), symbol.dimension));
         let extra: Dimensions = own.chain(equation_dimensions()).collect();
         let symbols = ends.iter().chain(&integrals).map(|symbol| symbol.name.clone());
@@ -240,6 +273,12 @@ impl Equations {
             plan.nonzero(&format!("cos(theta_{})", end.contact), "|θ| < 90°")?;
         }
         Ok(Self { plan, ends, integrals, names: Vec::new() })
+    }
+
+    fn finish(self, name: String, doc: String) -> BoundaryModel {
+        let constants = CONSTANTS.iter().filter_map(|name| notation::find(name)).collect();
+        let Self { plan, ends, integrals, names: equations } = self;
+        BoundaryModel { name, doc, plan, ends, integrals, constants, equations }
     }
 
     fn add(&mut self, name: String, value: Atom, doc: String, source: &'static str) -> Result<(), Error> {
@@ -329,10 +368,10 @@ impl Equations {
     }
 }
 
-pub(super) fn end_symbols() -> Vec<notation::Symbol> {
+pub(super) fn end_symbols(belt: Belt) -> Vec<notation::Symbol> {
     let mut all = Vec::new();
     for (region, title, is_contact) in REGIONS {
-        let states: &[&str] = if is_contact { &contact::STATES } else { &span::STATES };
+        let states = belt.states(is_contact);
         for (end, place) in [("1", "entry"), ("2", "exit")] {
             let here = states.iter().filter_map(|name| notation::find(name));
             all.extend(

@@ -32,7 +32,8 @@ const ROWS: [&str; 12] = [
     "A_y_hat_1",
     "E_hat_1",
 ];
-const FIELDS: [&str; 16] = [
+/// Derived fields, in order.
+pub(super) const FIELDS: [&str; 16] = [
     "F",
     "V",
     "v_r",
@@ -98,11 +99,17 @@ fn add_system(plan: &mut Plan) -> Result<(), Error> {
     let rate = |text: &str| read("rate", text);
     plan.derived("T_hat_1", rate("Phi")? * rate(TANGENTIAL_MOMENTUM)?, "(3.31), (5.5)")?;
     plan.derived("theta_hat_3", rate("Phi^3*theta_3")?, "(5.4), (5.6)")?;
-    let slope = rate(SLOPE)?.replace(rate("sin(theta)")?).with(rate("tan_theta*cos(theta)")?);
-    plan.derived("x_hat_1", rate("Phi")? * slope, "(3.24)")
+    add_path(plan)
 }
 
-fn add_fields(plan: &mut Plan) -> Result<(), Error> {
+/// x' (3.24) in φ̂.
+pub(super) fn add_path(plan: &mut Plan) -> Result<(), Error> {
+    let slope = read("x_1", SLOPE)?.replace(read("", "sin(theta)")?).with(read("", "tan_theta*cos(theta)")?);
+    plan.derived("x_hat_1", read("Phi", "Phi")? * slope, "(3.24)")
+}
+
+/// Adds derived fields to a plan.
+pub(super) fn add_fields(plan: &mut Plan) -> Result<(), Error> {
     plan.apply("gamma_a", Function::Angle, &["v_r", "v_t"], "(3.13)")?;
     plan.apply("gamma", Function::Turn, &["gamma_a"], "Fig. 6.8")?;
     plan.apply("beta_s", Function::Angle, &["speed", "v_r*sin(beta)/cos(beta)"], "(3.14)")?;

@@ -1,11 +1,11 @@
 //! Which choices make an edition, and the kernels that all editions together need.
 
 use super::beam::Shear;
-use super::boundary::{self, BoundaryModel, Ends};
+use super::boundary::{self, Belt, BoundaryModel, Ends};
 use super::contact;
 use super::friction::Law;
-use super::outputs;
 use super::span::{self, Equations};
+use super::{outputs, string};
 use crate::error::Error;
 use crate::plan::Plan;
 
@@ -111,6 +111,12 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         }
     }
     all.push(Model::Boundary(boundary::model(Ends::AsPrinted, Shear::Linearised)?));
-    all.push(Model::Boundary(outputs::model()?));
+    all.push(Model::Boundary(outputs::model(Belt::Beam)?));
+    for law in [Law::ViscousCoulomb, Law::Tanh] {
+        all.push(Model::Region(string::contact_model(law)?));
+    }
+    all.push(Model::Region(string::span_model()?));
+    all.push(Model::Boundary(boundary::string_model()?));
+    all.push(Model::Boundary(outputs::model(Belt::String)?));
     Ok(all)
 }

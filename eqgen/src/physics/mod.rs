@@ -11,3 +11,4 @@ pub mod kinematics;
 pub mod notation;
 pub mod outputs;
 pub mod span;
+pub mod string;

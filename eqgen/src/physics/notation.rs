@@ -136,6 +136,8 @@ const QUANTITIES: &[Row] = &[
     ("loss_phi", "dW/dφ", "W/rad", 0, "power lost to friction per wrap angle"),
     ("T_hat_1", "T̂'", "N", -1, "derivative of T along the region"),
     ("theta_hat_3", "θ̂'''", "rad", -3, "third derivative of θ along the region"),
+    ("theta_hat_1", "θ̂'", "rad", -1, "derivative of θ along the region"),
+    ("vartheta_hat_1", "ϑ̂'", "rad", -1, "derivative of ϑ along the span"),
     ("x_hat_1", "x̂'", "m", -1, "derivative of x along the region"),
     ("M_hat_1", "M̂'", "N m", -1, "derivative of M along the region"),
     ("A_hat_1", "Â'", "N", -1, "derivative of A along the region"),

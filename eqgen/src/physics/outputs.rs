@@ -1,6 +1,6 @@
 //! What a drive is asked for: every output that is a function of ends, integrals and constants, with its derivatives.
 
-use super::boundary::{BoundaryModel, CONSTANTS, end_symbols, integral_symbols};
+use super::boundary::{Belt, BoundaryModel, CONSTANTS, end_symbols, integral_symbols};
 use super::notation;
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;
@@ -83,8 +83,8 @@ const OUTPUTS: &[Row] = &[
 ///
 /// # Errors
 /// If an expression is inconsistent; the message names it.
-pub fn model() -> Result<BoundaryModel, Error> {
-    let (ends, integrals) = (end_symbols(), integral_symbols());
+pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
+    let (ends, integrals) = (end_symbols(belt), integral_symbols());
     let symbols = || ends.iter().chain(&integrals);
     let dimension = |unit: &str| Dimension::of_unit(if unit.is_empty() { "1" } else { unit }).unwrap_or(Dimension::ONE);
     let moments = ["binding_P", "binding_S"].map(|name| (name.to_owned(), dimension("N m")));
@@ -114,7 +114,7 @@ pub fn model() -> Result<BoundaryModel, Error> {
         plan.primitive(name, expression, "chapter 6")?;
     }
     Ok(BoundaryModel {
-        name: "outputs".into(),
+        name: if belt == Belt::Beam { "outputs" } else { "outputs_string" }.into(),
         doc: "Outputs of a drive as functions of its ends, integrals and constants.".into(),
         plan,
         ends,

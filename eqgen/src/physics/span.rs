@@ -17,7 +17,8 @@ pub const INTEGRALS: [&str; 4] = ["X", "Y", "L_o", "E"];
 pub const CONSTANTS: [&str; 7] = ["L", "flow", "EA", "EI", "m_o", "R_P", "omega_P"];
 const ROWS: [&str; 8] =
     ["tau_hat_1", "vartheta1", "vartheta2", "vartheta_hat_3", "X_hat_1", "Y_hat_1", "L_o_hat_1", "E_hat_1"];
-const FIELDS: [&str; 4] = ["F", "V", "M_b", "Q"];
+/// Derived fields, in order.
+pub(super) const FIELDS: [&str; 4] = ["F", "V", "M_b", "Q"];
 
 /// M_b = EI dϑ/ds, (3.26) with ψ = ϑ.
 pub const MOMENT: &str = "EI*vartheta_1";
