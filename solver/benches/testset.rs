@@ -45,6 +45,8 @@ struct Solved {
     intervals: usize,
     iterations: usize,
     kappa: f64,
+    /// The solver's own estimate of its error.
+    estimate: f64,
     /// Which of several solutions it is.
     solution: Option<String>,
 }
@@ -73,6 +75,7 @@ fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
             intervals: solution.intervals(),
             iterations: solution.stats().newton_iterations,
             kappa: kappa(case, &solution),
+            estimate: solution.error_estimate(),
             solution: errors.solution,
         }
     });
@@ -192,14 +195,15 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
         let cells = || rows.iter().map(|row| (row, &row.orders[index]));
         let direct = cells().filter(|(_, cell)| cell.solved.is_some() && cell.how == How::Direct).count();
         let continued = cells().filter(|(_, cell)| cell.solved.is_some()).count() - direct;
-        let list = |wanted: &dyn Fn(&Cell) -> bool| {
-            let named = cells().filter(|(_, cell)| wanted(cell));
-            let names: Vec<_> = named.map(|(row, _)| format!("{} {}", row.label, shown(row.parameter))).collect();
-            if names.is_empty() { "none".to_owned() } else { names.join(", ") }
-        };
-        let failed = list(&|cell| cell.solved.is_none());
-        let inexact =
-            list(&|cell| cell.solved.as_ref().is_some_and(|s| s.error.is_nan() || s.error > 10.0 * TOLERANCE));
+        let list = |named: Vec<String>| if named.is_empty() { "none".to_owned() } else { named.join(", ") };
+        let name_of = |row: &Row| format!("{} {}", row.label, shown(row.parameter)).trim_end().to_owned();
+        let failed = list(cells().filter(|(_, cell)| cell.solved.is_none()).map(|(row, _)| name_of(row)).collect());
+        let inexact = cells().filter_map(|(row, cell)| {
+            let Solved { error, estimate, .. } = cell.solved.as_ref()?;
+            let good = *error <= 10.0 * TOLERANCE;
+            (!good).then(|| format!("{} ({error:.0e}; the solver's own estimate {estimate:.0e})", name_of(row)))
+        });
+        let inexact = list(inexact.collect());
         let _ = writeln!(
             out,
             "- {name}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × tolerance: {inexact}."

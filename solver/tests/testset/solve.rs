@@ -11,15 +11,23 @@ const TOLERANCE: f64 = 1e-6;
 /// Newton's iteration stalls from the published guess: the period is far off and the orbit's shape rough.
 const UNSOLVED: [&str; 1] = ["NERVE"];
 
-/// Solves and judges one case: `None` if it failed, else the largest true error over tolerance.
-fn excess(case: &Case, parameter: Option<f64>, order: Order) -> Option<(f64, How)> {
+/// A success, judged in tolerances.
+struct Judged {
+    error: f64,
+    estimate: f64,
+    how: How,
+}
+
+/// Solves and judges one case; `None` if it failed.
+fn judge(case: &Case, parameter: Option<f64>, order: Order) -> Option<Judged> {
     let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
     let outcome = run(case, parameter, &options);
     match outcome.solution {
         Ok(solution) => {
             let errors = errors(case, parameter, &solution);
             assert!(!errors.everywhere.is_nan(), "{} at {parameter:?}: nothing to compare with", case.id);
-            Some((errors.tabulated.max(errors.everywhere) / TOLERANCE, outcome.how))
+            let error = errors.tabulated.max(errors.everywhere) / TOLERANCE;
+            Some(Judged { error, estimate: solution.error_estimate() / TOLERANCE, how: outcome.how })
         }
         Err(reason) => {
             println!("{} at {parameter:?}, {order:?}: {reason}", case.label());
@@ -33,10 +41,10 @@ fn moderate_parameters_are_solved_to_ten_times_the_tolerance() {
     for case in problems::cases() {
         let parameter = case.parameters()[0];
         for order in [Order::Four, Order::Six] {
-            match excess(&case, parameter, order) {
+            match judge(&case, parameter, order) {
                 None => assert!(UNSOLVED.contains(&case.id), "{} at {parameter:?} failed", case.id),
-                Some((excess, how)) => {
-                    assert!(excess <= 10.0, "{} at {parameter:?}, {order:?}: {excess} tolerances", case.id);
+                Some(Judged { error, how, .. }) => {
+                    assert!(error <= 10.0, "{} at {parameter:?}, {order:?}: {error} tolerances", case.id);
                     // T26 needs continuation even here.
                     assert!(how == How::Direct || case.id == "T26", "{} at {parameter:?} went by {how:?}", case.id);
                 }
@@ -45,17 +53,20 @@ fn moderate_parameters_are_solved_to_ten_times_the_tolerance() {
     }
 }
 
-/// T35 is exempt: its condition number is about exp(1/(2 eps)).
+/// T35 alone may be less accurate, its condition number being about exp(1/(2 eps)); but it must say so.
 #[test]
 fn hard_parameters_are_solved_to_ten_times_the_tolerance() {
     for case in problems::cases().into_iter().filter(|case| case.parameters().len() > 1) {
         let parameter = case.parameters()[1];
-        match excess(&case, parameter, Order::Six) {
-            None => panic!("{} at {parameter:?} failed", case.id),
-            Some((excess, _)) if case.id != "T35" => {
-                assert!(excess <= 10.0, "{} at {parameter:?}: {excess} tolerances", case.id);
+        for order in [Order::Four, Order::Six] {
+            let Some(Judged { error, estimate, .. }) = judge(&case, parameter, order) else {
+                panic!("{} at {parameter:?} failed", case.id);
+            };
+            if case.id == "T35" {
+                assert!(estimate > 10.0 && error < 10.0 * estimate, "{error} tolerances, {estimate} estimated");
+            } else {
+                assert!(error <= 10.0, "{} at {parameter:?}, {order:?}: {error} tolerances", case.id);
             }
-            Some(_) => {}
         }
     }
 }
