@@ -5,12 +5,14 @@
 //! derive   symbolic work: total derivatives, linearisation, isolation of unknowns
 //! plan     named steps, each checked for its dimension
 //! emit     steps → shared operations and derivatives → tokens → formatted files
+//! document the same steps as text, LaTeX and Markdown
 //! ```
 //!
 //! A pure library: models in, text out. The build script of `generated` and the command of this package are thin.
 
 pub mod derive;
 pub mod dimension;
+pub mod document;
 pub mod emit;
 mod engine;
 mod error;
@@ -26,5 +28,10 @@ pub use error::Error;
 /// # Errors
 /// The first inconsistency of any equation, or what keeps the symbolic engine from starting.
 pub fn generate() -> Result<Vec<SourceFile>, Error> {
-    symbolic(|| physics::edition::kernels()?.iter().map(emit::file).collect())?
+    symbolic(|| {
+        let kernels = physics::edition::kernels()?;
+        let mut files = kernels.iter().map(emit::file).collect::<Result<Vec<_>, _>>()?;
+        files.extend(document::files()?);
+        Ok(files)
+    })?
 }

@@ -587,15 +587,15 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
     constants: &[
         Symbol {
             name: "speed_ratio",
-            symbol: "ω_S/ω_P",
+            symbol: "σ_S",
             unit: "",
-            doc: "speed of the secondary over the primary's",
+            doc: "speed of the secondary over the primary's, ω_S/ω_P",
         },
         Symbol {
             name: "flow",
-            symbol: "G/(m_o R_P ω_P)",
+            symbol: "g",
             unit: "",
-            doc: "mass flow, over that of an unstretched belt at the primary's nominal speed",
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed, G/(m_o R_P ω_P)",
         },
         Symbol {
             name: "Phi_P",

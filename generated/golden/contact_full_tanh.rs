@@ -50,15 +50,15 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         },
         Symbol {
             name: "sigma",
-            symbol: "ω/ω_P",
+            symbol: "σ",
             unit: "",
-            doc: "speed of the pulley over the primary's",
+            doc: "speed of the pulley over the primary's, ω/ω_P",
         },
         Symbol {
             name: "flow",
-            symbol: "G/(m_o R_P ω_P)",
+            symbol: "g",
             unit: "",
-            doc: "mass flow, over that of an unstretched belt at the primary's nominal speed",
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed, G/(m_o R_P ω_P)",
         },
         Symbol {
             name: "EA",

@@ -44,9 +44,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         },
         Symbol {
             name: "flow",
-            symbol: "G/(m_o R_P ω_P)",
+            symbol: "g",
             unit: "",
-            doc: "mass flow, over that of an unstretched belt at the primary's nominal speed",
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed, G/(m_o R_P ω_P)",
         },
         Symbol {
             name: "EA",

@@ -3,6 +3,7 @@
 //! Everything in the kernels is generated; written by hand here is only what they run on: the lanes they compute in,
 //! the elementary functions, and the choice of vector instructions at run time. All choices give the same bits.
 
+mod derivation;
 mod function;
 mod kernels;
 mod lane;
@@ -11,6 +12,7 @@ mod lane_x86;
 mod sweep;
 mod types;
 
+pub use derivation::{DerivationFormat, derivation};
 pub use kernels::{
     BOUNDARIES, BOUNDARY_AS_PRINTED, BOUNDARY_CONTINUOUS_FULL, BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING,
     BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, CONTACT_FULL_TANH, CONTACT_FULL_VISCOUS_COULOMB,

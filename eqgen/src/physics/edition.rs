@@ -56,39 +56,62 @@ impl Model {
 pub struct Edition {
     /// Name in the case file.
     pub name: &'static str,
+    /// What belongs to bending; a string has none of it.
+    pub bending: Option<Bending>,
+    /// Friction.
+    pub friction: Law,
+}
+
+/// Choices of a belt that resists bending.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bending {
     /// Shear in the grooves.
     pub shear: Shear,
     /// Shear at the ends of the contact regions.
     pub ends: Ends,
     /// Equations of the spans.
     pub span: Equations,
-    /// Friction.
-    pub friction: Law,
+}
+
+impl Edition {
+    const fn beam(name: &'static str, shear: Shear, ends: Ends, span: Equations) -> Self {
+        Self { name, bending: Some(Bending { shear, ends, span }), friction: Law::ViscousCoulomb }
+    }
+
+    /// Its contact regions.
+    ///
+    /// # Errors
+    /// If an equation is inconsistent; the message names it.
+    pub fn contact(&self) -> Result<RegionModel, Error> {
+        match self.bending {
+            Some(bending) => contact::model(bending.shear, self.friction),
+            None => string::contact_model(self.friction),
+        }
+    }
+
+    /// Its spans.
+    ///
+    /// # Errors
+    /// If an equation is inconsistent; the message names it.
+    pub fn span(&self) -> Result<RegionModel, Error> {
+        self.bending.map_or_else(string::span_model, |bending| span::model(bending.span))
+    }
+
+    /// Its boundary equations.
+    ///
+    /// # Errors
+    /// If an equation is inconsistent; the message names it.
+    pub fn boundary(&self) -> Result<BoundaryModel, Error> {
+        self.bending.map_or_else(boundary::string_model, |bending| boundary::model(bending.ends, bending.shear))
+    }
 }
 
 /// The editions.
-pub const EDITIONS: [Edition; 3] = [
-    Edition {
-        name: "published",
-        shear: Shear::Linearised,
-        ends: Ends::AsPrinted,
-        span: Equations::AsPrinted,
-        friction: Law::ViscousCoulomb,
-    },
-    Edition {
-        name: "thesis",
-        shear: Shear::Linearised,
-        ends: Ends::Zero,
-        span: Equations::Derived,
-        friction: Law::ViscousCoulomb,
-    },
-    Edition {
-        name: "consistent",
-        shear: Shear::Full,
-        ends: Ends::Continuous,
-        span: Equations::Derived,
-        friction: Law::ViscousCoulomb,
-    },
+pub const EDITIONS: [Edition; 4] = [
+    Edition::beam("published", Shear::Linearised, Ends::AsPrinted, Equations::AsPrinted),
+    Edition::beam("thesis", Shear::Linearised, Ends::Zero, Equations::Derived),
+    Edition::beam("consistent", Shear::Full, Ends::Continuous, Equations::Derived),
+    Edition { name: "string", bending: None, friction: Law::ViscousCoulomb },
 ];
 
 /// All kernels, in the order in which they are emitted.

@@ -18,13 +18,15 @@ pub const PSI: &str = "phi - theta";
 /// x' = −(R − x) tanθ (3.24): the belt's inclination is how its radius changes.
 pub const SLOPE: &str = "-(R - x)*sin(theta)/cos(theta)";
 
+/// V = V_o (1 + F/EA) (3.9) with V_o = G/m_o (3.5): Hooke's law.
+pub const SPEED: &str = "G/m_o*(1 + F/EA)";
+
 /// Tension F and speed V from the tractive tension, (3.10) and (3.11).
 ///
 /// # Errors
 /// Only if the relations typed in here are not linear in F.
 pub fn stretch(tractive: &str) -> Result<(Atom, Atom), Error> {
-    // Hooke's law (3.8), (3.9), with V_o = G/m_o by (3.5).
-    let speed = read("V", "G/m_o*(1 + F/EA)")?;
+    let speed = read("V", SPEED)?;
     // T = F − G V (3.6).
     let balance = read("F", &format!("F - G*V - {tractive}"))?;
     let tension = solve_linear(&substitute(&balance, &[("V", speed.clone())]), "F")?;
