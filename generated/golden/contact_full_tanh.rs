@@ -398,6 +398,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 24];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -573,6 +574,7 @@ impl Sweep for Derivatives {
     const DY: usize = 34;
     const DC: usize = 21;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 67];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1106,6 +1108,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 34;
     const DC: usize = 81;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 90];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1904,6 +1907,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
+    const WIDE: bool = false;
     type Uniforms = [f64; 17];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

@@ -398,6 +398,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 24];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -574,6 +575,7 @@ impl Sweep for Derivatives {
     const DY: usize = 34;
     const DC: usize = 21;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 67];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1107,6 +1109,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 34;
     const DC: usize = 81;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 89];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1902,6 +1905,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
+    const WIDE: bool = false;
     type Uniforms = [f64; 17];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

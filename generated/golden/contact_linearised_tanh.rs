@@ -397,6 +397,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 23];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -564,6 +565,7 @@ impl Sweep for Derivatives {
     const DY: usize = 33;
     const DC: usize = 21;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 59];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1053,6 +1055,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 33;
     const DC: usize = 81;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 89];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1837,6 +1840,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
+    const WIDE: bool = false;
     type Uniforms = [f64; 18];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

@@ -397,6 +397,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 23];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -565,6 +566,7 @@ impl Sweep for Derivatives {
     const DY: usize = 33;
     const DC: usize = 21;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 59];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1054,6 +1056,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 33;
     const DC: usize = 81;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 88];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1835,6 +1838,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
+    const WIDE: bool = false;
     type Uniforms = [f64; 18];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

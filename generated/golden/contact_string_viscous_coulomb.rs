@@ -375,6 +375,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 17];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -510,6 +511,7 @@ impl Sweep for Derivatives {
     const DY: usize = 26;
     const DC: usize = 21;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 43];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -901,6 +903,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 26;
     const DC: usize = 78;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 65];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -1540,6 +1543,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 16;
+    const WIDE: bool = false;
     type Uniforms = [f64; 14];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

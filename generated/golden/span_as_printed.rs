@@ -179,6 +179,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 8];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -243,6 +244,7 @@ impl Sweep for Derivatives {
     const DY: usize = 11;
     const DC: usize = 6;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 19];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -398,6 +400,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 11;
     const DC: usize = 17;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 39];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -642,6 +645,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 4;
+    const WIDE: bool = false;
     type Uniforms = [f64; 7];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

@@ -137,6 +137,7 @@ impl Sweep for Value {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 5];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -181,6 +182,7 @@ impl Sweep for Derivatives {
     const DY: usize = 3;
     const DC: usize = 2;
     const FIELDS: usize = 0;
+    const WIDE: bool = true;
     type Uniforms = [f64; 9];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -249,6 +251,7 @@ impl Sweep for AllDerivatives {
     const DY: usize = 3;
     const DC: usize = 6;
     const FIELDS: usize = 0;
+    const WIDE: bool = false;
     type Uniforms = [f64; 19];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {
@@ -372,6 +375,7 @@ impl Sweep for Fields {
     const DY: usize = 0;
     const DC: usize = 0;
     const FIELDS: usize = 4;
+    const WIDE: bool = false;
     type Uniforms = [f64; 5];
     #[inline]
     fn uniforms(constants: &[f64]) -> Self::Uniforms {

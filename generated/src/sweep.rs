@@ -67,6 +67,8 @@ pub(crate) trait Sweep {
     const DC: usize;
     /// Rows of `fields` written.
     const FIELDS: usize;
+    /// Whether eight points at a time are worth the time to compile them: not for what runs once a solution.
+    const WIDE: bool;
     /// What all points share.
     type Uniforms;
     /// Computes what all points share; `constants` holds `CONSTANTS` values.
@@ -190,7 +192,7 @@ pub(crate) fn sweep<Function: Sweep>(
 fn dispatch<Function: Sweep>(uniforms: &Function::Uniforms, start: Chunk<'_>, m: usize) {
     match Simd::current() {
         // SAFETY: `current` returns only what the machine has.
-        Simd::Avx512 if m >= 8 => unsafe { avx512::<Function>(uniforms, start, m) },
+        Simd::Avx512 if Function::WIDE && m >= 8 => unsafe { avx512::<Function>(uniforms, start, m) },
         // SAFETY: AVX-512 machines have AVX2 too.
         Simd::Avx512 | Simd::Avx2 if m >= 4 => unsafe { avx2::<Function>(uniforms, start, m) },
         _ => chunks::<Function, f64>(uniforms, start, m),

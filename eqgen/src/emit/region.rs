@@ -100,6 +100,8 @@ fn function(
     let (sizes, name_ident) = (sizes(model, rows, entries, fields), format_ident!("{name}"));
     let (once, values, each) = (halves.uniform_statements, halves.uniform_values, halves.statements);
     let shared = Literal::usize_unsuffixed(values.len());
+    // Newton's iteration lives in these two; the others run once a solution.
+    let wide = matches!(name, "Value" | "Derivatives");
     let doc = format!("{} ({})", summary(name), halves.count);
     let tokens = quote! {
         #[doc = #doc]
@@ -107,6 +109,7 @@ fn function(
 
         impl Sweep for #name_ident {
             #sizes
+            const WIDE: bool = #wide;
             type Uniforms = [f64; #shared];
 
             #[inline]
