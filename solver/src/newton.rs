@@ -27,7 +27,13 @@ pub(crate) struct Limits {
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
     pub stagnation: f64,
+    /// Whether to take steps that are no progress. Insisting on progress at every step can lead into a corner where the
+    /// matrix is singular; a few steps that are none can lead out of it.
+    pub bold: bool,
 }
+
+/// A bold iteration takes at least this fraction of every correction.
+const BOLD_DAMPING: f64 = 1.0 / 16.0;
 
 /// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is
 /// good enough to measure the mesh with, if not for a solution.
@@ -155,7 +161,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let (damping, last_size, simplified) = before;
         let change = self.system.distance(simplified, 1.0, dx);
         let estimate = last_size * self.system.norm(simplified) / (change * size) * damping;
-        if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
+        let least = if self.limits.bold { BOLD_DAMPING } else { self.limits.smallest_damping };
+        if estimate.is_finite() { estimate.min(1.0).max(least) } else { 1.0 }
     }
 
     fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, NewtonError> {
@@ -185,10 +192,14 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if self.contraction.is_none() && damping == 1.0 {
                 self.contraction = Some(contraction);
             }
-            if !(contraction < 1.0) {
+            let forced = self.limits.bold && damping <= BOLD_DAMPING && contraction.is_finite();
+            if !(contraction < 1.0 || forced) {
                 reduced = true;
                 let next = if estimate.is_finite() { estimate.min(damping / 2.0) } else { damping / 2.0 };
                 damping = next.max(damping / 10.0);
+                if self.limits.bold && contraction.is_finite() {
+                    damping = damping.max(BOLD_DAMPING);
+                }
                 continue;
             }
             let possible = if estimate.is_finite() { estimate.min(1.0) } else { 1.0 };

@@ -61,7 +61,8 @@ pub struct Options {
     pub max_intervals: usize,
     /// Meshes in one solve.
     pub max_meshes: usize,
-    /// How often the starting mesh is halved when Newton's iteration fails on it.
+    /// How often meshes are halved when Newton's iteration fails on them. If that does not help, and unless this is 0,
+    /// the iteration starts again without insisting on progress at every step.
     pub rescues: usize,
 }
 

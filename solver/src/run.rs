@@ -19,6 +19,7 @@ use std::sync::Arc;
 const TIGHTEST: f64 = 1e-3;
 
 /// Where Newton's iteration is to start.
+#[derive(Clone)]
 pub(crate) struct Start {
     pub grids: Vec<Grid>,
     pub x: Iterate,
@@ -39,12 +40,20 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
 
 /// State of one solve.
 struct Progress<'a, P: Problem + ?Sized> {
-    rescues: usize,
+    rescue: Rescue,
     /// What defects are held to at present.
     target: f64,
     /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
     fallback: Option<Solved<'a, P>>,
     coarsening: bool,
+}
+
+/// What is tried when Newton's iteration fails: halved meshes, then the same again boldly.
+struct Rescue {
+    halvings: usize,
+    bold: bool,
+    /// The guess, as long as no mesh has brought convergence.
+    origin: Option<Start>,
 }
 
 /// What to do about a solution whose defects meet their target.
@@ -71,9 +80,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// Solves and improves the meshes until they pass.
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
-        let mut progress = Progress { rescues: 0, target: self.options.tolerance, fallback: None, coarsening: false };
+        let origin = (self.options.rescues > 0).then(|| start.clone());
+        let rescue = Rescue { halvings: 0, bold: false, origin };
+        let mut progress = Progress { rescue, target: self.options.tolerance, fallback: None, coarsening: false };
         for attempt in 0..self.options.max_meshes {
-            let solved = match self.solve_on(start, attempt == 0) {
+            let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
                 Ok(solved) => solved,
                 Err(Stop::Error(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
                 Err(Stop::Error(error)) => return progress.fallback.ok_or(error),
@@ -81,10 +92,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     if let Some(fallback) = progress.fallback {
                         return Ok(fallback);
                     }
-                    start = self.rescue(*failed, error, &mut progress.rescues)?;
+                    start = self.rescued(*failed, error, &mut progress.rescue)?;
                     continue;
                 }
             };
+            progress.rescue.origin = None;
             let measures = measured(&solved, progress.target);
             let passes = measures.iter().all(|measure| measure.largest <= progress.target);
             if progress.coarsening && !passes {
@@ -115,7 +127,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     }
 
     /// Newton's iteration on one set of meshes.
-    fn solve_on(&mut self, start: Start, first: bool) -> Result<Solved<'a, P>, Stop> {
+    fn solve_on(&mut self, start: Start, first: bool, bold: bool) -> Result<Solved<'a, P>, Stop> {
         let Start { grids, x } = start;
         let system = System {
             problem: self.problem,
@@ -126,7 +138,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         };
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let outcome = newton::solve(&system, &x, self.limits(), &mut self.stats, self.observer);
+        let outcome = newton::solve(&system, &x, self.limits(bold), &mut self.stats, self.observer);
         if first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
         }
@@ -150,17 +162,18 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         if self.observer.notify(&event).is_break() { Err(Stop::Error(SolveError::Cancelled)) } else { Ok(solved) }
     }
 
-    fn limits(&self) -> Limits {
+    fn limits(&self, bold: bool) -> Limits {
         Limits {
             tolerance: self.options.newton_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
+            bold,
         }
     }
 
-    /// A failed iteration may succeed on finer meshes.
-    fn rescue(&self, failed: Start, error: NewtonError, rescues: &mut usize) -> Result<Start, SolveError> {
+    /// A failed iteration may succeed on finer meshes, or boldly.
+    fn rescued(&self, failed: Start, error: NewtonError, rescue: &mut Rescue) -> Result<Start, SolveError> {
         if error == NewtonError::Cancelled {
             return Err(SolveError::Cancelled);
         }
@@ -170,11 +183,17 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             NewtonError::NonFinite(_) => true,
             _ => false,
         };
-        if hopeless || *rescues >= self.options.rescues || 2 * largest > self.options.max_intervals {
-            return Err(SolveError::Newton { error, intervals: intervals(&failed.grids) });
+        if !hopeless && rescue.halvings < self.options.rescues && 2 * largest <= self.options.max_intervals {
+            rescue.halvings += 1;
+            return Ok(halved(&failed));
         }
-        *rescues += 1;
-        Ok(halved(&failed))
+        match rescue.origin.take() {
+            Some(origin) if !hopeless => {
+                *rescue = Rescue { halvings: 0, bold: true, origin: None };
+                Ok(origin)
+            }
+            _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
+        }
     }
 
     /// Finer meshes where the defects are too large.
