@@ -31,6 +31,7 @@ pub fn generate() -> Result<Vec<SourceFile>, Error> {
     symbolic(|| {
         let kernels = physics::edition::kernels()?;
         let mut files = kernels.iter().map(emit::file).collect::<Result<Vec<_>, _>>()?;
+        files.push(emit::twin(&kernels)?);
         files.extend(document::files()?);
         Ok(files)
     })?

@@ -42,6 +42,28 @@ pub enum Operation {
 }
 
 impl Operation {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        use Operation::*;
+        match self {
+            Constant(_) => "number",
+            Input(_) => "input",
+            Add(..) => "sum",
+            Sub(..) => "difference",
+            Mul(..) => "product",
+            Neg(_) => "negative",
+            Reciprocal(_) => "reciprocal",
+            Sqrt(_) => "root",
+            Sin(_) => "sine",
+            Cos(_) => "cosine",
+            Tanh(_) => "tanh",
+            Saturate(_) => "min(1, ·)",
+            BelowOne(_) => "below one",
+            Angle(..) => "angle",
+            Turn(_) => "turn",
+        }
+    }
+
     /// Operands.
     pub fn operands(self) -> impl Iterator<Item = Node> {
         use Operation::*;

@@ -188,9 +188,23 @@ impl<'a> Import<'a> {
         if fine { Ok(()) } else { Err(Error::UndeclaredDivisor { step: step.into(), divisor: divisor() }) }
     }
 
+    /// A node in the plan's own names.
     fn describe(&self, node: Node) -> String {
-        let named = self.nodes.iter().find(|(_, known)| **known == node);
-        named.map_or_else(|| format!("{:?}", self.graph.operation(node)), |(name, _)| name.clone())
+        if let Some((name, _)) = self.nodes.iter().find(|(_, known)| **known == node) {
+            return name.clone();
+        }
+        if let Some(number) = self.graph.number(node) {
+            return number.to_string();
+        }
+        let operation = self.graph.operation(node);
+        let operands: Vec<String> = operation.operands().map(|operand| self.describe(operand)).collect();
+        match operation {
+            Operation::Add(..) => operands.join(" + "),
+            Operation::Sub(..) => format!("{} - ({})", operands[0], operands[1]),
+            Operation::Mul(..) => format!("({})", operands.join(") * (")),
+            Operation::Reciprocal(_) => format!("1/({})", operands[0]),
+            other => format!("{} of {}", other.name(), operands.join(", ")),
+        }
     }
 
     /// Imports an expression in known symbols.

@@ -6,11 +6,13 @@ mod graph;
 mod import;
 mod jacobian;
 mod region;
+mod twin;
 
 pub use body::Count;
 pub use graph::{Graph, Node, Operation};
 pub use import::Import;
 pub use jacobian::{Jacobian, jacobian};
+pub use twin::file as twin;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
