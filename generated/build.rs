@@ -9,6 +9,7 @@ fn main() {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A change of eqgen recompiles this script, and so runs it.
     println!("cargo:rerun-if-changed=build.rs");
+    eqgen::on_wait(|message| println!("cargo:warning={message}"));
     let folder = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
     for file in eqgen::generate()? {
         let path = folder.join(&file.name);

@@ -15,6 +15,14 @@ type Job = Box<dyn FnOnce() + Send>;
 
 const LOCK_FILE: &str = "sheave-symbolica.lock";
 
+static NOTICE: OnceLock<fn(&str)> = OnceLock::new();
+
+/// Says who is told when this process has to wait for another one; standard error by default. The first call counts.
+pub fn on_wait(notice: fn(&str)) {
+    // A second caller loses; it is told the same either way.
+    let _ = NOTICE.set(notice);
+}
+
 /// Runs `work` on the one thread that may touch Symbolica and returns its result.
 ///
 /// # Errors
@@ -74,7 +82,8 @@ fn machine_lock() -> Result<File, String> {
     match file.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
-            eprintln!("eqgen: another process uses Symbolica; waiting for {}", path.display());
+            let notice = NOTICE.get_or_init(|| |message| eprintln!("eqgen: {message}"));
+            notice(&format!("another process uses Symbolica; waited for {}", path.display()));
             file.lock().map_err(describe)?;
         }
         Err(TryLockError::Error(error)) => return Err(describe(error)),

@@ -20,7 +20,7 @@ pub mod physics;
 pub mod plan;
 
 pub use emit::SourceFile;
-pub use engine::symbolic;
+pub use engine::{on_wait, symbolic};
 pub use error::Error;
 
 /// All generated files, in a fixed order; the same text on every run.
