@@ -1,5 +1,7 @@
 //! The invariants that ARCHITECTURE.md states, held by `cargo metadata` and by reading the sources.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
