@@ -1,5 +1,7 @@
 //! Failures: what each says, and that it names the place.
 
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
+
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
     Event, Guess, GuessError, Layout, NewtonError, Options, Problem, Region, SolveError, solve, solve_observed,

@@ -1,5 +1,7 @@
 //! Sensitivities, forward and adjoint, against differences of full solves; conditioning.
 
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
+
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{Functional, Guess, Layout, Linearisation, Options, Order, Problem, Region, Solution, solve};
 

@@ -1,5 +1,7 @@
 //! Solving: observed orders, conditions of every kind, meshes that follow the solution, work counts.
 
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
+
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, Options, Order, Region, Solution, solve};
 
