@@ -1,6 +1,7 @@
 //! What the commands share; each command has a file of its own.
 
 mod case;
+mod derive;
 mod keys;
 mod output;
 mod solve;
@@ -24,6 +25,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Derive(derive::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -39,6 +41,7 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Derive(arguments) => derive::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
