@@ -1,6 +1,8 @@
-//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does.
+//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
+//! [`study`] does so over a grid.
 
 pub mod case;
 pub mod drive;
 pub mod quantity;
 pub mod result;
+pub mod study;

@@ -5,6 +5,7 @@ mod keys;
 mod output;
 mod solve;
 mod stop;
+mod sweep;
 
 use clap::{ArgAction, Parser, Subcommand};
 use std::process::ExitCode;
@@ -24,6 +25,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Sweep(sweep::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -39,6 +41,7 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

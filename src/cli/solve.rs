@@ -101,7 +101,7 @@ fn write_result(folder: &Path, text: &str) -> Result<(), Stop> {
     output::write_file(folder, "result.json", |writer| writer.write_all(text.as_bytes()))
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
+pub(super) fn tolerance(text: &str) -> Result<f64, String> {
     let within = |tolerance: &f64| (1e-12..=1e-1).contains(tolerance);
     text.parse().ok().filter(within).ok_or_else(|| "expected a number from 1e-12 to 1e-1, such as 1e-6".into())
 }

@@ -6,8 +6,10 @@ mod model;
 mod region;
 mod solve;
 mod start;
+mod warm;
 
 pub use belt::Belt;
 pub use constants::{Constant, Constants};
 pub use region::RegionId;
 pub use solve::{Failure, SolveOptions, Solved, given, solve};
+pub use warm::solve_from;

@@ -10,7 +10,7 @@ use super::start;
 use crate::case::{Clamp, Load, Resolved, Speed};
 
 /// Tolerance on the way from the start to the case.
-const ROUGH_TOLERANCE: f64 = 1e-2;
+pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
 /// Intervals of a region on the way.
 const WAY_INTERVALS: usize = 2000;
 /// Smallest step on a leg of the way, as a share of the leg.
@@ -95,7 +95,7 @@ impl Failure {
         }
     }
 
-    fn of(error: PathError) -> Self {
+    pub(super) fn of(error: PathError) -> Self {
         match error.last {
             None => Self::Start(error.cause),
             Some(last) => {
