@@ -157,7 +157,8 @@ fn the_formats_say_the_same() {
 #[test]
 fn a_sweep_that_was_killed_is_completed_to_the_same_file() {
     let folder = tempfile::tempdir().unwrap();
-    let grid = ["--over", "drive.ratio=0.8,1.2", "--over", "operating_point.slack_tension=100..200 N:120", "--jobs", "2"];
+    let grid =
+        ["--over", "drive.ratio=0.8,1.2", "--over", "operating_point.slack_tension=100..200 N:120", "--jobs", "2"];
     let whole = written(&folder.path().join("whole.csv"), &grid);
     assert!(!folder.path().join("whole.csv.journal").exists());
 
@@ -186,4 +187,21 @@ fn a_sweep_that_was_killed_is_completed_to_the_same_file() {
     assert!(!journal.exists());
     // Without a journal it is begun anew.
     assert_eq!(written(&out, &[&grid[..], &["--resume"]].concat()), whole);
+}
+
+#[test]
+fn every_study_file_of_the_examples_is_understood() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut studies = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let file = sheave::study::StudyFile::read(&path).unwrap_or_else(|error| panic!("{error}"));
+            if !file.axes.is_empty() {
+                sheave::study::Study::new(file.case, file.axes, sheave::drive::SolveOptions::default()).unwrap();
+                studies += 1;
+            }
+        }
+    }
+    assert!(studies >= 5);
 }

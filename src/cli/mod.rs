@@ -3,6 +3,7 @@
 mod case;
 mod keys;
 mod output;
+mod reproduce;
 mod solve;
 mod stop;
 mod sweep;
@@ -26,6 +27,7 @@ struct Arguments {
 enum Command {
     Solve(solve::Arguments),
     Sweep(sweep::Arguments),
+    Reproduce(reproduce::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -42,6 +44,7 @@ pub fn run() -> ExitCode {
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

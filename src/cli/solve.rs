@@ -30,7 +30,7 @@ pub struct Arguments {
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "out")]
     json: bool,
-    /// Write result.json and profile.csv into this folder, and print the summary
+    /// Write result.json, profile.csv, figures (SVG, PNG) and report.html into this folder, and print the summary
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Add the derivatives of the outputs with respect to every given constant to the object
@@ -72,6 +72,10 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &output::json(&outcome.result)?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
+            let figures = sheave::plot::drive(outcome);
+            output::write_figures(folder, &figures)?;
+            let page = sheave::report::page(outcome, &figures)?;
+            output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;
         }
         output::print(&summary(&outcome.result))
     }

@@ -2,6 +2,7 @@
 
 use sheave::case::CaseError;
 use sheave::study::StudyError;
+use sheave::plot::PlotError;
 use std::io;
 use std::process::ExitCode;
 
@@ -57,5 +58,11 @@ impl From<StudyError> for Stop {
             StudyError::Keep(error) => Self::Write("the journal".into(), error),
             other => Self::Usage(other.to_string()),
         }
+    }
+}
+
+impl From<PlotError> for Stop {
+    fn from(error: PlotError) -> Self {
+        Self::Write(format!("figure `{}`", error.figure), io::Error::other(error.reason))
     }
 }

@@ -48,11 +48,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         None => {
             let progress = progress(study.points(), 0);
             let rows = Mutex::new(sheave::study::TableBuilder::new(study.points()));
-            sheave::study::run(&study, jobs, |_| true, |row| {
-                rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
-                progress.inc(1);
-                Ok(())
-            })?;
+            sheave::study::run(
+                &study,
+                jobs,
+                |_| true,
+                |row| {
+                    rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
+                    progress.inc(1);
+                    Ok(())
+                },
+            )?;
             progress.finish_and_clear();
             deliver(&rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish(), None)
         }

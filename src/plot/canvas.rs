@@ -1,8 +1,8 @@
 //! The one style in which figures are drawn.
 
 use super::figure::{Axis, Figure, Look, Series};
-use super::path::{clipped, dashed};
-use super::ticks::{Tick, decades, linear};
+use super::path::{clipped, dashed, thinned};
+use super::ticks::{Tick, decades, linear, multiples};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind as Error};
 use plotters::element::{Circle, PathElement, Text};
@@ -51,8 +51,20 @@ fn shown(figure: &Figure, horizontal: bool, count: usize) -> ((f64, f64), Vec<Ti
     let values = values.map(|(x, y)| place(axis, if horizontal { *x } else { *y })).filter(|value| value.is_finite());
     let span = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     let given = axis.range.map(|(low, high)| (place(axis, low), place(axis, high)));
+    let span = if horizontal || axis.logarithmic { span } else { with_air(span) };
     let (low, high) = given.unwrap_or(if span.0 <= span.1 { span } else { (0.0, 1.0) });
-    if axis.logarithmic { decades(low, high) } else { linear(low, high, count, given.is_none() && (!horizontal || figure.equal)) }
+    match axis.step {
+        _ if axis.logarithmic => decades(low, high),
+        Some(step) => multiples(low, high, step),
+        None => linear(low, high, count, given.is_none() && (!horizontal || figure.equal)),
+    }
+}
+
+/// A little more than the data span, so that no line lies on the frame; but zero, if the data end there, is an end.
+fn with_air((low, high): (f64, f64)) -> (f64, f64) {
+    let air = 0.03 * (high - low);
+    let ends = |value: f64| value.abs() < air;
+    (if ends(low) { low } else { low - air }, if ends(high) { high } else { high + air })
 }
 
 /// Where a value stands on its axis.
@@ -176,7 +188,9 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         let scale = f64::from(self.scale);
         let frame = self.frame.map(f64::from);
         if series.look == Look::Dots {
-            for point in series.points.iter().map(|point| self.exact(*point)).filter(|(x, y)| x.is_finite() && y.is_finite()) {
+            for point in
+                series.points.iter().map(|point| self.exact(*point)).filter(|(x, y)| x.is_finite() && y.is_finite())
+            {
                 let center = (point.0.round() as i32, point.1.round() as i32);
                 self.area.draw(&Circle::new(center, 4 * self.scale, color.filled()))?;
             }
@@ -184,6 +198,7 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         }
         let exact: Vec<(f64, f64)> = series.points.iter().map(|point| self.exact(*point)).collect();
         for part in clipped(&exact, frame) {
+            let part = thinned(part, scale);
             let (pieces, width) = match series.look {
                 Look::Dashed => (dashed(&part, 6.0 * scale, 4.0 * scale), 1.8),
                 Look::Guide => (dashed(&part, 3.0 * scale, 3.0 * scale), 1.0),
@@ -204,7 +219,8 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         let (mut x, mut line) = (left, 0);
         let mut entries = Vec::new();
         for series in self.figure.series.iter().filter(|series| !series.label.is_empty()) {
-            let text = self.area.estimate_text_size(&series.label, &self.text(TEXT)).map_or(0, |(width, _)| width as i32);
+            let text =
+                self.area.estimate_text_size(&series.label, &self.text(TEXT)).map_or(0, |(width, _)| width as i32);
             let width = text + (SWATCH + 24) * self.scale;
             if x + width > end && x > left {
                 (x, line) = (left, line + 1);

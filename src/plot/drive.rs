@@ -33,19 +33,25 @@ pub fn drive(outcome: &Outcome) -> Vec<Figure> {
     let times = |values: Vec<f64>, factor: f64| values.into_iter().map(|value| value * factor).collect::<Vec<_>>();
     vec![
         view.trajectory(),
-        view.over_wrap("tension", "Tractive tension over wrap angle", Axis::new("tractive tension T (N)"), |view, region| {
-            view.state(region, "T")
-        }),
+        view.over_wrap(
+            "tension",
+            "Tractive tension over wrap angle",
+            Axis::new("tractive tension T (N)"),
+            |view, region| view.state(region, "T"),
+        ),
         sliding,
         view.over_wrap(
             "sliding_angle",
             "Direction of sliding over wrap angle: 0° outward, 180° inward",
-            Axis::new("sliding angle γ (deg)").over(0.0, 360.0),
+            Axis::new("sliding angle γ (deg)").over(0.0, 360.0).every(90.0),
             move |view, region| unjumped(degrees(view.field(region, "gamma"))),
         ),
-        view.over_wrap("penetration", "Radial penetration over wrap angle", Axis::new("penetration x (mm)"), move |view, region| {
-            times(view.state(region, "x"), 1e3)
-        }),
+        view.over_wrap(
+            "penetration",
+            "Radial penetration over wrap angle",
+            Axis::new("penetration x (mm)"),
+            move |view, region| times(view.state(region, "x"), 1e3),
+        ),
         view.over_wrap(
             "inclination",
             "Inclination over wrap angle: negative seats, positive unseats",
@@ -80,6 +86,26 @@ fn unjumped(mut angles: Vec<f64>) -> Vec<f64> {
         }
     }
     angles
+}
+
+/// A curve of unit speed through its nodes, with points between them by Hermite's cubic.
+fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Vec<(f64, f64)> {
+    const PARTS: usize = 6;
+    let mut curve: Vec<(f64, f64)> = nodes.first().copied().into_iter().collect();
+    for ((s, ends), angles) in s.windows(2).zip(nodes.windows(2)).zip(direction.windows(2)) {
+        let (&[s0, s1], &[a, b], &[from, to]) = (s, ends, angles) else { continue };
+        let h = s1 - s0;
+        let cubic = |t: f64, a: f64, b: f64, slope_a: f64, slope_b: f64| {
+            let u = 1.0 - t;
+            u * u * (1.0 + 2.0 * t) * a + t * t * (3.0 - 2.0 * t) * b + h * t * u * (u * slope_a - t * slope_b)
+        };
+        curve.extend(
+            (1..=PARTS)
+                .map(|part| part as f64 / PARTS as f64)
+                .map(|t| (cubic(t, a.0, b.0, from.cos(), to.cos()), cubic(t, a.1, b.1, from.sin(), to.sin()))),
+        );
+    }
+    curve
 }
 
 impl View<'_> {
@@ -123,7 +149,9 @@ impl View<'_> {
     /// Radius, centre and first angle of a pulley, m and rad.
     fn pulley(&self, region: RegionId) -> (f64, f64, f64) {
         match region {
-            RegionId::Primary => (self.constant(Constant::PrimaryRadius), 0.0, self.constant(Constant::PrimaryOrientation)),
+            RegionId::Primary => {
+                (self.constant(Constant::PrimaryRadius), 0.0, self.constant(Constant::PrimaryOrientation))
+            }
             _ => {
                 let (wrap, turned) = (self.wrap(region), self.constant(Constant::SecondaryOrientation));
                 let center = self.constant(Constant::CenterDistance);
@@ -156,7 +184,11 @@ impl View<'_> {
             at.map_or(&[][..], |at| part.cumulative(at))
         };
         let scale = 1e3 * length;
-        integral("X").iter().zip(integral("Y")).map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect()
+        let nodes: Vec<(f64, f64)> = integral("X").iter().zip(integral("Y")).map(|(x, y)| (*x, *y)).collect();
+        let at = self.outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "vartheta");
+        let direction = at.map_or(&[][..], |at| part.state(at));
+        let smooth = between(part.mesh(), &nodes, direction);
+        smooth.into_iter().map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect()
     }
 
     fn trajectory(&self) -> Figure {
@@ -195,20 +227,22 @@ impl View<'_> {
 
     /// How far each span lies outside the straight line between its ends.
     fn span_shape(&self) -> Figure {
-        let series = [(RegionId::TightSpan, "tight span", 1), (RegionId::SlackSpan, "slack span", 2)].map(|(region, label, color)| {
-            let points = self.span(region);
-            let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
-                return Series::line(label, Vec::new());
-            };
-            let (dx, dy) = (last.0 - first.0, last.1 - first.1);
-            let chord = dx.hypot(dy);
-            let over = |(x, y): (f64, f64)| {
-                let (x, y) = (x - first.0, y - first.1);
-                // The belt runs counter-clockwise: outside is on its right.
-                ((x * dx + y * dy) / chord, (y * dx - x * dy) / -chord)
-            };
-            Series::line(label, points.into_iter().map(over).collect()).color(color)
-        });
+        let series = [(RegionId::TightSpan, "tight span", 1), (RegionId::SlackSpan, "slack span", 2)].map(
+            |(region, label, color)| {
+                let points = self.span(region);
+                let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
+                    return Series::line(label, Vec::new());
+                };
+                let (dx, dy) = (last.0 - first.0, last.1 - first.1);
+                let chord = dx.hypot(dy);
+                let over = |(x, y): (f64, f64)| {
+                    let (x, y) = (x - first.0, y - first.1);
+                    // The belt runs counter-clockwise: outside is on its right.
+                    ((x * dx + y * dy) / chord, (y * dx - x * dy) / -chord)
+                };
+                Series::line(label, points.into_iter().map(over).collect()).color(color)
+            },
+        );
         Figure::new(
             "span_shape",
             "How far the spans bulge outward from the straight line between their ends",

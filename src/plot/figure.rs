@@ -9,17 +9,26 @@ pub struct Axis {
     pub logarithmic: bool,
     /// What is shown; what the data span if it is not given.
     pub range: Option<(f64, f64)>,
+    /// Distance of the ticks; a round number that suits the range if it is not given. Whole units, linear axes only.
+    pub step: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis over the data.
     pub fn new(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: false, range: None }
+        Self { label: label.into(), logarithmic: false, range: None, step: None }
     }
 
     /// A logarithmic axis over the data.
     pub fn log(label: impl Into<String>) -> Self {
         Self { logarithmic: true, ..Self::new(label) }
+    }
+
+    /// The axis with its ticks at the multiples of a step.
+    #[must_use]
+    pub fn every(mut self, step: f64) -> Self {
+        self.step = Some(step);
+        self
     }
 
     /// The axis with its range fixed.

@@ -39,8 +39,32 @@ fn inside((ax, ay): Point, (bx, by): Point, [left, right, top, bottom]: [f64; 4]
             t1 = t1.min(q / p);
         }
     }
-    let at = |t: f64| if t == 0.0 { (ax, ay) } else if t == 1.0 { (bx, by) } else { (ax + t * dx, ay + t * dy) };
+    let at = |t: f64| {
+        if t == 0.0 {
+            (ax, ay)
+        } else if t == 1.0 {
+            (bx, by)
+        } else {
+            (ax + t * dx, ay + t * dy)
+        }
+    };
     (t0 <= t1).then(|| (at(t0), at(t1)))
+}
+
+/// The line without points that lie closer than `least` to the one before; both ends stay.
+pub fn thinned(points: Vec<Point>, least: f64) -> Vec<Point> {
+    let last = points.last().copied();
+    let mut kept: Vec<Point> = Vec::with_capacity(points.len());
+    for point in points {
+        if kept.last().is_none_or(|(x, y)| (point.0 - x).hypot(point.1 - y) >= least) {
+            kept.push(point);
+        }
+    }
+    if kept.len() > 1 {
+        kept.pop();
+    }
+    kept.extend(last);
+    kept
 }
 
 /// The line in dashes of length `on` with gaps of length `off`.

@@ -1,5 +1,8 @@
 //! Where an axis has its ticks, and what they say.
 
+/// Part of a step by which data may overshoot a tick.
+const HAIR: f64 = 0.02;
+
 /// A tick: its place on the axis and its text.
 pub type Tick = (f64, String);
 
@@ -10,12 +13,21 @@ pub fn linear(low: f64, high: f64, count: usize, widen: bool) -> ((f64, f64), Ve
     let power = 10_f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|part| part * power).find(|step| *step >= 0.999 * raw);
     let step = step.unwrap_or(power);
-    let (first, last) = ((low / step - 1e-9).floor(), (high / step + 1e-9).ceil());
-    let range = if widen { (first * step, last * step) } else { (low, high) };
+    // What overshoots a tick by a hair does not call for another.
+    let (first, last) =
+        ((low / step + HAIR).floor(), (high / step - HAIR).ceil().max((low / step + HAIR).floor() + 1.0));
+    let range = if widen { (low.min(first * step), high.max(last * step)) } else { (low, high) };
     let digits = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
     let ticks = (0..=(last - first) as usize).map(|index| (first + index as f64) * step);
     let within = ticks.filter(|tick| *tick >= range.0 - 1e-9 * step && *tick <= range.1 + 1e-9 * step);
     (range, within.map(|tick| (tick, number(tick, digits))).collect())
+}
+
+/// The range as it is, with a tick at every multiple of `step`.
+pub fn multiples(low: f64, high: f64, step: f64) -> ((f64, f64), Vec<Tick>) {
+    let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
+    let ticks = (0..=(last - first).max(0.0) as usize).map(|index| (first + index as f64) * step);
+    ((low, high), ticks.map(|tick| (tick, number(tick, 0))).collect())
 }
 
 /// The range, given as logarithms to base 10, widened to whole decades, and its ticks there.
@@ -32,7 +44,8 @@ fn around(value: f64) -> (f64, f64) {
 
 fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
-    let text = if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { text.replace('-', "") } else { text };
+    let text =
+        if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { text.replace('-', "") } else { text };
     text.replace('-', "\u{2212}")
 }
 

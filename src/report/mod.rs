@@ -4,4 +4,4 @@ mod loss;
 mod page;
 
 pub use loss::{LossSplit, Mechanisms, losses};
-pub use page::{page, warnings};
+pub use page::{document, page, warnings};

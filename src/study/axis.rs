@@ -29,7 +29,8 @@ impl Axis {
             let (key, values) = one(part.trim())?;
             match &mut axis {
                 None => {
-                    axis = Some(Self { keys: vec![key], values: values.into_iter().map(|value| vec![value]).collect() });
+                    axis =
+                        Some(Self { keys: vec![key], values: values.into_iter().map(|value| vec![value]).collect() });
                 }
                 Some(axis) if axis.values.len() == values.len() => {
                     axis.keys.push(key);

@@ -10,7 +10,9 @@ pub enum StudyError {
     #[error(transparent)]
     Case(#[from] CaseError),
     /// A text that names no axis.
-    #[error("`{text}` is no range of a key: expected KEY=FROM..TO[:N], such as `drive.ratio=0.72..1.74:21`, or KEY=A,B,C")]
+    #[error(
+        "`{text}` is no range of a key: expected KEY=FROM..TO[:N], such as `drive.ratio=0.72..1.74:21`, or KEY=A,B,C"
+    )]
     Axis {
         /// As given.
         text: String,

@@ -28,14 +28,15 @@ mod parquet;
 mod plan;
 mod row;
 mod run;
+pub mod thesis;
 mod write;
 
 pub use axis::{Axis, DEFAULT_POINTS};
 pub use error::StudyError;
 pub use file::StudyFile;
 pub use journal::{Journal, JournalError};
+pub use parquet::write_parquet;
 pub use plan::{MAX_POINTS, Point, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
 pub use run::{outcomes, run, table};
 pub use write::{Format, write_csv, write_json};
-pub use parquet::write_parquet;

@@ -214,11 +214,8 @@ impl TableBuilder {
             merge(&mut columns, self.layouts.get(layout).map_or(&[], Vec::as_slice));
         }
         let place: HashMap<&String, usize> = columns.iter().enumerate().map(|(at, name)| (name, at)).collect();
-        let places: Vec<Vec<Option<usize>>> = self
-            .layouts
-            .iter()
-            .map(|names| names.iter().map(|name| place.get(name).copied()).collect())
-            .collect();
+        let places: Vec<Vec<Option<usize>>> =
+            self.layouts.iter().map(|names| names.iter().map(|name| place.get(name).copied()).collect()).collect();
         let width = columns.len();
         let spread = |(layout, cells): (usize, Vec<Cell>)| {
             let mut row = vec![Cell::Empty; width];
@@ -269,6 +266,9 @@ mod tests {
         let table = builder.finish();
         assert_eq!(table.columns, ["key", "a", "b", "c", "failure"]);
         let text = |row: usize, column: usize| table.rows[row][column].to_json().to_string();
-        assert_eq!((text(0, 1), text(0, 2), text(1, 3), text(2, 1)), ("null".into(), "\"b\"".into(), "\"c\"".into(), "\"a\"".into()));
+        assert_eq!(
+            (text(0, 1), text(0, 2), text(1, 3), text(2, 1)),
+            ("null".into(), "\"b\"".into(), "\"c\"".into(), "\"a\"".into())
+        );
     }
 }

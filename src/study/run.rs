@@ -33,10 +33,15 @@ pub fn run(
 /// [`StudyError::Threads`].
 pub fn table(study: &Study, jobs: Option<usize>) -> Result<Table, StudyError> {
     let rows = Mutex::new(TableBuilder::new(study.points()));
-    run(study, jobs, |_| true, |row| {
-        rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(row);
-        Ok(())
-    })?;
+    run(
+        study,
+        jobs,
+        |_| true,
+        |row| {
+            rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(row);
+            Ok(())
+        },
+    )?;
     Ok(rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).finish())
 }
 
@@ -91,12 +96,14 @@ fn along(
     take: &Take<'_>,
 ) -> Result<(), StudyError> {
     let mut last: Option<(Resolved, Outcome)> = None;
+    // Once a neighbour is too far away, the others of the chain are as well.
+    let mut near_enough = true;
     for index in chain {
         let point = study.point(index)?;
         let solved = match &point.case {
             Ok(case) => {
-                let near = last.as_ref().filter(|(before, _)| before.model == case.model);
-                solve(case, study.options(), near.map(|(_, outcome)| outcome))
+                let near = last.as_ref().filter(|(before, _)| near_enough && before.model == case.model);
+                solve(case, study.options(), near.map(|(_, outcome)| outcome), &mut near_enough)
                     .map(|outcome| (case.clone(), outcome))
                     .map_err(|failure| failure.to_string())
             }
@@ -110,11 +117,18 @@ fn along(
     Ok(())
 }
 
-/// From the solution nearby, else from nothing.
-fn solve(case: &Resolved, options: &SolveOptions, near: Option<&Outcome>) -> Result<Outcome, Failure> {
+/// From the solution nearby, else from nothing; says if that was not near enough.
+fn solve(
+    case: &Resolved,
+    options: &SolveOptions,
+    near: Option<&Outcome>,
+    near_enough: &mut bool,
+) -> Result<Outcome, Failure> {
     let start = Instant::now();
     match near.map(|near| solve_from(&near.solved, case, options)) {
-        Some(Ok(solved)) => result::interpret(case, options, solved, start),
-        _ => result::run(case, options),
+        Some(Ok(solved)) => return result::interpret(case, options, solved, start),
+        Some(Err(_)) => *near_enough = false,
+        None => {}
     }
+    result::run(case, options)
 }
