@@ -1,6 +1,10 @@
-//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does.
+//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
+//! [`study`] does so over a grid; [`plot`] and [`report`] show it.
 
 pub mod case;
 pub mod drive;
+pub mod plot;
 pub mod quantity;
+pub mod report;
 pub mod result;
+pub mod study;

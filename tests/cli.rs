@@ -136,7 +136,16 @@ fn results_are_written_whole() {
     let mut names: Vec<_> =
         std::fs::read_dir(&results).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, ["profile.csv", "result.json"]);
+    for name in ["profile.csv", "report.html", "result.json", "trajectory.png", "trajectory.svg"] {
+        assert!(names.iter().any(|other| other == name), "{name}");
+    }
+    assert!(names.iter().all(|name| !name.ends_with(".part")));
+    let page = std::fs::read_to_string(results.join("report.html")).unwrap();
+    assert!(page.contains("<svg") && page.ends_with("</html>\n"));
+    // It opens without a network and without other files.
+    for outside in ["src=", "<script", "<link rel=\"stylesheet", "@import", "url("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
     let result: Value = serde_json::from_str(&std::fs::read_to_string(results.join("result.json")).unwrap()).unwrap();
     assert_eq!(result["converged"], true);
 }

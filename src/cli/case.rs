@@ -4,6 +4,7 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use clap::builder::PossibleValuesParser;
 use sheave::case::{Case, CaseError, Edition, Key, Resolved};
+use sheave::study::{Axis, StudyError, StudyFile};
 use std::path::PathBuf;
 
 /// Which case; flattened into the arguments of every command that takes one.
@@ -32,10 +33,24 @@ pub fn edition_parser() -> PossibleValuesParser {
 impl CaseArguments {
     /// The case: the file, then --unset, --set and --edition, in this order.
     pub fn read(&self) -> Result<Case, CaseError> {
-        let mut case = match &self.file {
+        let case = match &self.file {
             Some(path) => Case::read(path)?,
             None => Case::base(),
         };
+        self.changed(case)
+    }
+
+    /// The case, and what the file says is to be varied in it.
+    pub fn read_study(&self) -> Result<(Case, Vec<Axis>), StudyError> {
+        let StudyFile { case, axes } = match &self.file {
+            Some(path) => StudyFile::read(path)?,
+            None => StudyFile { case: Case::base(), axes: Vec::new() },
+        };
+        Ok((self.changed(case)?, axes))
+    }
+
+    /// The file's case with what the command line changes.
+    fn changed(&self, mut case: Case) -> Result<Case, CaseError> {
         self.unset.iter().try_for_each(|key| case.unset(key))?;
         self.set.iter().try_for_each(|assignment| case.assign(assignment))?;
         if let Some(edition) = &self.edition {

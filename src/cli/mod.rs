@@ -4,8 +4,10 @@ mod case;
 mod derive;
 mod keys;
 mod output;
+mod reproduce;
 mod solve;
 mod stop;
+mod sweep;
 
 use clap::{ArgAction, Parser, Subcommand};
 use std::process::ExitCode;
@@ -25,6 +27,8 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Sweep(sweep::Arguments),
+    Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Keys(keys::Arguments),
 }
@@ -41,6 +45,8 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });

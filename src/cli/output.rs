@@ -2,6 +2,8 @@
 
 use super::stop::Stop;
 use serde::Serialize;
+use sheave::plot::Figure;
+use rayon::prelude::*;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -42,6 +44,15 @@ pub fn write_file(
         Ok(())
     };
     write().map_err(|error| Stop::Write(path.display().to_string(), error))
+}
+
+/// Writes figures into a folder, each as SVG and as PNG.
+pub fn write_figures(folder: &Path, figures: &[Figure]) -> Result<(), Stop> {
+    figures.par_iter().try_for_each(|figure| {
+        let (svg, png) = (figure.svg()?, figure.png()?);
+        write_file(folder, &format!("{}.svg", figure.name), |to| to.write_all(svg.as_bytes()))?;
+        write_file(folder, &format!("{}.png", figure.name), |to| to.write_all(&png))
+    })
 }
 
 /// Temporary files are private; results are not.

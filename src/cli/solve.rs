@@ -6,7 +6,7 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::case::{CaseError, Resolved};
-use sheave::drive::SolveOptions;
+use sheave::drive::{Failure, SolveOptions};
 use sheave::result::{Outcome, SCHEMA, run as solve, summary, write_profile};
 use solver::Order;
 use std::io;
@@ -30,7 +30,7 @@ pub struct Arguments {
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "out")]
     json: bool,
-    /// Write result.json and profile.csv into this folder, and print the summary
+    /// Write result.json, profile.csv, figures (SVG, PNG) and report.html into this folder, and print the summary
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Add the derivatives of the outputs with respect to every given constant to the object
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
-        Err(failure) => Err(arguments.failed(&case, &failure.to_string())),
+        Err(failure) => Err(arguments.failed(&case, &failure)),
     }
 }
 
@@ -72,6 +72,10 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &output::json(&outcome.result)?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
+            let figures = sheave::plot::drive(outcome);
+            output::write_figures(folder, &figures)?;
+            let page = sheave::report::page(outcome, &figures)?;
+            output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;
         }
         output::print(&summary(&outcome.result))
     }
@@ -85,7 +89,9 @@ impl Arguments {
     }
 
     /// No solution: the object says so where the result would have stood.
-    fn failed(&self, case: &Resolved, failure: &str) -> Stop {
+    fn failed(&self, case: &Resolved, failure: &Failure) -> Stop {
+        let (reason, bad_input) = (failure.to_string(), failure.is_bad_input());
+        let failure = reason.as_str();
         let edition = Some(case.edition.name());
         let failed = Failed { schema: SCHEMA, edition, converged: false, inputs: Some(case), failure };
         let told = output::json(&failed).and_then(|text| match &self.out {
@@ -93,7 +99,8 @@ impl Arguments {
             None if self.json => output::print(&text),
             None => Ok(()),
         });
-        told.err().unwrap_or_else(|| Stop::NoSolution(failure.into()))
+        let stop = if bad_input { Stop::Usage } else { Stop::NoSolution };
+        told.err().unwrap_or_else(|| stop(reason.clone()))
     }
 }
 
@@ -101,7 +108,7 @@ fn write_result(folder: &Path, text: &str) -> Result<(), Stop> {
     output::write_file(folder, "result.json", |writer| writer.write_all(text.as_bytes()))
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
+pub(super) fn tolerance(text: &str) -> Result<f64, String> {
     let within = |tolerance: &f64| (1e-12..=1e-1).contains(tolerance);
     text.parse().ok().filter(within).ok_or_else(|| "expected a number from 1e-12 to 1e-1, such as 1e-6".into())
 }

@@ -1,6 +1,8 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
 use sheave::case::CaseError;
+use sheave::study::StudyError;
+use sheave::plot::PlotError;
 use std::io;
 use std::process::ExitCode;
 
@@ -9,6 +11,8 @@ use std::process::ExitCode;
 pub enum Stop {
     /// Bad input: nothing was computed.
     Input(CaseError),
+    /// Bad input other than a case's: nothing was computed.
+    Usage(String),
     /// There is no solution, or none was found; the reason.
     NoSolution(String),
     /// A file, or standard output, could not be written.
@@ -21,6 +25,10 @@ impl Stop {
         match self {
             Self::Input(error) => {
                 eprint!("{:?}", miette::Report::new(error));
+                ExitCode::from(2)
+            }
+            Self::Usage(reason) => {
+                eprintln!("{reason}");
                 ExitCode::from(2)
             }
             Self::NoSolution(reason) => {
@@ -40,5 +48,21 @@ impl Stop {
 impl From<CaseError> for Stop {
     fn from(error: CaseError) -> Self {
         Self::Input(error)
+    }
+}
+
+impl From<StudyError> for Stop {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Case(error) => Self::Input(error),
+            StudyError::Keep(error) => Self::Write("the journal".into(), error),
+            other => Self::Usage(other.to_string()),
+        }
+    }
+}
+
+impl From<PlotError> for Stop {
+    fn from(error: PlotError) -> Self {
+        Self::Write(format!("figure `{}`", error.figure), io::Error::other(error.reason))
     }
 }

@@ -10,6 +10,8 @@ pub(super) struct Kernels {
     pub contact: &'static RegionKernel,
     pub span: &'static RegionKernel,
     pub boundary: &'static BoundaryKernel,
+    /// What the drive may be asked for.
+    pub outputs: &'static BoundaryKernel,
 }
 
 impl Kernels {
@@ -34,6 +36,6 @@ impl Kernels {
             (Ends::AsPrinted, Shear::Linearised) => &generated::BOUNDARY_AS_PRINTED,
             (Ends::AsPrinted, Shear::Full) => return None,
         };
-        Some(Self { contact, span, boundary })
+        Some(Self { contact, span, boundary, outputs: &generated::OUTPUTS })
     }
 }

@@ -33,6 +33,14 @@ pub struct Outcome {
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let solved = solve(case, options)?;
+    interpret(case, options, solved, start)
+}
+
+/// Reads a solution of a case, found since `start`.
+///
+/// # Errors
+/// [`Failure::Sensitivities`].
+pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
     let mut result = read(case, options, &solved, start);
     if options.sensitivities {
         result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
@@ -42,7 +50,7 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 
 fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
     let (belt, solution) = (&solved.belt, &solved.solution);
-    let outputs = Outputs::new(solution);
+    let outputs = Outputs::new(belt, solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     DriveResult {
         schema: SCHEMA,

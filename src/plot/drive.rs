@@ -1,0 +1,268 @@
+//! The figures of one solution.
+
+use super::figure::{Axis, Figure, Look, Mark, Series};
+use crate::drive::{Constant, RegionId};
+use crate::result::{Outcome, Sampled};
+use std::f64::consts::{PI, TAU};
+
+/// Points inside each mesh interval, besides its nodes.
+const INNER: usize = 2;
+const WRAP: &str = "wrap angle φ (deg)";
+
+/// A solution with its regions sampled.
+struct View<'a> {
+    outcome: &'a Outcome,
+    regions: Vec<Sampled>,
+}
+
+/// All figures of a solution: the belt's path, what happens along both contacts, both spans.
+pub fn drive(outcome: &Outcome) -> Vec<Figure> {
+    let solved = &outcome.solved;
+    let sample = |region| Sampled::new(&solved.belt, &solved.solution, region, INNER);
+    let view = View { outcome, regions: RegionId::ALL.map(sample).to_vec() };
+    let threshold = view.constant(Constant::SlipThreshold);
+    let mut sliding = view.over_wrap(
+        "sliding_speed",
+        "Sliding speed over wrap angle; below the threshold the belt adheres",
+        Axis::log("sliding speed |v| (m/s)"),
+        |view, region| view.field(region, "speed"),
+    );
+    let widest = view.wrap(RegionId::Primary).max(view.wrap(RegionId::Secondary)).to_degrees();
+    sliding.series.push(Series::line("threshold v_thr", vec![(0.0, threshold), (widest, threshold)]).look(Look::Guide));
+    let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<_>>();
+    let times = |values: Vec<f64>, factor: f64| values.into_iter().map(|value| value * factor).collect::<Vec<_>>();
+    vec![
+        view.trajectory(),
+        view.over_wrap(
+            "tension",
+            "Tractive tension over wrap angle",
+            Axis::new("tractive tension T (N)"),
+            |view, region| view.state(region, "T"),
+        ),
+        sliding,
+        view.over_wrap(
+            "sliding_angle",
+            "Direction of sliding over wrap angle: 0° outward, 180° inward",
+            Axis::new("sliding angle γ (deg)").over(0.0, 360.0).every(90.0),
+            move |view, region| unjumped(degrees(view.field(region, "gamma"))),
+        ),
+        view.over_wrap(
+            "penetration",
+            "Radial penetration over wrap angle",
+            Axis::new("penetration x (mm)"),
+            move |view, region| times(view.state(region, "x"), 1e3),
+        ),
+        view.over_wrap(
+            "inclination",
+            "Inclination over wrap angle: negative seats, positive unseats",
+            Axis::new("inclination θ (deg)"),
+            move |view, region| degrees(view.state(region, "theta")),
+        ),
+        view.over_wrap(
+            "axial_force",
+            "Axial force on a sheave per length over wrap angle",
+            Axis::new("axial force dA/ds (N/mm)"),
+            move |view, region| times(view.field(region, "axial"), 1e-3),
+        ),
+        view.over_wrap(
+            "friction_loss",
+            "Power lost to friction per length over wrap angle",
+            Axis::new("friction loss dW/ds (W/mm)"),
+            move |view, region| times(view.field(region, "loss"), 1e-3),
+        ),
+        view.span_shape(),
+        view.span_tension(),
+    ]
+}
+
+/// The angles with a gap where they jump from 360° to 0° or back.
+fn unjumped(mut angles: Vec<f64>) -> Vec<f64> {
+    for at in 1..angles.len() {
+        let (before, here) = (angles.get(at - 1).copied(), angles.get_mut(at));
+        if let (Some(before), Some(here)) = (before, here)
+            && (before - *here).abs() > 180.0
+        {
+            *here = f64::NAN;
+        }
+    }
+    angles
+}
+
+/// A curve of unit speed through its nodes, with points between them by Hermite's cubic.
+fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Vec<(f64, f64)> {
+    const PARTS: usize = 6;
+    let mut curve: Vec<(f64, f64)> = nodes.first().copied().into_iter().collect();
+    for ((s, ends), angles) in s.windows(2).zip(nodes.windows(2)).zip(direction.windows(2)) {
+        let (&[s0, s1], &[a, b], &[from, to]) = (s, ends, angles) else { continue };
+        let h = s1 - s0;
+        let cubic = |t: f64, a: f64, b: f64, slope_a: f64, slope_b: f64| {
+            let u = 1.0 - t;
+            u * u * (1.0 + 2.0 * t) * a + t * t * (3.0 - 2.0 * t) * b + h * t * u * (u * slope_a - t * slope_b)
+        };
+        curve.extend(
+            (1..=PARTS)
+                .map(|part| part as f64 / PARTS as f64)
+                .map(|t| (cubic(t, a.0, b.0, from.cos(), to.cos()), cubic(t, a.1, b.1, from.sin(), to.sin()))),
+        );
+    }
+    curve
+}
+
+impl View<'_> {
+    fn constant(&self, constant: Constant) -> f64 {
+        self.outcome.solved.solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
+    }
+
+    fn wrap(&self, region: RegionId) -> f64 {
+        self.constant(if region == RegionId::Primary { Constant::PrimaryWrap } else { Constant::SecondaryWrap })
+    }
+
+    fn sampled(&self, region: RegionId) -> Option<&Sampled> {
+        self.regions.get(region.index())
+    }
+
+    fn s(&self, region: RegionId) -> &[f64] {
+        self.sampled(region).map_or(&[], |sampled| &sampled.s)
+    }
+
+    fn state(&self, region: RegionId, name: &str) -> Vec<f64> {
+        let at = self.outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == name);
+        at.and_then(|at| self.sampled(region)?.states.get(at).cloned()).unwrap_or_default()
+    }
+
+    fn field(&self, region: RegionId, name: &str) -> Vec<f64> {
+        let at = self.outcome.solved.belt.kernel(region).fields.iter().position(|symbol| symbol.name == name);
+        at.and_then(|at| self.sampled(region)?.fields.get(at).cloned()).unwrap_or_default()
+    }
+
+    /// One quantity on both pulleys.
+    fn over_wrap(&self, name: &str, caption: &str, y: Axis, values: impl Fn(&Self, RegionId) -> Vec<f64>) -> Figure {
+        let series = [(RegionId::Primary, "primary"), (RegionId::Secondary, "secondary")].map(|(region, label)| {
+            let wrap = self.wrap(region).to_degrees();
+            let points = self.s(region).iter().map(|s| s * wrap).zip(values(self, region)).collect();
+            Series::line(label, points)
+        });
+        let widest = self.wrap(RegionId::Primary).max(self.wrap(RegionId::Secondary)).to_degrees();
+        Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest), y, series.into())
+    }
+
+    /// Radius, centre and first angle of a pulley, m and rad.
+    fn pulley(&self, region: RegionId) -> (f64, f64, f64) {
+        match region {
+            RegionId::Primary => {
+                (self.constant(Constant::PrimaryRadius), 0.0, self.constant(Constant::PrimaryOrientation))
+            }
+            _ => {
+                let (wrap, turned) = (self.wrap(region), self.constant(Constant::SecondaryOrientation));
+                let center = self.constant(Constant::CenterDistance);
+                (self.constant(Constant::SecondaryRadius), center, PI - turned - wrap)
+            }
+        }
+    }
+
+    /// The belt on a pulley, mm.
+    fn contact(&self, region: RegionId) -> Vec<(f64, f64)> {
+        let (radius, center, first) = self.pulley(region);
+        let wrap = self.wrap(region);
+        let at = |(s, x): (&f64, f64)| {
+            let (sin, cos) = (first + wrap * s).sin_cos();
+            (1e3 * (center + (radius - x) * cos), 1e3 * (radius - x) * sin)
+        };
+        self.s(region).iter().zip(self.state(region, "x")).map(at).collect()
+    }
+
+    /// The belt in a span, mm, from where the contact before it ends.
+    fn span(&self, region: RegionId) -> Vec<(f64, f64)> {
+        let (before, length) = match region {
+            RegionId::SlackSpan => (RegionId::Primary, self.constant(Constant::SlackLength)),
+            _ => (RegionId::Secondary, self.constant(Constant::TightLength)),
+        };
+        let (x0, y0) = self.contact(before).last().copied().unwrap_or((f64::NAN, f64::NAN));
+        let Some(part) = self.outcome.solved.solution.regions().get(region.index()) else { return Vec::new() };
+        let integral = |name: &str| {
+            let at = self.outcome.solved.belt.kernel(region).integrals.iter().position(|symbol| symbol.name == name);
+            at.map_or(&[][..], |at| part.cumulative(at))
+        };
+        let scale = 1e3 * length;
+        let nodes: Vec<(f64, f64)> = integral("X").iter().zip(integral("Y")).map(|(x, y)| (*x, *y)).collect();
+        let at = self.outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "vartheta");
+        let direction = at.map_or(&[][..], |at| part.state(at));
+        let smooth = between(part.mesh(), &nodes, direction);
+        smooth.into_iter().map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect()
+    }
+
+    fn trajectory(&self) -> Figure {
+        let circle = |region| {
+            let (radius, center, _) = self.pulley(region);
+            let at = |part: usize| (TAU * part as f64 / 180.0).sin_cos();
+            let points = (0..=180).map(at).map(|(sin, cos)| (1e3 * (center + radius * cos), 1e3 * radius * sin));
+            Series::line("", points.collect()).look(Look::Guide)
+        };
+        let line = |label: &str, points, color| Series::line(label, points).color(color);
+        let result = &self.outcome.result;
+        let center = self.constant(Constant::CenterDistance);
+        let force = [
+            (1e3 * result.primary.resultant_x, 1e3 * result.primary.resultant_y),
+            (1e3 * (center + result.secondary.resultant_x), 1e3 * result.secondary.resultant_y),
+        ];
+        let mut nominal = circle(RegionId::Primary);
+        nominal.label = "nominal radius".into();
+        let series = vec![
+            nominal,
+            circle(RegionId::Secondary),
+            line("contact", self.contact(RegionId::Primary), 0),
+            line("", self.contact(RegionId::Secondary), 0),
+            line("tight span", self.span(RegionId::TightSpan), 1),
+            line("slack span", self.span(RegionId::SlackSpan), 2),
+            Series::line("resultant axial force", force.to_vec()).look(Look::Dots).color(3),
+            Series::line("", vec![(0.0, 0.0), (1e3 * center, 0.0)]).look(Look::Dots).color(6),
+        ];
+        let caption = "The belt's path, where it touches the pulleys, and where the axial forces act";
+        let mut figure = Figure::new("trajectory", caption, Axis::new("x (mm)"), Axis::new("y (mm)"), series);
+        figure.equal = true;
+        let under = |text: &str, x: f64| Mark { at: (x, -12.0), text: text.into() };
+        figure.marks = vec![under("primary", 0.0), under("secondary", 1e3 * center)];
+        figure
+    }
+
+    /// How far each span lies outside the straight line between its ends.
+    fn span_shape(&self) -> Figure {
+        let series = [(RegionId::TightSpan, "tight span", 1), (RegionId::SlackSpan, "slack span", 2)].map(
+            |(region, label, color)| {
+                let points = self.span(region);
+                let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
+                    return Series::line(label, Vec::new());
+                };
+                let (dx, dy) = (last.0 - first.0, last.1 - first.1);
+                let chord = dx.hypot(dy);
+                let over = |(x, y): (f64, f64)| {
+                    let (x, y) = (x - first.0, y - first.1);
+                    // The belt runs counter-clockwise: outside is on its right.
+                    ((x * dx + y * dy) / chord, (y * dx - x * dy) / -chord)
+                };
+                Series::line(label, points.into_iter().map(over).collect()).color(color)
+            },
+        );
+        Figure::new(
+            "span_shape",
+            "How far the spans bulge outward from the straight line between their ends",
+            Axis::new("distance along the straight line (mm)"),
+            Axis::new("bulge (mm)"),
+            series.into(),
+        )
+    }
+
+    fn span_tension(&self) -> Figure {
+        let spans = [
+            (RegionId::TightSpan, "tight span", Constant::TightLength, 1),
+            (RegionId::SlackSpan, "slack span", Constant::SlackLength, 2),
+        ];
+        let series = spans.map(|(region, label, length, color)| {
+            let length = 1e3 * self.constant(length);
+            let points = self.s(region).iter().map(|s| s * length).zip(self.state(region, "tau")).collect();
+            Series::line(label, points).color(color)
+        });
+        let (x, y) = (Axis::new("arc length along the belt (mm)"), Axis::new("tractive tension T (N)"));
+        Figure::new("span_tension", "Tractive tension along the spans", x, y, series.into())
+    }
+}

@@ -1,0 +1,120 @@
+//! Lines cut to the frame and into dashes.
+
+type Point = (f64, f64);
+
+/// The parts of a line within a frame (left, right, top, bottom); a point that is no number breaks the line.
+pub fn clipped(points: &[Point], frame: [f64; 4]) -> Vec<Vec<Point>> {
+    let mut parts: Vec<Vec<Point>> = Vec::new();
+    let mut end: Option<Point> = None;
+    for pair in points.windows(2) {
+        let &[a, b] = pair else { continue };
+        let Some((from, to)) = inside(a, b, frame) else {
+            end = None;
+            continue;
+        };
+        match parts.last_mut() {
+            Some(part) if end == Some(from) => part.push(to),
+            _ => parts.push(vec![from, to]),
+        }
+        end = Some(to);
+    }
+    parts
+}
+
+/// The part of a segment within a frame (Y.-D. Liang, B. A. Barsky, ACM Trans. Graphics 3, 1984).
+fn inside((ax, ay): Point, (bx, by): Point, [left, right, top, bottom]: [f64; 4]) -> Option<(Point, Point)> {
+    if ![ax, ay, bx, by].iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    let (dx, dy) = (bx - ax, by - ay);
+    let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
+    for (p, q) in [(-dx, ax - left), (dx, right - ax), (-dy, ay - top), (dy, bottom - ay)] {
+        if p == 0.0 {
+            if q < 0.0 {
+                return None;
+            }
+        } else if p < 0.0 {
+            t0 = t0.max(q / p);
+        } else {
+            t1 = t1.min(q / p);
+        }
+    }
+    let at = |t: f64| {
+        if t == 0.0 {
+            (ax, ay)
+        } else if t == 1.0 {
+            (bx, by)
+        } else {
+            (ax + t * dx, ay + t * dy)
+        }
+    };
+    (t0 <= t1).then(|| (at(t0), at(t1)))
+}
+
+/// The line without points that lie closer than `least` to the one before; both ends stay.
+pub fn thinned(points: Vec<Point>, least: f64) -> Vec<Point> {
+    let last = points.last().copied();
+    let mut kept: Vec<Point> = Vec::with_capacity(points.len());
+    for point in points {
+        if kept.last().is_none_or(|(x, y)| (point.0 - x).hypot(point.1 - y) >= least) {
+            kept.push(point);
+        }
+    }
+    if kept.len() > 1 {
+        kept.pop();
+    }
+    kept.extend(last);
+    kept
+}
+
+/// The line in dashes of length `on` with gaps of length `off`.
+pub fn dashed(points: &[Point], on: f64, off: f64) -> Vec<Vec<Point>> {
+    let mut dashes = Vec::new();
+    let mut dash: Vec<Point> = points.first().copied().into_iter().collect();
+    let (mut drawing, mut left) = (true, on);
+    for pair in points.windows(2) {
+        let &[(ax, ay), (bx, by)] = pair else { continue };
+        let length = (bx - ax).hypot(by - ay);
+        let mut done = 0.0;
+        while length - done > left {
+            done += left;
+            let t = done / length;
+            let here = (ax + t * (bx - ax), ay + t * (by - ay));
+            if drawing {
+                dash.push(here);
+                dashes.push(std::mem::take(&mut dash));
+            } else {
+                dash = vec![here];
+            }
+            drawing = !drawing;
+            left = if drawing { on } else { off };
+        }
+        left -= length - done;
+        if drawing {
+            dash.push((bx, by));
+        }
+    }
+    if drawing && dash.len() > 1 {
+        dashes.push(dash);
+    }
+    dashes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_cut_at_the_frame_and_at_gaps() {
+        let frame = [0.0, 10.0, 0.0, 10.0];
+        assert_eq!(clipped(&[(-5.0, 5.0), (15.0, 5.0)], frame), [[(0.0, 5.0), (10.0, 5.0)]]);
+        assert_eq!(clipped(&[(1.0, 1.0), (f64::NAN, 2.0), (3.0, 3.0), (4.0, 4.0)], frame), [[(3.0, 3.0), (4.0, 4.0)]]);
+        assert!(clipped(&[(-5.0, -5.0), (15.0, -6.0)], frame).is_empty());
+    }
+
+    #[test]
+    fn dashes_have_their_lengths() {
+        let dashes = dashed(&[(0.0, 0.0), (4.0, 0.0), (10.0, 0.0)], 3.0, 2.0);
+        assert_eq!(dashes, [vec![(0.0, 0.0), (3.0, 0.0)], vec![(5.0, 0.0), (8.0, 0.0)]]);
+    }
+}

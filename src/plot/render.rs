@@ -1,0 +1,118 @@
+//! Figures as SVG and PNG.
+
+use super::canvas::{Canvas, size};
+use super::figure::Figure;
+use plotters::backend::{BitMapBackend, SVGBackend};
+use plotters::drawing::IntoDrawingArea;
+use plotters::style::{FontStyle, WHITE, register_font};
+use std::sync::Once;
+
+/// Steps of the SVG's coordinates for one of the figure's points.
+const STEPS: u32 = 10;
+/// Points that a PNG has for one of the figure's.
+const RESOLUTION: u32 = 2;
+/// Points drawn for one of the PNG's, whose mean it is.
+const SAMPLES: u32 = 2;
+
+/// A figure that could not be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("figure `{figure}` cannot be drawn: {reason}")]
+pub struct PlotError {
+    /// The figure's name.
+    pub figure: String,
+    /// Why not.
+    pub reason: String,
+}
+
+/// DejaVu Sans, Latin, Greek and what indices and exponents need (licenses/DejaVu-Fonts.md).
+fn fonts() {
+    static REGISTERED: Once = Once::new();
+    REGISTERED.call_once(|| {
+        // A font that cannot be read shows when a text is drawn.
+        let _ = register_font("sans-serif", FontStyle::Normal, include_bytes!("font/DejaVuSans.ttf"));
+    });
+}
+
+impl Figure {
+    /// The figure as SVG, with texts as texts.
+    ///
+    /// # Errors
+    /// [`PlotError`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        fonts();
+        let mut text = String::new();
+        let (width, height) = size(self);
+        let area = SVGBackend::with_string(&mut text, (width * STEPS, height * STEPS)).into_drawing_area();
+        let drawn = area
+            .fill(&WHITE)
+            .and_then(|()| Canvas::new(self, &area, STEPS as i32).draw())
+            .and_then(|()| area.present())
+            .map_err(|error| error.to_string());
+        drop(area);
+        drawn.map_err(|reason| self.error(reason))?;
+        let fine = format!("width=\"{}\" height=\"{}\"", width * STEPS, height * STEPS);
+        let name = escape(&self.caption);
+        let own = format!("role=\"img\" aria-label=\"{name}\" width=\"{width}\" height=\"{height}\"");
+        Ok(text.replacen(&fine, &own, 1))
+    }
+
+    /// The figure as PNG, two points for one.
+    ///
+    /// # Errors
+    /// [`PlotError`].
+    pub fn png(&self) -> Result<Vec<u8>, PlotError> {
+        fonts();
+        let factor = RESOLUTION * SAMPLES;
+        let (width, height) = size(self);
+        let (wide, high) = (width * factor, height * factor);
+        let mut fine = vec![0_u8; 3 * wide as usize * high as usize];
+        {
+            let area = BitMapBackend::with_buffer(&mut fine, (wide, high)).into_drawing_area();
+            let drawn = area
+                .fill(&WHITE)
+                .and_then(|()| Canvas::new(self, &area, factor as i32).draw())
+                .and_then(|()| area.present());
+            drawn.map_err(|error| self.error(error.to_string()))?;
+        }
+        let (width, height) = (width * RESOLUTION, height * RESOLUTION);
+        let mean = means(&fine, wide as usize);
+        encode(&mean, width, height).map_err(|error| self.error(error.to_string()))
+    }
+
+    fn error(&self, reason: String) -> PlotError {
+        PlotError { figure: self.name.clone(), reason }
+    }
+}
+
+/// The mean of each square of samples.
+fn means(fine: &[u8], wide: usize) -> Vec<u8> {
+    let samples = SAMPLES as usize;
+    let mut mean = Vec::with_capacity(fine.len() / (samples * samples));
+    for rows in fine.chunks_exact(3 * wide * samples) {
+        for column in 0..wide / samples {
+            for color in 0..3 {
+                let sample = |i: usize| {
+                    let (row, x) = (i / samples, column * samples + i % samples);
+                    u32::from(rows.get(3 * (row * wide + x) + color).copied().unwrap_or(255))
+                };
+                let sum: u32 = (0..samples * samples).map(sample).sum();
+                mean.push((sum / (SAMPLES * SAMPLES)) as u8);
+            }
+        }
+    }
+    mean
+}
+
+fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.write_header()?.write_image_data(pixels)?;
+    Ok(bytes)
+}
+
+/// A text within an XML attribute.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

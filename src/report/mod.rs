@@ -1,0 +1,7 @@
+//! One solution as a page that a person reads in a minute: no other file, no network.
+
+mod loss;
+mod page;
+
+pub use loss::{LossSplit, Mechanisms, losses};
+pub use page::{document, page, warnings};

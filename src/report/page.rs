@@ -1,0 +1,257 @@
+//! The page itself.
+
+use super::loss::{LossSplit, Mechanisms, losses};
+use crate::case::{Kind, Setting};
+use crate::plot::{Figure, PlotError};
+use crate::result::{Outcome, Pulley};
+use std::fmt::Write;
+
+/// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
+const LITTLE_ADHESION: f64 = 0.02;
+/// Share of the power that may go missing before it is said.
+const IMBALANCE: f64 = 0.01;
+/// Share of the belt's length by which the drive's may differ before it is said.
+const LENGTH_ERROR: f64 = 0.005;
+
+const STYLE: &str = "\
+:root{color-scheme:light dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}\
+@media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--page:#16181b;--line:#3a3d42;--soft:#a0a0a0;--warn:#ffb066}}\
+body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1180px;margin:2em auto;padding:0 1.2em}\
+h1{font-size:1.5em;margin:0}h2{font-size:1.1em;margin:1.8em 0 .5em;border-bottom:1px solid var(--line)}\
+p.lead{color:var(--soft);margin:.2em 0 1em}table{border-collapse:collapse}td,th{padding:.16em .9em .16em 0;text-align:left;font-weight:normal}\
+th{color:var(--soft)}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}.key{display:flex;flex-wrap:wrap;gap:.6em 2.4em;margin:1em 0}\
+.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 4em}\
+ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}\
+figure{margin:0}figure svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
+figure.wide{grid-column:1/-1;max-width:760px}@media print{body{margin:0}figure{break-inside:avoid}}";
+
+/// What a careful reader of the result would want to know first; nothing for a healthy drive.
+pub fn warnings(outcome: &Outcome) -> Vec<String> {
+    let result = &outcome.result;
+    let mut said = Vec::new();
+    let threshold = result.inputs.sheave.slip_threshold;
+    if result.primary.adhesion_fraction < LITTLE_ADHESION && result.secondary.adhesion_fraction < LITTLE_ADHESION {
+        let slowest = result.primary.min_sliding_speed.min(result.secondary.min_sliding_speed);
+        said.push(format!(
+            "Little slip reserve: the belt adheres on neither pulley (slowest sliding {:.2e} m/s, threshold {threshold:.0e} m/s). \
+             More clamping brings adhesion back.",
+            slowest
+        ));
+    }
+    for (name, region) in
+        [("primary", crate::drive::RegionId::Primary), ("secondary", crate::drive::RegionId::Secondary)]
+    {
+        let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "x");
+        let part = outcome.solved.solution.regions().get(region.index());
+        let x = at.and_then(|at| Some(part?.state(at))).unwrap_or_default();
+        let lowest = x.iter().copied().fold(0.0, f64::min);
+        let deepest = x.iter().copied().fold(0.0, f64::max);
+        if lowest < -1e-3 * deepest {
+            said.push(format!(
+                "Negative penetration on the {name}: down to {:.4} mm, where the groove would have to pull the belt in.",
+                1e3 * lowest
+            ));
+        }
+    }
+    let (belt, length) = (&result.belt, result.inputs.belt.length);
+    if belt.length_error.abs() > LENGTH_ERROR * length {
+        said.push(format!(
+            "The belt does not fit: this drive needs {:.1} mm, the belt has {:.1} mm unstretched.",
+            1e3 * belt.unstretched_length,
+            1e3 * length
+        ));
+    }
+    let imbalance = result.energy.imbalance;
+    if imbalance.abs() > IMBALANCE {
+        said.push(format!(
+            "Energy is not conserved: {:.1} W of {:.1} W in ({:.1} %) go where no friction explains it; this is the \
+             edition's doing.",
+            imbalance * result.energy.power_in,
+            result.energy.power_in,
+            100.0 * imbalance
+        ));
+    }
+    said
+}
+
+/// The report of a solution with its figures: one HTML page that needs nothing else.
+///
+/// # Errors
+/// A figure that could not be drawn.
+pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> {
+    let result = &outcome.result;
+    let mut html = String::new();
+    // Writing to a string cannot fail.
+    let _ = write!(
+        html,
+        "<h1>Belt drive</h1><p class=\"lead\">Edition {}; ratio R_S/R_P = {:.3}; \
+         {:.2} N·m at {:.0} rpm</p>\n",
+        result.edition,
+        result.inputs.drive.secondary_radius / result.inputs.drive.primary_radius,
+        result.primary.torque,
+        rpm(result.primary.speed),
+    );
+    headline(&mut html, outcome);
+    let said = warnings(outcome);
+    if !said.is_empty() {
+        html += "<ul class=\"warn\">";
+        html.extend(said.iter().map(|text| format!("<li>{text}</li>")));
+        html += "</ul>\n";
+    }
+    html += "<div class=\"two\"><div><h2>Pulleys</h2>";
+    pulleys(&mut html, &result.primary, &result.secondary);
+    html += "</div><div><h2>Energy</h2>";
+    energy(&mut html, outcome, &losses(outcome));
+    html += "</div><div><h2>Given</h2>";
+    inputs(&mut html, outcome);
+    html += "</div></div>\n<h2>Figures</h2><div class=\"figures\">";
+    for figure in figures {
+        let class = if figure.equal { " class=\"wide\"" } else { "" };
+        let _ = write!(
+            html,
+            "<figure id=\"{}\"{class}>{}<figcaption>{}</figcaption></figure>\n",
+            figure.name,
+            figure.svg()?,
+            figure.caption
+        );
+    }
+    html += "</div>";
+    footer(&mut html, outcome);
+    Ok(document("Belt drive", &html))
+}
+
+/// A whole HTML document in the style of the reports, that refers to nothing outside itself.
+pub fn document(title: &str, body: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" \
+         content=\"width=device-width,initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>{title}</title>\
+         <style>{STYLE}</style></head>\n<body>{body}</body></html>\n"
+    )
+}
+
+fn rpm(speed: f64) -> f64 {
+    speed * 30.0 / std::f64::consts::PI
+}
+
+fn headline(html: &mut String, outcome: &Outcome) {
+    let result = &outcome.result;
+    let items = [
+        (format!("{:.2} %", 100.0 * result.efficiency.overall), "overall efficiency"),
+        (format!("{:.2} %", 100.0 * result.efficiency.speed), "speed efficiency"),
+        (format!("{:.2} %", 100.0 * result.efficiency.torque), "torque efficiency"),
+        (format!("{:.1} N", result.primary.axial_force), "axial force, primary"),
+        (format!("{:.1} N", result.secondary.axial_force), "axial force, secondary"),
+        (format!("{:+.2} mm", 1e3 * result.belt.length_error), "drive against belt length"),
+    ];
+    *html += "<div class=\"key\">";
+    html.extend(items.map(|(value, name)| format!("<div><b>{}</b><span>{name}</span></div>", signed(&value))));
+    *html += "</div>\n";
+}
+
+/// A number with a true minus sign; any other text as it is.
+fn signed(text: &str) -> String {
+    text.strip_prefix('-').map_or_else(|| text.to_owned(), |number| format!("\u{2212}{number}"))
+}
+
+fn row(html: &mut String, name: &str, cells: &[String], unit: &str) {
+    let _ = write!(html, "<tr><th>{name}</th>");
+    html.extend(cells.iter().map(|cell| format!("<td class=\"n\">{}</td>", signed(cell))));
+    let _ = write!(html, "<td>{unit}</td></tr>");
+}
+
+fn pulleys(html: &mut String, primary: &Pulley, secondary: &Pulley) {
+    *html += "<table><tr><th></th><th class=\"n\">primary</th><th class=\"n\">secondary</th><th></th></tr>";
+    type Quantity = (&'static str, &'static str, usize, fn(&Pulley) -> f64);
+    let rows: [Quantity; 16] = [
+        ("axial force A", "N", 1, |p| p.axial_force),
+        ("torque", "N·m", 3, |p| p.torque),
+        ("speed", "rpm", 1, |p| rpm(p.speed)),
+        ("power", "W", 1, |p| p.power),
+        ("wrap angle Φ", "deg", 2, |p| p.wrap_angle.to_degrees()),
+        ("inclination θ at entry", "deg", 2, |p| p.entry_angle.to_degrees()),
+        ("inclination θ at exit", "deg", 2, |p| p.exit_angle.to_degrees()),
+        ("tractive tension at entry", "N", 1, |p| p.entry_tension),
+        ("tractive tension at exit", "N", 1, |p| p.exit_tension),
+        ("largest penetration", "mm", 3, |p| 1e3 * p.max_penetration),
+        ("slowest sliding", "mm/s", 3, |p| 1e3 * p.min_sliding_speed),
+        ("fastest sliding", "mm/s", 0, |p| 1e3 * p.max_sliding_speed),
+        ("adhesion", "% of wrap", 1, |p| 100.0 * p.adhesion_fraction),
+        ("resultant x", "mm", 1, |p| 1e3 * p.resultant_x),
+        ("resultant y", "mm", 1, |p| 1e3 * p.resultant_y),
+        ("binding moment", "N·m", 1, |p| p.binding_moment),
+    ];
+    for (name, unit, digits, value) in rows {
+        let cells = [primary, secondary].map(|pulley| format!("{:.digits$}", value(pulley)));
+        row(html, name, &cells, unit);
+    }
+    *html += "</table>";
+}
+
+fn energy(html: &mut String, outcome: &Outcome, split: &LossSplit) {
+    let energy = &outcome.result.energy;
+    let watt = |value: f64| [format!("{value:.1}"), format!("{:.3} %", 100.0 * value / energy.power_in)];
+    *html += "<table><tr><th></th><th class=\"n\">W</th><th class=\"n\">of power in</th><th></th></tr>";
+    row(html, "power in", &watt(energy.power_in), "");
+    row(html, "power out", &watt(energy.power_out), "");
+    row(html, "friction loss", &watt(energy.friction_loss), "");
+    row(html, "unaccounted for", &watt(energy.imbalance * energy.power_in), "");
+    *html += "</table><h2>Friction loss</h2><table><tr><th>W</th><th class=\"n\">primary</th><th class=\"n\">secondary</th><th class=\"n\">both</th><th></th></tr>";
+    type Part = (&'static str, fn(&Mechanisms) -> f64);
+    let parts: [Part; 6] = [
+        ("at entry", |m| m.entry),
+        ("seated", |m| m.seated),
+        ("at exit", |m| m.exit),
+        ("sliding radially", |m| m.radial),
+        ("sliding around", |m| m.tangential),
+        ("in all", |m| m.radial + m.tangential),
+    ];
+    for (name, part) in parts {
+        let (primary, secondary) = (part(&split.primary), part(&split.secondary));
+        row(html, name, &[primary, secondary, primary + secondary].map(|value| format!("{value:.2}")), "");
+    }
+    *html += "</table>";
+}
+
+fn inputs(html: &mut String, outcome: &Outcome) {
+    *html += "<table>";
+    for (key, setting) in outcome.result.inputs.settings() {
+        let entry = key.entry();
+        let (value, unit) = match (setting, entry.kind) {
+            (Setting::Number(si), Kind::Quantity { unit, .. }) => {
+                (short(unit.from_si(si)), unit.symbol.replace('*', "·").replace("^2", "²"))
+            }
+            (Setting::Number(si), Kind::Choice { .. }) => (si.to_string(), String::new()),
+            (Setting::Name(name), _) => (name.to_owned(), String::new()),
+        };
+        let symbol = if entry.symbol.is_empty() { String::new() } else { format!(" {}", entry.symbol) };
+        let name = entry.name().replace('_', " ");
+        row(html, &format!("{name}{symbol}"), &[value], &unit);
+    }
+    *html += "</table>";
+}
+
+/// Six digits, without zeros at the end.
+fn short(value: f64) -> String {
+    let digits = (5.0 - value.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+fn footer(html: &mut String, outcome: &Outcome) {
+    let solver = &outcome.result.solver;
+    let mesh = &solver.mesh_intervals;
+    let _ = write!(
+        html,
+        "<p class=\"lead\">Solved in {:.1} ms: order {}, largest relative residual {:.1e} of {:.0e}, boundary residual {:.1e}, \
+         {} intervals, {} continuation steps, {} Newton iterations. sheave {}.</p>",
+        1e3 * solver.wall_time,
+        solver.order,
+        solver.max_residual,
+        solver.tolerance,
+        solver.max_boundary_residual,
+        mesh.primary + mesh.secondary + mesh.tight_span + mesh.slack_span,
+        solver.continuation_steps,
+        solver.newton_iterations,
+        env!("CARGO_PKG_VERSION"),
+    );
+}

@@ -1,0 +1,162 @@
+//! The grid: which case stands at which point.
+
+use super::axis::Axis;
+use super::error::StudyError;
+use crate::case::{Case, CaseError, Key, Problem, Resolved, Setting};
+use crate::drive::SolveOptions;
+use std::ops::Range;
+
+/// Points of a grid that is still believed to be meant.
+pub const MAX_POINTS: usize = 1_000_000;
+
+/// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
+/// start of the first hardly counts.
+const CHAIN: usize = 16;
+
+/// Keys of which one stands in place of the others: a key that is varied takes out the others of the case.
+const SLOTS: [&[Key]; 2] = [
+    &[Key::PrimaryTorque, Key::SecondaryTorque, Key::SpeedRatio],
+    &[Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce],
+];
+
+/// A case, what is varied in it, and how accurately it is solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    case: Case,
+    axes: Vec<Axis>,
+    options: SolveOptions,
+}
+
+/// The case at a point of the grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// What is varied, with its values here.
+    pub varied: Vec<(Key, Setting)>,
+    /// The case; or why there is no drive at this point, although there may be at others: pulleys that overlap, or a
+    /// belt that fits none.
+    pub case: Result<Resolved, CaseError>,
+}
+
+impl Study {
+    /// The grid of all `axes` over `case`, checked at every point. A key that is varied takes the place of the keys of
+    /// the case that say the same in another way: the ratio that of both radii, a tension that of an axial force.
+    ///
+    /// # Errors
+    /// What is wrong with the grid, or with the case at some point of it: see [`StudyError`].
+    pub fn new(case: Case, axes: impl IntoIterator<Item = Axis>, options: SolveOptions) -> Result<Self, StudyError> {
+        let axes: Vec<Axis> = axes.into_iter().collect();
+        let mut varied: Vec<Key> = Vec::new();
+        for key in axes.iter().flat_map(Axis::keys) {
+            if varied.contains(key) {
+                return Err(StudyError::Twice { key: *key });
+            }
+            varied.push(*key);
+        }
+        if axes.is_empty() {
+            return Err(StudyError::NoAxis);
+        }
+        let points = axes.iter().try_fold(1_usize, |points, axis| points.checked_mul(axis.points()));
+        if points.is_none_or(|points| points > MAX_POINTS) {
+            return Err(StudyError::TooMany);
+        }
+        let case = make_room(case, &varied)?;
+        let study = Self { case, axes, options };
+        (0..study.points()).try_for_each(|index| study.point(index).map(|_| ()))?;
+        Ok(study)
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.axes.iter().map(Axis::points).product()
+    }
+
+    /// What is varied.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// How the points are solved.
+    pub fn options(&self) -> &SolveOptions {
+        &self.options
+    }
+
+    /// The case at a point, counted in input order with the last axis fastest.
+    ///
+    /// # Errors
+    /// A case that contradicts itself; [`Study::new`] has seen to it that there is none.
+    pub fn point(&self, index: usize) -> Result<Point, CaseError> {
+        let mut places = Vec::with_capacity(self.axes.len());
+        let mut rest = index;
+        for axis in self.axes.iter().rev() {
+            places.push(rest % axis.points());
+            rest /= axis.points();
+        }
+        let varied: Vec<(Key, Setting)> =
+            self.axes.iter().zip(places.iter().rev()).flat_map(|(axis, place)| axis.at(*place)).collect();
+        let mut case = self.case.clone();
+        for (key, setting) in &varied {
+            match setting {
+                Setting::Number(value) => case.set_si(*key, *value)?,
+                Setting::Name(name) => case.set(key.path(), name)?,
+            }
+        }
+        let resolved = match case.resolve() {
+            Ok(resolved) => {
+                case.check_supported(&resolved)?;
+                Ok(resolved)
+            }
+            Err(error) if matches!(error.problem(), Problem::Overlap { .. } | Problem::NoRadii { .. }) => Err(error),
+            Err(error) => return Err(error),
+        };
+        Ok(Point { varied, case: resolved })
+    }
+
+    /// Points that are solved one from the other, in order: pieces of the lines along the last axis.
+    pub(super) fn chains(&self) -> Vec<Range<usize>> {
+        let line = self.axes.last().map_or(1, Axis::points);
+        let starts = (0..self.points()).step_by(line.max(1));
+        starts
+            .flat_map(|start| {
+                let pieces = (start..start + line).step_by(CHAIN);
+                pieces.map(move |first| first..(first + CHAIN).min(start + line))
+            })
+            .collect()
+    }
+
+    /// Everything the rows depend on, as one line of text.
+    pub(super) fn fingerprint(&self) -> String {
+        let axis = |axis: &Axis| {
+            let points: Vec<Vec<(&str, Setting)>> = (0..axis.points())
+                .map(|point| axis.at(point).map(|(key, setting)| (key.path(), setting)).collect())
+                .collect();
+            serde_json::to_value(points).unwrap_or_default()
+        };
+        let base = self.point(0).ok().and_then(|point| point.case.ok());
+        let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
+        let axes: Vec<serde_json::Value> = self.axes.iter().map(axis).collect();
+        serde_json::json!({ "version": env!("CARGO_PKG_VERSION"), "case": base, "axes": axes, "options": options })
+            .to_string()
+    }
+}
+
+/// Takes out of the case what the varied keys stand in place of.
+fn make_room(mut case: Case, varied: &[Key]) -> Result<Case, CaseError> {
+    let radii = [Key::PrimaryRadius, Key::SecondaryRadius];
+    let mut out: Vec<Key> = Vec::new();
+    if varied.contains(&Key::Ratio) {
+        out.extend(radii);
+    } else if radii.iter().any(|key| varied.contains(key)) {
+        out.push(Key::Ratio);
+    }
+    // With both radii free, two keys of one slot may stand side by side.
+    if !case.has(Key::Free) {
+        for slot in SLOTS {
+            if slot.iter().any(|key| varied.contains(key)) {
+                out.extend(slot);
+            }
+        }
+    }
+    out.retain(|key| !varied.contains(key));
+    out.iter().try_for_each(|key| case.unset(key.path()))?;
+    Ok(case)
+}

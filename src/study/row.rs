@@ -1,0 +1,274 @@
+//! Rows of a study, and the table they make.
+
+use super::plan::Point;
+use crate::case::Setting;
+use crate::result::Outcome;
+use serde_json::{Number, Value};
+use std::collections::HashMap;
+
+/// The one scalar of a result that is a clock's: it stays empty in a study, whose rows depend on its inputs alone.
+const CLOCK: &str = "solver.wall_time";
+
+/// One scalar.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// Nothing: of a point without a solution, or of an edition that does not have the quantity.
+    Empty,
+    /// Yes or no.
+    Truth(bool),
+    /// A number in SI units, or a count.
+    Number(Number),
+    /// A name or a reason.
+    Text(Box<str>),
+}
+
+impl Cell {
+    /// As a number.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => number.as_f64(),
+            _ => None,
+        }
+    }
+
+    /// As a JSON value.
+    pub fn to_json(&self) -> Value {
+        match self {
+            Self::Empty => Value::Null,
+            Self::Truth(truth) => Value::Bool(*truth),
+            Self::Number(number) => Value::Number(number.clone()),
+            Self::Text(text) => Value::String(text.to_string()),
+        }
+    }
+
+    pub(super) fn from_json(value: Value) -> Option<Self> {
+        match value {
+            Value::Null => Some(Self::Empty),
+            Value::Bool(truth) => Some(Self::Truth(truth)),
+            Value::Number(number) => Some(Self::Number(number)),
+            Value::String(text) => Some(Self::Text(text.into())),
+            Value::Array(_) | Value::Object(_) => None,
+        }
+    }
+}
+
+/// Names of columns, in order.
+pub type Columns = Vec<String>;
+
+/// What one point of a study gave: the varied keys, `converged`, every scalar of the result with dots, `failure`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Place of the point in input order.
+    pub index: usize,
+    /// Names.
+    pub columns: Columns,
+    /// Values, as many as names.
+    pub cells: Vec<Cell>,
+}
+
+impl Row {
+    /// The row of a point: its result, or why there is none.
+    pub fn new(index: usize, point: &Point, outcome: Result<&Outcome, String>) -> Self {
+        let mut row = Self { index, columns: Vec::new(), cells: Vec::new() };
+        for (key, setting) in &point.varied {
+            let value = match setting {
+                Setting::Number(value) => Value::from(*value),
+                Setting::Name(name) => Value::from(*name),
+            };
+            row.push(key.path().to_owned(), value);
+        }
+        row.push("converged".into(), Value::Bool(outcome.is_ok()));
+        match &outcome {
+            Ok(outcome) => row.flatten("", serde_json::to_value(&outcome.result).unwrap_or_default()),
+            Err(_) => {
+                let inputs = point.case.as_ref().ok().and_then(|case| serde_json::to_value(case).ok());
+                row.flatten("inputs", inputs.unwrap_or_default());
+            }
+        }
+        row.push("failure".into(), outcome.err().map_or(Value::Null, Value::from));
+        row
+    }
+
+    /// Adds the scalars of a value under `name` with dots; a name that is there already keeps its first value.
+    fn flatten(&mut self, name: &str, value: Value) {
+        match value {
+            Value::Object(members) => {
+                let dot = if name.is_empty() { "" } else { "." };
+                for (member, value) in members {
+                    self.flatten(&format!("{name}{dot}{member}"), value);
+                }
+            }
+            Value::Array(_) => {}
+            _ if name.is_empty() => {}
+            _ if name == CLOCK => self.push(name.into(), Value::Null),
+            value => self.push(name.into(), value),
+        }
+    }
+
+    fn push(&mut self, name: String, value: Value) {
+        let Some(cell) = Cell::from_json(value) else { return };
+        if !self.columns.contains(&name) {
+            self.columns.push(name);
+            self.cells.push(cell);
+        }
+    }
+}
+
+/// A finished study: one row a point, in input order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    /// Names of the columns: the varied keys, `converged`, the result's scalars, `failure`.
+    pub columns: Columns,
+    /// Rows, each with as many cells as there are columns.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// Place of a column.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    /// A number of a row; NaN where there is none.
+    pub fn number(&self, row: usize, column: &str) -> f64 {
+        let cell = self.column(column).and_then(|at| self.rows.get(row)?.get(at));
+        cell.and_then(Cell::number).unwrap_or(f64::NAN)
+    }
+
+    /// How many points have no solution.
+    pub fn failures(&self) -> usize {
+        let Some(at) = self.column("converged") else { return 0 };
+        self.rows.iter().filter(|row| row.get(at) != Some(&Cell::Truth(true))).count()
+    }
+}
+
+/// Collects rows in any order.
+#[derive(Debug, Default)]
+pub struct TableBuilder {
+    /// Each set of names once, and how it was given.
+    layouts: Vec<Columns>,
+    known: HashMap<Columns, usize>,
+    /// By point: its layout and its cells.
+    rows: Vec<Option<(usize, Vec<Cell>)>>,
+}
+
+impl TableBuilder {
+    /// For a study of so many points.
+    pub fn new(points: usize) -> Self {
+        Self { rows: vec![None; points], ..Self::default() }
+    }
+
+    /// Whether the point has its row.
+    pub fn has(&self, index: usize) -> bool {
+        self.rows.get(index).is_some_and(Option::is_some)
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.rows.iter().flatten().count()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.rows.iter().flatten().next().is_none()
+    }
+
+    /// Number of a set of names, and whether it is new.
+    pub(super) fn layout(&mut self, columns: Columns) -> (usize, bool) {
+        if let Some(&known) = self.known.get(&columns) {
+            return (known, false);
+        }
+        self.layouts.push(columns.clone());
+        self.known.insert(columns, self.layouts.len() - 1);
+        (self.layouts.len() - 1, true)
+    }
+
+    /// Names of a layout; none of one that is not known.
+    pub(super) fn names(&self, layout: usize) -> Option<&Columns> {
+        self.layouts.get(layout)
+    }
+
+    /// Keeps a row. One that is there already stays: a point's row is a function of the study.
+    pub fn insert(&mut self, row: Row) {
+        let (layout, _) = self.layout(row.columns);
+        self.put(row.index, layout, row.cells);
+    }
+
+    pub(super) fn put(&mut self, index: usize, layout: usize, cells: Vec<Cell>) {
+        if let Some(place) = self.rows.get_mut(index) {
+            place.get_or_insert((layout, cells));
+        }
+    }
+
+    /// The table: columns in the order in which the rows bring them, a row's own between those it shares; `failure`
+    /// last. Points without a row are left out.
+    pub fn finish(self) -> Table {
+        let mut order: Vec<usize> = Vec::new();
+        for (layout, _) in self.rows.iter().flatten() {
+            if !order.contains(layout) {
+                order.push(*layout);
+            }
+        }
+        let mut columns = Columns::new();
+        for layout in order {
+            merge(&mut columns, self.layouts.get(layout).map_or(&[], Vec::as_slice));
+        }
+        let place: HashMap<&String, usize> = columns.iter().enumerate().map(|(at, name)| (name, at)).collect();
+        let places: Vec<Vec<Option<usize>>> =
+            self.layouts.iter().map(|names| names.iter().map(|name| place.get(name).copied()).collect()).collect();
+        let width = columns.len();
+        let spread = |(layout, cells): (usize, Vec<Cell>)| {
+            let mut row = vec![Cell::Empty; width];
+            for (cell, place) in cells.into_iter().zip(places.get(layout).into_iter().flatten()) {
+                if let Some(slot) = place.and_then(|place| row.get_mut(place)) {
+                    *slot = cell;
+                }
+            }
+            row
+        };
+        let rows = self.rows.into_iter().flatten().map(spread).collect();
+        Table { columns, rows }
+    }
+}
+
+/// Adds names that are missing, each behind the one it follows.
+fn merge(columns: &mut Columns, names: &[String]) {
+    let mut next = 0;
+    for name in names {
+        match columns.iter().position(|column| column == name) {
+            Some(at) => next = at + 1,
+            None => {
+                columns.insert(next, name.clone());
+                next += 1;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_unlike_columns_make_one_table() {
+        let row = |index, names: &[&str]| Row {
+            index,
+            columns: names.iter().map(|name| (*name).to_owned()).collect(),
+            cells: names.iter().map(|name| Cell::Text((*name).into())).collect(),
+        };
+        let mut builder = TableBuilder::new(4);
+        builder.insert(row(2, &["key", "a", "b", "failure"]));
+        builder.insert(row(0, &["key", "b", "failure"]));
+        builder.insert(row(1, &["key", "b", "c", "failure"]));
+        builder.insert(row(1, &["nothing"]));
+        assert!(builder.has(2) && !builder.has(3));
+        assert_eq!(builder.len(), 3);
+        let table = builder.finish();
+        assert_eq!(table.columns, ["key", "a", "b", "c", "failure"]);
+        let text = |row: usize, column: usize| table.rows[row][column].to_json().to_string();
+        assert_eq!(
+            (text(0, 1), text(0, 2), text(1, 3), text(2, 1)),
+            ("null".into(), "\"b\"".into(), "\"c\"".into(), "\"a\"".into())
+        );
+    }
+}
