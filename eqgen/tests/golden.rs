@@ -27,7 +27,8 @@ fn golden_copy_is_current() {
 #[test]
 fn operation_counts() {
     let counts = |file: &eqgen::SourceFile| {
-        let lines = file.text.lines().take_while(|line| line.starts_with("//")).filter(|line| line.starts_with("//   "));
+        let lines =
+            file.text.lines().take_while(|line| line.starts_with("//")).filter(|line| line.starts_with("//   "));
         let lines: Vec<String> = lines.map(|line| line.replacen("//   ", "    ", 1)).collect();
         (!lines.is_empty()).then(|| format!("{}\n{}\n", file.name, lines.join("\n")))
     };

@@ -61,9 +61,6 @@ impl CaseArguments {
 
     /// The case, resolved and fit for the solver.
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
-        let case = self.read()?;
-        let resolved = case.resolve()?;
-        case.check_supported(&resolved)?;
-        Ok(resolved)
+        self.read()?.resolve()
     }
 }
