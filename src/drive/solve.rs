@@ -14,6 +14,10 @@ use crate::case::{Model, Resolved};
 
 /// Tolerance on the way from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
+/// The same for a belt without bending stiffness.
+const STRING_TOLERANCE: f64 = 1e-3;
+/// Newton iterations of a step on the way, for a belt without bending stiffness.
+const STRING_ITERATIONS: usize = 30;
 /// Intervals of a region on the way.
 const WAY_INTERVALS: usize = 2000;
 /// Smallest step on a leg of the way, as a share of the leg.
@@ -123,7 +127,7 @@ fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions)
 
 /// Moves everything that is prescribed at once.
 fn together(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
-    approach(model, near, question, &way(options.solver()))
+    approach(model, near, question, &way(model, options.solver()))
 }
 
 /// Moves what is prescribed one value after the other.
@@ -134,7 +138,7 @@ fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &Solve
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
         let next = Question { constants: constants.clone(), swaps };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &way(solver))?;
+        here = approach(model, &here, &next, &way(model, solver))?;
     }
     here.question = question.clone();
     Ok(here)
@@ -151,10 +155,16 @@ fn rough(options: &SolveOptions) -> Options {
 }
 
 /// How a leg of the way is followed, `solve` being for its end.
-fn way(solve: Options) -> PathOptions {
+fn way(model: &Model, solve: Options) -> PathOptions {
+    let (tolerance, max_iterations) = match model.bending {
+        Some(_) => (ROUGH_TOLERANCE, PathOptions::default().max_iterations),
+        // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
+        None => (STRING_TOLERANCE, STRING_ITERATIONS),
+    };
     PathOptions {
         solve,
-        tolerance: ROUGH_TOLERANCE,
+        tolerance,
+        max_iterations,
         smallest_step: SMALLEST_STEP,
         max_steps: LEG_STEPS,
         ..PathOptions::default()
@@ -168,7 +178,7 @@ fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Resul
     let mut failure = None;
     for tension in start::tensions(target) {
         let begin = start::easy(target, tension);
-        match climb(&belt, &begin, target, options) {
+        match climb(model, &belt, &begin, target, options) {
             Ok((solution, stats, continuation_steps)) => {
                 return Ok(Solved { question: question.clone(), belt, solution, stats, continuation_steps });
             }
@@ -197,6 +207,7 @@ fn legs(begin: &Constants, target: &Constants) -> Vec<Ramp> {
 }
 
 fn climb(
+    model: &Model,
     belt: &Belt,
     begin: &Constants,
     target: &Constants,
@@ -208,7 +219,7 @@ fn climb(
     for (index, path) in legs.into_iter().enumerate() {
         let solver = if index + 1 == count { options.solver() } else { rough(options) };
         let guess = found.as_ref().map_or_else(|| start::guess(belt, begin), Guess::from);
-        let followed = follow(belt, &guess, &path, &unknowns, &way(lenient(&solver)))
+        let followed = follow(belt, &guess, &path, &unknowns, &way(model, lenient(&solver)))
             .map_err(|error| Failure::of(error.last.as_deref(), error.cause))?;
         stats += *followed.solution.stats();
         steps += accepted(&followed);
