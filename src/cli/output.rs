@@ -1,9 +1,9 @@
 //! Writing results: to standard output, and to files that are never seen half-written.
 
 use super::stop::Stop;
+use rayon::prelude::*;
 use serde::Serialize;
 use sheave::plot::Figure;
-use rayon::prelude::*;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
 use sheave::case::CaseError;
-use sheave::study::StudyError;
 use sheave::plot::PlotError;
+use sheave::study::StudyError;
 use std::io;
 use std::process::ExitCode;
 

@@ -3,6 +3,7 @@
 mod belt;
 mod constants;
 mod model;
+mod predict;
 mod region;
 mod solve;
 mod start;

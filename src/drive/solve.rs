@@ -55,6 +55,9 @@ pub enum Failure {
     /// The equations of this model are not known.
     #[error("there are no equations for this choice of model")]
     NoEquations,
+    /// A warm start without a solution to start from.
+    #[error("there is no solution to start from")]
+    NoStart,
     /// A choice of operating point that is not solved for.
     #[error("{0} cannot be prescribed")]
     OperatingPoint(&'static str),
@@ -98,15 +101,18 @@ impl Failure {
     pub(super) fn of(error: PathError) -> Self {
         match error.last {
             None => Self::Start(error.cause),
-            Some(last) => {
-                let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-                Self::Lost {
-                    torque: value(Constant::PrimaryTorque),
-                    slip_threshold: value(Constant::SlipThreshold),
-                    slack_tension: value(Constant::SlackTension),
-                    cause: error.cause,
-                }
-            }
+            Some(last) => Self::lost(&last, *error.cause),
+        }
+    }
+
+    /// Beyond the solution `last`.
+    pub(super) fn lost(last: &Solution, cause: SolveError) -> Self {
+        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
+        Self::Lost {
+            torque: value(Constant::PrimaryTorque),
+            slip_threshold: value(Constant::SlipThreshold),
+            slack_tension: value(Constant::SlackTension),
+            cause: Box::new(cause),
         }
     }
 }

@@ -23,7 +23,8 @@ th{color:var(--soft)}td.n,th.n{text-align:right;font-variant-numeric:tabular-num
 .key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 4em}\
 ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}\
 figure{margin:0}figure svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
-figure.wide{grid-column:1/-1;max-width:760px}@media print{body{margin:0}figure{break-inside:avoid}}";
+figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);gap:1em}\
+.beside b{color:var(--soft)}@media print{body{margin:0}figure{break-inside:avoid}}";
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
@@ -82,10 +83,10 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     let result = &outcome.result;
     let mut html = String::new();
     // Writing to a string cannot fail.
-    let _ = write!(
+    let _ = writeln!(
         html,
-        "<h1>Belt drive</h1><p class=\"lead\">Edition {}; ratio R_S/R_P = {:.3}; \
-         {:.2} N·m at {:.0} rpm</p>\n",
+        "<h1>Belt drive</h1><p class=\"lead\">Edition {}; ratio R<sub>S</sub>/R<sub>P</sub> = {:.3}; \
+         {:.2} N·m at {:.0} rpm</p>",
         result.edition,
         result.inputs.drive.secondary_radius / result.inputs.drive.primary_radius,
         result.primary.torque,
@@ -107,9 +108,9 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     html += "</div></div>\n<h2>Figures</h2><div class=\"figures\">";
     for figure in figures {
         let class = if figure.equal { " class=\"wide\"" } else { "" };
-        let _ = write!(
+        let _ = writeln!(
             html,
-            "<figure id=\"{}\"{class}>{}<figcaption>{}</figcaption></figure>\n",
+            "<figure id=\"{}\"{class}>{}<figcaption>{}</figcaption></figure>",
             figure.name,
             figure.svg()?,
             figure.caption
