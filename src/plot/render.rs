@@ -67,13 +67,11 @@ impl Figure {
         let factor = RESOLUTION * SAMPLES;
         let (width, height) = size(self);
         let (wide, high) = (width * factor, height * factor);
-        let mut fine = vec![0_u8; 3 * wide as usize * high as usize];
+        // White.
+        let mut fine = vec![255_u8; 3 * wide as usize * high as usize];
         {
             let area = BitMapBackend::with_buffer(&mut fine, (wide, high)).into_drawing_area();
-            let drawn = area
-                .fill(&WHITE)
-                .and_then(|()| Canvas::new(self, &area, factor as i32, true).draw())
-                .and_then(|()| area.present());
+            let drawn = Canvas::new(self, &area, factor as i32, true).draw().and_then(|()| area.present());
             drawn.map_err(|error| self.error(error.to_string()))?;
         }
         let (width, height) = (width * RESOLUTION, height * RESOLUTION);
@@ -91,16 +89,15 @@ fn means(fine: &[u8], wide: usize) -> Vec<u8> {
     let samples = SAMPLES as usize;
     let mut mean = Vec::with_capacity(fine.len() / (samples * samples));
     for rows in fine.chunks_exact(3 * wide * samples) {
-        for column in 0..wide / samples {
-            for color in 0..3 {
-                let sample = |i: usize| {
-                    let (row, x) = (i / samples, column * samples + i % samples);
-                    u32::from(rows.get(3 * (row * wide + x) + color).copied().unwrap_or(255))
-                };
-                let sum: u32 = (0..samples * samples).map(sample).sum();
-                mean.push((sum / (SAMPLES * SAMPLES)) as u8);
+        let mut sums = vec![[0_u32; 3]; wide / samples];
+        for row in rows.chunks_exact(3 * wide) {
+            for (sum, square) in sums.iter_mut().zip(row.chunks_exact(3 * samples)) {
+                for pixel in square.as_chunks::<3>().0 {
+                    sum.iter_mut().zip(pixel).for_each(|(sum, color)| *sum += u32::from(*color));
+                }
             }
         }
+        mean.extend(sums.as_flattened().iter().map(|sum| (sum / (SAMPLES * SAMPLES)) as u8));
     }
     mean
 }

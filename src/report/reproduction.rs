@@ -75,15 +75,16 @@ impl Reproduction {
     /// The energy audit of the base case: name, and each edition's watts.
     fn audit(&self) -> Vec<(&'static str, Vec<String>)> {
         let row = |name, watts: fn(&Chapters) -> f64| {
-            (name, self.editions.iter().map(|(chapters, ..)| format!("{:.1}", watts(chapters))).collect())
+            (name, self.editions.iter().map(|(chapters, ..)| format!("{:.2}", watts(chapters))).collect())
         };
         vec![
             row("power in", |chapters| chapters.base.result.energy.power_in),
             row("power out", |chapters| chapters.base.result.energy.power_out),
             row("friction loss", |chapters| chapters.base.result.energy.friction_loss),
+            row("stretch work", |chapters| chapters.base.result.energy.stretch_work),
             row("unaccounted for", |chapters| {
                 let energy = &chapters.base.result.energy;
-                energy.imbalance * energy.power_in
+                energy.closure * energy.power_in
             }),
         ]
     }

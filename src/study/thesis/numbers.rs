@@ -124,7 +124,7 @@ fn words(key: &str) -> String {
 fn check(section: &str, what: String, unit: &str, published: f64, tolerance: f64, ours: f64) -> Check {
     // A last digit's rounding in the comparison itself.
     let met = (ours - published).abs() <= tolerance * (1.0 + 1e-9);
-    Check { section: section.into(), what, unit: unit.into(), published, tolerance, ours, met }
+    Check { section: section.into(), what, unit: unit.replace('*', "·"), published, tolerance, ours, met }
 }
 
 /// A statement: how many of the places at which it is made contradict it.
@@ -223,7 +223,7 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
             let value = |row: usize| 100.0 * friction.table.number(row, "efficiency.overall");
             (0..a.len()).map(|at| (value(b.start + at) - value(a.start + at)).abs()).fold(0.0, f64::max)
         });
-        let what = "largest change of overall efficiency, μ_k from 0.3 to 0.5".to_owned();
+        let what = "largest change of overall efficiency, friction coefficient from 0.3 to 0.5".to_owned();
         checks.push(check("7.4", what, "percentage points", 0.0, 1.0, spread));
     }
     checks
