@@ -13,4 +13,4 @@ pub use belt::Belt;
 pub use constants::{Constant, Constants};
 pub use region::RegionId;
 pub use solve::{Failure, SolveOptions, Solved, given, solve};
-pub use warm::solve_from;
+pub use warm::{remoteness, solve_from};

@@ -46,6 +46,20 @@ pub fn solve_from(trail: &[&Solved], case: &Resolved, options: &SolveOptions) ->
     }
 }
 
+/// How far a case is from a solution: the largest factor between the given constants of both; infinite where one has
+/// none, or of another sign.
+pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
+    let Ok(target) = given(case) else { return f64::INFINITY };
+    let here = Constants::of(&from.solution);
+    let given = Constant::ALL.into_iter().filter(|constant| !from.solution.unknowns().contains(&constant.index()));
+    let factor = |constant: Constant| match target[constant] / here[constant] {
+        _ if target[constant] == here[constant] => 1.0,
+        factor if factor > 0.0 => factor.max(1.0 / factor),
+        _ => f64::INFINITY,
+    };
+    given.map(factor).fold(1.0, f64::max)
+}
+
 /// One step, from a solution to other given constants.
 fn advance(
     belt: &Belt,

@@ -1,12 +1,12 @@
-//! Solving the points of a study, on several threads.
+//! Solving the points of studies, on several threads.
 
 use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
-use crate::drive::{Failure, SolveOptions, Solved, solve_from};
+use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_from};
 use crate::result::{self, Outcome};
-use rayon::prelude::*;
+use rayon::Scope;
 use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -14,10 +14,15 @@ use std::time::Instant;
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
+/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
+/// whoever wants a point of the last.
+const HEADS: usize = 16;
+/// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
+const FARTHEST: f64 = 2.0;
 
 /// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given), and hands each row to
-/// `keep` as soon as it is there: in any order, from any thread. A chain with a wanted point is solved from its start
-/// up to its last wanted point, so that rows are the same whoever asks.
+/// `keep` as soon as it is there: in any order, from any thread. What a point is solved from depends on the study alone,
+/// so that rows are the same whoever asks.
 ///
 /// # Errors
 /// [`StudyError::Keep`] ends the run; [`StudyError::Threads`]. A point without a solution has a row that says why.
@@ -27,16 +32,21 @@ pub fn run(
     wanted: impl Fn(usize) -> bool + Sync,
     keep: impl Fn(Row) -> io::Result<()> + Sync,
 ) -> Result<(), StudyError> {
-    let chains = study.chains().into_iter().filter_map(|chain| {
-        let last = chain.clone().rev().find(|index| wanted(*index))?;
-        Some(chain.start..last + 1)
-    });
-    let chains: Vec<Range<usize>> = chains.collect();
-    let take = |index: usize, point: &Point, outcome: Solution<'_>| {
+    let task = |chain: Range<usize>| {
+        let last = chain.clone().rev().find(|index| wanted(*index));
+        let end = last.map_or(chain.start, |last| last + 1);
+        Task { places: vec![(0, chain.start)], start: chain.start, end }
+    };
+    let mut groups: Vec<Vec<Task>> =
+        study.chains().chunks(HEADS).map(|group| group.iter().cloned().map(task).collect()).collect();
+    for group in &mut groups {
+        let needed = group.iter().rposition(|task| task.start < task.end).map_or(0, |last| last + 1);
+        group.truncate(needed);
+    }
+    let take = |_: &Task, index: usize, point: &Point, outcome: Found<'_>| {
         if wanted(index) { keep(Row::new(index, point, outcome)) } else { Ok(()) }
     };
-    let solve = || chains.into_par_iter().with_max_len(1).try_for_each(|chain| along(study, chain, &take));
-    pool(jobs)?.install(solve)
+    Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, jobs)
 }
 
 /// Solves all points and makes a table of them.
@@ -65,38 +75,39 @@ pub fn each(
     jobs: Option<usize>,
     see: impl Fn(usize, usize, &Point, Result<&Outcome, String>) + Sync,
 ) -> Result<(Vec<Table>, usize), StudyError> {
-    let shared = shared(studies)?;
+    let groups = groups(studies)?;
+    let points = groups.iter().flatten().map(|task| task.end - task.start).sum();
     let rows: Vec<Mutex<TableBuilder>> =
         studies.iter().map(|study| Mutex::new(TableBuilder::new(study.points()))).collect();
-    let points = shared.iter().flat_map(|places| places.first()).map(|(_, chain)| chain.len()).sum();
-    let solve = |places: Vec<Place>| {
-        let Some((first, chain)) = places.first().cloned() else { return Ok(()) };
-        let Some(study) = studies.get(first) else { return Ok(()) };
-        let take = |index: usize, _: &Point, outcome: Solution<'_>| {
-            for (at, range) in &places {
-                let place = range.start + (index - chain.start);
-                let (Some(study), Some(rows)) = (studies.get(*at), rows.get(*at)) else { continue };
-                let Ok(point) = study.point(place) else { continue };
-                see(*at, place, &point, outcome.clone());
-                let row = Row::new(place, &point, outcome.clone());
-                rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
-            }
-            Ok(())
-        };
-        along(study, chain.clone(), &take)
+    let take = |task: &Task, index: usize, _: &Point, outcome: Found<'_>| {
+        for (at, first) in &task.places {
+            let place = first + (index - task.start);
+            let (Some(study), Some(rows)) = (studies.get(*at), rows.get(*at)) else { continue };
+            let Ok(point) = study.point(place) else { continue };
+            see(*at, place, &point, outcome.clone());
+            let row = Row::new(place, &point, outcome.clone());
+            rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
+        }
+        Ok(())
     };
-    pool(jobs)?.install(|| shared.into_par_iter().with_max_len(1).try_for_each(solve))?;
+    Work { studies, take: &take, failed: Mutex::default() }.run(groups, jobs)?;
     let table = |rows: Mutex<TableBuilder>| rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     Ok((rows.into_iter().map(table).collect(), points))
 }
 
-/// A chain: the number of its study, and its points.
-type Place = (usize, Range<usize>);
+/// A chain of points to solve one from the other.
+#[derive(Debug, Clone)]
+struct Task {
+    /// Where its points stand: numbers of studies, and of the first point there. The first of them is solved.
+    places: Vec<(usize, usize)>,
+    start: usize,
+    end: usize,
+}
 
-/// The chains of all studies, those of the same cases and options together: each by its study and its points.
-fn shared(studies: &[Study]) -> Result<Vec<Vec<Place>>, StudyError> {
+/// The chains of all studies, those of the same cases and options together, in groups of one model.
+fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
     let mut known: Vec<(SolveOptions, Vec<Point>)> = Vec::new();
-    let mut shared: Vec<Vec<Place>> = Vec::new();
+    let mut tasks: Vec<Task> = Vec::new();
     for (at, study) in studies.iter().enumerate() {
         for chain in study.chains() {
             let cases = chain.clone().map(|index| study.point(index)).collect::<Result<Vec<Point>, _>>()?;
@@ -106,57 +117,147 @@ fn shared(studies: &[Study]) -> Result<Vec<Vec<Place>>, StudyError> {
                     && others.iter().zip(&cases).all(|(a, b)| matches!((&a.case, &b.case), (Ok(a), Ok(b)) if a == b))
             };
             match known.iter().position(same) {
-                Some(place) => shared.get_mut(place).into_iter().for_each(|places| places.push((at, chain.clone()))),
+                Some(place) => tasks.get_mut(place).into_iter().for_each(|task| task.places.push((at, chain.start))),
                 None => {
                     known.push((*study.options(), cases));
-                    shared.push(vec![(at, chain)]);
+                    tasks.push(Task { places: vec![(at, chain.start)], start: chain.start, end: chain.end });
                 }
             }
         }
     }
-    Ok(shared)
-}
-
-fn pool(jobs: Option<usize>) -> Result<rayon::ThreadPool, StudyError> {
-    let threads = jobs.unwrap_or(0);
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| StudyError::Threads(threads))
+    let head = |(options, points): &(SolveOptions, Vec<Point>)| {
+        let case = points.first().and_then(|point| point.case.as_ref().ok());
+        (*options, case.map(|case| case.model))
+    };
+    let mut groups: Vec<Vec<Task>> = Vec::new();
+    let mut last = None;
+    for (task, chain) in tasks.into_iter().zip(&known) {
+        let this = head(chain);
+        match groups.last_mut() {
+            Some(group) if last == Some(this) && group.len() < HEADS => group.push(task),
+            _ => groups.push(vec![task]),
+        }
+        last = Some(this);
+    }
+    Ok(groups)
 }
 
 /// What a point gave: a result, or why there is none.
-type Solution<'a> = Result<&'a Outcome, String>;
+type Found<'a> = Result<&'a Outcome, String>;
 
-/// What is done with a point: its place, itself, what it gave.
-type Take<'a> = dyn Fn(usize, &Point, Solution<'_>) -> io::Result<()> + Sync + 'a;
+/// What is done with a point: its task, its number, itself, what it gave.
+type Take<'a> = dyn Fn(&Task, usize, &Point, Found<'_>) -> io::Result<()> + Sync + 'a;
 
-/// Solves a chain, each point from the last solution before it if that can be.
-fn along(study: &Study, chain: Range<usize>, take: &Take<'_>) -> Result<(), StudyError> {
-    let mut trail: Vec<(Resolved, Outcome)> = Vec::new();
-    // Once a neighbour is too far away, the others of the chain are as well.
-    let mut near_enough = true;
-    for index in chain {
-        let point = study.point(index)?;
-        let solved = match &point.case {
-            Ok(case) => {
+/// A solved case.
+type Known = (Resolved, Outcome);
+
+/// What the threads share.
+struct Work<'a> {
+    studies: &'a [Study],
+    take: &'a Take<'a>,
+    /// Why everything was given up.
+    failed: Mutex<Option<StudyError>>,
+}
+
+impl Work<'_> {
+    fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
+        let threads = jobs.unwrap_or(0);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|_| StudyError::Threads(threads))?;
+        let work = &self;
+        pool.scope(|scope| {
+            for group in groups {
+                scope.spawn(move |scope| work.heads(scope, group));
+            }
+        });
+        self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// Solves the heads of a group, and has the rest of each chain solved as soon as its head is known.
+    fn heads<'s>(&'s self, scope: &Scope<'s>, group: Vec<Task>) {
+        let mut heads: Vec<Known> = Vec::new();
+        for task in group {
+            let Some(study) = task.places.first().and_then(|(study, _)| self.studies.get(*study)) else { continue };
+            let begun = self.checked(|| {
+                let point = study.point(task.start)?;
+                let head = attempt(&point, |case| head(case, study.options(), &heads));
+                Ok((point, head))
+            });
+            let Some((point, head)) = begun else { return };
+            heads.extend(head.as_ref().ok().cloned());
+            if task.start < task.end {
+                scope.spawn(move |_| {
+                    self.checked(|| self.along(study, &task, &point, head));
+                });
+            }
+        }
+    }
+
+    /// Solves a chain behind its head, each point from the last solutions before it if that can be.
+    fn along(&self, study: &Study, task: &Task, first: &Point, head: Result<Known, String>) -> Result<(), StudyError> {
+        (self.take)(task, task.start, first, found(&head))?;
+        let mut trail: Vec<Known> = head.into_iter().collect();
+        // Once a neighbour is too far away, the others of the chain are as well.
+        let mut near_enough = true;
+        for index in task.start + 1..task.end {
+            if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+                return Ok(());
+            }
+            let point = study.point(index)?;
+            let solved = attempt(&point, |case| {
                 let near = trail.iter().filter(|(before, _)| near_enough && before.model == case.model);
                 let near: Vec<&Solved> = near.map(|(_, outcome)| &outcome.solved).collect();
                 solve(case, study.options(), &near, &mut near_enough)
-                    .map(|outcome| (case.clone(), outcome))
-                    .map_err(|failure| failure.to_string())
+            });
+            (self.take)(task, index, &point, found(&solved))?;
+            if let Ok(solved) = solved {
+                if trail.len() == TRAIL {
+                    trail.remove(0);
+                }
+                trail.push(solved);
             }
-            Err(error) => Err(error.to_string()),
-        };
-        take(index, &point, solved.as_ref().map(|(_, outcome)| outcome).map_err(Clone::clone))?;
-        if let Ok(solved) = solved {
-            if trail.len() == TRAIL {
-                trail.remove(0);
+        }
+        Ok(())
+    }
+
+    /// What `part` gives, unless everything is given up, or is from here on.
+    fn checked<T>(&self, part: impl FnOnce() -> Result<T, StudyError>) -> Option<T> {
+        if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+            return None;
+        }
+        match part() {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                None
             }
-            trail.push(solved);
         }
     }
-    Ok(())
 }
 
-/// From the solution nearby, else from nothing; says if that was not near enough.
+fn found(solved: &Result<Known, String>) -> Found<'_> {
+    solved.as_ref().map(|(_, outcome)| outcome).map_err(Clone::clone)
+}
+
+/// The point's case solved, or why there is no solution.
+fn attempt(point: &Point, solve: impl FnOnce(&Resolved) -> Result<Outcome, Failure>) -> Result<Known, String> {
+    let case = point.case.as_ref().map_err(ToString::to_string)?;
+    solve(case).map(|outcome| (case.clone(), outcome)).map_err(|failure| failure.to_string())
+}
+
+/// Solves the head of a chain from the nearest of the heads before it, if that is near enough.
+fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outcome, Failure> {
+    let near = heads
+        .iter()
+        .filter(|(before, _)| before.model == case.model)
+        .map(|(_, outcome)| (remoteness(&outcome.solved, case), &outcome.solved))
+        .filter(|(remoteness, _)| *remoteness <= FARTHEST)
+        .min_by(|(a, _), (b, _)| a.total_cmp(b));
+    let near: Vec<&Solved> = near.into_iter().map(|(_, solved)| solved).collect();
+    solve(case, options, &near, &mut true)
+}
+
+/// From the solutions nearby, else from nothing; says if they were not near enough.
 fn solve(
     case: &Resolved,
     options: &SolveOptions,
