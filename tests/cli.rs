@@ -172,3 +172,20 @@ fn no_solution_is_status_3_with_its_reason() {
     assert_eq!(object["inputs"]["operating_point"]["slack_tension"], 1.0);
     assert!(stderr(&output).contains(object["failure"].as_str().unwrap()));
 }
+
+#[test]
+fn derivations_are_printed_in_three_formats() {
+    for (format, head) in
+        [("text", "Derivation of the edition thesis"), ("markdown", "# "), ("latex", "\\documentclass")]
+    {
+        let output = sheave(&["derive", "--edition", "thesis", "--format", format]);
+        assert_eq!(status(&output), 0, "{output:?}");
+        let text = stdout(&output);
+        assert!(
+            text.starts_with(head) && ["(3.34)", "(3.40)", "(5.13)", "5.3.5"].iter().all(|step| text.contains(step))
+        );
+    }
+    assert_eq!(status(&sheave(&["derive", "--edition", "thesi"])), 2);
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/derivation.md")).unwrap();
+    assert_eq!(stdout(&sheave(&["derive", "--format", "markdown"])), page, "mend it with: cargo run -p eqgen -- write");
+}

@@ -30,7 +30,7 @@ pub use error::Error;
 pub fn generate() -> Result<Vec<SourceFile>, Error> {
     symbolic(|| {
         let kernels = physics::edition::kernels()?;
-        let mut files = kernels.iter().map(emit::file).collect::<Result<Vec<_>, _>>()?;
+        let mut files = kernels.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()?;
         files.push(emit::twin(&kernels)?);
         files.extend(document::files()?);
         Ok(files)

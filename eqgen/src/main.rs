@@ -8,8 +8,8 @@ const COMMAND: &str = "cargo run -p eqgen -- write";
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["write"] => write(&golden()),
-        ["--check"] => check(&golden()),
+        ["write"] => write(),
+        ["--check"] => check(),
         _ => Err(format!("usage: {COMMAND} | cargo run -p eqgen -- --check")),
     };
     match outcome {
@@ -21,31 +21,41 @@ fn main() -> ExitCode {
     }
 }
 
+/// Generated file that the documentation holds a copy of, and the copy.
+const PAGE: (&str, &str) = ("derivation_consistent.md", "../docs/derivation.md");
+
 fn golden() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/golden")
 }
 
-fn write(folder: &Path) -> Result<(), String> {
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+/// Where a generated file is kept.
+fn places(file: &eqgen::SourceFile) -> Vec<PathBuf> {
+    let copy = (file.name == PAGE.0).then(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(PAGE.1));
+    std::iter::once(golden().join(&file.name)).chain(copy).collect()
+}
+
+fn write() -> Result<(), String> {
+    let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
+    std::fs::create_dir_all(golden()).map_err(|error| failed(&golden(), error))?;
     for file in eqgen::generate().map_err(|error| error.to_string())? {
-        let path = folder.join(&file.name);
-        if std::fs::read_to_string(&path).is_ok_and(|text| text == file.text) {
-            continue;
+        for path in places(&file).iter().filter(|path| !holds(path, &file)) {
+            std::fs::write(path, &file.text).map_err(|error| failed(path, error))?;
+            println!("wrote {}", path.display());
         }
-        std::fs::write(&path, &file.text).map_err(|error| format!("{}: {error}", path.display()))?;
-        println!("wrote {}", path.display());
     }
     Ok(())
 }
 
-fn check(folder: &Path) -> Result<(), String> {
+fn check() -> Result<(), String> {
     let files = eqgen::generate().map_err(|error| error.to_string())?;
-    let differs = |file: &&eqgen::SourceFile| {
-        std::fs::read_to_string(folder.join(&file.name)).map_or(true, |text| text != file.text)
-    };
-    let stale: Vec<&str> = files.iter().filter(differs).map(|file| file.name.as_str()).collect();
+    let stale = |file: &eqgen::SourceFile| places(file).into_iter().find(|path| !holds(path, file));
+    let stale: Vec<String> = files.iter().filter_map(stale).map(|path| path.display().to_string()).collect();
     if stale.is_empty() {
         return Ok(());
     }
-    Err(format!("out of date in {}: {}\nmend it with: {COMMAND}", folder.display(), stale.join(", ")))
+    Err(format!("out of date: {}\nmend it with: {COMMAND}", stale.join(", ")))
+}
+
+fn holds(path: &Path, file: &eqgen::SourceFile) -> bool {
+    std::fs::read_to_string(path).is_ok_and(|text| text == file.text)
 }

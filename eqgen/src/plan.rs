@@ -80,6 +80,7 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// Divisors that do not vanish.
     pub guards: Vec<Guard>,
+    own: Vec<notation::Symbol>,
     notation: Dimensions,
     known: Dimensions,
 }
@@ -92,8 +93,21 @@ impl Plan {
     pub fn new(inputs: Vec<String>, extra: Dimensions) -> Result<Self, Error> {
         let mut notation = notation::dimensions();
         notation.extend(extra);
+        Self::on(inputs, Vec::new(), notation)
+    }
+
+    /// A plan without steps in a notation of its own: no symbol of the belt is known in it.
+    ///
+    /// # Errors
+    /// [`Error::UnknownSymbol`] for an input that has no row in `notation`.
+    pub fn in_notation_of(inputs: &[&str], notation: Vec<notation::Symbol>) -> Result<Self, Error> {
+        let dimensions = notation.iter().map(|symbol| (symbol.name.clone(), symbol.dimension)).collect();
+        Self::on(inputs.iter().map(|&name| name.into()).collect(), notation, dimensions)
+    }
+
+    fn on(inputs: Vec<String>, own: Vec<notation::Symbol>, notation: Dimensions) -> Result<Self, Error> {
         let mut plan =
-            Self { inputs: Vec::new(), steps: Vec::new(), guards: Vec::new(), notation, known: Dimensions::new() };
+            Self { inputs: Vec::new(), steps: Vec::new(), guards: Vec::new(), own, notation, known: Dimensions::new() };
         for input in inputs {
             let dimension = plan.in_notation("inputs", &input)?;
             plan.known.insert(input.clone(), dimension);
@@ -157,6 +171,12 @@ impl Plan {
     /// The step of that name.
     pub fn step(&self, name: &str) -> Option<&Step> {
         self.steps.iter().find(|step| step.name == name)
+    }
+
+    /// The symbol of that name: the plan's own, or in the belt's notation.
+    pub fn symbol(&self, name: &str) -> Option<notation::Symbol> {
+        let own = self.own.iter().find(|symbol| symbol.name == name).cloned();
+        if self.own.is_empty() { notation::find(name) } else { own }
     }
 
     /// Checks that `value` has the dimension that the notation gives `name`.

@@ -22,3 +22,16 @@ fn golden_copy_is_current() {
     expected.sort();
     assert_eq!(names, expected, "generated/golden holds a file that nothing generates");
 }
+
+/// What the kernels cost: a change that makes one dearer shows in review.
+#[test]
+fn operation_counts() {
+    let counts = |file: &eqgen::SourceFile| {
+        let lines =
+            file.text.lines().take_while(|line| line.starts_with("//")).filter(|line| line.starts_with("//   "));
+        let lines: Vec<String> = lines.map(|line| line.replacen("//   ", "    ", 1)).collect();
+        (!lines.is_empty()).then(|| format!("{}\n{}\n", file.name, lines.join("\n")))
+    };
+    let all: String = eqgen::generate().unwrap().iter().filter_map(counts).collect();
+    insta::assert_snapshot!(all);
+}

@@ -156,16 +156,6 @@ pub enum Problem {
         /// Why not.
         reason: NoRadii,
     },
-    /// A valid case for which there is no solver.
-    #[error("`{}` = {given} cannot be solved for: {reason}", key.path())]
-    Unsupported {
-        /// The key that asks for it.
-        key: Key,
-        /// Its value.
-        given: String,
-        /// What can be solved for instead.
-        reason: &'static str,
-    },
 }
 
 impl Problem {
@@ -261,7 +251,7 @@ impl CaseError {
             (Problem::Overlap { .. }, _) => "does not fit",
             (Problem::NoRadii { .. }, 0) => "no radii exist",
             (Problem::NoRadii { .. }, _) => "with this",
-            (Problem::Unsupported { .. } | Problem::Read { .. }, _) => "not supported",
+            (Problem::Read { .. }, _) => "cannot be read",
         }
     }
 }

@@ -31,7 +31,6 @@ mod keys;
 mod operating;
 mod range;
 mod resolve;
-mod supported;
 
 pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};

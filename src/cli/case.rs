@@ -20,11 +20,12 @@ pub struct CaseArguments {
     #[arg(long = "unset", value_name = "KEY")]
     unset: Vec<String>,
     /// Edition of the equations, in place of the case's
-    #[arg(long, value_name = "E", value_parser = editions())]
+    #[arg(long, value_name = "E", value_parser = edition_parser())]
     edition: Option<String>,
 }
 
-fn editions() -> PossibleValuesParser {
+/// One of the editions, by name.
+pub fn edition_parser() -> PossibleValuesParser {
     let values = Edition::CHOICES.iter().map(|choice| PossibleValue::new(choice.name).help(choice.doc));
     PossibleValuesParser::new(values)
 }
@@ -60,9 +61,6 @@ impl CaseArguments {
 
     /// The case, resolved and fit for the solver.
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
-        let case = self.read()?;
-        let resolved = case.resolve()?;
-        case.check_supported(&resolved)?;
-        Ok(resolved)
+        self.read()?.resolve()
     }
 }

@@ -6,7 +6,7 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::case::{CaseError, Resolved};
-use sheave::drive::SolveOptions;
+use sheave::drive::{Failure, SolveOptions};
 use sheave::result::{Outcome, SCHEMA, run as solve, summary, write_profile};
 use solver::Order;
 use std::io;
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
-        Err(failure) => Err(arguments.failed(&case, &failure.to_string())),
+        Err(failure) => Err(arguments.failed(&case, &failure)),
     }
 }
 
@@ -89,7 +89,9 @@ impl Arguments {
     }
 
     /// No solution: the object says so where the result would have stood.
-    fn failed(&self, case: &Resolved, failure: &str) -> Stop {
+    fn failed(&self, case: &Resolved, failure: &Failure) -> Stop {
+        let (reason, bad_input) = (failure.to_string(), failure.is_bad_input());
+        let failure = reason.as_str();
         let edition = Some(case.edition.name());
         let failed = Failed { schema: SCHEMA, edition, converged: false, inputs: Some(case), failure };
         let told = output::json(&failed).and_then(|text| match &self.out {
@@ -97,7 +99,8 @@ impl Arguments {
             None if self.json => output::print(&text),
             None => Ok(()),
         });
-        told.err().unwrap_or_else(|| Stop::NoSolution(failure.into()))
+        let stop = if bad_input { Stop::Usage } else { Stop::NoSolution };
+        told.err().unwrap_or_else(|| stop(reason.clone()))
     }
 }
 

@@ -7,15 +7,19 @@ use crate::case::Model;
 
 use super::constants::{Constant, Constants};
 use super::model::Kernels;
+use super::question::{Known, Output};
 use super::region::{Bound, RegionId};
 
 /// The boundary value problem of one belt drive.
 ///
-/// Two contacts of five states and two spans of four, each on `[0, 1]`, joined by 26 boundary equations.
+/// Two contacts and two spans, each on `[0, 1]`, joined by the boundary equations. Outputs that are prescribed add an
+/// equation each, "output − target = 0", and a constant each, the target: it follows the [`Constant`]s in the layout.
 #[derive(Debug, Clone)]
 pub struct Belt {
     regions: [Bound; 4],
     boundary: &'static BoundaryKernel,
+    outputs: &'static BoundaryKernel,
+    prescribed: Vec<Output>,
     layout: Layout,
 }
 
@@ -23,6 +27,11 @@ impl Belt {
     /// Joins the kernels that `model` chooses; `constants` only tell the typical magnitudes of the states.
     /// `None` for a model that has no kernels.
     pub fn new(model: &Model, constants: &Constants) -> Option<Self> {
+        Self::prescribing(model, constants, &[])
+    }
+
+    /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
+    pub fn prescribing(model: &Model, constants: &Constants, outputs: &[(Output, f64)]) -> Option<Self> {
         let kernels = Kernels::of(model)?;
         let bind =
             |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
@@ -32,8 +41,44 @@ impl Belt {
             bind(RegionId::Secondary)?,
             bind(RegionId::TightSpan)?,
         ];
-        let layout = layout(&regions, kernels.boundary, constants);
-        Some(Self { regions, boundary: kernels.boundary, layout })
+        let mut layout = layout(&regions, kernels.boundary, constants);
+        outputs.iter().for_each(|(output, scale)| prescribe(&mut layout, kernels.outputs, *output, *scale));
+        let prescribed = outputs.iter().map(|(output, _)| *output).collect();
+        Some(Self { regions, boundary: kernels.boundary, outputs: kernels.outputs, prescribed, layout })
+    }
+
+    /// The outputs that are prescribed, in the order of their equations and targets.
+    pub fn prescribed(&self) -> &[Output] {
+        &self.prescribed
+    }
+
+    /// Values of all outputs, in the order of the generated list, from what boundary equations take.
+    pub fn outputs(&self, ends: &[f64], integrals: &[f64], constants: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.outputs.equations.len()];
+        (self.outputs.value)(ends, integrals, constants, &mut values);
+        values
+    }
+
+    /// Values of all outputs, and the gradient of each with respect to ends, integrals and constants.
+    pub fn output_gradients(&self, ends: &[f64], integrals: &[f64], constants: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let mut values = vec![0.0; self.outputs.equations.len()];
+        let mut partials = vec![0.0; self.outputs.pattern.len()];
+        (self.outputs.jacobian)(ends, integrals, constants, &mut values, &mut partials);
+        let mut gradients = vec![vec![0.0; self.layout.inputs()]; values.len()];
+        for (&(output, input), partial) in self.outputs.pattern.iter().zip(&partials) {
+            if let Some(entry) = gradients.get_mut(output).and_then(|gradient| gradient.get_mut(input)) {
+                *entry += partial;
+            }
+        }
+        (values, gradients)
+    }
+
+    /// Residuals of the prescribed outputs.
+    fn misses(&self, outputs: &[f64], constants: &[f64], g: &mut [f64]) {
+        let targets = constants.get(Constant::ALL.len()..).unwrap_or_default();
+        for ((g, output), target) in g.iter_mut().zip(&self.prescribed).zip(targets) {
+            *g = outputs.get(output.index()).copied().unwrap_or(f64::NAN) - target;
+        }
     }
 
     /// The kernel of a region.
@@ -92,8 +137,20 @@ fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants
     }
 }
 
-/// Whether the unknown constants describe a belt at all: it runs forward, more slowly than a wave along it, over
-/// positive angles and lengths. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
+/// Adds an equation and its target.
+fn prescribe(layout: &mut Layout, outputs: &BoundaryKernel, output: Output, scale: f64) {
+    let (row, target) = (layout.equations.len(), layout.inputs());
+    let entries = outputs.pattern.iter().filter(|(other, _)| *other == output.index());
+    layout.boundary_pattern.extend(entries.map(|&(_, input)| (row, input)));
+    layout.boundary_pattern.push((row, target));
+    let name = Known::Output(output).name();
+    let scale = Some(scale.abs()).filter(|scale| *scale > 0.0);
+    layout.equations.push(name.clone());
+    layout.constants.push(solver::Constant { name, scale });
+}
+
+/// Whether the constants describe a belt at all: it runs forward, more slowly than a wave along it, over positive angles
+/// and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
 /// backwards under compression, satisfies the same equations and is shut out here.
 fn is_physical(constants: &[f64]) -> bool {
     let value = |constant: Constant| constants.get(constant.index()).copied().unwrap_or(f64::NAN);
@@ -104,10 +161,14 @@ fn is_physical(constants: &[f64]) -> bool {
         Constant::SecondaryWrap,
         Constant::TightLength,
         Constant::SlackLength,
+        Constant::PrimaryRadius,
+        Constant::SecondaryRadius,
+        Constant::PrimarySpeed,
     ];
+    let apart = value(Constant::PrimaryRadius) + value(Constant::SecondaryRadius) < value(Constant::CenterDistance);
     let unstretched_speed = value(Constant::Flow) * value(Constant::PrimaryRadius) * value(Constant::PrimarySpeed);
     let wave_speed = (value(Constant::LongitudinalStiffness) / value(Constant::MassPerLength)).sqrt();
-    positive.into_iter().all(|constant| value(constant) > 0.0) && unstretched_speed < wave_speed
+    positive.into_iter().all(|constant| value(constant) > 0.0) && apart && unstretched_speed < wave_speed
 }
 
 impl Problem for Belt {
@@ -154,10 +215,31 @@ impl Problem for Belt {
     }
 
     fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
-        (self.boundary.value)(ends, integrals, constants, g);
+        let (own, more) = g.split_at_mut(self.boundary.equations.len().min(g.len()));
+        (self.boundary.value)(ends, integrals, constants, own);
+        if !self.prescribed.is_empty() {
+            self.misses(&self.outputs(ends, integrals, constants), constants, more);
+        }
     }
 
     fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
-        (self.boundary.jacobian)(ends, integrals, constants, g, dz);
+        let (own, more) = g.split_at_mut(self.boundary.equations.len().min(g.len()));
+        let (own_entries, entries) = dz.split_at_mut(self.boundary.pattern.len().min(dz.len()));
+        (self.boundary.jacobian)(ends, integrals, constants, own, own_entries);
+        if self.prescribed.is_empty() {
+            return;
+        }
+        let mut values = vec![0.0; self.outputs.equations.len()];
+        let mut partials = vec![0.0; self.outputs.pattern.len()];
+        (self.outputs.jacobian)(ends, integrals, constants, &mut values, &mut partials);
+        self.misses(&values, constants, more);
+        // As `prescribe` lists them: the output's own entries, then that of its target.
+        let own = |output: &Output| {
+            let row = output.index();
+            let own = self.outputs.pattern.iter().zip(&partials).filter(move |((other, _), _)| *other == row);
+            own.map(|(_, partial)| *partial).chain([-1.0]).collect::<Vec<_>>()
+        };
+        let values = self.prescribed.iter().flat_map(own);
+        entries.iter_mut().zip(values).for_each(|(entry, value)| *entry = value);
     }
 }

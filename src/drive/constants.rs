@@ -1,5 +1,7 @@
 //! The constants of the belt problem, in the order in which every kernel of the boundary set knows them.
 
+use crate::case::Key;
+
 /// A constant of the drive: the first eight are unknown by default, the others given (model: unknowns and givens).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(usize)]
@@ -107,6 +109,38 @@ impl Constant {
             Self::PrimaryTorque => "M_in",
             Self::SlackTension => "T_slack",
         }
+    }
+
+    /// The key of the case file that gives it; `None` for those that are found by default and have no key.
+    pub const fn key(self) -> Option<Key> {
+        match self {
+            Self::SpeedRatio => Some(Key::SpeedRatio),
+            Self::LongitudinalStiffness => Some(Key::LongitudinalStiffness),
+            Self::BendingStiffness => Some(Key::BendingStiffness),
+            Self::RadialStiffness => Some(Key::RadialStiffness),
+            Self::MassPerLength => Some(Key::MassPerLength),
+            Self::PrimaryRadius => Some(Key::PrimaryRadius),
+            Self::SecondaryRadius => Some(Key::SecondaryRadius),
+            Self::CenterDistance => Some(Key::CenterDistance),
+            Self::HalfAngle => Some(Key::HalfAngle),
+            Self::FrictionCoefficient => Some(Key::FrictionCoefficient),
+            Self::SlipThreshold => Some(Key::SlipThreshold),
+            Self::PrimarySpeed => Some(Key::PrimarySpeed),
+            Self::PrimaryTorque => Some(Key::PrimaryTorque),
+            Self::SlackTension => Some(Key::SlackTension),
+            Self::Flow
+            | Self::PrimaryWrap
+            | Self::SecondaryWrap
+            | Self::PrimaryOrientation
+            | Self::SecondaryOrientation
+            | Self::TightLength
+            | Self::SlackLength => None,
+        }
+    }
+
+    /// How messages name it: by its key, or by its symbol.
+    pub fn label(self) -> String {
+        self.key().map_or(self.name(), Key::path).to_owned()
     }
 }
 

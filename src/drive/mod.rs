@@ -1,9 +1,16 @@
 //! The belt drive: the generated equations and the solver, joined.
 
+mod approach;
+mod ask;
 mod belt;
 mod constants;
+mod failure;
+mod inputs;
 mod model;
+mod polish;
+mod posedness;
 mod predict;
+mod question;
 mod region;
 mod solve;
 mod start;
@@ -11,6 +18,9 @@ mod warm;
 
 pub use belt::Belt;
 pub use constants::{Constant, Constants};
+pub use failure::{Failure, Reached};
+pub use inputs::inputs;
+pub use question::{IllPosed, Known, Output, Question, SEPARATOR, Swap};
 pub use region::RegionId;
-pub use solve::{Failure, SolveOptions, Solved, given, solve};
-pub use warm::{remoteness, solve_from};
+pub use solve::{SolveOptions, Solved, solve, solve_question};
+pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

@@ -10,12 +10,14 @@ pub(super) struct Kernels {
     pub contact: &'static RegionKernel,
     pub span: &'static RegionKernel,
     pub boundary: &'static BoundaryKernel,
+    /// What the drive may be asked for.
+    pub outputs: &'static BoundaryKernel,
 }
 
 impl Kernels {
     /// Those of `model`; `None` for a model that has none.
     pub fn of(model: &Model) -> Option<Self> {
-        let Bending { shear, ends, spans } = model.bending?;
+        let Some(Bending { shear, ends, spans }) = model.bending else { return Some(Self::string(model.friction)) };
         let contact = match (shear, model.friction) {
             (Shear::Linearised, Friction::ViscousCoulomb) => &generated::CONTACT_LINEARISED_VISCOUS_COULOMB,
             (Shear::Linearised, Friction::Tanh) => &generated::CONTACT_LINEARISED_TANH,
@@ -34,6 +36,16 @@ impl Kernels {
             (Ends::AsPrinted, Shear::Linearised) => &generated::BOUNDARY_AS_PRINTED,
             (Ends::AsPrinted, Shear::Full) => return None,
         };
-        Some(Self { contact, span, boundary })
+        Some(Self { contact, span, boundary, outputs: &generated::OUTPUTS })
+    }
+
+    /// Those of a belt without bending stiffness.
+    fn string(friction: Friction) -> Self {
+        let contact = match friction {
+            Friction::ViscousCoulomb => &generated::CONTACT_STRING_VISCOUS_COULOMB,
+            Friction::Tanh => &generated::CONTACT_STRING_TANH,
+        };
+        let (span, boundary) = (&generated::SPAN_STRING, &generated::BOUNDARY_STRING);
+        Self { contact, span, boundary, outputs: &generated::OUTPUTS_STRING }
     }
 }

@@ -1,13 +1,16 @@
-//! From a resolved case to a solution, from nothing.
+//! From a question to a solution, from nothing.
 
-use solver::continuation::{PathError, PathOptions, Ramp, follow};
-use solver::{Guess, Options, Order, Solution, SolveError, Stats};
-use thiserror::Error;
+use solver::continuation::{Followed, PathOptions, Ramp, follow};
+use solver::{Guess, Options, Order, Solution, Stats};
 
+use super::approach::approach;
 use super::belt::Belt;
 use super::constants::{Constant, Constants};
+use super::failure::Failure;
+use super::polish::{lenient, polished};
+use super::question::{Question, Swap};
 use super::start;
-use crate::case::{Clamp, Load, Resolved, Speed};
+use crate::case::{Model, Resolved};
 
 /// Tolerance on the way from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
@@ -17,6 +20,8 @@ const WAY_INTERVALS: usize = 2000;
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a leg of the way, accepted or not.
 const LEG_STEPS: usize = 200;
+/// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
+const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,9 +40,18 @@ impl Default for SolveOptions {
     }
 }
 
+impl SolveOptions {
+    /// For the solver.
+    pub(super) fn solver(&self) -> Options {
+        Options { tolerance: self.tolerance, order: self.order, ..Options::default() }
+    }
+}
+
 /// A solved drive.
 #[derive(Debug, Clone)]
 pub struct Solved {
+    /// What was asked.
+    pub question: Question,
     /// The problem.
     pub belt: Belt,
     /// Its solution.
@@ -48,120 +62,115 @@ pub struct Solved {
     pub continuation_steps: usize,
 }
 
-/// Why there is no solution.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum Failure {
-    /// The equations of this model are not known.
-    #[error("there are no equations for this choice of model")]
-    NoEquations,
-    /// A warm start without a solution to start from.
-    #[error("there is no solution to start from")]
-    NoStart,
-    /// A choice of operating point that is not solved for.
-    #[error("{0} cannot be prescribed")]
-    OperatingPoint(&'static str),
-    /// Newton's method failed on the straight belt under a small torque.
-    #[error("no solution was found for the start, a straight belt under a small torque: {0}")]
-    Start(Box<SolveError>),
-    /// The equations are singular at the solution.
-    #[error("the solution has no derivatives: {0}")]
-    Sensitivities(SolveError),
-    /// The way from the start to the case was lost.
-    #[error(
-        "the solution was lost at primary torque {torque:.4} N·m, slip threshold {slip_threshold:.3e} m/s, slack tension \
-         {slack_tension:.4} N: {cause}"
-    )]
-    Lost {
-        /// Primary torque reached, N·m.
-        torque: f64,
-        /// Slip threshold reached, m/s.
-        slip_threshold: f64,
-        /// Slack tension reached, N.
-        slack_tension: f64,
-        /// What the solver says of the next step.
-        cause: Box<SolveError>,
-    },
-}
-
-impl Failure {
-    /// That of two failures which came closer to the case: with the case's own friction if possible, then with less
-    /// tension, for it is loose belts that are lost.
-    fn farther(first: Option<Self>, second: Self) -> Self {
-        let key = |failure: &Self| match failure {
-            Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
-            _ => (f64::INFINITY, f64::INFINITY),
-        };
-        match first {
-            Some(first) if key(&first) <= key(&second) => first,
-            _ => second,
-        }
-    }
-
-    pub(super) fn of(error: PathError) -> Self {
-        match error.last {
-            None => Self::Start(error.cause),
-            Some(last) => Self::lost(&last, *error.cause),
-        }
-    }
-
-    /// Beyond the solution `last`.
-    pub(super) fn lost(last: &Solution, cause: SolveError) -> Self {
-        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-        Self::Lost {
-            torque: value(Constant::PrimaryTorque),
-            slip_threshold: value(Constant::SlipThreshold),
-            slack_tension: value(Constant::SlackTension),
-            cause: Box::new(cause),
-        }
+impl Solved {
+    /// A constant of the drive, given or found; SI.
+    pub fn constant(&self, constant: Constant) -> f64 {
+        self.solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
     }
 }
 
-/// The given constants of a case; the unknown ones are zero.
-///
-/// # Errors
-/// [`Failure::OperatingPoint`].
-pub fn given(case: &Resolved) -> Result<Constants, Failure> {
-    let point = &case.operating_point;
-    let Speed::Primary(speed) = point.speed else { return Err(Failure::OperatingPoint("the secondary's speed")) };
-    let Load::PrimaryTorque(torque) = point.load else { return Err(Failure::OperatingPoint("this load")) };
-    let Clamp::SlackTension(tension) = point.clamp else { return Err(Failure::OperatingPoint("this clamp")) };
-    let mut constants = Constants([0.0; Constant::ALL.len()]);
-    for (constant, value) in [
-        (Constant::LongitudinalStiffness, case.belt.longitudinal_stiffness),
-        (Constant::BendingStiffness, case.belt.bending_stiffness),
-        (Constant::RadialStiffness, case.belt.radial_stiffness),
-        (Constant::MassPerLength, case.belt.mass_per_length),
-        (Constant::PrimaryRadius, case.drive.primary_radius),
-        (Constant::SecondaryRadius, case.drive.secondary_radius),
-        (Constant::CenterDistance, case.drive.center_distance),
-        (Constant::HalfAngle, case.sheave.half_angle),
-        (Constant::FrictionCoefficient, case.sheave.friction_coefficient),
-        (Constant::SlipThreshold, case.sheave.slip_threshold),
-        (Constant::PrimarySpeed, speed),
-        (Constant::PrimaryTorque, torque),
-        (Constant::SlackTension, tension),
-    ] {
-        constants[constant] = value;
-    }
-    Ok(constants)
-}
-
-/// Solves a case from nothing: a straight belt under a small torque, at a tension that wraps it, with friction that is
-/// linear in the sliding speed; then torque, slip threshold and tension go where the case wants them.
+/// Solves a case from nothing; see [`solve_question`].
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
-    let target = start::constants(&given(case)?);
-    let belt = Belt::new(&case.model, &target).ok_or(Failure::NoEquations)?;
-    let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+    solve_question(&case.model, &Question::of(case), options)
+}
+
+/// Answers a question from nothing: a straight belt under a small torque, at a tension that wraps it, with friction that
+/// is linear in the sliding speed; then torque, slip threshold and tension go where the question wants them, or near it
+/// where they are unknown. From there the values found of what is prescribed move to the values asked for, with the
+/// constants unknown that are to be found: one boundary value problem at every step.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+    question.check(model)?;
+    if question.swaps.is_empty() {
+        return ordinary(model, question, options);
+    }
     let mut failure = None;
-    for tension in start::tensions(&target) {
-        let begin = start::easy(&target, tension);
-        match climb(&belt, &begin, &target, &unknowns, options) {
+    for factor in TENSIONS {
+        let near = match near(model, question, factor, options) {
+            Ok(near) => near,
+            Err(next) => {
+                failure = Some(Failure::farther(failure, next));
+                continue;
+            }
+        };
+        for order in [together, one_by_one] {
+            match order(model, &near, question, options).and_then(driven) {
+                Ok(solved) => return Ok(solved),
+                Err(reversed @ Failure::Reversed { .. }) => return Err(reversed),
+                Err(next) => failure = Some(Failure::farther(failure, next)),
+            }
+        }
+    }
+    Err(failure.unwrap_or(Failure::NoEquations))
+}
+
+/// An ordinary solution, to the tolerance of the way, near that of a question.
+fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
+    let mut constants = question.constants.clone();
+    if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
+        constants[Constant::SlackTension] *= factor;
+    } else if question.swaps.iter().any(|swap| swap.free == Constant::PrimaryTorque) {
+        constants[Constant::PrimaryTorque] /= factor;
+    }
+    let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
+    ordinary(model, &Question::new(constants), &rough)
+}
+
+/// Moves everything that is prescribed at once.
+fn together(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+    approach(model, near, question, &way(options.solver()))
+}
+
+/// Moves what is prescribed one value after the other.
+fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+    let mut here = near.clone();
+    let (count, constants) = (question.swaps.len(), &near.question.constants);
+    for done in 1..=count {
+        let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
+        let next = Question { constants: constants.clone(), swaps };
+        let solver = if done == count { options.solver() } else { rough(options) };
+        here = approach(model, &here, &next, &way(solver))?;
+    }
+    here.question = question.clone();
+    Ok(here)
+}
+
+/// The drive must be driven by its primary.
+fn driven(solved: Solved) -> Result<Solved, Failure> {
+    let torque = solved.constant(Constant::PrimaryTorque);
+    if torque > 0.0 { Ok(solved) } else { Err(Failure::Reversed { torque }) }
+}
+
+fn rough(options: &SolveOptions) -> Options {
+    Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
+}
+
+/// How a leg of the way is followed, `solve` being for its end.
+fn way(solve: Options) -> PathOptions {
+    PathOptions {
+        solve,
+        tolerance: ROUGH_TOLERANCE,
+        smallest_step: SMALLEST_STEP,
+        max_steps: LEG_STEPS,
+        ..PathOptions::default()
+    }
+}
+
+/// A question without swaps.
+fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+    let target = &question.constants;
+    let belt = Belt::new(model, target).ok_or(Failure::NoEquations)?;
+    let mut failure = None;
+    for tension in start::tensions(target) {
+        let begin = start::easy(target, tension);
+        match climb(&belt, &begin, target, options) {
             Ok((solution, stats, continuation_steps)) => {
-                return Ok(Solved { belt, solution, stats, continuation_steps });
+                return Ok(Solved { question: question.clone(), belt, solution, stats, continuation_steps });
             }
             Err(next) => failure = Some(Failure::farther(failure, next)),
         }
@@ -191,28 +200,25 @@ fn climb(
     belt: &Belt,
     begin: &Constants,
     target: &Constants,
-    unknowns: &[usize],
     options: &SolveOptions,
 ) -> Result<(Solution, Stats, usize), Failure> {
-    let last = Options { tolerance: options.tolerance, order: options.order, ..Options::default() };
-    let way =
-        Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..last.clone() };
     let legs = legs(begin, target);
+    let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
     let (count, mut stats, mut steps, mut found) = (legs.len(), Stats::default(), 0, None::<Solution>);
     for (index, path) in legs.into_iter().enumerate() {
-        let solve = if index + 1 == count { last.clone() } else { way.clone() };
-        let options = PathOptions {
-            solve,
-            tolerance: ROUGH_TOLERANCE,
-            smallest_step: SMALLEST_STEP,
-            max_steps: LEG_STEPS,
-            ..PathOptions::default()
-        };
+        let solver = if index + 1 == count { options.solver() } else { rough(options) };
         let guess = found.as_ref().map_or_else(|| start::guess(belt, begin), Guess::from);
-        let followed = follow(belt, &guess, &path, unknowns, &options).map_err(Failure::of)?;
+        let followed = follow(belt, &guess, &path, &unknowns, &way(lenient(&solver)))
+            .map_err(|error| Failure::of(error.last.as_deref(), error.cause))?;
         stats += *followed.solution.stats();
-        steps += followed.steps.iter().filter(|step| step.accepted).count();
-        found = Some(followed.solution);
+        steps += accepted(&followed);
+        let solution = polished(belt, followed.solution, &solver, false, &mut stats);
+        found = Some(solution.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?);
     }
     found.map(|solution| (solution, stats, steps)).ok_or(Failure::NoEquations)
+}
+
+/// Steps that were accepted.
+pub(super) fn accepted(followed: &Followed) -> usize {
+    followed.steps.iter().filter(|step| step.accepted).count()
 }

@@ -65,24 +65,29 @@ pub(super) fn easy(target: &Constants, tension: f64) -> Constants {
 pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
     Guess::uniform(belt.layout(), START_INTERVALS, &constants.0, |region, s, y| {
         if let Some(region) = RegionId::ALL.get(region) {
-            y.copy_from_slice(&states(*region, s, constants));
+            let kernel = belt.kernel(*region);
+            for (value, symbol) in y.iter_mut().zip(kernel.states) {
+                *value = state(*region, symbol.name, s, constants);
+            }
         }
     })
 }
 
-/// The start's states in a region at `s` in `[0, 1]`, in the order of the kernel's list.
-fn states(region: RegionId, s: f64, constants: &Constants) -> Vec<f64> {
+/// The start's value of a state in a region at `s` in `[0, 1]`; derivatives of angles vanish.
+fn state(region: RegionId, name: &str, s: f64, constants: &Constants) -> f64 {
     let tension = constants[Constant::SlackTension];
     let slope = constants[Constant::PrimaryOrientation] - FRAC_PI_2;
-    let contact = |radius: f64| {
-        let penetration = PENETRATION_SHARE * tension
-            / (constants[Constant::RadialStiffness] * radius * constants[Constant::HalfAngle].tan());
-        vec![tension, 0.0, 0.0, 0.0, penetration * (s.min(1.0 - s) / RISE).min(1.0)]
+    let penetration = |radius: Constant| {
+        let depth = PENETRATION_SHARE * tension
+            / (constants[Constant::RadialStiffness] * constants[radius] * constants[Constant::HalfAngle].tan());
+        depth * (s.min(1.0 - s) / RISE).min(1.0)
     };
-    match region {
-        RegionId::Primary => contact(constants[Constant::PrimaryRadius]),
-        RegionId::Secondary => contact(constants[Constant::SecondaryRadius]),
-        RegionId::SlackSpan => vec![tension, -slope, 0.0, 0.0],
-        RegionId::TightSpan => vec![tension, PI + slope, 0.0, 0.0],
+    match (name, region) {
+        ("T" | "tau", _) => tension,
+        ("x", RegionId::Primary) => penetration(Constant::PrimaryRadius),
+        ("x", _) => penetration(Constant::SecondaryRadius),
+        ("vartheta", RegionId::SlackSpan) => -slope,
+        ("vartheta", _) => PI + slope,
+        _ => 0.0,
     }
 }

@@ -1,56 +1,121 @@
 //! From solutions of cases nearby to that of a case.
 
+use solver::continuation::PathOptions;
 use solver::{Options, Solution, SolveError, Stats};
 
+use super::approach::approach;
 use super::belt::Belt;
 use super::constants::{Constant, Constants};
+use super::failure::Failure;
+use super::polish::{lenient, polished};
 use super::predict::predicted;
-use super::solve::{Failure, ROUGH_TOLERANCE, SolveOptions, Solved, given};
-use crate::case::Resolved;
+use super::question::Question;
+use super::solve::{ROUGH_TOLERANCE, SolveOptions, Solved};
+use crate::case::{Model, Resolved};
 
 // What a warm start may cost; beyond it, a cold start is the shorter way.
 const SMALLEST_STEP: f64 = 0.25;
 const MAX_ITERATIONS: usize = 15;
+const MAX_STEPS: usize = 3;
 const MAX_MESHES: usize = 12;
 const MAX_INTERVALS: usize = 2000;
 
-/// Solves a case by following the last of the solutions `trail` while the constants that differ go to those of the case:
-/// the slip threshold geometrically, all others linearly. The solution before the last, if there is one, tells how the way
-/// bends. All must be of one model; the caller sees to that. Gives up early, on anything but a case nearby.
+/// Solves a case from a solution nearby: see [`solve_along`].
+///
+/// # Errors
+/// As [`solve_along`].
+pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
+    solve_along(&[from], case, options)
+}
+
+/// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values, goes
+/// to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if there is
+/// one, tells how the way bends. All must be of one model; the caller sees to that. Gives up early, on anything but a case
+/// nearby.
 ///
 /// # Errors
 /// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).
-pub fn solve_from(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
-    let target = given(case)?;
-    let belt = Belt::new(&case.model, &target).ok_or(Failure::NoEquations)?;
-    let [.., last] = trail else { return Err(Failure::NoStart) };
-    let origin = Constants::of(&last.solution);
-    let (mut stats, mut steps, mut way, mut step) = (Stats::default(), 0, 0.0, 1.0);
-    let mut before = if let [.., before, _] = trail { Some(before.solution.clone()) } else { None };
-    let mut here = last.solution.clone();
-    loop {
-        let next = f64::min(way + step, 1.0);
-        let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
-        match advance(&belt, before.as_ref(), &here, &origin.toward(&target, next), tolerance, options) {
-            Ok(solution) => {
-                stats += *solution.stats();
-                steps += 1;
-                if next == 1.0 {
-                    return Ok(Solved { belt, stats, continuation_steps: steps, solution });
-                }
-                (before, way) = (Some(std::mem::replace(&mut here, solution)), next);
-            }
-            Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::lost(&here, cause)),
-            Err(_) => step /= 2.0,
-        }
+pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
+    let question = Question::of(case);
+    let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
+    if question.swaps.is_empty() && last.question.swaps.is_empty() {
+        let before = rest.last().filter(|before| before.question.swaps.is_empty());
+        along(before.map(|before| &before.solution), &last.solution, &case.model, question, options)
+    } else {
+        solve_question_from(last, &case.model, &question, options)
     }
 }
 
-/// How far a case is from a solution: the largest factor between the given constants of both; infinite where one has
-/// none, or of another sign.
+/// As [`solve_from`], for any question.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn solve_question_from(
+    from: &Solved,
+    model: &Model,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    question.check(model)?;
+    let options = PathOptions {
+        solve: within(options),
+        tolerance: ROUGH_TOLERANCE,
+        first_step: 1.0,
+        smallest_step: SMALLEST_STEP,
+        max_steps: MAX_STEPS,
+        ..PathOptions::default()
+    };
+    let mut solved = approach(model, from, question, &options)?;
+    // The work from here on, not that of the solution nearby.
+    solved.stats = *solved.solution.stats();
+    solved.continuation_steps -= from.continuation_steps;
+    Ok(solved)
+}
+
+/// What the solver may spend.
+fn within(options: &SolveOptions) -> Options {
+    Options { max_meshes: MAX_MESHES, max_intervals: MAX_INTERVALS, ..options.solver() }
+}
+
+/// From one solution to another of the same unknowns, in one predicted step if that succeeds, else in a few.
+fn along(
+    before: Option<&Solution>,
+    from: &Solution,
+    model: &Model,
+    question: Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    let belt = Belt::new(model, &question.constants).ok_or(Failure::NoEquations)?;
+    let origin = Constants::of(from);
+    let (mut stats, mut steps, mut way, mut step) = (Stats::default(), 0, 0.0, 1.0);
+    let (mut before, mut here) = (before.cloned(), from.clone());
+    while way < 1.0 {
+        let next = f64::min(way + step, 1.0);
+        let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
+        let to = origin.toward(&question.constants, next);
+        match advance(&belt, before.as_ref(), &here, &to, tolerance, options) {
+            Ok(solution) => {
+                stats += *solution.stats();
+                steps += 1;
+                (before, way) = (Some(std::mem::replace(&mut here, solution)), next);
+            }
+            Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::of(Some(&here), Box::new(cause))),
+            Err(_) => step /= 2.0,
+        }
+    }
+    let polished = polished(&belt, here, &options.solver(), false, &mut stats);
+    let solution = polished.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
+    Ok(Solved { question, belt, stats, continuation_steps: steps, solution })
+}
+
+/// How far a case is from a solution: the largest factor between the given constants of both; infinite where they
+/// differ in sign, or something else is prescribed in place of one.
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
-    let Ok(target) = given(case) else { return f64::INFINITY };
-    let here = Constants::of(&from.solution);
+    let question = Question::of(case);
+    if !question.swaps.is_empty() || !from.question.swaps.is_empty() {
+        return f64::INFINITY;
+    }
+    let (here, target) = (Constants::of(&from.solution), question.constants);
     let given = Constant::ALL.into_iter().filter(|constant| !from.solution.unknowns().contains(&constant.index()));
     let factor = |constant: Constant| match target[constant] / here[constant] {
         _ if target[constant] == here[constant] => 1.0,
@@ -69,17 +134,9 @@ fn advance(
     tolerance: f64,
     options: &SolveOptions,
 ) -> Result<Solution, SolveError> {
-    let options = Options {
-        tolerance,
-        order: options.order,
-        max_meshes: MAX_MESHES,
-        max_intervals: MAX_INTERVALS,
-        max_iterations: MAX_ITERATIONS,
-        rescues: 0,
-        ..Options::default()
-    };
+    let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
     let guess = predicted(belt, before, from, to, tolerance)?;
-    solver::solve(belt, &guess, from.unknowns(), &options)
+    solver::solve(belt, &guess, from.unknowns(), &lenient(&options))
 }
 
 impl Constants {

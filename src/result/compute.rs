@@ -1,10 +1,10 @@
 //! From a solution to what it means.
 
-use generated::{OUTPUTS, Symbol};
+use generated::Symbol;
 use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
-use crate::drive::{Belt, Constant, RegionId};
+use crate::drive::{Belt, Constant, Output, RegionId, SEPARATOR, inputs};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
 const INNER: usize = 3;
@@ -60,34 +60,21 @@ pub struct Outputs(Vec<f64>);
 
 impl Outputs {
     /// Of a solution.
-    pub fn new(solution: &Solution) -> Self {
+    pub fn new(belt: &Belt, solution: &Solution) -> Self {
         let (ends, integrals) = inputs(solution);
-        let mut values = vec![0.0; OUTPUTS.equations.len()];
-        (OUTPUTS.value)(&ends, &integrals, solution.constants(), &mut values);
-        Self(values)
+        Self(belt.outputs(&ends, &integrals, solution.constants()))
+    }
+
+    /// An output.
+    pub fn value(&self, output: Output) -> f64 {
+        self.0.get(output.index()).copied().unwrap_or(f64::NAN)
     }
 
     /// An output by region and key; NaN if there is none.
     pub fn get(&self, region: &str, key: &str) -> f64 {
-        let named = |name: &str| name.split_once(SEPARATOR) == Some((region, key));
-        let at = OUTPUTS.equations.iter().position(|output| named(output.name));
-        at.and_then(|at| self.0.get(at).copied()).unwrap_or(f64::NAN)
+        let named = |output: &Output| output.name().split_once(SEPARATOR) == Some((region, key));
+        Output::all().find(named).map_or(f64::NAN, |output| self.value(output))
     }
-}
-
-/// Between region and key in the name of a generated output.
-pub const SEPARATOR: &str = "__";
-
-/// Ends and integrals of a solution, as boundary equations take them.
-pub fn inputs(solution: &Solution) -> (Vec<f64>, Vec<f64>) {
-    let value = |end: Option<&f64>| end.copied().unwrap_or(f64::NAN);
-    let ends = solution.regions().iter().flat_map(|part| {
-        let entries = (0..part.states()).map(|i| value(part.state(i).first()));
-        let exits = (0..part.states()).map(|i| value(part.state(i).last()));
-        entries.chain(exits)
-    });
-    let integrals = solution.regions().iter().flat_map(|part| part.integrals().iter().copied());
-    (ends.collect(), integrals.collect())
 }
 
 /// The smallest and largest of some values.
@@ -154,6 +141,7 @@ pub fn pulley(belt: &Belt, solution: &Solution, outputs: &Outputs, region: Regio
         min_sliding_speed: contact.slowest,
         max_sliding_speed: contact.fastest,
         adhesion_fraction: contact.adhesion,
+        radius: radius(solution, region),
         resultant_x: output("resultant_x"),
         resultant_y: output("resultant_y"),
         binding_moment: output("binding_moment"),
@@ -161,6 +149,12 @@ pub fn pulley(belt: &Belt, solution: &Solution, outputs: &Outputs, region: Regio
         entry_tension: output("entry_tension"),
         exit_tension: output("exit_tension"),
     }
+}
+
+/// Nominal radius of the pulley that a contact lies on.
+fn radius(solution: &Solution, region: RegionId) -> f64 {
+    let constant = if region == RegionId::Primary { Constant::PrimaryRadius } else { Constant::SecondaryRadius };
+    solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
 }
 
 /// One span.

@@ -50,7 +50,7 @@ pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start:
 
 fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
     let (belt, solution) = (&solved.belt, &solved.solution);
-    let outputs = Outputs::new(solution);
+    let outputs = Outputs::new(belt, solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     DriveResult {
         schema: SCHEMA,

@@ -66,6 +66,8 @@ pub struct Pulley {
     pub max_sliding_speed: f64,
     /// Share of the wrap angle on which the belt slides more slowly than the slip threshold.
     pub adhesion_fraction: f64,
+    /// Nominal radius, m: as given, or as found where it was free.
+    pub radius: f64,
     /// Where the axial force acts, m from the pulley's centre, towards the secondary's centre from the primary's (6.3).
     pub resultant_x: f64,
     /// Where the axial force acts, m from the pulley's centre, towards the tight span (6.4).

@@ -101,10 +101,7 @@ impl Study {
             }
         }
         let resolved = match case.resolve() {
-            Ok(resolved) => {
-                case.check_supported(&resolved)?;
-                Ok(resolved)
-            }
+            Ok(resolved) => Ok(resolved),
             Err(error) if matches!(error.problem(), Problem::Overlap { .. } | Problem::NoRadii { .. }) => Err(error),
             Err(error) => return Err(error),
         };

@@ -4,7 +4,7 @@ use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
-use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_from};
+use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
 use rayon::Scope;
 use std::io;
@@ -266,7 +266,7 @@ fn solve(
 ) -> Result<Outcome, Failure> {
     let start = Instant::now();
     if !near.is_empty() {
-        match solve_from(near, case, options) {
+        match solve_along(near, case, options) {
             Ok(solved) => return result::interpret(case, options, solved, start),
             Err(_) => *near_enough = false,
         }

@@ -295,6 +295,9 @@ impl Page {
 
     fn line(&self, line: &Line) -> String {
         let (left, right) = (self.side(&line.left), self.side(&line.right));
+        if left == right {
+            return String::new(); // a function that has a name of its own for the sake of the generated code
+        }
         let mark = match line.origin {
             Origin::Primitive => "p",
             Origin::Derived => "d",
@@ -343,7 +346,9 @@ impl Page {
             let (name, unit, doc) = (&symbol.name, symbol.unit, &symbol.doc);
             text += &match self.format {
                 Format::Text => format!("  {printed:<16} {name:<16} {unit:<8} {doc}\n"),
-                Format::Markdown => format!("| ${}$ | `{name}` | {unit} | {doc} |\n", printed.replace('|', r"\lvert ")),
+                Format::Markdown => {
+                    format!("| ${}$ | `{name}` | {unit} | {} |\n", bars(&printed), doc.replace('|', r"\|"))
+                }
                 Format::Latex => format!("\n\\noindent ${printed}$ [{unit}]: {}\n", self.prose(doc)),
             };
         }
@@ -363,4 +368,15 @@ impl Page {
         });
         words.collect::<Vec<String>>().join(" ")
     }
+}
+
+/// Absolute values without the bar that ends a table's cell.
+fn bars(formula: &str) -> String {
+    let mut parts = formula.split('|');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for (index, part) in parts.enumerate() {
+        text += if index % 2 == 0 { r"\lvert " } else { r"\rvert " };
+        text += part;
+    }
+    text
 }

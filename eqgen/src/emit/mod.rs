@@ -43,11 +43,23 @@ pub struct SourceFile {
     pub text: String,
 }
 
+/// Where a file comes from; its header says so.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Provenance {
+    /// What it is generated from.
+    pub source: &'static str,
+    /// The command that writes it anew.
+    pub command: &'static str,
+}
+
+/// Provenance of the belt's kernels.
+pub const BELT: Provenance = Provenance { source: "eqgen/src/physics", command: "cargo run -p eqgen -- write" };
+
 /// The source file of one kernel.
 ///
 /// # Errors
 /// If the kernel cannot be emitted.
-pub fn file(model: &Model) -> Result<SourceFile, Error> {
+pub fn file(model: &Model, provenance: Provenance) -> Result<SourceFile, Error> {
     let emitted = match model {
         Model::Region(model) => region::emit(model)?,
         Model::Boundary(model) => boundary::emit(model)?,
@@ -55,14 +67,15 @@ pub fn file(model: &Model) -> Result<SourceFile, Error> {
     let name = format!("{}.rs", emitted.name);
     let tokens = |error: syn::Error| Error::Tokens { file: name.clone(), message: error.to_string() };
     let parsed: syn::File = syn::parse2(emitted.tokens.clone()).map_err(tokens)?;
-    let text = format!("{}\n{}", header(&emitted), prettyplease::unparse(&parsed));
+    let text = format!("{}\n{}", header(&emitted, provenance), prettyplease::unparse(&parsed));
     Ok(SourceFile { name, text })
 }
 
-fn header(emitted: &Emitted) -> String {
+fn header(emitted: &Emitted, provenance: Provenance) -> String {
+    let Provenance { source, command } = provenance;
     let mut lines = vec![
         format!("// {}: {}", emitted.name, emitted.doc),
-        "// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.".to_owned(),
+        format!("// Generated from {source}. Do not edit; `{command}` writes it anew."),
         "// Operations:".to_owned(),
     ];
     lines.extend(emitted.counts.iter().map(|(name, count)| format!("//   {name}: {count}")));

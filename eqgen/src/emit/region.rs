@@ -154,7 +154,7 @@ fn sizes(model: &RegionModel, rows: &[&str], entries: &Entries, fields: &[&str])
 
 fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> TokenStream {
     let table = |names: &[&str]| {
-        let rows: Vec<notation::Symbol> = names.iter().filter_map(|name| notation::find(name)).collect();
+        let rows: Vec<notation::Symbol> = names.iter().filter_map(|name| model.plan.symbol(name)).collect();
         symbols(&rows)
     };
     let (states, constants) = (table(model.states), table(model.constants));

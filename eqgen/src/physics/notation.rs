@@ -20,7 +20,7 @@ pub struct Symbol {
 }
 
 /// (name, symbol, unit, exponent of the region, meaning)
-type Row = (&'static str, &'static str, &'static str, i8, &'static str);
+pub type Row = (&'static str, &'static str, &'static str, i8, &'static str);
 
 /// Independent variables and states.
 const STATES: &[Row] = &[

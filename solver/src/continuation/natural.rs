@@ -194,6 +194,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         let scales = here.converged.scales();
         let mut x = here.system.stepped(&here.converged.x, scales, next - lambda, &tangent);
         self.path.constants(next, &mut x.constants);
+        self.path.bend(&here.converged.x.constants, &mut x.constants);
         Ok(Start { grids: here.system.grids.clone(), x })
     }
 

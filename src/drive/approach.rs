@@ -1,0 +1,99 @@
+//! From one solution to the answer of another question.
+
+use solver::Guess;
+use solver::continuation::{Path, PathOptions, Ramp, follow};
+
+use super::belt::Belt;
+use super::constants::Constant;
+use super::failure::Failure;
+use super::inputs::inputs;
+use super::polish::{lenient, polished};
+use super::question::{Known, Question, Swap};
+use super::solve::{Solved, accepted};
+use crate::case::Model;
+
+/// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those
+/// of `question`: the slip threshold geometrically, all others linearly. Both must be of one model.
+pub(super) fn approach(
+    model: &Model,
+    from: &Solved,
+    question: &Question,
+    options: &PathOptions,
+) -> Result<Solved, Failure> {
+    let (ends, integrals) = inputs(&from.solution);
+    let constants = from.solution.constants();
+    let values = from.belt.outputs(&ends, &integrals, constants);
+    let prescribed: Vec<_> = question.conditions().collect();
+    let belt = Belt::prescribing(model, &question.constants, &prescribed).ok_or(Failure::NoEquations)?;
+    let mut start = Guess::from(&from.solution);
+    start.constants.truncate(Constant::ALL.len());
+    let mut path = Ramp::new();
+    for (output, asked) in prescribed {
+        let here = values.get(output.index()).copied().unwrap_or(f64::NAN);
+        path = path.linear(start.constants.len(), here, asked);
+        start.constants.push(here);
+    }
+    let unknowns = question.unknowns();
+    for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant)) {
+        let index = constant.index();
+        let Some(&here) = start.constants.get(index) else { continue };
+        let there = asked(question, constant);
+        path = match constant {
+            _ if here == there => path,
+            Constant::SlipThreshold => path.geometric(index, here, there),
+            _ => path.linear(index, here, there),
+        };
+    }
+    let unknowns: Vec<usize> = unknowns.into_iter().map(Constant::index).collect();
+    let path = Geared { ramp: path, free: unknowns.contains(&Constant::SpeedRatio.index()) };
+    let lenient = PathOptions { solve: lenient(&options.solve), ..options.clone() };
+    let followed = match follow(&belt, &start, &path, &unknowns, &lenient) {
+        Ok(followed) => followed,
+        Err(error) => return Err(Failure::approaching(&belt, question, error.last.as_deref(), error.cause)),
+    };
+    let mut stats = from.stats;
+    stats += *followed.solution.stats();
+    let continuation_steps = from.continuation_steps + accepted(&followed);
+    match polished(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
+        Ok(solution) => Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution }),
+        Err((last, cause)) => Err(Failure::approaching(&belt, question, Some(&last), Box::new(cause))),
+    }
+}
+
+/// The value of a given constant: as the question has it, or prescribed.
+fn asked(question: &Question, constant: Constant) -> f64 {
+    let prescribes = |swap: &&Swap| swap.known == Known::Constant(constant);
+    question.swaps.iter().find(prescribes).map_or(question.constants[constant], |swap| swap.value)
+}
+
+/// A path on which radii may move. What counts on the secondary is σ R_S/R_P, the belt's speed over the rim's, to a share
+/// of the slip threshold: it, rather than σ, is predicted linearly.
+struct Geared {
+    ramp: Ramp,
+    /// Whether the speed ratio is unknown.
+    free: bool,
+}
+
+impl Path for Geared {
+    fn constants(&self, lambda: f64, constants: &mut [f64]) {
+        self.ramp.constants(lambda, constants);
+    }
+
+    fn slope(&self, lambda: f64, slope: &mut [f64]) {
+        self.ramp.slope(lambda, slope);
+    }
+
+    fn bend(&self, from: &[f64], predicted: &mut [f64]) {
+        let place = [Constant::SpeedRatio, Constant::SecondaryRadius, Constant::PrimaryRadius].map(Constant::index);
+        let [Some(sigma), Some(secondary), Some(primary)] = place.map(|at| Some((*from.get(at)?, *predicted.get(at)?)))
+        else {
+            return;
+        };
+        let change = |(from, to): (f64, f64)| (to - from) / from;
+        let geared = 1.0 + change(sigma) + change(secondary) - change(primary);
+        let bent = geared * (sigma.0 * secondary.0 / primary.0) * primary.1 / secondary.1;
+        if let Some(sigma) = predicted.get_mut(Constant::SpeedRatio.index()).filter(|_| self.free && bent.is_finite()) {
+            *sigma = bent;
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
+
+use std::f64::consts::PI;
+
+use super::constants::{Constant, Constants};
+use super::question::{Known, Output, Question, Swap};
+use super::start;
+use crate::case::geometry::radii_of_ratio;
+use crate::case::{Clamp, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
+
+/// Share of the axial force of a frictionless wedge, Φ T/(2 tan β), that a belt exerts which friction holds up.
+const AXIAL_SHARE: f64 = 0.5;
+/// Overall efficiency, to guess a torque from the other.
+const EFFICIENCY: f64 = 0.95;
+/// Slack tension of a start over M_in/R_P: at least this, for a looser belt may slip.
+const LEAST_TENSION: f64 = 0.35;
+/// M_in over R_P and slack tension, when nothing says how large the torque is.
+const TORQUE: f64 = 1.5;
+
+impl Question {
+    /// What a case asks. Where a given constant is unknown, its value is an estimate.
+    pub fn of(case: &Resolved) -> Self {
+        let mut constants = Constants([0.0; Constant::ALL.len()]);
+        let (primary, secondary) = radii(case);
+        for (constant, value) in [
+            (Constant::LongitudinalStiffness, case.belt.longitudinal_stiffness),
+            (Constant::BendingStiffness, case.belt.bending_stiffness),
+            (Constant::RadialStiffness, case.belt.radial_stiffness),
+            (Constant::MassPerLength, case.belt.mass_per_length),
+            (Constant::PrimaryRadius, primary),
+            (Constant::SecondaryRadius, secondary),
+            (Constant::CenterDistance, case.drive.center_distance),
+            (Constant::HalfAngle, case.sheave.half_angle),
+            (Constant::FrictionCoefficient, case.sheave.friction_coefficient),
+            (Constant::SlipThreshold, case.sheave.slip_threshold),
+        ] {
+            constants[constant] = value;
+        }
+        let swaps = swaps(case);
+        estimate(&mut constants, case);
+        Self { constants: start::constants(&constants), swaps }
+    }
+}
+
+/// What the slots of the operating point and the free radii make of the givens.
+fn swaps(case: &Resolved) -> Vec<Swap> {
+    let point = &case.operating_point;
+    let mut swaps = Vec::new();
+    let mut add = |free: Constant, (key, value): (Key, f64)| {
+        // A key that gives a constant as it stands needs no swap.
+        let known = match key {
+            Key::SpeedRatio => Known::Constant(Constant::SpeedRatio),
+            key => match Output::of_key(key) {
+                Some(output) => Known::Output(output),
+                None => return,
+            },
+        };
+        swaps.push(Swap { free, known, value });
+    };
+    add(Constant::PrimarySpeed, point.speed.setting());
+    add(Constant::PrimaryTorque, point.load.setting());
+    add(Constant::SlackTension, point.clamp.setting());
+    let length = (Key::BeltLength, case.belt.length);
+    match case.drive.free {
+        None => {}
+        Some(Free::PrimaryRadius) => add(Constant::PrimaryRadius, length),
+        Some(Free::SecondaryRadius) => add(Constant::SecondaryRadius, length),
+        Some(Free::Both) => {
+            add(Constant::PrimaryRadius, length);
+            if let Some(fourth) = point.fourth {
+                add(Constant::SecondaryRadius, fourth.setting());
+            }
+        }
+    }
+    swaps
+}
+
+/// Speed, torque and slack tension of the operating point: as given, or near what is prescribed in their place.
+fn estimate(constants: &mut Constants, case: &Resolved) {
+    let point = &case.operating_point;
+    let (primary, secondary) = (constants[Constant::PrimaryRadius], constants[Constant::SecondaryRadius]);
+    constants[Constant::PrimarySpeed] = match (point.speed, point.load) {
+        (Speed::Primary(speed), _) => speed,
+        (Speed::Secondary(speed), Load::SpeedRatio(ratio)) => speed / ratio,
+        (Speed::Secondary(speed), _) => speed * secondary / primary,
+    };
+    let torque = match point.load {
+        Load::PrimaryTorque(torque) => Some(torque),
+        Load::SecondaryTorque(torque) => Some(torque * primary / secondary / EFFICIENCY),
+        Load::SecondarySpeed(_) | Load::SpeedRatio(_) => None,
+    };
+    let tension = tension(point.clamp, torque, primary, case.sheave.half_angle);
+    constants[Constant::SlackTension] = tension;
+    constants[Constant::PrimaryTorque] = torque.unwrap_or(TORQUE * tension * primary);
+}
+
+/// Slack tension near which the clamp has its value.
+fn tension(clamp: Clamp, torque: Option<f64>, radius: f64, half_angle: f64) -> f64 {
+    // Half the difference of tensions that the torque makes, over the mean tension if there is no torque to go by.
+    let mean_of = |force: f64| 2.0 * half_angle.tan() * force / (AXIAL_SHARE * PI);
+    let below = |mean: f64| torque.map_or(mean / (1.0 + 0.5 * TORQUE), |torque| mean - 0.5 * torque / radius);
+    let least = torque.map_or(0.0, |torque| LEAST_TENSION * torque / radius);
+    match clamp {
+        Clamp::SlackTension(tension) => tension,
+        Clamp::TightTension(tension) => {
+            torque.map_or(tension / (1.0 + TORQUE), |torque| tension - torque / radius).max(least)
+        }
+        Clamp::PrimaryAxialForce(force) | Clamp::SecondaryAxialForce(force) => below(mean_of(force)).max(least),
+    }
+}
+
+/// The radii; where both are free, those of (6.12) at the ratio that the operating point suggests.
+fn radii(case: &Resolved) -> (f64, f64) {
+    let drive = &case.drive;
+    let suggested = match drive.free {
+        Some(Free::Both) => radii_of_ratio(ratio(&case.operating_point), case.belt.length, drive.center_distance).ok(),
+        _ => None,
+    };
+    suggested.unwrap_or((drive.primary_radius, drive.secondary_radius))
+}
+
+/// R_S/R_P from the ratio of speeds, else from that of torques, else 1.
+fn ratio(point: &OperatingPoint) -> f64 {
+    let (Speed::Primary(speed) | Speed::Secondary(speed)) = point.speed;
+    let fourth = match point.fourth {
+        Some(Fourth::Load(load)) => Some(load),
+        _ => None,
+    };
+    let (mut input, mut output, mut ratio) = (None, None, None);
+    for load in [Some(point.load), fourth].into_iter().flatten() {
+        match load {
+            Load::SpeedRatio(given) => ratio = Some(1.0 / given),
+            Load::SecondarySpeed(given) => ratio = Some(speed / given),
+            Load::PrimaryTorque(torque) => input = Some(torque),
+            Load::SecondaryTorque(torque) => output = Some(torque),
+        }
+    }
+    let torques = input.zip(output).map(|(input, output)| output / (EFFICIENCY * input));
+    ratio.or(torques).unwrap_or(1.0)
+}

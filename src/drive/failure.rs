@@ -1,0 +1,147 @@
+//! Why there is no solution.
+
+use solver::{Solution, SolveError};
+use thiserror::Error;
+
+use super::belt::Belt;
+use super::constants::Constant;
+use super::question::{IllPosed, Known, Question};
+
+/// Why there is no solution.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The equations of this model are not known.
+    #[error("there are no equations for this choice of model")]
+    NoEquations,
+    /// A warm start without a solution to start from.
+    #[error("there is no solution to start from")]
+    NoStart,
+    /// A question that has no answer whatever the numbers.
+    #[error(transparent)]
+    IllPosed(#[from] IllPosed),
+    /// Newton's method failed on the straight belt under a small torque.
+    #[error("no solution was found for the start, a straight belt under a small torque: {0}")]
+    Start(Box<SolveError>),
+    /// The equations are singular at the solution.
+    #[error("the solution has no derivatives: {0}")]
+    Sensitivities(SolveError),
+    /// The way from the start to the case was lost.
+    #[error(
+        "the solution was lost at primary torque {torque:.4} N·m, slip threshold {slip_threshold:.3e} m/s, slack tension \
+         {slack_tension:.4} N: {cause}"
+    )]
+    Lost {
+        /// Primary torque reached, N·m.
+        torque: f64,
+        /// Slip threshold reached, m/s.
+        slip_threshold: f64,
+        /// Slack tension reached, N.
+        slack_tension: f64,
+        /// What the solver says of the next step.
+        cause: Box<SolveError>,
+    },
+    /// From a solution nearby, what is prescribed could not be reached.
+    #[error(
+        "{} cannot be reached: the solution was lost at {}, where the primary torque is {torque:.4} N·m and the slack \
+         tension {slack_tension:.4} N: {cause}", asked(.reached), had(.reached)
+    )]
+    Unreached {
+        /// What is prescribed.
+        reached: Vec<Reached>,
+        /// Primary torque there, N·m.
+        torque: f64,
+        /// Slack tension there, N.
+        slack_tension: f64,
+        /// What the solver says of the next step.
+        cause: Box<SolveError>,
+    },
+    /// What is prescribed holds only if the secondary drives.
+    #[error(
+        "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
+    )]
+    Reversed {
+        /// Primary torque, N·m.
+        torque: f64,
+    },
+}
+
+/// How far a prescribed value was approached, SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reached {
+    /// Key, or output.
+    pub name: String,
+    /// The value where the solution was lost.
+    pub value: f64,
+    /// The value asked for.
+    pub asked: f64,
+}
+
+fn asked(reached: &[Reached]) -> String {
+    reached.iter().map(|at| format!("`{}` = {}", at.name, at.asked)).collect::<Vec<_>>().join(" with ")
+}
+
+fn had(reached: &[Reached]) -> String {
+    reached.iter().map(|at| format!("`{}` = {:.6}", at.name, at.value)).collect::<Vec<_>>().join(", ")
+}
+
+impl Failure {
+    /// Whether the case is at fault rather than the search.
+    pub const fn is_bad_input(&self) -> bool {
+        matches!(self, Self::IllPosed(_))
+    }
+
+    /// That of two failures which came closer to the case: with the case's own friction if possible, then with less
+    /// tension, for it is loose belts that are lost.
+    pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
+        let key = |failure: &Self| match failure {
+            Self::Reversed { .. } => (-2.0, 0.0),
+            Self::Unreached { .. } => (-1.0, 0.0),
+            Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
+            _ => (f64::INFINITY, f64::INFINITY),
+        };
+        match first {
+            Some(first) if key(&first) <= key(&second) => first,
+            _ => second,
+        }
+    }
+
+    /// Of a way that was lost at the solution `last`.
+    pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
+        let Some(last) = last else { return Self::Start(cause) };
+        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
+        Self::Lost {
+            torque: value(Constant::PrimaryTorque),
+            slip_threshold: value(Constant::SlipThreshold),
+            slack_tension: value(Constant::SlackTension),
+            cause,
+        }
+    }
+
+    /// Of a way on which what `question` prescribes was approached.
+    pub(super) fn approaching(
+        belt: &Belt,
+        question: &Question,
+        last: Option<&Solution>,
+        cause: Box<SolveError>,
+    ) -> Self {
+        let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
+        let value = |at: usize| last.constants().get(at).copied().unwrap_or(f64::NAN);
+        let target = |known: Known| match known {
+            Known::Constant(constant) => value(constant.index()),
+            Known::Output(output) => {
+                let at = belt.prescribed().iter().position(|other| *other == output);
+                at.map_or(f64::NAN, |at| value(Constant::ALL.len() + at))
+            }
+        };
+        let swaps = question.swaps.iter();
+        Self::Unreached {
+            reached: swaps
+                .map(|swap| Reached { name: swap.known.name(), value: target(swap.known), asked: swap.value })
+                .collect(),
+            torque: value(Constant::PrimaryTorque.index()),
+            slack_tension: value(Constant::SlackTension.index()),
+            cause,
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! What is asked of a drive: its constants, and which of the given ones are unknown for something else that is prescribed.
+
+use generated::OUTPUTS;
+use thiserror::Error;
+
+use super::constants::{Constant, Constants};
+use super::model::Kernels;
+use super::posedness;
+use crate::case::{Key, Model};
+
+/// An output of a drive that may be prescribed: any that is a function of ends, integrals and constants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Output(usize);
+
+/// Between region and key in the name of a generated output.
+pub const SEPARATOR: &str = "__";
+
+/// The outputs that have a key of the case file to prescribe them.
+const KEYS: [(&str, Key); 6] = [
+    ("secondary__speed", Key::SecondarySpeed),
+    ("secondary__torque", Key::SecondaryTorque),
+    ("primary__entry_tension", Key::TightTension),
+    ("primary__axial_force", Key::PrimaryAxialForce),
+    ("secondary__axial_force", Key::SecondaryAxialForce),
+    ("belt__unstretched_length", Key::BeltLength),
+];
+
+impl Output {
+    /// All outputs, in the order of the generated list.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..OUTPUTS.equations.len()).map(Self)
+    }
+
+    /// By its name in the result object: `primary.axial_force`.
+    pub fn named(path: &str) -> Option<Self> {
+        Self::all().find(|output| output.path() == path)
+    }
+
+    /// That which a key of the case file prescribes.
+    pub fn of_key(key: Key) -> Option<Self> {
+        let (name, _) = KEYS.iter().find(|(_, other)| *other == key)?;
+        Self::all().find(|output| output.name() == *name)
+    }
+
+    /// The key of the case file that prescribes it, if there is one.
+    pub fn key(self) -> Option<Key> {
+        KEYS.iter().find(|(name, _)| *name == self.name()).map(|(_, key)| *key)
+    }
+
+    /// Place in the generated list of outputs.
+    pub const fn index(self) -> usize {
+        self.0
+    }
+
+    /// Name in the generated list.
+    pub fn name(self) -> &'static str {
+        OUTPUTS.equations.get(self.0).map_or("", |equation| equation.name)
+    }
+
+    /// Name in the result object.
+    pub fn path(self) -> String {
+        self.name().replace(SEPARATOR, ".")
+    }
+}
+
+/// What is prescribed in place of a given constant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// An output: one more boundary equation, "output − value = 0".
+    Output(Output),
+    /// A constant that is unknown by default, as the speed ratio is: no equation more, an unknown less.
+    Constant(Constant),
+}
+
+impl Known {
+    /// How messages name it: by its key of the case file, or as in the result object.
+    pub fn name(self) -> String {
+        match self {
+            Self::Output(output) => output.key().map_or_else(|| output.path(), |key| key.path().to_owned()),
+            Self::Constant(constant) => constant.label(),
+        }
+    }
+}
+
+/// A given constant made unknown, and what is prescribed in its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swap {
+    /// The constant that is found.
+    pub free: Constant,
+    /// What is prescribed.
+    pub known: Known,
+    /// Its value, SI.
+    pub value: f64,
+}
+
+/// A boundary value problem about a drive: by default eight constants are unknown and all others given; each swap
+/// makes a given one unknown and prescribes something in its place. All of it is solved at once.
+///
+/// ```
+/// use sheave::case::Case;
+/// use sheave::drive::{Constant, Output, Question, SolveOptions, solve_question};
+/// // How stiff may the belt be for 96 % overall efficiency?
+/// let case = Case::base().resolve()?;
+/// let efficiency = Output::named("efficiency.overall").ok_or("no such output")?;
+/// let question = Question::of(&case).swap(Constant::BendingStiffness, efficiency, 0.96);
+/// let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
+/// let solved = solve_question(&case.model, &question, &options)?;
+/// assert!(solved.solution.constants()[Constant::BendingStiffness.index()] < 0.2602);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Given constants; where an unknown one is, the value near which an ordinary solution is sought first.
+    pub constants: Constants,
+    /// What is prescribed in place of what.
+    pub swaps: Vec<Swap>,
+}
+
+/// Why a question has no answer whatever the numbers.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum IllPosed {
+    /// A constant is to be made unknown that is unknown already.
+    #[error("`{constant}` is unknown already: expected a given constant in its place")]
+    Unknown {
+        /// The constant.
+        constant: String,
+    },
+    /// A constant is prescribed that is given already, or twice.
+    #[error("`{constant}` is given already: expected another output in its place")]
+    Given {
+        /// The constant.
+        constant: String,
+    },
+    /// Not all that is given and prescribed is independent.
+    #[error("{} cannot all be given: each follows from the others, and {} would be left undetermined", listed(.names), listed(.free))]
+    Dependent {
+        /// Keys, or outputs, that depend on each other.
+        names: Vec<String>,
+        /// The constants that were made unknown.
+        free: Vec<String>,
+    },
+    /// A prescribed value is no number.
+    #[error("`{name}` = {value}: expected a finite number")]
+    Value {
+        /// What is prescribed.
+        name: String,
+        /// As given.
+        value: f64,
+    },
+}
+
+/// Names in quotes, with commas.
+fn listed(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+impl Question {
+    /// The ordinary question: everything given but the eight usual unknowns.
+    pub fn new(constants: Constants) -> Self {
+        Self { constants, swaps: Vec::new() }
+    }
+
+    /// The question with `free` unknown and `output` prescribed in its place.
+    #[must_use]
+    pub fn swap(mut self, free: Constant, output: Output, value: f64) -> Self {
+        self.swaps.push(Swap { free, known: Known::Output(output), value });
+        self
+    }
+
+    /// The question with `free` unknown and `known`, which is unknown by default, given in its place.
+    #[must_use]
+    pub fn exchange(mut self, free: Constant, known: Constant, value: f64) -> Self {
+        self.swaps.push(Swap { free, known: Known::Constant(known), value });
+        self
+    }
+
+    /// The constants that are found, in order.
+    pub fn unknowns(&self) -> Vec<Constant> {
+        let fixed = |constant: &Constant| !self.swaps.iter().any(|swap| swap.known == Known::Constant(*constant));
+        let usual = Constant::ALL.into_iter().take(Constant::UNKNOWN).filter(fixed);
+        let mut unknowns: Vec<Constant> = usual.chain(self.swaps.iter().map(|swap| swap.free)).collect();
+        unknowns.sort();
+        unknowns
+    }
+
+    /// Outputs that are prescribed, with their values, in the order in which their equations follow the belt's own.
+    pub fn conditions(&self) -> impl Iterator<Item = (Output, f64)> + '_ {
+        self.swaps.iter().filter_map(|swap| match swap.known {
+            Known::Output(output) => Some((output, swap.value)),
+            Known::Constant(_) => None,
+        })
+    }
+
+    /// Refuses a question that has no answer whatever the numbers: two conditions that determine the same thing, or one
+    /// that says what the given constants say already.
+    ///
+    /// # Errors
+    /// [`IllPosed`] names the keys. What depends on the numbers shows only in solving, as a singular system.
+    pub fn check(&self, model: &Model) -> Result<(), IllPosed> {
+        let usual = |constant: Constant| constant.index() < Constant::UNKNOWN;
+        for (at, swap) in self.swaps.iter().enumerate() {
+            let before = self.swaps.get(..at).unwrap_or_default();
+            if usual(swap.free) || before.iter().any(|other| other.free == swap.free) {
+                return Err(IllPosed::Unknown { constant: swap.free.label() });
+            }
+            if let Known::Constant(constant) = swap.known
+                && (!usual(constant) || before.iter().any(|other| other.known == swap.known))
+            {
+                return Err(IllPosed::Given { constant: constant.label() });
+            }
+            if !swap.value.is_finite() {
+                return Err(IllPosed::Value { name: swap.known.name(), value: swap.value });
+            }
+        }
+        let Some(kernels) = Kernels::of(model).filter(|_| !self.swaps.is_empty()) else { return Ok(()) };
+        let free = self.swaps.iter().map(|swap| swap.free.label()).collect();
+        match posedness::dependence(&kernels, self) {
+            Some(names) => Err(IllPosed::Dependent { names, free }),
+            None => Ok(()),
+        }
+    }
+}
