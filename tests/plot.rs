@@ -21,6 +21,7 @@ fn every_figure_has_axes_with_units_and_points_in_both_formats() {
         let svg = figure.svg().unwrap();
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
         assert!(svg.contains(&figure.x.label) && svg.contains(&figure.y.label));
+        assert!(!svg.contains("_{") && !svg.contains(['\u{e000}', '\u{e001}', '\u{e002}']));
         assert!(svg.matches("<polyline").count() > 5);
         let png = figure.png().unwrap();
         assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
@@ -48,12 +49,22 @@ fn the_loss_split_adds_up() {
     }
 }
 
+fn warned(settings: &[(&str, &str)]) -> Vec<String> {
+    let mut case = Case::base();
+    settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+    let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
+    report::warnings(&run(&case.resolve().unwrap(), &options).unwrap())
+}
+
 #[test]
 fn warnings_are_given_when_they_are_due() {
-    assert!(report::warnings(&base()).is_empty());
-    let mut case = Case::base();
-    case.set("edition", "published").unwrap();
-    let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
-    let published = run(&case.resolve().unwrap(), &options).unwrap();
-    assert!(report::warnings(&published).iter().any(|text| text.contains("Energy is not conserved")));
+    assert_eq!(warned(&[]), Vec::<String>::new());
+    for (settings, said) in [
+        (&[("edition", "published")][..], "Energy is not conserved"),
+        (&[("belt.length", "840 mm")], "The belt does not fit"),
+        (&[("edition", "thesis"), ("operating_point.slack_tension", "25 N")], "Little slip reserve"),
+    ] {
+        let warnings = warned(settings);
+        assert!(warnings.iter().any(|text| text.contains(said)), "{settings:?}: {warnings:?}");
+    }
 }

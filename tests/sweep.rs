@@ -162,20 +162,28 @@ fn a_sweep_that_was_killed_is_completed_to_the_same_file() {
     let whole = written(&folder.path().join("whole.csv"), &grid);
     assert!(!folder.path().join("whole.csv.journal").exists());
 
-    let (out, journal) = (folder.path().join("killed.csv"), folder.path().join("killed.csv.journal"));
+    for signal in ["KILL", "INT"] {
+        interrupted(folder.path(), &grid, signal, &whole);
+    }
+}
+
+/// Begins a sweep, ends it by a signal (that of Ctrl-C is INT), and completes it.
+fn interrupted(folder: &Path, grid: &[&str], signal: &str, whole: &[u8]) {
+    let (out, journal) = (folder.join("ended.csv"), folder.join("ended.csv.journal"));
     let out_text = out.to_str().unwrap();
-    let arguments = [&grid[..], &["--out", out_text]].concat();
+    let arguments = [grid, &["--out", out_text]].concat();
     let mut child = program(&arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     // Some rows, and not all: the sweep takes far longer than this loop's turns.
     while std::fs::read(&journal).map_or(0, |text| text.iter().filter(|byte| **byte == b'\n').count()) < 20 {
-        assert!(child.try_wait().unwrap().is_none(), "done before it could be killed");
+        assert!(child.try_wait().unwrap().is_none(), "done before it could be ended");
         std::thread::yield_now();
     }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    let sent = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    assert!(!child.wait().unwrap().success());
     let rows = std::fs::read(&journal).unwrap();
     assert!(!out.exists());
-    // As if killed in the middle of a line.
+    // As if ended in the middle of a line.
     std::fs::write(&journal, [&rows[..], b"[17,0,[1.0,"].concat()).unwrap();
 
     // Another study does not take these rows for its own.
@@ -183,10 +191,11 @@ fn a_sweep_that_was_killed_is_completed_to_the_same_file() {
     assert_eq!(other.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&other.stderr).contains("another study"));
 
-    assert_eq!(written(&out, &[&grid[..], &["--resume"]].concat()), whole);
+    assert_eq!(written(&out, &[grid, &["--resume"]].concat()), whole);
     assert!(!journal.exists());
     // Without a journal it is begun anew.
-    assert_eq!(written(&out, &[&grid[..], &["--resume"]].concat()), whole);
+    assert_eq!(written(&out, &[grid, &["--resume"]].concat()), whole);
+    std::fs::remove_file(out).unwrap();
 }
 
 #[test]

@@ -14,6 +14,9 @@ pub enum Failure {
     /// The equations of this model are not known.
     #[error("there are no equations for this choice of model")]
     NoEquations,
+    /// A warm start without a solution to start from.
+    #[error("there is no solution to start from")]
+    NoStart,
     /// A question that has no answer whatever the numbers.
     #[error(transparent)]
     IllPosed(#[from] IllPosed),

@@ -1,28 +1,49 @@
-//! From one solution to that of a case nearby.
+//! From solutions of cases nearby to that of a case.
 
-use solver::Options;
 use solver::continuation::PathOptions;
+use solver::{Options, Solution, SolveError, Stats};
 
 use super::approach::approach;
+use super::belt::Belt;
+use super::constants::{Constant, Constants};
 use super::failure::Failure;
+use super::polish::{lenient, polished};
+use super::predict::predicted;
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions, Solved};
 use crate::case::{Model, Resolved};
 
 // What a warm start may cost; beyond it, a cold start is the shorter way.
+const SMALLEST_STEP: f64 = 0.25;
+const MAX_ITERATIONS: usize = 15;
 const MAX_STEPS: usize = 3;
-const SMALLEST_STEP: f64 = 0.2;
 const MAX_MESHES: usize = 12;
 const MAX_INTERVALS: usize = 2000;
 
-/// Solves a case by following the solution `from` while what differs, constants and prescribed values, goes to what the
-/// case says: the slip threshold geometrically, all others linearly. Both must be of one model; the caller sees to that.
-/// Gives up early, on anything but a case nearby.
+/// Solves a case from a solution nearby: see [`solve_along`].
 ///
 /// # Errors
-/// See [`Failure`]. A case out of reach of `from` may still be solved by [`solve`](super::solve).
+/// As [`solve_along`].
 pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
-    solve_question_from(from, &case.model, &Question::of(case), options)
+    solve_along(&[from], case, options)
+}
+
+/// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values, goes
+/// to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if there is
+/// one, tells how the way bends. All must be of one model; the caller sees to that. Gives up early, on anything but a case
+/// nearby.
+///
+/// # Errors
+/// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).
+pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
+    let question = Question::of(case);
+    let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
+    if question.swaps.is_empty() && last.question.swaps.is_empty() {
+        let before = rest.last().filter(|before| before.question.swaps.is_empty());
+        along(before.map(|before| &before.solution), &last.solution, &case.model, question, options)
+    } else {
+        solve_question_from(last, &case.model, &question, options)
+    }
 }
 
 /// As [`solve_from`], for any question.
@@ -36,9 +57,8 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    let solve = Options { max_meshes: MAX_MESHES, max_intervals: MAX_INTERVALS, ..options.solver() };
     let options = PathOptions {
-        solve,
+        solve: within(options),
         tolerance: ROUGH_TOLERANCE,
         first_step: 1.0,
         smallest_step: SMALLEST_STEP,
@@ -50,4 +70,93 @@ pub fn solve_question_from(
     solved.stats = *solved.solution.stats();
     solved.continuation_steps -= from.continuation_steps;
     Ok(solved)
+}
+
+/// What the solver may spend.
+fn within(options: &SolveOptions) -> Options {
+    Options { max_meshes: MAX_MESHES, max_intervals: MAX_INTERVALS, ..options.solver() }
+}
+
+/// From one solution to another of the same unknowns, in one predicted step if that succeeds, else in a few.
+fn along(
+    before: Option<&Solution>,
+    from: &Solution,
+    model: &Model,
+    question: Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    let belt = Belt::new(model, &question.constants).ok_or(Failure::NoEquations)?;
+    let origin = Constants::of(from);
+    let (mut stats, mut steps, mut way, mut step) = (Stats::default(), 0, 0.0, 1.0);
+    let (mut before, mut here) = (before.cloned(), from.clone());
+    while way < 1.0 {
+        let next = f64::min(way + step, 1.0);
+        let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
+        let to = origin.toward(&question.constants, next);
+        match advance(&belt, before.as_ref(), &here, &to, tolerance, options) {
+            Ok(solution) => {
+                stats += *solution.stats();
+                steps += 1;
+                (before, way) = (Some(std::mem::replace(&mut here, solution)), next);
+            }
+            Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::of(Some(&here), Box::new(cause))),
+            Err(_) => step /= 2.0,
+        }
+    }
+    let polished = polished(&belt, here, &options.solver(), false, &mut stats);
+    let solution = polished.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
+    Ok(Solved { question, belt, stats, continuation_steps: steps, solution })
+}
+
+/// How far a case is from a solution: the largest factor between the given constants of both; infinite where they
+/// differ in sign, or something else is prescribed in place of one.
+pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
+    let question = Question::of(case);
+    if !question.swaps.is_empty() || !from.question.swaps.is_empty() {
+        return f64::INFINITY;
+    }
+    let (here, target) = (Constants::of(&from.solution), question.constants);
+    let given = Constant::ALL.into_iter().filter(|constant| !from.solution.unknowns().contains(&constant.index()));
+    let factor = |constant: Constant| match target[constant] / here[constant] {
+        _ if target[constant] == here[constant] => 1.0,
+        factor if factor > 0.0 => factor.max(1.0 / factor),
+        _ => f64::INFINITY,
+    };
+    given.map(factor).fold(1.0, f64::max)
+}
+
+/// One step, from a solution to other given constants.
+fn advance(
+    belt: &Belt,
+    before: Option<&Solution>,
+    from: &Solution,
+    to: &Constants,
+    tolerance: f64,
+    options: &SolveOptions,
+) -> Result<Solution, SolveError> {
+    let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
+    let guess = predicted(belt, before, from, to, tolerance)?;
+    solver::solve(belt, &guess, from.unknowns(), &lenient(&options))
+}
+
+impl Constants {
+    /// Those of a solution.
+    pub(super) fn of(solution: &Solution) -> Self {
+        let value = |constant: Constant| solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
+        Self(Constant::ALL.map(value))
+    }
+
+    /// A share of the way to other constants.
+    pub(super) fn toward(&self, to: &Self, share: f64) -> Self {
+        let mut constants = self.clone();
+        for constant in Constant::ALL {
+            let (here, there) = (self[constant], to[constant]);
+            constants[constant] = match constant {
+                _ if share == 1.0 => there,
+                Constant::SlipThreshold if here > 0.0 && there > 0.0 => here * (there / here).powf(share),
+                _ => here + share * (there - here),
+            };
+        }
+        constants
+    }
 }

@@ -6,7 +6,7 @@ use super::ticks::{Tick, decades, linear, multiples};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind as Error};
 use plotters::element::{Circle, PathElement, Text};
-use plotters::prelude::{DrawingBackend, IntoFont, RGBColor, Rectangle};
+use plotters::prelude::{DrawingBackend, IntoFont, RGBColor};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, TextStyle};
 
@@ -31,6 +31,10 @@ const MARGINS: [i32; 4] = [66, 18, 14, 48];
 const TEXT: i32 = 15;
 const LEGEND_LINE: i32 = 20;
 const SWATCH: i32 = 24;
+/// How far a line may be from its points, in the figure's points.
+const THIN: f64 = 0.08;
+/// Size of a subscript, and how far it stands below the line, of the text's size.
+const SUBSCRIPT: (f64, f64) = (0.72, 0.18);
 
 /// Width and height of a figure.
 pub fn size(figure: &Figure) -> (u32, u32) {
@@ -51,18 +55,23 @@ fn shown(figure: &Figure, horizontal: bool, count: usize) -> ((f64, f64), Vec<Ti
     let values = values.map(|(x, y)| place(axis, if horizontal { *x } else { *y })).filter(|value| value.is_finite());
     let span = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     let given = axis.range.map(|(low, high)| (place(axis, low), place(axis, high)));
-    let span = if horizontal || axis.logarithmic { span } else { with_air(span) };
+    let span = match () {
+        () if axis.logarithmic => (span.0 - 0.05, span.1 + 0.05),
+        () if figure.equal => (span.0 - 0.05 * (span.1 - span.0), span.1 + 0.05 * (span.1 - span.0)),
+        () if horizontal => span,
+        () => with_air(span),
+    };
     let (low, high) = given.unwrap_or(if span.0 <= span.1 { span } else { (0.0, 1.0) });
     match axis.step {
         _ if axis.logarithmic => decades(low, high),
         Some(step) => multiples(low, high, step),
-        None => linear(low, high, count, given.is_none() && (!horizontal || figure.equal)),
+        None => linear(low, high, count, given.is_none() && !horizontal && !figure.equal),
     }
 }
 
 /// A little more than the data span, so that no line lies on the frame; but zero, if the data end there, is an end.
 fn with_air((low, high): (f64, f64)) -> (f64, f64) {
-    let air = 0.03 * (high - low);
+    let air = 0.01 * (high - low);
     let ends = |value: f64| value.abs() < air;
     (if ends(low) { low } else { low - air }, if ends(high) { high } else { high + air })
 }
@@ -72,9 +81,47 @@ fn place(axis: &Axis, value: f64) -> f64 {
     if axis.logarithmic { value.log10() } else { value }
 }
 
+/// Marks of a subscript in a text: where it begins, where it ends, where the text ends.
+pub const MARKS: [char; 3] = ['\u{e000}', '\u{e001}', '\u{e002}'];
+
+/// The text with its subscripts marked.
+fn marked(text: &str) -> String {
+    let [begin, end, close] = MARKS;
+    let mut count = 0;
+    let mut out = String::new();
+    for (piece, below) in parts(text) {
+        if below {
+            count += 1;
+            out.extend([begin.to_string().as_str(), piece, end.to_string().as_str()]);
+        } else {
+            out += piece;
+        }
+    }
+    out.extend(std::iter::repeat_n(close, count));
+    out
+}
+
+/// The pieces of a text, and whether each is a subscript.
+fn parts(text: &str) -> impl Iterator<Item = (&str, bool)> {
+    let mut rest = text;
+    let mut below = false;
+    std::iter::from_fn(move || {
+        if rest.is_empty() {
+            return None;
+        }
+        let mark = if below { "}" } else { "_{" };
+        let (piece, after) = rest.split_once(mark).unwrap_or((rest, ""));
+        rest = after;
+        below = !below;
+        Some((piece, !below))
+    })
+}
+
 /// A figure on its way to an area.
 pub struct Canvas<'a, B: DrawingBackend> {
     figure: &'a Figure,
+    /// Whether subscripts are drawn piece by piece, at the sizes that the area tells; otherwise they are marked in the text.
+    pieces: bool,
     area: &'a DrawingArea<B, Shift>,
     /// Points of the area for one of the figure.
     scale: i32,
@@ -87,11 +134,11 @@ pub struct Canvas<'a, B: DrawingBackend> {
 type Drawn<B> = Result<(), Error<<B as DrawingBackend>::ErrorType>>;
 
 impl<'a, B: DrawingBackend> Canvas<'a, B> {
-    pub fn new(figure: &'a Figure, area: &'a DrawingArea<B, Shift>, scale: i32) -> Self {
+    pub fn new(figure: &'a Figure, area: &'a DrawingArea<B, Shift>, scale: i32, pieces: bool) -> Self {
         let (x, y) = (shown(figure, true, 8), shown(figure, false, 5));
         let (width, height) = area.dim_in_pixel();
         let [left, right, top, bottom] = MARGINS;
-        let mut canvas = Self { figure, area, scale, x, y, frame: [0; 4] };
+        let mut canvas = Self { figure, pieces, area, scale, x, y, frame: [0; 4] };
         let lines = canvas.legend().last().map_or(0, |(_, _, line)| line + 1);
         let frame_top = (top + lines * LEGEND_LINE) * scale;
         canvas.frame = [left * scale, width as i32 - right * scale, frame_top, height as i32 - bottom * scale];
@@ -108,8 +155,7 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         self.names()?;
         self.draw_legend()?;
         for mark in &self.figure.marks {
-            let style = self.text(TEXT).pos(Pos::new(HPos::Center, VPos::Center));
-            self.area.draw(&Text::new(mark.text.clone(), self.at(mark.at), style))?;
+            self.write(&mark.text, self.at(mark.at), TEXT, HPos::Center, VPos::Center)?;
         }
         Ok(())
     }
@@ -138,6 +184,52 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         (x.round() as i32, y.round() as i32)
     }
 
+    /// Writes a text in which `_{..}` is a subscript.
+    fn write(&self, text: &str, (x, y): (i32, i32), size: i32, horizontal: HPos, vertical: VPos) -> Drawn<B> {
+        let pos = |horizontal| Pos::new(horizontal, vertical);
+        if !self.pieces {
+            let style = self.text(size).pos(pos(horizontal));
+            return self.area.draw(&Text::new(marked(text), (x, y), style));
+        }
+        // The area centres a line's box, which is higher above the letters' middle than below.
+        let lower = if matches!(vertical, VPos::Center) { size * self.scale / 6 } else { 0 };
+        let width = self.width(text, size);
+        let mut x = match horizontal {
+            HPos::Left => x,
+            HPos::Center => x - width / 2,
+            HPos::Right => x - width,
+        };
+        for (piece, below) in parts(text) {
+            let (height, drop) = self.sizes(size, below);
+            let style = self.sized(height).pos(pos(HPos::Left));
+            self.area.draw(&Text::new(piece.to_owned(), (x, y + lower + drop), style))?;
+            x += self.extent(piece, height);
+        }
+        Ok(())
+    }
+
+    /// Height of a piece of text, and how much lower it stands.
+    fn sizes(&self, size: i32, below: bool) -> (f64, i32) {
+        let whole = f64::from(size * self.scale);
+        if below {
+            (SUBSCRIPT.0 * whole, ((SUBSCRIPT.1 + 0.5 * (1.0 - SUBSCRIPT.0)) * whole).round() as i32)
+        } else {
+            (whole, 0)
+        }
+    }
+
+    fn width(&self, text: &str, size: i32) -> i32 {
+        parts(text).map(|(piece, below)| self.extent(piece, self.sizes(size, below).0)).sum()
+    }
+
+    fn extent(&self, piece: &str, height: f64) -> i32 {
+        self.area.estimate_text_size(piece, &self.sized(height)).map_or(0, |(width, _)| width as i32)
+    }
+
+    fn sized(&self, height: f64) -> TextStyle<'static> {
+        ("sans-serif", height).into_font().color(&INK)
+    }
+
     fn text(&self, size: i32) -> TextStyle<'static> {
         ("sans-serif", size * self.scale).into_font().color(&INK)
     }
@@ -161,25 +253,22 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
             self.line(vec![(left, *y), (right, *y)], GRID, 1.0)?;
         }
         let gap = 5 * self.scale;
-        let below = self.text(TEXT - 1).pos(Pos::new(HPos::Center, VPos::Top));
         for (x, text) in columns {
-            self.area.draw(&Text::new(text, (x, bottom + gap), below.clone()))?;
+            self.write(&text, (x, bottom + gap), TEXT - 1, HPos::Center, VPos::Top)?;
         }
-        let beside = self.text(TEXT - 1).pos(Pos::new(HPos::Right, VPos::Center));
         for (y, text) in rows {
-            self.area.draw(&Text::new(text, (left - gap, y), beside.clone()))?;
+            self.write(&text, (left - gap, y), TEXT - 1, HPos::Right, VPos::Center)?;
         }
-        let stroke = INK.stroke_width(self.scale as u32);
-        self.area.draw(&Rectangle::new([(left, top), (right, bottom)], stroke))
+        let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        self.line(frame, INK, 1.0)
     }
 
     /// The names of the axes.
     fn names(&self) -> Drawn<B> {
         let [left, right, top, bottom] = self.frame;
-        let style = self.text(TEXT).pos(Pos::new(HPos::Center, VPos::Top));
         let below = ((left + right) / 2, bottom + 25 * self.scale);
-        self.area.draw(&Text::new(self.figure.x.label.clone(), below, style.clone()))?;
-        let turned = style.transform(FontTransform::Rotate270);
+        self.write(&self.figure.x.label, below, TEXT, HPos::Center, VPos::Top)?;
+        let turned = self.text(TEXT).pos(Pos::new(HPos::Center, VPos::Top)).transform(FontTransform::Rotate270);
         let beside = (6 * self.scale, (top + bottom) / 2);
         self.area.draw(&Text::new(self.figure.y.label.clone(), beside, turned))
     }
@@ -188,17 +277,14 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         let scale = f64::from(self.scale);
         let frame = self.frame.map(f64::from);
         if series.look == Look::Dots {
-            for point in
-                series.points.iter().map(|point| self.exact(*point)).filter(|(x, y)| x.is_finite() && y.is_finite())
-            {
-                let center = (point.0.round() as i32, point.1.round() as i32);
-                self.area.draw(&Circle::new(center, 4 * self.scale, color.filled()))?;
-            }
-            return Ok(());
+            return self.dots(series, color, 4.0);
+        }
+        if series.marked {
+            self.dots(series, color, 2.5)?;
         }
         let exact: Vec<(f64, f64)> = series.points.iter().map(|point| self.exact(*point)).collect();
         for part in clipped(&exact, frame) {
-            let part = thinned(part, scale);
+            let part = thinned(&part, THIN * scale);
             let (pieces, width) = match series.look {
                 Look::Dashed => (dashed(&part, 6.0 * scale, 4.0 * scale), 1.8),
                 Look::Guide => (dashed(&part, 3.0 * scale, 3.0 * scale), 1.0),
@@ -212,6 +298,15 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         Ok(())
     }
 
+    fn dots(&self, series: &Series, color: RGBColor, radius: f64) -> Drawn<B> {
+        let radius = (radius * f64::from(self.scale)).round() as i32;
+        let places = series.points.iter().map(|point| self.exact(*point));
+        for (x, y) in places.filter(|(x, y)| x.is_finite() && y.is_finite()) {
+            self.area.draw(&Circle::new((x.round() as i32, y.round() as i32), radius, color.filled()))?;
+        }
+        Ok(())
+    }
+
     /// The entries of the legend: series, left edge, line.
     fn legend(&self) -> Vec<(&'a Series, i32, i32)> {
         let [left, right, ..] = MARGINS.map(|margin| margin * self.scale);
@@ -219,10 +314,8 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         let (mut x, mut line) = (left, 0);
         let mut entries = Vec::new();
         for series in self.figure.series.iter().filter(|series| !series.label.is_empty()) {
-            let text =
-                self.area.estimate_text_size(&series.label, &self.text(TEXT)).map_or(0, |(width, _)| width as i32);
-            let width = text + (SWATCH + 24) * self.scale;
-            if x + width > end && x > left {
+            let width = self.width(&series.label, TEXT) + (SWATCH + 22) * self.scale;
+            if x + width - 16 * self.scale > end && x > left {
                 (x, line) = (left, line + 1);
             }
             entries.push((series, x, line));
@@ -257,8 +350,7 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
                     }
                 }
             }
-            let style = self.text(TEXT).pos(Pos::new(HPos::Left, VPos::Center));
-            self.area.draw(&Text::new(series.label.clone(), (end + 6 * self.scale, y), style))?;
+            self.write(&series.label, (end + 6 * self.scale, y), TEXT, HPos::Left, VPos::Center)?;
         }
         Ok(())
     }

@@ -7,6 +7,8 @@ use std::f64::consts::{PI, TAU};
 
 /// Points inside each mesh interval, besides its nodes.
 const INNER: usize = 2;
+/// Largest distance of points, as a share of the region.
+const GAP: f64 = 1.0 / 300.0;
 const WRAP: &str = "wrap angle φ (deg)";
 
 /// A solution with its regions sampled.
@@ -18,7 +20,10 @@ struct View<'a> {
 /// All figures of a solution: the belt's path, what happens along both contacts, both spans.
 pub fn drive(outcome: &Outcome) -> Vec<Figure> {
     let solved = &outcome.solved;
-    let sample = |region| Sampled::new(&solved.belt, &solved.solution, region, INNER);
+    let sample = |region: RegionId| {
+        let mesh = solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());
+        Sampled::at(&solved.belt, &solved.solution, region, dense(mesh))
+    };
     let view = View { outcome, regions: RegionId::ALL.map(sample).to_vec() };
     let threshold = view.constant(Constant::SlipThreshold);
     let mut sliding = view.over_wrap(
@@ -28,10 +33,12 @@ pub fn drive(outcome: &Outcome) -> Vec<Figure> {
         |view, region| view.field(region, "speed"),
     );
     let widest = view.wrap(RegionId::Primary).max(view.wrap(RegionId::Secondary)).to_degrees();
-    sliding.series.push(Series::line("threshold v_thr", vec![(0.0, threshold), (widest, threshold)]).look(Look::Guide));
+    sliding
+        .series
+        .push(Series::line("threshold v_{thr}", vec![(0.0, threshold), (widest, threshold)]).look(Look::Guide));
     let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<_>>();
     let times = |values: Vec<f64>, factor: f64| values.into_iter().map(|value| value * factor).collect::<Vec<_>>();
-    vec![
+    let mut figures = vec![
         view.trajectory(),
         view.over_wrap(
             "tension",
@@ -43,7 +50,7 @@ pub fn drive(outcome: &Outcome) -> Vec<Figure> {
         view.over_wrap(
             "sliding_angle",
             "Direction of sliding over wrap angle: 0° outward, 180° inward",
-            Axis::new("sliding angle γ (deg)").over(0.0, 360.0).every(90.0),
+            Axis::new("sliding angle γ (deg)").over(-15.0, 375.0).every(90.0),
             move |view, region| unjumped(degrees(view.field(region, "gamma"))),
         ),
         view.over_wrap(
@@ -71,19 +78,30 @@ pub fn drive(outcome: &Outcome) -> Vec<Figure> {
             move |view, region| times(view.field(region, "loss"), 1e-3),
         ),
         view.span_shape(),
-        view.span_tension(),
-    ]
+    ];
+    figures.extend(view.span_tension());
+    figures
 }
 
-/// The angles with a gap where they jump from 360° to 0° or back.
+/// The nodes, and between any two of them as many points as a smooth line needs.
+fn dense(mesh: &[f64]) -> Vec<f64> {
+    let between = |pair: &[f64]| {
+        let (a, h) = (pair[0], pair[1] - pair[0]);
+        let parts = ((h / GAP).ceil() as usize).max(INNER + 1);
+        (0..parts).map(move |part| a + h * part as f64 / parts as f64).collect::<Vec<_>>()
+    };
+    mesh.windows(2).flat_map(between).chain(mesh.last().copied()).collect()
+}
+
+/// Angles without the jumps from 360° to 0° and back: they go on beyond.
 fn unjumped(mut angles: Vec<f64>) -> Vec<f64> {
-    for at in 1..angles.len() {
-        let (before, here) = (angles.get(at - 1).copied(), angles.get_mut(at));
-        if let (Some(before), Some(here)) = (before, here)
-            && (before - *here).abs() > 180.0
-        {
-            *here = f64::NAN;
-        }
+    let mut turns = 0.0;
+    let mut before = angles.first().copied().unwrap_or(0.0);
+    for angle in &mut angles {
+        let jump = *angle - before;
+        before = *angle;
+        turns -= 360.0 * (jump / 360.0).round();
+        *angle += turns;
     }
     angles
 }
@@ -143,7 +161,7 @@ impl View<'_> {
             Series::line(label, points)
         });
         let widest = self.wrap(RegionId::Primary).max(self.wrap(RegionId::Secondary)).to_degrees();
-        Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest), y, series.into())
+        Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest).every(30.0), y, series.into())
     }
 
     /// Radius, centre and first angle of a pulley, m and rad.
@@ -252,17 +270,19 @@ impl View<'_> {
         )
     }
 
-    fn span_tension(&self) -> Figure {
+    /// Along each span on its own: what bending does to the tension is little beside their difference.
+    fn span_tension(&self) -> [Figure; 2] {
         let spans = [
-            (RegionId::TightSpan, "tight span", Constant::TightLength, 1),
-            (RegionId::SlackSpan, "slack span", Constant::SlackLength, 2),
+            (RegionId::TightSpan, "tight", Constant::TightLength, 1),
+            (RegionId::SlackSpan, "slack", Constant::SlackLength, 2),
         ];
-        let series = spans.map(|(region, label, length, color)| {
+        spans.map(|(region, which, length, color)| {
             let length = 1e3 * self.constant(length);
             let points = self.s(region).iter().map(|s| s * length).zip(self.state(region, "tau")).collect();
-            Series::line(label, points).color(color)
-        });
-        let (x, y) = (Axis::new("arc length along the belt (mm)"), Axis::new("tractive tension T (N)"));
-        Figure::new("span_tension", "Tractive tension along the spans", x, y, series.into())
+            let series = Series::line(format!("{which} span"), points).color(color);
+            let (x, y) = (Axis::new("arc length along the belt (mm)"), Axis::new("tractive tension T (N)"));
+            let caption = format!("Tractive tension along the {which} span");
+            Figure::new(format!("{which}_span_tension"), caption, x, y, vec![series])
+        })
     }
 }

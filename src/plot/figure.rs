@@ -63,18 +63,27 @@ pub struct Series {
     pub look: Look,
     /// In the units of the axes; a line is broken where a number is missing.
     pub points: Vec<(f64, f64)>,
+    /// Whether a line shows its points.
+    pub marked: bool,
 }
 
 impl Series {
     /// A line.
     pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), color: None, look: Look::Line, points }
+        Self { label: label.into(), color: None, look: Look::Line, points, marked: false }
     }
 
     /// The series with another look.
     #[must_use]
     pub fn look(mut self, look: Look) -> Self {
         self.look = look;
+        self
+    }
+
+    /// The line with its points shown.
+    #[must_use]
+    pub fn marked(mut self) -> Self {
+        self.marked = true;
         self
     }
 

@@ -51,20 +51,35 @@ fn inside((ax, ay): Point, (bx, by): Point, [left, right, top, bottom]: [f64; 4]
     (t0 <= t1).then(|| (at(t0), at(t1)))
 }
 
-/// The line without points that lie closer than `least` to the one before; both ends stay.
-pub fn thinned(points: Vec<Point>, least: f64) -> Vec<Point> {
-    let last = points.last().copied();
-    let mut kept: Vec<Point> = Vec::with_capacity(points.len());
-    for point in points {
-        if kept.last().is_none_or(|(x, y)| (point.0 - x).hypot(point.1 - y) >= least) {
-            kept.push(point);
+/// The line without points that lie closer than `most` to the line without them (D. H. Douglas, T. K. Peucker,
+/// Cartographica 10, 1973); both ends stay.
+pub fn thinned(points: &[Point], most: f64) -> Vec<Point> {
+    let last = points.len().saturating_sub(1);
+    let mut kept = vec![false; points.len()];
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let (Some(&a), Some(&b)) = (points.get(from), points.get(to)) else { continue };
+        let farthest = (from + 1..to)
+            .filter_map(|at| Some((at, distance(*points.get(at)?, a, b))))
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        if let Some((at, away)) = farthest
+            && away > most
+        {
+            open.extend([(from, at), (at, to)]);
+        }
+        for end in [from, to] {
+            kept.get_mut(end).into_iter().for_each(|kept| *kept = true);
         }
     }
-    if kept.len() > 1 {
-        kept.pop();
-    }
-    kept.extend(last);
-    kept
+    points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
+}
+
+/// From a point to a segment.
+fn distance((x, y): Point, (ax, ay): Point, (bx, by): Point) -> f64 {
+    let (dx, dy) = (bx - ax, by - ay);
+    let square = dx * dx + dy * dy;
+    let t = if square > 0.0 { (((x - ax) * dx + (y - ay) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (ax + t * dx - x).hypot(ay + t * dy - y)
 }
 
 /// The line in dashes of length `on` with gaps of length `off`.
@@ -110,6 +125,15 @@ mod tests {
         assert_eq!(clipped(&[(-5.0, 5.0), (15.0, 5.0)], frame), [[(0.0, 5.0), (10.0, 5.0)]]);
         assert_eq!(clipped(&[(1.0, 1.0), (f64::NAN, 2.0), (3.0, 3.0), (4.0, 4.0)], frame), [[(3.0, 3.0), (4.0, 4.0)]]);
         assert!(clipped(&[(-5.0, -5.0), (15.0, -6.0)], frame).is_empty());
+    }
+
+    #[test]
+    fn points_on_a_line_are_left_out_and_corners_stay() {
+        let line = [(0.0, 0.0), (1.0, 0.01), (2.0, 0.0), (3.0, 1.0), (4.0, 2.0)];
+        assert_eq!(thinned(&line, 0.1), [(0.0, 0.0), (2.0, 0.0), (4.0, 2.0)]);
+        assert_eq!(thinned(&line, 0.0).len(), 4);
+        assert_eq!(thinned(&[(1.0, 1.0); 3], 0.1), [(1.0, 1.0); 2]);
+        assert!(thinned(&[], 0.1).is_empty());
     }
 
     #[test]

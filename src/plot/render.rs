@@ -1,6 +1,6 @@
 //! Figures as SVG and PNG.
 
-use super::canvas::{Canvas, size};
+use super::canvas::{Canvas, MARKS, size};
 use super::figure::Figure;
 use plotters::backend::{BitMapBackend, SVGBackend};
 use plotters::drawing::IntoDrawingArea;
@@ -12,7 +12,7 @@ const STEPS: u32 = 10;
 /// Points that a PNG has for one of the figure's.
 const RESOLUTION: u32 = 2;
 /// Points drawn for one of the PNG's, whose mean it is.
-const SAMPLES: u32 = 2;
+const SAMPLES: u32 = 3;
 
 /// A figure that could not be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,7 +45,7 @@ impl Figure {
         let area = SVGBackend::with_string(&mut text, (width * STEPS, height * STEPS)).into_drawing_area();
         let drawn = area
             .fill(&WHITE)
-            .and_then(|()| Canvas::new(self, &area, STEPS as i32).draw())
+            .and_then(|()| Canvas::new(self, &area, STEPS as i32, false).draw())
             .and_then(|()| area.present())
             .map_err(|error| error.to_string());
         drop(area);
@@ -53,7 +53,9 @@ impl Figure {
         let fine = format!("width=\"{}\" height=\"{}\"", width * STEPS, height * STEPS);
         let name = escape(&self.caption);
         let own = format!("role=\"img\" aria-label=\"{name}\" width=\"{width}\" height=\"{height}\"");
-        Ok(text.replacen(&fine, &own, 1))
+        let [begin, end, close] = MARKS;
+        let text = text.replacen(&fine, &own, 1).replace(begin, "<tspan dy=\"0.25em\" font-size=\"72%\">");
+        Ok(text.replace(end, "</tspan><tspan dy=\"-0.18em\">").replace(close, "</tspan>"))
     }
 
     /// The figure as PNG, two points for one.
@@ -65,13 +67,11 @@ impl Figure {
         let factor = RESOLUTION * SAMPLES;
         let (width, height) = size(self);
         let (wide, high) = (width * factor, height * factor);
-        let mut fine = vec![0_u8; 3 * wide as usize * high as usize];
+        // White.
+        let mut fine = vec![255_u8; 3 * wide as usize * high as usize];
         {
             let area = BitMapBackend::with_buffer(&mut fine, (wide, high)).into_drawing_area();
-            let drawn = area
-                .fill(&WHITE)
-                .and_then(|()| Canvas::new(self, &area, factor as i32).draw())
-                .and_then(|()| area.present());
+            let drawn = Canvas::new(self, &area, factor as i32, true).draw().and_then(|()| area.present());
             drawn.map_err(|error| self.error(error.to_string()))?;
         }
         let (width, height) = (width * RESOLUTION, height * RESOLUTION);
@@ -89,16 +89,15 @@ fn means(fine: &[u8], wide: usize) -> Vec<u8> {
     let samples = SAMPLES as usize;
     let mut mean = Vec::with_capacity(fine.len() / (samples * samples));
     for rows in fine.chunks_exact(3 * wide * samples) {
-        for column in 0..wide / samples {
-            for color in 0..3 {
-                let sample = |i: usize| {
-                    let (row, x) = (i / samples, column * samples + i % samples);
-                    u32::from(rows.get(3 * (row * wide + x) + color).copied().unwrap_or(255))
-                };
-                let sum: u32 = (0..samples * samples).map(sample).sum();
-                mean.push((sum / (SAMPLES * SAMPLES)) as u8);
+        let mut sums = vec![[0_u32; 3]; wide / samples];
+        for row in rows.chunks_exact(3 * wide) {
+            for (sum, square) in sums.iter_mut().zip(row.chunks_exact(3 * samples)) {
+                for pixel in square.as_chunks::<3>().0 {
+                    sum.iter_mut().zip(pixel).for_each(|(sum, color)| *sum += u32::from(*color));
+                }
             }
         }
+        mean.extend(sums.as_flattened().iter().map(|sum| (sum / (SAMPLES * SAMPLES)) as u8));
     }
     mean
 }

@@ -2,6 +2,8 @@
 
 mod loss;
 mod page;
+mod reproduction;
 
 pub use loss::{LossSplit, Mechanisms, losses};
 pub use page::{document, page, warnings};
+pub use reproduction::{REPRODUCED, Reproduction};

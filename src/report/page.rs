@@ -16,14 +16,15 @@ const LENGTH_ERROR: f64 = 0.005;
 const STYLE: &str = "\
 :root{color-scheme:light dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}\
 @media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--page:#16181b;--line:#3a3d42;--soft:#a0a0a0;--warn:#ffb066}}\
-body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1180px;margin:2em auto;padding:0 1.2em}\
+body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1220px;margin:2em auto;padding:0 1.2em}\
 h1{font-size:1.5em;margin:0}h2{font-size:1.1em;margin:1.8em 0 .5em;border-bottom:1px solid var(--line)}\
-p.lead{color:var(--soft);margin:.2em 0 1em}table{border-collapse:collapse}td,th{padding:.16em .9em .16em 0;text-align:left;font-weight:normal}\
+p.lead{color:var(--soft);margin:.2em 0 1em}table{border-collapse:collapse}td,th{padding:.16em .7em .16em 0;text-align:left;font-weight:normal}\
 th{color:var(--soft)}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}.key{display:flex;flex-wrap:wrap;gap:.6em 2.4em;margin:1em 0}\
-.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 4em}\
-ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}\
+.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 2.2em}\
+sub{font-size:.72em;line-height:0}ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}\
 figure{margin:0}figure svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
-figure.wide{grid-column:1/-1;max-width:760px}@media print{body{margin:0}figure{break-inside:avoid}}";
+figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);gap:1em}\
+.beside b{color:var(--soft)}@media print{body{margin:0}figure{break-inside:avoid}}";
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
@@ -82,10 +83,10 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     let result = &outcome.result;
     let mut html = String::new();
     // Writing to a string cannot fail.
-    let _ = write!(
+    let _ = writeln!(
         html,
-        "<h1>Belt drive</h1><p class=\"lead\">Edition {}; ratio R_S/R_P = {:.3}; \
-         {:.2} N·m at {:.0} rpm</p>\n",
+        "<h1>Belt drive</h1><p class=\"lead\">Edition {}; ratio R<sub>S</sub>/R<sub>P</sub> = {:.3}; \
+         {:.2} N·m at {:.0} rpm</p>",
         result.edition,
         result.inputs.drive.secondary_radius / result.inputs.drive.primary_radius,
         result.primary.torque,
@@ -107,9 +108,9 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     html += "</div></div>\n<h2>Figures</h2><div class=\"figures\">";
     for figure in figures {
         let class = if figure.equal { " class=\"wide\"" } else { "" };
-        let _ = write!(
+        let _ = writeln!(
             html,
-            "<figure id=\"{}\"{class}>{}<figcaption>{}</figcaption></figure>\n",
+            "<figure id=\"{}\"{class}>{}<figcaption>{}</figcaption></figure>",
             figure.name,
             figure.svg()?,
             figure.caption
@@ -194,7 +195,8 @@ fn energy(html: &mut String, outcome: &Outcome, split: &LossSplit) {
     row(html, "power in", &watt(energy.power_in), "");
     row(html, "power out", &watt(energy.power_out), "");
     row(html, "friction loss", &watt(energy.friction_loss), "");
-    row(html, "unaccounted for", &watt(energy.imbalance * energy.power_in), "");
+    row(html, "stretch work", &watt(energy.stretch_work), "");
+    row(html, "unaccounted for", &watt(energy.closure * energy.power_in), "");
     *html += "</table><h2>Friction loss</h2><table><tr><th>W</th><th class=\"n\">primary</th><th class=\"n\">secondary</th><th class=\"n\">both</th><th></th></tr>";
     type Part = (&'static str, fn(&Mechanisms) -> f64);
     let parts: [Part; 6] = [
@@ -223,7 +225,11 @@ fn inputs(html: &mut String, outcome: &Outcome) {
             (Setting::Number(si), Kind::Choice { .. }) => (si.to_string(), String::new()),
             (Setting::Name(name), _) => (name.to_owned(), String::new()),
         };
-        let symbol = if entry.symbol.is_empty() { String::new() } else { format!(" {}", entry.symbol) };
+        let symbol = match entry.symbol.split_once('_') {
+            Some((letter, index)) => format!(" {letter}<sub>{index}</sub>"),
+            None if entry.symbol.is_empty() => String::new(),
+            None => format!(" {}", entry.symbol),
+        };
         let name = entry.name().replace('_', " ");
         row(html, &format!("{name}{symbol}"), &[value], &unit);
     }

@@ -23,8 +23,13 @@ pub struct Sampled {
 impl Sampled {
     /// Samples a region at its nodes and at `inner` points inside each interval.
     pub fn new(belt: &Belt, solution: &Solution, region: RegionId, inner: usize) -> Self {
+        let s = refined(solution.regions()[region.index()].mesh(), inner);
+        Self::at(belt, solution, region, s)
+    }
+
+    /// Samples a region at some places.
+    pub fn at(belt: &Belt, solution: &Solution, region: RegionId, s: Vec<f64>) -> Self {
         let part = &solution.regions()[region.index()];
-        let s = refined(part.mesh(), inner);
         let mut states = vec![Vec::with_capacity(s.len()); part.states()];
         let mut y = vec![0.0; part.states()];
         for &s in &s {

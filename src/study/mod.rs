@@ -38,5 +38,5 @@ pub use journal::{Journal, JournalError};
 pub use parquet::write_parquet;
 pub use plan::{MAX_POINTS, Point, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
-pub use run::{outcomes, run, table};
+pub use run::{each, run, table, tables};
 pub use write::{Format, write_csv, write_json};

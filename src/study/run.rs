@@ -1,20 +1,28 @@
-//! Solving the points of a study, on several threads.
+//! Solving the points of studies, on several threads.
 
 use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
-use crate::drive::{Failure, SolveOptions, solve_from};
+use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
-use rayon::prelude::*;
+use rayon::Scope;
 use std::io;
 use std::ops::Range;
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
+/// Solutions that tell where a chain goes.
+const TRAIL: usize = 2;
+/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
+/// whoever wants a point of the last.
+const HEADS: usize = 16;
+/// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
+const FARTHEST: f64 = 2.0;
+
 /// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given), and hands each row to
-/// `keep` as soon as it is there: in any order, from any thread. A chain with a wanted point is solved from its start
-/// up to its last wanted point, so that rows are the same whoever asks.
+/// `keep` as soon as it is there: in any order, from any thread. What a point is solved from depends on the study alone,
+/// so that rows are the same whoever asks.
 ///
 /// # Errors
 /// [`StudyError::Keep`] ends the run; [`StudyError::Threads`]. A point without a solution has a row that says why.
@@ -24,7 +32,21 @@ pub fn run(
     wanted: impl Fn(usize) -> bool + Sync,
     keep: impl Fn(Row) -> io::Result<()> + Sync,
 ) -> Result<(), StudyError> {
-    each(study, jobs, &wanted, &|index, point, outcome| keep(Row::new(index, point, outcome)))
+    let task = |chain: Range<usize>| {
+        let last = chain.clone().rev().find(|index| wanted(*index));
+        let end = last.map_or(chain.start, |last| last + 1);
+        Task { places: vec![(0, chain.start)], start: chain.start, end }
+    };
+    let mut groups: Vec<Vec<Task>> =
+        study.chains().chunks(HEADS).map(|group| group.iter().cloned().map(task).collect()).collect();
+    for group in &mut groups {
+        let needed = group.iter().rposition(|task| task.start < task.end).map_or(0, |last| last + 1);
+        group.truncate(needed);
+    }
+    let take = |_: &Task, index: usize, point: &Point, outcome: Found<'_>| {
+        if wanted(index) { keep(Row::new(index, point, outcome)) } else { Ok(()) }
+    };
+    Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, jobs)
 }
 
 /// Solves all points and makes a table of them.
@@ -32,103 +54,222 @@ pub fn run(
 /// # Errors
 /// [`StudyError::Threads`].
 pub fn table(study: &Study, jobs: Option<usize>) -> Result<Table, StudyError> {
-    let rows = Mutex::new(TableBuilder::new(study.points()));
-    run(
-        study,
-        jobs,
-        |_| true,
-        |row| {
-            rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(row);
-            Ok(())
-        },
-    )?;
-    Ok(rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).finish())
+    Ok(tables(std::slice::from_ref(study), jobs)?.0.pop().unwrap_or_default())
 }
 
-/// Solves all points; `read` takes from each outcome what is of interest, `None` standing for a point without one.
+/// Solves several studies at once and makes a table of each; says also how many points were solved: a chain of the same
+/// cases that two studies have in common is solved once.
 ///
 /// # Errors
 /// [`StudyError::Threads`].
-pub fn outcomes<T: Send>(
-    study: &Study,
-    jobs: Option<usize>,
-    read: impl Fn(&Point, Result<&Outcome, String>) -> T + Sync,
-) -> Result<Vec<T>, StudyError> {
-    let taken: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::with_capacity(study.points()));
-    each(study, jobs, &|_| true, &|index, point, outcome| {
-        let value = read(point, outcome);
-        taken.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, value));
-        Ok(())
-    })?;
-    let mut taken = taken.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    taken.sort_by_key(|(index, _)| *index);
-    Ok(taken.into_iter().map(|(_, value)| value).collect())
+pub fn tables(studies: &[Study], jobs: Option<usize>) -> Result<(Vec<Table>, usize), StudyError> {
+    each(studies, jobs, |_, _, _, _| ())
 }
 
-/// What is done with a point: its place, itself, what it gave.
-type Take<'a> = dyn Fn(usize, &Point, Result<&Outcome, String>) -> io::Result<()> + Sync + 'a;
-
-fn each(
-    study: &Study,
+/// As [`tables`], and shows every point to `see`, with the number of its study, in any order, from any thread.
+///
+/// # Errors
+/// [`StudyError::Threads`].
+pub fn each(
+    studies: &[Study],
     jobs: Option<usize>,
-    wanted: &(dyn Fn(usize) -> bool + Sync),
-    take: &Take<'_>,
-) -> Result<(), StudyError> {
-    let threads = jobs.unwrap_or(0);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|_| StudyError::Threads(threads))?;
-    let chains: Vec<Range<usize>> = study
-        .chains()
-        .into_iter()
-        .filter_map(|chain| {
-            let last = chain.clone().rev().find(|index| wanted(*index))?;
-            Some(chain.start..last + 1)
-        })
-        .collect();
-    pool.install(|| chains.into_par_iter().with_max_len(1).try_for_each(|chain| along(study, chain, wanted, take)))
-}
-
-/// Solves a chain, each point from the last solution before it if that can be.
-fn along(
-    study: &Study,
-    chain: Range<usize>,
-    wanted: &(dyn Fn(usize) -> bool + Sync),
-    take: &Take<'_>,
-) -> Result<(), StudyError> {
-    let mut last: Option<(Resolved, Outcome)> = None;
-    // Once a neighbour is too far away, the others of the chain are as well.
-    let mut near_enough = true;
-    for index in chain {
-        let point = study.point(index)?;
-        let solved = match &point.case {
-            Ok(case) => {
-                let near = last.as_ref().filter(|(before, _)| near_enough && before.model == case.model);
-                solve(case, study.options(), near.map(|(_, outcome)| outcome), &mut near_enough)
-                    .map(|outcome| (case.clone(), outcome))
-                    .map_err(|failure| failure.to_string())
-            }
-            Err(error) => Err(error.to_string()),
-        };
-        if wanted(index) {
-            take(index, &point, solved.as_ref().map(|(_, outcome)| outcome).map_err(Clone::clone))?;
+    see: impl Fn(usize, usize, &Point, Result<&Outcome, String>) + Sync,
+) -> Result<(Vec<Table>, usize), StudyError> {
+    let groups = groups(studies)?;
+    let points = groups.iter().flatten().map(|task| task.end - task.start).sum();
+    let rows: Vec<Mutex<TableBuilder>> =
+        studies.iter().map(|study| Mutex::new(TableBuilder::new(study.points()))).collect();
+    let take = |task: &Task, index: usize, _: &Point, outcome: Found<'_>| {
+        for (at, first) in &task.places {
+            let place = first + (index - task.start);
+            let (Some(study), Some(rows)) = (studies.get(*at), rows.get(*at)) else { continue };
+            let Ok(point) = study.point(place) else { continue };
+            see(*at, place, &point, outcome.clone());
+            let row = Row::new(place, &point, outcome.clone());
+            rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
         }
-        last = solved.ok().or(last);
-    }
-    Ok(())
+        Ok(())
+    };
+    Work { studies, take: &take, failed: Mutex::default() }.run(groups, jobs)?;
+    let table = |rows: Mutex<TableBuilder>| rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
+    Ok((rows.into_iter().map(table).collect(), points))
 }
 
-/// From the solution nearby, else from nothing; says if that was not near enough.
+/// A chain of points to solve one from the other.
+#[derive(Debug, Clone)]
+struct Task {
+    /// Where its points stand: numbers of studies, and of the first point there. The first of them is solved.
+    places: Vec<(usize, usize)>,
+    start: usize,
+    end: usize,
+}
+
+/// The chains of all studies, those of the same cases and options together, in groups of one model.
+fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
+    let mut known: Vec<(SolveOptions, Vec<Point>)> = Vec::new();
+    let mut tasks: Vec<Task> = Vec::new();
+    for (at, study) in studies.iter().enumerate() {
+        for chain in study.chains() {
+            let cases = chain.clone().map(|index| study.point(index)).collect::<Result<Vec<Point>, _>>()?;
+            let same = |(options, others): &(SolveOptions, Vec<Point>)| {
+                options == study.options()
+                    && others.len() == cases.len()
+                    && others.iter().zip(&cases).all(|(a, b)| matches!((&a.case, &b.case), (Ok(a), Ok(b)) if a == b))
+            };
+            match known.iter().position(same) {
+                Some(place) => tasks.get_mut(place).into_iter().for_each(|task| task.places.push((at, chain.start))),
+                None => {
+                    known.push((*study.options(), cases));
+                    tasks.push(Task { places: vec![(at, chain.start)], start: chain.start, end: chain.end });
+                }
+            }
+        }
+    }
+    let head = |(options, points): &(SolveOptions, Vec<Point>)| {
+        let case = points.first().and_then(|point| point.case.as_ref().ok());
+        (*options, case.map(|case| case.model))
+    };
+    let mut groups: Vec<Vec<Task>> = Vec::new();
+    let mut last = None;
+    for (task, chain) in tasks.into_iter().zip(&known) {
+        let this = head(chain);
+        match groups.last_mut() {
+            Some(group) if last == Some(this) && group.len() < HEADS => group.push(task),
+            _ => groups.push(vec![task]),
+        }
+        last = Some(this);
+    }
+    Ok(groups)
+}
+
+/// What a point gave: a result, or why there is none.
+type Found<'a> = Result<&'a Outcome, String>;
+
+/// What is done with a point: its task, its number, itself, what it gave.
+type Take<'a> = dyn Fn(&Task, usize, &Point, Found<'_>) -> io::Result<()> + Sync + 'a;
+
+/// A solved case.
+type Known = (Resolved, Outcome);
+
+/// What the threads share.
+struct Work<'a> {
+    studies: &'a [Study],
+    take: &'a Take<'a>,
+    /// Why everything was given up.
+    failed: Mutex<Option<StudyError>>,
+}
+
+impl Work<'_> {
+    fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
+        let threads = jobs.unwrap_or(0);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|_| StudyError::Threads(threads))?;
+        let work = &self;
+        pool.scope(|scope| {
+            for group in groups {
+                scope.spawn(move |scope| work.heads(scope, group));
+            }
+        });
+        self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// Solves the heads of a group, and has the rest of each chain solved as soon as its head is known.
+    fn heads<'s>(&'s self, scope: &Scope<'s>, group: Vec<Task>) {
+        let mut heads: Vec<Known> = Vec::new();
+        for task in group {
+            let Some(study) = task.places.first().and_then(|(study, _)| self.studies.get(*study)) else { continue };
+            let begun = self.checked(|| {
+                let point = study.point(task.start)?;
+                let head = attempt(&point, |case| head(case, study.options(), &heads));
+                Ok((point, head))
+            });
+            let Some((point, head)) = begun else { return };
+            heads.extend(head.as_ref().ok().cloned());
+            if task.start < task.end {
+                scope.spawn(move |_| {
+                    self.checked(|| self.along(study, &task, &point, head));
+                });
+            }
+        }
+    }
+
+    /// Solves a chain behind its head, each point from the last solutions before it if that can be.
+    fn along(&self, study: &Study, task: &Task, first: &Point, head: Result<Known, String>) -> Result<(), StudyError> {
+        (self.take)(task, task.start, first, found(&head))?;
+        let mut trail: Vec<Known> = head.into_iter().collect();
+        // Once a neighbour is too far away, the others of the chain are as well.
+        let mut near_enough = true;
+        for index in task.start + 1..task.end {
+            if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+                return Ok(());
+            }
+            let point = study.point(index)?;
+            let solved = attempt(&point, |case| {
+                let near = trail.iter().filter(|(before, _)| near_enough && before.model == case.model);
+                let near: Vec<&Solved> = near.map(|(_, outcome)| &outcome.solved).collect();
+                solve(case, study.options(), &near, &mut near_enough)
+            });
+            (self.take)(task, index, &point, found(&solved))?;
+            if let Ok(solved) = solved {
+                if trail.len() == TRAIL {
+                    trail.remove(0);
+                }
+                trail.push(solved);
+            }
+        }
+        Ok(())
+    }
+
+    /// What `part` gives, unless everything is given up, or is from here on.
+    fn checked<T>(&self, part: impl FnOnce() -> Result<T, StudyError>) -> Option<T> {
+        if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+            return None;
+        }
+        match part() {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                None
+            }
+        }
+    }
+}
+
+fn found(solved: &Result<Known, String>) -> Found<'_> {
+    solved.as_ref().map(|(_, outcome)| outcome).map_err(Clone::clone)
+}
+
+/// The point's case solved, or why there is no solution.
+fn attempt(point: &Point, solve: impl FnOnce(&Resolved) -> Result<Outcome, Failure>) -> Result<Known, String> {
+    let case = point.case.as_ref().map_err(ToString::to_string)?;
+    solve(case).map(|outcome| (case.clone(), outcome)).map_err(|failure| failure.to_string())
+}
+
+/// Solves the head of a chain from the nearest of the heads before it, if that is near enough.
+fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outcome, Failure> {
+    let near = heads
+        .iter()
+        .filter(|(before, _)| before.model == case.model)
+        .map(|(_, outcome)| (remoteness(&outcome.solved, case), &outcome.solved))
+        .filter(|(remoteness, _)| *remoteness <= FARTHEST)
+        .min_by(|(a, _), (b, _)| a.total_cmp(b));
+    let near: Vec<&Solved> = near.into_iter().map(|(_, solved)| solved).collect();
+    solve(case, options, &near, &mut true)
+}
+
+/// From the solutions nearby, else from nothing; says if they were not near enough.
 fn solve(
     case: &Resolved,
     options: &SolveOptions,
-    near: Option<&Outcome>,
+    near: &[&Solved],
     near_enough: &mut bool,
 ) -> Result<Outcome, Failure> {
     let start = Instant::now();
-    match near.map(|near| solve_from(&near.solved, case, options)) {
-        Some(Ok(solved)) => return result::interpret(case, options, solved, start),
-        Some(Err(_)) => *near_enough = false,
-        None => {}
+    if !near.is_empty() {
+        match solve_along(near, case, options) {
+            Ok(solved) => return result::interpret(case, options, solved, start),
+            Err(_) => *near_enough = false,
+        }
     }
     result::run(case, options)
 }

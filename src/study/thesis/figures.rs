@@ -1,12 +1,12 @@
 //! The figures of chapters 6 and 7.
 
-use super::{Chapters, Family};
+use super::{Chapters, Ends, Family};
 use crate::case::{Key, Kind};
-use crate::plot::{self, Axis, Figure, Series};
+use crate::plot::{self, Axis, Figure, Look, Series};
 use crate::result::Outcome;
 use crate::study::Table;
 
-const RATIO: &str = "ratio R_S/R_P";
+pub(super) const RATIO: &str = "ratio R_{S}/R_{P}";
 
 /// All of them, named by what they show: those of the base case, of the operating range, of each family.
 pub fn figures(chapters: &Chapters) -> Vec<Figure> {
@@ -14,23 +14,24 @@ pub fn figures(chapters: &Chapters) -> Vec<Figure> {
     for figure in &mut figures {
         figure.name = format!("base_{}", figure.name);
     }
+    figures.extend(radii(&chapters.ends));
     figures.extend(range(&chapters.range));
     figures.extend(ends(chapters));
     figures.extend(chapters.families.iter().flat_map(family));
     figures
 }
 
-fn points(table: &Table, rows: std::ops::Range<usize>, x: &str, y: &str, scale: f64) -> Vec<(f64, f64)> {
+pub(super) fn points(table: &Table, rows: std::ops::Range<usize>, x: &str, y: &str, scale: f64) -> Vec<(f64, f64)> {
     rows.map(|row| (table.number(row, x), scale * table.number(row, y))).collect()
 }
 
-fn over_ratio(name: &str, caption: &str, y: Axis, series: Vec<Series>) -> Figure {
+pub(super) fn over_ratio(name: &str, caption: &str, y: Axis, series: Vec<Series>) -> Figure {
     Figure::new(name, caption, Axis::new(RATIO).over(0.7, 1.76), y, series)
 }
 
 fn range(table: &Table) -> Vec<Figure> {
     let line = |label: &str, column: &str, scale: f64| {
-        Series::line(label, points(table, 0..table.rows.len(), "drive.ratio", column, scale))
+        Series::line(label, points(table, 0..table.rows.len(), "drive.ratio", column, scale)).marked()
     };
     vec![
         over_ratio(
@@ -62,26 +63,51 @@ fn range(table: &Table) -> Vec<Figure> {
     ]
 }
 
-/// Both ends of the range side by side: the fields of the base belt, the penetration of all belts.
+/// The pulleys' nominal radii and the belt at both ends of the range.
+fn radii(ends: &Ends) -> Option<Figure> {
+    let (Some(low), Some(high)) = (&ends.low, &ends.high) else { return None };
+    let mut both: Option<Figure> = None;
+    for (outcome, label) in [(low, "low range, 1.74"), (high, "high range, 0.72")] {
+        let figure = plot::drive(outcome).into_iter().find(|figure| figure.equal)?;
+        let frame = both.get_or_insert_with(|| {
+            let caption = "The operating range: the belt's path at both ends, and the pulleys' nominal radii";
+            let mut frame = Figure::new("range_radii", caption, figure.x.clone(), figure.y.clone(), Vec::new());
+            frame.marks.clone_from(&figure.marks);
+            frame.equal = true;
+            frame
+        });
+        let color = usize::from(!frame.series.is_empty());
+        let mut label = label.to_owned();
+        for series in figure.series.into_iter().filter(|series| matches!(series.look, Look::Guide | Look::Line)) {
+            let name = match series.look {
+                Look::Line => std::mem::take(&mut label),
+                _ if color == 0 => series.label.clone(),
+                _ => String::new(),
+            };
+            frame.series.push(Series { label: name, ..series.color(color) });
+        }
+    }
+    both
+}
+
+/// Both ends of the range side by side: the fields of the base belt, the penetration of belts of other stiffness.
 fn ends(chapters: &Chapters) -> Vec<Figure> {
     let mut figures = Vec::new();
-    let fields = ["tension", "sliding_speed", "axial_force"];
-    if let Some([Some(low), Some(high)]) = chapters.ends.get(1) {
-        let cases: [(&Outcome, &str); 2] = [(low, "low range, 1.74"), (high, "high range, 0.72")];
-        for field in fields {
+    if let Ends { low: Some(low), high: Some(high), .. } = &chapters.ends {
+        let cases = [(low, "low range, 1.74".to_owned()), (high, "high range, 0.72".to_owned())];
+        for (field, file) in
+            [("axial_force", "axial_pressure"), ("sliding_speed", "sliding_speed"), ("tension", "tension")]
+        {
             for (pulley, name) in [(0, "primary"), (1, "secondary")] {
-                figures.extend(beside(field, pulley, &format!("range_{field}_{name}"), &cases));
+                figures.extend(beside(field, pulley, &format!("range_{file}_{name}"), &cases));
             }
         }
     }
-    for (end, name) in [(0, "low range"), (1, "high range")] {
-        let labels = ["EI = 0.025 N·m²", "EI = 0.2602 N·m²", "EI = 0.5 N·m²"];
-        let cases: Vec<(&Outcome, &str)> = chapters
-            .ends
-            .iter()
-            .zip(labels)
-            .filter_map(|(ends, label)| Some((ends.get(end)?.as_ref()?, label)))
-            .collect();
+    type End = (fn(&Ends) -> Option<&Outcome>, &'static str);
+    let ends: [End; 2] = [(|ends| ends.low.as_ref(), "low range"), (|ends| ends.high.as_ref(), "high range")];
+    for (end, name) in ends {
+        let case = |ends| Some((end(ends)?, format!("EI = {} N·m²", ends.bending_stiffness)));
+        let cases: Vec<(&Outcome, String)> = chapters.belts.iter().filter_map(case).collect();
         for (pulley, which) in [(0, "primary"), (1, "secondary")] {
             let file = format!("bending_stiffness_penetration_{which}_{}", name.replace(' ', "_"));
             figures.extend(beside("penetration", pulley, &file, &cases).map(|mut figure| {
@@ -94,19 +120,17 @@ fn ends(chapters: &Chapters) -> Vec<Figure> {
 }
 
 /// One field of one pulley, of several solutions.
-fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, &str)]) -> Option<Figure> {
+fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, String)]) -> Option<Figure> {
     let mut together: Option<Figure> = None;
     for (outcome, label) in cases {
         let figure = plot::drive(outcome).into_iter().find(|figure| figure.name == field)?;
         let mut series = figure.series.get(pulley)?.clone();
-        series.label = (*label).to_owned();
+        series.label.clone_from(label);
         let frame = together.get_or_insert_with(|| {
             let which = if pulley == 0 { "primary" } else { "secondary" };
             let guides = figure.series.get(2..).unwrap_or_default().to_vec();
             let caption = format!("{}, {which}", figure.caption);
-            let mut frame = Figure::new(name, caption, Axis::new(figure.x.label.clone()), figure.y.clone(), guides);
-            frame.x.range = figure.x.range;
-            frame
+            Figure::new(name, caption, figure.x.clone(), figure.y.clone(), guides)
         });
         frame.x.range = match (frame.x.range, figure.x.range) {
             (Some((low, a)), Some((_, b))) => Some((low, a.max(b))),
@@ -126,13 +150,13 @@ fn family(family: &Family) -> Vec<Figure> {
             Kind::Quantity { unit, .. } => (unit.from_si(value), unit.symbol.replace('*', "·").replace("^2", "²")),
             Kind::Choice { .. } => (value, String::new()),
         };
-        format!("{} = {} {unit}", entry.symbol, (number * 1e6).round() / 1e6).trim_end().to_owned()
+        format!("{} = {} {unit}", indexed(entry.symbol), (number * 1e6).round() / 1e6).trim_end().to_owned()
     };
     let mut figures: Vec<Figure> = ["overall", "speed", "torque"]
         .map(|which| {
             let column = format!("efficiency.{which}");
             let line = |(value, rows): (f64, std::ops::Range<usize>)| {
-                Series::line(curve(value), points(&family.table, rows, "drive.ratio", &column, 100.0))
+                Series::line(curve(value), points(&family.table, rows, "drive.ratio", &column, 100.0)).marked()
             };
             let series = family.curves().into_iter().map(line).collect();
             let mut start = which.to_owned();
@@ -151,6 +175,11 @@ fn family(family: &Family) -> Vec<Figure> {
     figures
 }
 
+/// A symbol with what follows its underscore as a subscript.
+fn indexed(symbol: &str) -> String {
+    symbol.split_once('_').map_or_else(|| symbol.to_owned(), |(letter, index)| format!("{letter}_{{{index}}}"))
+}
+
 fn forces(family: &Family, pulley: &str) -> Figure {
     let curves = family.curves();
     let width = curves.first().map_or(0, |(_, rows)| rows.len());
@@ -159,14 +188,60 @@ fn forces(family: &Family, pulley: &str) -> Figure {
         let points: Vec<(f64, f64)> =
             curves.iter().map(|(value, rows)| (*value, family.table.number(rows.start + at, &column))).collect();
         let ratio = curves.first().map_or(f64::NAN, |(_, rows)| family.table.number(rows.start + at, "drive.ratio"));
-        Series::line(format!("ratio {ratio:.2}"), points)
+        Series::line(format!("ratio {ratio:.2}"), points).marked()
     };
     let series = [0, width / 2, width.saturating_sub(1)].map(line).into();
     Figure::new(
         format!("slack_tension_axial_force_{pulley}"),
         format!("Axial force of the {pulley} over slack tension"),
-        Axis::new("slack tension T_slack (N)"),
+        Axis::new("slack tension T_{slack} (N)").over(50.0, 800.0),
         Axis::new("axial force A (N)"),
         series,
     )
 }
+
+/// Which figures of the thesis a figure of [`figures`] stands for.
+pub fn number_in_thesis(name: &str) -> Option<&'static str> {
+    let (_, number) = NUMBERS.iter().find(|(known, _)| *known == name)?;
+    Some(number)
+}
+
+const NUMBERS: [(&str, &str); 37] = [
+    ("base_trajectory", "Figures 6.1, 6.14"),
+    ("base_tension", "Figures 6.2, 6.4"),
+    ("base_sliding_speed", "Figures 6.3, 6.5"),
+    ("base_penetration", "Figures 6.6, 6.7"),
+    ("base_sliding_angle", "Figures 6.8, 6.9"),
+    ("base_inclination", "Figures 6.10, 6.11"),
+    ("base_axial_force", "Figures 6.12, 6.13"),
+    ("base_span_shape", "Figures 6.15, 6.16"),
+    ("base_tight_span_tension", "Figure 6.17"),
+    ("base_slack_span_tension", "Figure 6.18"),
+    ("range_radii", "Figure 6.20"),
+    ("range_axial_force", "Figure 6.21"),
+    ("range_axial_pressure_primary", "Figure 6.22"),
+    ("range_axial_pressure_secondary", "Figure 6.23"),
+    ("range_efficiency", "Figure 6.24"),
+    ("range_sliding_speed_primary", "Figure 6.25"),
+    ("range_sliding_speed_secondary", "Figure 6.26"),
+    ("range_tension_primary", "Figure 6.27"),
+    ("range_tension_secondary", "Figure 6.28"),
+    ("sheave_angle_overall_efficiency", "Figure 7.1"),
+    ("sheave_angle_speed_efficiency", "Figure 7.2"),
+    ("sheave_angle_torque_efficiency", "Figure 7.3"),
+    ("bending_stiffness_overall_efficiency", "Figure 7.4"),
+    ("bending_stiffness_speed_efficiency", "Figure 7.5"),
+    ("bending_stiffness_torque_efficiency", "Figure 7.6"),
+    ("bending_stiffness_penetration_primary_low_range", "Figure 7.7"),
+    ("bending_stiffness_penetration_primary_high_range", "Figure 7.8"),
+    ("bending_stiffness_penetration_secondary_low_range", "Figure 7.9"),
+    ("bending_stiffness_penetration_secondary_high_range", "Figure 7.10"),
+    ("slack_tension_overall_efficiency", "Figure 7.11"),
+    ("slack_tension_speed_efficiency", "Figure 7.12"),
+    ("slack_tension_torque_efficiency", "Figure 7.13"),
+    ("slack_tension_axial_force_primary", "Figure 7.14"),
+    ("slack_tension_axial_force_secondary", "Figure 7.15"),
+    ("friction_overall_efficiency", "Figure 7.16"),
+    ("friction_speed_efficiency", "Figure 7.17"),
+    ("friction_torque_efficiency", "Figure 7.18"),
+];

@@ -1,22 +1,35 @@
 //! Chapters 6 and 7 of the thesis: its studies in any edition, and its numbers beside ours.
 
+mod comparison;
 mod figures;
 mod numbers;
 
-pub use figures::figures;
+pub use comparison::comparison;
+pub use figures::{figures, number_in_thesis};
 pub use numbers::{Check, checks};
 
 use super::Axis;
 use super::error::StudyError;
 use super::plan::Study;
 use super::row::Table;
-use super::run::{outcomes, table};
+use super::run::each;
 use crate::case::{Case, Edition, Key};
 use crate::drive::SolveOptions;
 use crate::result::Outcome;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
-/// Accurate far beyond the digits that the thesis states, and the width of a line in its figures.
-const TOLERANCE: f64 = 1e-4;
+/// Of the base case, whose numbers the thesis states to four digits.
+const BASE_TOLERANCE: f64 = 1e-6;
+/// Of the studies: forces and efficiencies then are right to 2e-4 of themselves, the width of a line in a figure, and far
+/// beyond the digits that the thesis states.
+const TOLERANCE: f64 = 1e-3;
+
+/// Points of the operating range, both ends among them.
+pub const RATIOS: usize = 13;
+/// The ends of the operating range (6.2.2): low and high.
+const LOW: f64 = 1.74;
+const HIGH: f64 = 0.72;
 
 /// A family of curves over the operating range.
 #[derive(Debug, Clone)]
@@ -31,6 +44,17 @@ pub struct Family {
     pub table: Table,
 }
 
+/// One belt at both ends of the operating range; nothing where there is no solution.
+#[derive(Debug, Clone)]
+pub struct Ends {
+    /// The belt's bending stiffness, N·m².
+    pub bending_stiffness: f64,
+    /// In low range, the highest ratio.
+    pub low: Option<Outcome>,
+    /// In high range, the lowest ratio.
+    pub high: Option<Outcome>,
+}
+
 /// All studies of chapters 6 and 7 in one edition.
 #[derive(Debug, Clone)]
 pub struct Chapters {
@@ -40,14 +64,14 @@ pub struct Chapters {
     pub base: Outcome,
     /// The operating range (6.2), low range first.
     pub range: Table,
+    /// The base belt at the ends of the operating range.
+    pub ends: Ends,
     /// Half angle (7.1), bending stiffness (7.2), slack tension (7.3), friction coefficient (7.4).
     pub families: Vec<Family>,
-    /// The ends of the operating range, for belts of EI 0.025, 0.2602 and 0.5 N·m²; low range first.
-    pub ends: Vec<[Option<Outcome>; 2]>,
+    /// The belts of the study of bending stiffness at the ends of the operating range.
+    pub belts: Vec<Ends>,
     /// Points without a solution, with their reasons.
     pub failures: Vec<String>,
-    /// Points solved.
-    pub points: usize,
 }
 
 /// The families: name, title, key, axis.
@@ -67,6 +91,10 @@ const FAMILIES: [(&str, &str, Key, &str); 4] = [
     ("slack_tension", "slack tension T_slack", Key::SlackTension, "operating_point.slack_tension = 100,250,500,750 N"),
     ("friction", "friction coefficient μ_k", Key::FrictionCoefficient, "sheave.friction_coefficient = 0.3,0.4,0.5"),
 ];
+/// The studies of an edition, in order: the base case, the operating range, the families.
+const STUDIES: usize = 2 + FAMILIES.len();
+const RANGE: usize = 1;
+const BELTS: usize = 3;
 
 /// Why the chapters could not be computed.
 #[derive(Debug, thiserror::Error)]
@@ -85,35 +113,80 @@ pub enum ChaptersError {
     },
 }
 
-/// Solves chapters 6 and 7 in an edition, on `jobs` threads (all cores if none are given).
+/// Solves chapters 6 and 7 in some editions, with `ratios` points ([`RATIOS`] suit the figures) over the operating range,
+/// on `jobs` threads (all cores if none are given); says also how many points were solved. What studies have in common is
+/// solved once.
 ///
 /// # Errors
 /// See [`ChaptersError`]. A point of a family without a solution is told in [`Chapters::failures`].
-pub fn chapters(edition: Edition, jobs: Option<usize>) -> Result<Chapters, ChaptersError> {
-    let options = SolveOptions { tolerance: TOLERANCE, ..SolveOptions::default() };
-    let study = |axes: &[&str]| -> Result<Study, StudyError> {
+pub fn chapters(
+    editions: &[Edition],
+    ratios: usize,
+    jobs: Option<usize>,
+) -> Result<(Vec<Chapters>, usize), ChaptersError> {
+    let studies = editions.iter().map(|edition| studies(*edition, ratios)).collect::<Result<Vec<_>, _>>()?.concat();
+    let found: Mutex<BTreeMap<(usize, usize), Result<Outcome, String>>> = Mutex::default();
+    let (tables, points) = each(&studies, jobs, |study, point, _, outcome| {
+        let shown = match study % STUDIES {
+            0 => true,
+            RANGE | BELTS => point % ratios == 0 || (point + 1) % ratios == 0,
+            _ => false,
+        };
+        if shown {
+            found.lock().unwrap_or_else(PoisonError::into_inner).insert((study, point), outcome.cloned());
+        }
+    })?;
+    let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let mut tables = tables.into_iter();
+    let one = |(number, edition): (usize, &Edition)| {
+        let own: Vec<Table> = tables.by_ref().take(STUDIES).collect();
+        assembled(*edition, number * STUDIES, ratios, own, &found)
+    };
+    Ok((editions.iter().enumerate().map(one).collect::<Result<_, _>>()?, points))
+}
+
+/// Base case, operating range, families.
+fn studies(edition: Edition, ratios: usize) -> Result<Vec<Study>, StudyError> {
+    let study = |axes: &[String], tolerance: f64| -> Result<Study, StudyError> {
         let mut case = Case::base();
         case.set(Key::Edition.path(), edition.name())?;
         let axes = axes.iter().map(|axis| Axis::parse(axis)).collect::<Result<Vec<_>, _>>()?;
-        Study::new(case, axes, options)
+        Study::new(case, axes, SolveOptions { tolerance, ..SolveOptions::default() })
     };
-    let kept = |study: &Study| outcomes(study, jobs, |_, outcome| outcome.cloned());
-    let base = kept(&study(&["drive.primary_radius = 68.309 mm"])?)?.into_iter().next();
-    let base = base.unwrap_or_else(|| Err(String::new()));
+    let base = study(&["drive.primary_radius = 68.309 mm".to_owned()], BASE_TOLERANCE)?;
+    let range = format!("drive.ratio = {LOW}..{HIGH} : {ratios}");
+    let families = FAMILIES.iter().map(|(.., axis)| study(&[(*axis).to_owned(), range.clone()], TOLERANCE));
+    [Ok(base), study(std::slice::from_ref(&range), TOLERANCE)].into_iter().chain(families).collect()
+}
+
+/// The chapters of an edition, whose first study has the number `first`.
+fn assembled(
+    edition: Edition,
+    first: usize,
+    ratios: usize,
+    tables: Vec<Table>,
+    found: &BTreeMap<(usize, usize), Result<Outcome, String>>,
+) -> Result<Chapters, ChaptersError> {
+    let base = found.get(&(first, 0)).cloned().unwrap_or_else(|| Err(String::new()));
     let base = base.map_err(|reason| ChaptersError::NoSolution { edition: edition.name(), reason })?;
-    let ends = kept(&study(&["belt.bending_stiffness = 0.025,0.2602,0.5 N*m^2", "drive.ratio = 1.74,0.72"])?)?;
-    let mut ends = ends.into_iter().map(Result::ok);
-    let ends = std::iter::from_fn(|| Some([ends.next()?, ends.next()?])).collect();
-    let range = table(&study(&["drive.ratio = 1.74..0.72 : 21"])?, jobs)?;
-    let mut families = Vec::new();
-    for (name, title, key, axis) in FAMILIES {
-        let table = table(&study(&[axis, "drive.ratio = 1.74..0.72 : 13"])?, jobs)?;
-        families.push(Family { name, title, key, table });
-    }
-    let tables = || families.iter().map(|family| &family.table).chain([&range]);
-    let failures = tables().flat_map(reasons).collect();
-    let points = 7 + tables().map(|table| table.rows.len()).sum::<usize>();
-    Ok(Chapters { edition, base, range, families, ends, failures, points })
+    let failures = tables.iter().flat_map(reasons).collect();
+    let outcome = |study: usize, point: usize| found.get(&(first + study, point))?.as_ref().ok().cloned();
+    let ends = |study: usize, curve: usize, bending_stiffness: f64| Ends {
+        bending_stiffness,
+        low: outcome(study, curve * ratios),
+        high: outcome(study, (curve + 1) * ratios - 1),
+    };
+    let mut tables = tables.into_iter().skip(RANGE);
+    let range = tables.next().unwrap_or_default();
+    let families: Vec<Family> = FAMILIES
+        .into_iter()
+        .zip(tables)
+        .map(|((name, title, key, _), table)| Family { name, title, key, table })
+        .collect();
+    let belts = families.get(BELTS - 2).map(Family::curves).unwrap_or_default();
+    let belts = belts.iter().enumerate().map(|(curve, (stiffness, _))| ends(BELTS, curve, *stiffness)).collect();
+    let ends = ends(RANGE, 0, base.result.inputs.belt.bending_stiffness);
+    Ok(Chapters { edition, base, range, ends, families, belts, failures })
 }
 
 fn reasons(table: &Table) -> Vec<String> {

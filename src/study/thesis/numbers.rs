@@ -124,7 +124,7 @@ fn words(key: &str) -> String {
 fn check(section: &str, what: String, unit: &str, published: f64, tolerance: f64, ours: f64) -> Check {
     // A last digit's rounding in the comparison itself.
     let met = (ours - published).abs() <= tolerance * (1.0 + 1e-9);
-    Check { section: section.into(), what, unit: unit.into(), published, tolerance, ours, met }
+    Check { section: section.into(), what, unit: unit.replace('*', "·"), published, tolerance, ours, met }
 }
 
 /// A statement: how many of the places at which it is made contradict it.
@@ -147,6 +147,11 @@ fn efficiency(family: &Family, curve: usize, low_range: bool, which: &str) -> f6
     let curves = family.curves();
     let Some((_, rows)) = curves.get(curve) else { return f64::NAN };
     family.table.number(if low_range { rows.start } else { rows.end - 1 }, &format!("efficiency.{which}"))
+}
+
+/// Whether a change is one upward; a point without a solution changes nothing.
+fn rising(change: f64) -> bool {
+    change > 0.0
 }
 
 /// How many neighbours do not fall.
@@ -182,7 +187,7 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
         let pairs = curves.windows(2).filter_map(|pair| if let [a, b] = pair { Some((&a.1, &b.1)) } else { None });
         pairs
             .flat_map(|(a, b)| (0..a.len()).map(move |at| (a, b, at)))
-            .filter(|(a, b, at)| !(sign * (value(b, *at) - value(a, *at)) > 0.0))
+            .filter(|(a, b, at)| !rising(sign * (value(b, *at) - value(a, *at))))
             .count()
     };
     if let Some(angle) = family(chapters, Key::HalfAngle) {
@@ -204,12 +209,12 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
         checks.push(statement(
             "7.3",
             "speed efficiency falls with the slack tension in low range",
-            usize::from(!(change(true) < 0.0)),
+            usize::from(!rising(-change(true))),
         ));
         checks.push(statement(
             "7.3",
             "speed efficiency rises with the slack tension in high range",
-            usize::from(!(change(false) > 0.0)),
+            usize::from(!rising(change(false))),
         ));
     }
     if let Some(friction) = family(chapters, Key::FrictionCoefficient) {
@@ -218,7 +223,7 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
             let value = |row: usize| 100.0 * friction.table.number(row, "efficiency.overall");
             (0..a.len()).map(|at| (value(b.start + at) - value(a.start + at)).abs()).fold(0.0, f64::max)
         });
-        let what = "largest change of overall efficiency, μ_k from 0.3 to 0.5".to_owned();
+        let what = "largest change of overall efficiency, friction coefficient from 0.3 to 0.5".to_owned();
         checks.push(check("7.4", what, "percentage points", 0.0, 1.0, spread));
     }
     checks

@@ -1,0 +1,79 @@
+//! A sweep over ratio, slack tension and torque: points per second on one and on two threads, peak memory, and whether one
+//! that is killed half-way is completed to the same file. `cargo bench --no-default-features --bench sweep [-- POINTS]`.
+
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Points along the torque, solved one from the other.
+const TORQUES: usize = 16;
+
+/// Starts a sweep into `out`.
+fn sweep(side: usize, jobs: &str, out: &Path, resume: bool) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+    command.args(["sweep", "--tol", "1e-4", "--jobs", jobs]);
+    command.arg("--over").arg(format!("drive.ratio=0.72..1.74:{side}"));
+    command.arg("--over").arg(format!("operating_point.slack_tension=60..300 N:{side}"));
+    command.arg("--over").arg(format!("operating_point.primary_torque=3..18:{TORQUES}"));
+    command.arg("--out").arg(out).args(resume.then_some("--resume"));
+    let child = command.stdout(Stdio::null()).spawn();
+    child.unwrap_or_else(|error| unreachable!("the program was built with this bench: {error}"))
+}
+
+/// Waits for a sweep; its seconds, and the most memory it had, MiB.
+fn wait(mut child: Child) -> (f64, f64) {
+    let start = Instant::now();
+    let mut peak = 0.0_f64;
+    while matches!(child.try_wait(), Ok(None)) {
+        peak = peak.max(memory(child.id()));
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    (start.elapsed().as_secs_f64(), peak)
+}
+
+/// Most memory a process has had, MiB; zero where the system does not tell.
+fn memory(process: u32) -> f64 {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kib = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
+    kib.unwrap_or(0.0) / 1024.0
+}
+
+fn lines(path: &Path) -> usize {
+    std::fs::read(path).map_or(0, |text| text.iter().filter(|byte| **byte == b'\n').count())
+}
+
+fn main() {
+    let wanted = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(10_000);
+    let side = ((wanted / TORQUES) as f64).sqrt().round().max(1.0) as usize;
+    let points = side * side * TORQUES;
+    let folder = tempfile::tempdir().unwrap_or_else(|error| unreachable!("no temporary folder: {error}"));
+    let path = |name: &str| folder.path().join(name);
+
+    let mut rates = Vec::new();
+    for jobs in ["1", "2"] {
+        let (seconds, peak) = wait(sweep(side, jobs, &path(&format!("{jobs}.csv")), false));
+        rates.push(points as f64 / seconds);
+        println!(
+            "{points} points, {jobs} jobs: {seconds:.1} s, {:.0} points/s, {peak:.0} MiB",
+            points as f64 / seconds
+        );
+    }
+    if let [one, two] = rates[..] {
+        println!("two jobs against one: {:.2} times", two / one);
+    }
+
+    let mut child = sweep(side, "2", &path("killed.csv"), false);
+    while lines(&path("killed.csv.journal")) < points / 2 && matches!(child.try_wait(), Ok(None)) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let killed = child.kill().is_ok() && child.wait().is_ok();
+    let rows = lines(&path("killed.csv.journal"));
+    let (seconds, _) = wait(sweep(side, "2", &path("killed.csv"), true));
+    let whole = std::fs::read(path("1.csv")).unwrap_or_default();
+    let same = |name: &str| !whole.is_empty() && std::fs::read(path(name)).is_ok_and(|bytes| bytes == whole);
+    println!("killed ({killed}) after {rows} lines, resumed in {seconds:.1} s");
+    println!("same file: two jobs {}, killed and resumed {}", same("2.csv"), same("killed.csv"));
+    let text = String::from_utf8_lossy(&whole);
+    println!("points without a solution: {}", text.lines().skip(1).filter(|line| !line.contains(",true,")).count());
+}

@@ -1,0 +1,275 @@
+//! A guess for a drive near one that is solved.
+
+use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent};
+
+use super::belt::Belt;
+use super::constants::{Constant, Constants};
+use super::region::RegionId;
+use super::start;
+
+/// Cosine of the angle between two steps beyond which the way counts as turning.
+const STRAIGHT: f64 = 0.98;
+/// A step back, in steps ahead, too short to tell a bend.
+const SHORTEST_BACK: f64 = 0.2;
+/// Difference quotients along the way take this share of it.
+const DIFFERENCE: f64 = 1e-3;
+/// Difference quotients in x, m.
+const DEPTH: f64 = 1e-6;
+/// Share of the tolerance that a node may cost which is left out.
+const THINNING: f64 = 0.1;
+/// Nodes in a row that may be left out.
+const LONGEST_GAP: usize = 7;
+
+/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the way from the solution before it
+/// bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight, inextensible belt.
+pub(super) fn predicted(
+    belt: &Belt,
+    before: Option<&Solution>,
+    from: &Solution,
+    to: &Constants,
+    tolerance: f64,
+) -> Result<Guess, SolveError> {
+    let way = Way::new(belt, before, from, to)?;
+    let mut guess = Guess::from(from);
+    guess.constants = way.constants(to);
+    for (index, region) in guess.regions.iter_mut().enumerate() {
+        region.states = way.states(index);
+    }
+    for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
+        // A kernel without sliding speed has nothing to lose.
+        let _ = way.adhere(region, &mut guess);
+    }
+    for (region, part) in guess.regions.iter_mut().zip(from.regions()) {
+        let kept = kept(part, THINNING * tolerance);
+        let pick = |values: &[f64]| kept.iter().filter_map(|&node| values.get(node).copied()).collect();
+        region.mesh = pick(&region.mesh);
+        region.states = region.states.iter().map(|values| pick(values)).collect();
+    }
+    Ok(guess)
+}
+
+/// The way through a solution: its first and, where the solution before lies on it, second derivatives.
+struct Way<'a> {
+    belt: &'a Belt,
+    from: &'a Solution,
+    here: Constants,
+    ahead: Tangent,
+    bend: Option<Bend<'a>>,
+}
+
+/// How the way came.
+struct Bend<'a> {
+    before: &'a Solution,
+    constants: Constants,
+    back: Tangent,
+    /// Square of the length of the step back, in steps ahead.
+    square: f64,
+}
+
+impl<'a> Way<'a> {
+    fn new(
+        belt: &'a Belt,
+        before: Option<&'a Solution>,
+        from: &'a Solution,
+        to: &Constants,
+    ) -> Result<Self, SolveError> {
+        let here = Constants::of(from);
+        let linearisation = Linearisation::new(belt, from)?;
+        let tangent = |to: &Constants| {
+            let direction: Vec<f64> = here.0.iter().zip(&to.0).map(|(here, to)| to - here).collect();
+            linearisation.tangent(&direction)
+        };
+        let bend = before.and_then(|before| {
+            let constants = Constants::of(before);
+            let square = square_back(&here, &constants, to, from.unknowns())?;
+            Some(Bend { before, back: tangent(&constants), constants, square })
+        });
+        Ok(Self { belt, from, ahead: tangent(to), bend, here })
+    }
+
+    /// The states of a region at its nodes.
+    fn states(&self, region: usize) -> Vec<Vec<f64>> {
+        let Some(part) = self.from.regions().get(region) else { return Vec::new() };
+        let then = self.bend.as_ref().map(|bend| then(bend.before, region, part.mesh()));
+        let row = |state: usize| {
+            let rates = |tangent: &'_ Tangent| tangent.regions.get(region)?.states.get(state).cloned();
+            let (ahead, back) = (rates(&self.ahead)?, self.bend.as_ref().and_then(|bend| rates(&bend.back)));
+            let then = then.as_ref().and_then(|then| then.get(state));
+            Some(self.extrapolated(part.state(state), &ahead, then.map(Vec::as_slice), back.as_deref()))
+        };
+        (0..part.states()).map(|state| row(state).unwrap_or_else(|| part.state(state).to_vec())).collect()
+    }
+
+    /// Values at the end of the way from those now, their rates ahead, and, if known, those then with the rates back.
+    fn extrapolated(&self, now: &[f64], ahead: &[f64], then: Option<&[f64]>, back: Option<&[f64]>) -> Vec<f64> {
+        let mut values: Vec<f64> = now.iter().zip(ahead).map(|(now, ahead)| now + ahead).collect();
+        if let (Some(then), Some(back), Some(bend)) = (then, back, &self.bend) {
+            for (((value, now), then), back) in values.iter_mut().zip(now).zip(then).zip(back) {
+                *value += (then - now - back) / bend.square;
+            }
+        }
+        values
+    }
+
+    /// All constants: the given ones as they are wanted, the unknown ones relative to the tight belt's.
+    fn constants(&self, to: &Constants) -> Vec<f64> {
+        let ahead = Tight::new(&self.here, to);
+        let back = self.bend.as_ref().map(|bend| (bend, Tight::new(&self.here, &bend.constants)));
+        let constant = |constant: Constant| {
+            let (at, value) = (constant.index(), self.here[constant]);
+            if !self.from.unknowns().contains(&at) {
+                return to[constant];
+            }
+            let rate = |tangent: &Tangent| slope(constant, value, tangent.constants.get(at).copied().unwrap_or(0.0));
+            let second = back.as_ref().map_or(0.0, |(bend, tight)| {
+                let rest = scaled(constant, bend.constants[constant]) - scaled(constant, value) - rate(&bend.back);
+                (rest - tight.bend(constant)) / bend.square
+            });
+            unscaled(constant, scaled(constant, value) + rate(&self.ahead) + ahead.bend(constant) + second)
+        };
+        Constant::ALL.into_iter().map(constant).collect()
+    }
+
+    /// Where the belt adheres, its sliding speed is the tiny difference of two large ones, and friction hangs on it: so the
+    /// tangential sliding speed is what is predicted, and the penetration is what gives that.
+    fn adhere(&self, region: RegionId, guess: &mut Guess) -> Option<()> {
+        let (index, kernel) = (region.index(), self.belt.kernel(region));
+        let x = kernel.states.iter().position(|symbol| symbol.name == "x")?;
+        let at = kernel.fields.iter().position(|symbol| symbol.name == "v_t")?;
+        let sliding = |constants: &[f64], states: &[Vec<f64>]| {
+            let len = states.first().map_or(0, Vec::len);
+            let (s, y) = (vec![0.0; len], states.concat());
+            let fields = self.belt.fields(region, &Points { len, stride: len, s: &s, y: &y }, constants);
+            fields.get(at * len..(at + 1) * len).map(<[f64]>::to_vec)
+        };
+        let part = self.from.regions().get(index)?;
+        let states: Vec<Vec<f64>> = (0..part.states()).map(|i| part.state(i).to_vec()).collect();
+        let rate = |tangent: &Tangent| {
+            let rates = &tangent.regions.get(index)?.states;
+            let moved = |h: f64| {
+                let states: Vec<Vec<f64>> = states.iter().zip(rates).map(|(y, rate)| sum(y, h, rate)).collect();
+                sliding(&sum(&self.here.0, h, &tangent.constants), &states)
+            };
+            let (a, b) = (moved(-DIFFERENCE)?, moved(DIFFERENCE)?);
+            Some(a.iter().zip(&b).map(|(a, b)| (b - a) / (2.0 * DIFFERENCE)).collect::<Vec<f64>>())
+        };
+        let now = sliding(&self.here.0, &states)?;
+        let bend = self.bend.as_ref();
+        let then = bend.and_then(|bend| sliding(&bend.constants.0, &then(bend.before, index, part.mesh())));
+        let back = bend.and_then(|bend| rate(&bend.back));
+        let wanted = self.extrapolated(&now, &rate(&self.ahead)?, then.as_deref(), back.as_deref());
+
+        let Guess { regions, constants } = guess;
+        let states = &mut regions.get_mut(index)?.states;
+        let found = sliding(constants, states)?;
+        states.get_mut(x)?.iter_mut().for_each(|x| *x += DEPTH);
+        let deeper = sliding(constants, states)?;
+        for (((x, wanted), found), deeper) in states.get_mut(x)?.iter_mut().zip(&wanted).zip(&found).zip(&deeper) {
+            *x += DEPTH * ((wanted - found) / (deeper - found) - 1.0);
+        }
+        Some(())
+    }
+}
+
+/// The states of a region of another solution at some nodes.
+fn then(before: &Solution, region: usize, mesh: &[f64]) -> Vec<Vec<f64>> {
+    let Some(part) = before.regions().get(region) else { return Vec::new() };
+    let mut y = vec![0.0; part.states()];
+    let mut states = vec![Vec::with_capacity(mesh.len()); y.len()];
+    for s in mesh {
+        part.eval_into(*s, &mut y);
+        states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
+    }
+    states
+}
+
+fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + h * b).collect()
+}
+
+/// Square of the length of the step back, in steps ahead; `None` if the way turns here or the step was too short.
+fn square_back(here: &Constants, back: &Constants, to: &Constants, unknowns: &[usize]) -> Option<f64> {
+    let (mut ahead, mut behind, mut product) = (0.0, 0.0, 0.0);
+    for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(&constant.index())) {
+        let size = here[constant].abs().max(f64::MIN_POSITIVE);
+        let (a, b) = ((to[constant] - here[constant]) / size, (back[constant] - here[constant]) / size);
+        (ahead, behind, product) = (ahead + a * a, behind + b * b, product + a * b);
+    }
+    let square = behind / ahead;
+    (product < -STRAIGHT * (ahead * behind).sqrt() && square > SHORTEST_BACK * SHORTEST_BACK).then_some(square)
+}
+
+/// The unknown constants of the tight, inextensible belt along a way. The drive's stay close to them, and what a tangent
+/// leaves out of them would put the sliding speeds wrong by many slip thresholds: 2.5 % of change in both radii change the
+/// speed ratio by 5 %, and its square by 0.25 %, which is 60 mm/s of sliding.
+struct Tight {
+    begin: Constants,
+    end: Constants,
+    /// Both ends of a difference quotient at the begin.
+    around: [Constants; 2],
+}
+
+impl Tight {
+    fn new(from: &Constants, to: &Constants) -> Self {
+        let tight = |share: f64| start::constants(&from.toward(to, share));
+        Self { begin: tight(0.0), end: tight(1.0), around: [tight(-DIFFERENCE), tight(DIFFERENCE)] }
+    }
+
+    /// What a tangent leaves out along the whole way.
+    fn bend(&self, constant: Constant) -> f64 {
+        let value = |drive: &Constants| scaled(constant, drive[constant]);
+        let [before, after] = &self.around;
+        value(&self.end) - value(&self.begin) - (value(after) - value(before)) / (2.0 * DIFFERENCE)
+    }
+}
+
+/// A constant on the scale on which it is predicted: the speed ratio by its logarithm.
+fn scaled(constant: Constant, value: f64) -> f64 {
+    if constant == Constant::SpeedRatio { value.ln() } else { value }
+}
+
+fn unscaled(constant: Constant, value: f64) -> f64 {
+    if constant == Constant::SpeedRatio { value.exp() } else { value }
+}
+
+/// A rate of change on that scale.
+fn slope(constant: Constant, value: f64, rate: f64) -> f64 {
+    if constant == Constant::SpeedRatio { rate / value } else { rate }
+}
+
+/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a way the
+/// kinks of friction move, and leave their fine meshes behind.
+fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
+    let last = part.mesh().len().saturating_sub(1);
+    let size = |state: usize| part.state(state).iter().fold(0.0, |size: f64, y| size.max(y.abs()));
+    let sizes: Vec<f64> = (0..part.states()).map(size).collect();
+    let mut kept = vec![0];
+    let mut from = 0;
+    for node in 1..last {
+        let superfluous = |node: usize, to: usize| hermite_holds(part, &sizes, [from, node, to], tolerance);
+        if node - from > LONGEST_GAP || !(from + 1..=node).all(|inner| superfluous(inner, node + 1)) {
+            kept.push(node);
+            from = node;
+        }
+    }
+    kept.push(last);
+    kept
+}
+
+/// Whether Hermite's cubic from one node to another gives the states between. The cubic of length h that is wrong by e in
+/// the middle is wrong by about 3 e/h in its slope: the defect that a mesh without the node would have.
+fn hermite_holds(part: &RegionSolution, sizes: &[f64], nodes: [usize; 3], tolerance: f64) -> bool {
+    let [Some(a), Some(s), Some(b)] = nodes.map(|node| part.mesh().get(node).copied()) else { return false };
+    let h = b - a;
+    let (t, u) = ((s - a) / h, (b - s) / h);
+    sizes.iter().enumerate().all(|(state, size)| {
+        let [Some(y0), Some(y), Some(y1)] = nodes.map(|node| part.state(state).get(node).copied()) else {
+            return false;
+        };
+        let [Some(f0), Some(f), Some(f1)] = nodes.map(|node| part.slope(state).get(node).copied()) else {
+            return false;
+        };
+        let cubic = u * u * (1.0 + 2.0 * t) * y0 + t * t * (3.0 - 2.0 * t) * y1 + h * t * u * (u * f0 - t * f1);
+        3.0 * (cubic - y).abs() / h <= tolerance * (size + f.abs())
+    })
+}
