@@ -1,7 +1,10 @@
 //! What the commands share; each command has a file of its own.
 
 mod case;
+mod design;
 mod keys;
+mod limit;
+mod optimum;
 mod output;
 mod reproduce;
 mod solve;
@@ -27,6 +30,8 @@ struct Arguments {
 enum Command {
     Solve(solve::Arguments),
     Sweep(sweep::Arguments),
+    Limit(limit::Arguments),
+    Optimum(optimum::Arguments),
     Reproduce(reproduce::Arguments),
     Keys(keys::Arguments),
 }
@@ -44,6 +49,8 @@ pub fn run() -> ExitCode {
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Limit(arguments) => limit::run(arguments),
+        Command::Optimum(arguments) => optimum::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
