@@ -1,7 +1,8 @@
 //! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
-//! [`study`] does so over a grid; [`plot`] and [`report`] show it.
+//! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it.
 
 pub mod case;
+pub mod design;
 pub mod drive;
 pub mod plot;
 pub mod quantity;

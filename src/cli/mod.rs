@@ -2,7 +2,10 @@
 
 mod case;
 mod derive;
+mod design;
 mod keys;
+mod limit;
+mod optimum;
 mod output;
 mod reproduce;
 mod solve;
@@ -28,6 +31,8 @@ struct Arguments {
 enum Command {
     Solve(solve::Arguments),
     Sweep(sweep::Arguments),
+    Limit(limit::Arguments),
+    Optimum(optimum::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Keys(keys::Arguments),
@@ -46,6 +51,8 @@ pub fn run() -> ExitCode {
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Limit(arguments) => limit::run(arguments),
+        Command::Optimum(arguments) => optimum::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),

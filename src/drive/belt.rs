@@ -155,7 +155,6 @@ fn prescribe(layout: &mut Layout, outputs: &BoundaryKernel, output: Output, scal
 fn is_physical(constants: &[f64]) -> bool {
     let value = |constant: Constant| constants.get(constant.index()).copied().unwrap_or(f64::NAN);
     let positive = [
-        Constant::SpeedRatio,
         Constant::Flow,
         Constant::PrimaryWrap,
         Constant::SecondaryWrap,
@@ -168,7 +167,10 @@ fn is_physical(constants: &[f64]) -> bool {
     let apart = value(Constant::PrimaryRadius) + value(Constant::SecondaryRadius) < value(Constant::CenterDistance);
     let unstretched_speed = value(Constant::Flow) * value(Constant::PrimaryRadius) * value(Constant::PrimarySpeed);
     let wave_speed = (value(Constant::LongitudinalStiffness) / value(Constant::MassPerLength)).sqrt();
-    positive.into_iter().all(|constant| value(constant) > 0.0) && apart && unstretched_speed < wave_speed
+    positive.into_iter().all(|constant| value(constant) > 0.0)
+        && value(Constant::SpeedRatio) >= 0.0
+        && apart
+        && unstretched_speed < wave_speed
 }
 
 impl Problem for Belt {

@@ -97,12 +97,23 @@ fn share_below(s: &[f64], v: &[f64], threshold: f64) -> f64 {
     s.windows(2).zip(v.windows(2)).map(part).sum()
 }
 
+/// Mean of `v` over `s` with weights `w`, all taken as linear between samples.
+fn weighted_mean(s: &[f64], v: &[f64], w: &[f64]) -> f64 {
+    let parts = s.windows(2).zip(v.windows(2)).zip(w.windows(2));
+    let (sum, weight) = parts.fold((0.0, 0.0), |(sum, weight), ((s, v), w)| {
+        let half = 0.5 * (s[1] - s[0]);
+        (sum + half * (v[0] * w[0] + v[1] * w[1]), weight + half * (w[0] + w[1]))
+    });
+    sum / weight
+}
+
 /// What a contact shows along its length.
 struct Contact {
     penetration: f64,
     slowest: f64,
     fastest: f64,
     adhesion: f64,
+    utilization: f64,
 }
 
 impl Contact {
@@ -120,6 +131,13 @@ impl Contact {
             slowest,
             fastest,
             adhesion: share_below(&sampled.s, &sliding, threshold),
+            utilization: {
+                let field = |name: &str| column(&sampled.fields, at(kernel.fields, name));
+                let friction = solution.constants().get(Constant::FrictionCoefficient.index()).copied();
+                let along = field("mu").into_iter().zip(field("beta_s")).zip(field("gamma"));
+                let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
+                weighted_mean(&sampled.s, &along, &field("p")).abs() / friction.unwrap_or(f64::NAN)
+            },
         }
     }
 }
@@ -141,6 +159,7 @@ pub fn pulley(belt: &Belt, solution: &Solution, outputs: &Outputs, region: Regio
         min_sliding_speed: contact.slowest,
         max_sliding_speed: contact.fastest,
         adhesion_fraction: contact.adhesion,
+        friction_utilization: contact.utilization,
         radius: radius(solution, region),
         resultant_x: output("resultant_x"),
         resultant_y: output("resultant_y"),

@@ -52,16 +52,20 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
     let (belt, solution) = (&solved.belt, &solved.solution);
     let outputs = Outputs::new(belt, solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
+    let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
+    let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
+    let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
     DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
-        primary: compute::pulley(belt, solution, &outputs, RegionId::Primary),
-        secondary: compute::pulley(belt, solution, &outputs, RegionId::Secondary),
+        primary,
+        secondary,
         tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
         slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
         efficiency: compute::efficiency(&outputs),
+        slip_reserve,
         belt: compute::belt(&outputs, case.belt.length),
         energy: compute::energy(&outputs),
         solver: SolverReport {

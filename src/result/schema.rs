@@ -28,6 +28,9 @@ pub struct DriveResult<I> {
     pub slack_span: Span,
     /// Efficiencies (6.7)–(6.9).
     pub efficiency: Efficiency,
+    /// Share of the friction at hand that is not yet used: 1 less the larger [`Pulley::friction_utilization`]. It falls to
+    /// about zero where the belt slips grossly; what torque is left above the present one, `design::largest_torque` says.
+    pub slip_reserve: f64,
     /// The belt as a whole.
     pub belt: BeltResult,
     /// The energy audit.
@@ -66,6 +69,9 @@ pub struct Pulley {
     pub max_sliding_speed: f64,
     /// Share of the wrap angle on which the belt slides more slowly than the slip threshold.
     pub adhesion_fraction: f64,
+    /// Mean over the contact, weighted by pressure, of the friction that acts along the rim, over μ_k times the pressure:
+    /// 0 without torque, 1 where all friction that this pressure permits drives or brakes the pulley.
+    pub friction_utilization: f64,
     /// Nominal radius, m: as given, or as found where it was free.
     pub radius: f64,
     /// Where the axial force acts, m from the pulley's centre, towards the secondary's centre from the primary's (6.3).

@@ -24,6 +24,7 @@ fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
     row(text, "largest penetration", "mm", 3, both(|p| p.max_penetration * 1e3));
     row(text, "smallest sliding speed", "mm/s", 4, both(|p| p.min_sliding_speed * 1e3));
     row(text, "adhesion", "% of wrap", 1, both(|p| p.adhesion_fraction * 100.0));
+    row(text, "friction utilization", "%", 1, both(|p| p.friction_utilization * 100.0));
     row(text, "resultant x", "mm", 1, both(|p| p.resultant_x * 1e3));
     row(text, "resultant y", "mm", 1, both(|p| p.resultant_y * 1e3));
     row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
@@ -58,6 +59,11 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
         belt.unstretched_length * 1e3,
         belt.length_error * 1e3,
+    );
+    let _ = writeln!(
+        text,
+        "  slip reserve              {:>11.1} % of the friction at hand is not used",
+        percent(result.slip_reserve),
     );
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(

@@ -1,0 +1,115 @@
+//! The seven input situations as operating points, on random drives: each is solved in the ordinary way, then asked for by
+//! speeds, torques and axial forces, from nothing. `cargo bench --bench situations [-- DRIVES]`.
+
+use sheave::case::{Case, Key};
+use sheave::drive::{Constant, SolveOptions};
+use sheave::result::{Outcome, run};
+use solver::Order;
+use std::time::Instant;
+
+/// Key, from, to.
+const AXES: [(Key, f64, f64); 8] = [
+    (Key::Ratio, 0.72, 1.74),
+    (Key::SlackTension, 60.0, 400.0),
+    (Key::PrimaryTorque, 4.0, 25.0),
+    (Key::PrimarySpeed, 150.0, 450.0),
+    (Key::BendingStiffness, 0.05, 0.5),
+    (Key::LongitudinalStiffness, 1.5e5, 4e5),
+    (Key::FrictionCoefficient, 0.3, 0.5),
+    (Key::RadialStiffness, 1.4e7, 2.6e7),
+];
+
+/// A deterministic stream of numbers in [0, 1) (SplitMix64).
+struct Stream(u64);
+
+impl Stream {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+fn solve(case: &Case, options: &SolveOptions) -> Result<Outcome, String> {
+    let resolved = case.resolve().map_err(|error| error.to_string())?;
+    run(&resolved, options).map_err(|failure| failure.to_string())
+}
+
+/// The situations, each with its keys and their values.
+fn situations(known: &Outcome) -> [(&'static str, [(Key, f64); 3]); 7] {
+    let (primary, secondary) = (&known.result.primary, &known.result.secondary);
+    let (speed_in, speed_out) = ((Key::PrimarySpeed, primary.speed), (Key::SecondarySpeed, secondary.speed));
+    let (torque_in, torque_out) = ((Key::PrimaryTorque, primary.torque), (Key::SecondaryTorque, secondary.torque));
+    let (clamp_in, clamp_out) =
+        ((Key::PrimaryAxialForce, primary.axial_force), (Key::SecondaryAxialForce, secondary.axial_force));
+    [
+        ("ω_I, M_O, F_CO", [speed_in, torque_out, clamp_out]),
+        ("ω_O, M_I, F_CI", [speed_out, torque_in, clamp_in]),
+        ("ω_I, ω_O, F_CO", [speed_in, speed_out, clamp_out]),
+        ("ω_I, ω_O, F_CI", [speed_in, speed_out, clamp_in]),
+        ("ω_I, M_O, F_CI", [speed_in, torque_out, clamp_in]),
+        ("ω_I, M_I, F_CO", [speed_in, torque_in, clamp_out]),
+        ("ω_I, M_I, F_CI", [speed_in, torque_in, clamp_in]),
+    ]
+}
+
+/// A drive without its operating point, and one with it.
+fn drive(stream: &mut Stream, edition: &str) -> Result<(Case, Case), String> {
+    let mut bare = Case::base();
+    bare.set("edition", edition).map_err(|error| error.to_string())?;
+    let mut whole = bare.clone();
+    for (key, from, to) in AXES {
+        let value = from + (to - from) * stream.next();
+        whole.set_si(key, value).map_err(|error| error.to_string())?;
+        if key.entry().section() != "operating_point" {
+            bare.set_si(key, value).map_err(|error| error.to_string())?;
+        }
+    }
+    Ok((bare, whole))
+}
+
+fn main() -> Result<(), String> {
+    let drives: usize = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(25);
+    let options = SolveOptions { tolerance: 1e-8, order: Order::Six, sensitivities: false };
+    for edition in ["consistent", "thesis"] {
+        let mut stream = Stream(2012);
+        let (mut solved, mut skipped, mut worst, mut seconds) = (0, 0, 0.0_f64, Vec::new());
+        for index in 0..drives {
+            let (bare, whole) = drive(&mut stream, edition)?;
+            let Ok(known) = solve(&whole, &options) else {
+                skipped += 1;
+                continue;
+            };
+            for (name, slots) in situations(&known) {
+                let mut case = bare.clone();
+                slots
+                    .iter()
+                    .try_for_each(|(key, value)| case.set_si(*key, *value))
+                    .map_err(|error| error.to_string())?;
+                let start = Instant::now();
+                match solve(&case, &options) {
+                    Ok(found) => {
+                        solved += 1;
+                        seconds.push(start.elapsed().as_secs_f64());
+                        for constant in [Constant::PrimarySpeed, Constant::PrimaryTorque, Constant::SlackTension] {
+                            let off = found.solved.constant(constant) / known.solved.constant(constant) - 1.0;
+                            worst = worst.max(off.abs());
+                        }
+                    }
+                    Err(reason) => println!("{edition}, drive {index}, {name}: {reason}"),
+                }
+            }
+        }
+        seconds.sort_by(f64::total_cmp);
+        let median = seconds.get(seconds.len() / 2).copied().unwrap_or(f64::NAN);
+        println!(
+            "{edition}: {solved} of {} solved ({skipped} drives have no ordinary solution), back to {worst:.1e} at worst, \
+             median {:.0} ms",
+            7 * (drives - skipped),
+            1e3 * median
+        );
+    }
+    Ok(())
+}

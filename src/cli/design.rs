@@ -1,0 +1,78 @@
+//! What the commands about designs share: one case, or a grid of them.
+
+use super::case::CaseArguments;
+use super::output;
+use super::stop::Stop;
+use clap::Args;
+use sheave::design::DesignError;
+use sheave::drive::SolveOptions;
+use sheave::plot::Figure;
+use sheave::study::{Axis, Format, Study, StudyError, Table};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+/// A case, and what varies in it.
+#[derive(Debug, Args)]
+pub struct GridArguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Print the result as one JSON object
+    #[arg(long, conflicts_with = "over")]
+    json: bool,
+    /// Vary a key: KEY=FROM..TO[:N] (11 points if N is not given) or KEY=A,B,C; joined by & keys go together
+    #[arg(long, value_name = "KEY=VALUES")]
+    over: Vec<String>,
+    /// Write map.csv and figures (SVG, PNG) into this folder; without it, CSV goes to standard output
+    #[arg(long, value_name = "DIR", requires = "over")]
+    out: Option<PathBuf>,
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N", requires = "over")]
+    jobs: Option<NonZeroUsize>,
+}
+
+impl GridArguments {
+    pub fn case(&self) -> &CaseArguments {
+        &self.case
+    }
+
+    pub fn json(&self) -> bool {
+        self.json
+    }
+
+    pub fn is_grid(&self) -> bool {
+        !self.over.is_empty()
+    }
+
+    pub fn jobs(&self) -> Option<usize> {
+        self.jobs.map(NonZeroUsize::get)
+    }
+
+    pub fn study(&self, options: SolveOptions) -> Result<Study, Stop> {
+        let axes = self.over.iter().map(|over| Axis::parse(over)).collect::<Result<Vec<_>, StudyError>>()?;
+        if let Some(folder) = &self.out {
+            output::create_folder(folder)?;
+        }
+        Ok(Study::new(self.case.read()?, axes, options)?)
+    }
+
+    /// The table, and the figures that `draw` makes of it.
+    pub fn deliver(&self, study: &Study, table: &Table, draw: fn(&Study, &Table) -> Vec<Figure>) -> Result<(), Stop> {
+        match table.failures() {
+            0 => {}
+            failures => tracing::warn!("{failures} of {} points have no answer; see `failure`", table.rows.len()),
+        }
+        let Some(folder) = &self.out else {
+            let mut text = Vec::new();
+            let written = Format::Csv.write(table, &mut text);
+            written.map_err(|error| Stop::Write("CSV".into(), error))?;
+            return output::print(&String::from_utf8_lossy(&text));
+        };
+        output::write_file(folder, "map.csv", |to| Format::Csv.write(table, to))?;
+        output::write_figures(folder, &draw(study, table))
+    }
+}
+
+/// Why there is no answer.
+pub fn stop(error: DesignError) -> Stop {
+    if error.is_bad_input() { Stop::Usage(error.to_string()) } else { Stop::NoSolution(error.to_string()) }
+}

@@ -1,0 +1,109 @@
+//! `sheave limit`: the largest torque for a clamp, the smallest clamp for a torque.
+
+use super::design::{self, GridArguments};
+use super::output;
+use super::stop::Stop;
+use clap::Args;
+use serde::Serialize;
+use sheave::case::Resolved;
+use sheave::design::{
+    ClampLimits, Kind, Limit, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
+};
+use sheave::drive::SolveOptions;
+use sheave::result::SCHEMA;
+use std::fmt::Write;
+
+/// Find the largest torque for the clamp of a case, and the smallest clamps for its torque
+///
+/// Follows the drive from an operating point to the stall of its secondary; a limit is a fold on the way, or the collapse of
+/// the speed ratio at its end. With --over, a table over a grid of any keys, and with --out its figures.
+#[derive(Debug, Args)]
+#[command(after_long_help = super::STATUS)]
+pub struct Arguments {
+    #[command(flatten)]
+    grid: GridArguments,
+    /// Relative tolerance of the solutions, from 1e-12 to 0.1
+    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
+    tol: f64,
+    /// Count the drive as slipping below this speed efficiency, from 0 (the stall) to 1
+    #[arg(long, value_name = "S", default_value = "0", value_parser = share)]
+    least_speed_efficiency: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Found<'a> {
+    schema: u32,
+    edition: &'static str,
+    inputs: &'a Resolved,
+    largest_torque: Limit,
+    smallest_clamp: Option<ClampLimits>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let solve = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
+    let options = LimitOptions { solve, least_speed_efficiency: arguments.least_speed_efficiency };
+    if arguments.grid.is_grid() {
+        let study = arguments.grid.study(solve)?;
+        let table = limit_map(&study, arguments.grid.jobs(), &options)?;
+        return arguments.grid.deliver(&study, &table, limit_figures);
+    }
+    let case = arguments.grid.case().resolve()?;
+    let (largest_torque, _) = largest_torque(&case, &options).map_err(design::stop)?;
+    // A case whose load is a speed has no torque to find a clamp for.
+    let smallest_clamp = match smallest_clamps(&case, &options) {
+        Ok((limits, _)) => Some(limits),
+        Err(error) if error.is_bad_input() => None,
+        Err(error) => return Err(design::stop(error)),
+    };
+    let edition = case.edition.name();
+    let found = Found { schema: SCHEMA, edition, inputs: &case, largest_torque, smallest_clamp };
+    if arguments.grid.json() { output::print(&output::json(&found)?) } else { output::print(&summary(&found)) }
+}
+
+fn summary(found: &Found<'_>) -> String {
+    let mut text = format!("Limits of the drive, edition {}\n\n", found.edition);
+    let (key, clamp) = found.inputs.operating_point.clamp.setting();
+    let name = |name: &str| name.replace('_', " ");
+    line(
+        &mut text,
+        &format!("largest torque for a {} of {clamp:.1} N", name(key.entry().name())),
+        "N·m",
+        &found.largest_torque,
+    );
+    if let Some(smallest) = &found.smallest_clamp {
+        let (key, torque) = found.inputs.operating_point.load.setting();
+        let load = format!("for a {} of {torque:.2} N·m", name(key.entry().name()));
+        for (clamp, limit) in [
+            ("slack tension", &smallest.slack_tension),
+            ("primary axial force", &smallest.primary_axial_force),
+            ("secondary axial force", &smallest.secondary_axial_force),
+        ] {
+            line(&mut text, &format!("smallest {clamp} {load}"), "N", limit);
+        }
+    }
+    text
+}
+
+fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
+    let kind = match &limit.kind {
+        Kind::Fold => "a fold".to_owned(),
+        Kind::Collapse => "collapse of the speed ratio".to_owned(),
+        Kind::SpeedEfficiency => "the least speed efficiency".to_owned(),
+        Kind::Lost(reason) => {
+            tracing::info!("{what}: {reason}");
+            "the limit lies beyond: no solution was found farther on (-v says why)".to_owned()
+        }
+    };
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "  {what:<58} {:>10.3} {unit:<4} at {:.1} % speed efficiency: {kind}",
+        limit.value,
+        100.0 * limit.state.speed_efficiency
+    );
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let within = |share: &f64| (0.0..1.0).contains(share);
+    text.parse().ok().filter(within).ok_or_else(|| "expected a number from 0 to below 1, such as 0.9".into())
+}

@@ -1,0 +1,87 @@
+//! `sheave optimum`: the clamp of best overall efficiency.
+
+use super::design::{self, GridArguments};
+use super::output;
+use super::stop::Stop;
+use clap::Args;
+use serde::Serialize;
+use sheave::case::Resolved;
+use sheave::design::{Bound, State, optimum, optimum_figures, optimum_map};
+use sheave::drive::SolveOptions;
+use sheave::result::SCHEMA;
+
+/// Find the clamp of best overall efficiency for the torque of a case
+///
+/// A tight belt wastes power on its way in and out of the grooves, a loose one by slipping; between lies the best clamp. With
+/// --over, a table over a grid of any keys, and with --out its figures.
+#[derive(Debug, Args)]
+#[command(after_long_help = super::STATUS)]
+pub struct Arguments {
+    #[command(flatten)]
+    grid: GridArguments,
+    /// Relative tolerance of the solutions, from 1e-12 to 0.1
+    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
+    tol: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Found<'a> {
+    schema: u32,
+    edition: &'static str,
+    inputs: &'a Resolved,
+    #[serde(flatten)]
+    state: State,
+    bound: Bound,
+    gradient: f64,
+    evaluations: usize,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
+    if arguments.grid.is_grid() {
+        let study = arguments.grid.study(options)?;
+        let table = optimum_map(&study, arguments.grid.jobs(), &options)?;
+        return arguments.grid.deliver(&study, &table, optimum_figures);
+    }
+    let case = arguments.grid.case().resolve()?;
+    let best = optimum(&case, &options).map_err(design::stop)?;
+    let found = Found {
+        schema: SCHEMA,
+        edition: case.edition.name(),
+        inputs: &case,
+        state: best.state,
+        bound: best.bound,
+        gradient: best.gradient,
+        evaluations: best.evaluations,
+    };
+    if arguments.grid.json() { output::print(&output::json(&found)?) } else { output::print(&summary(&found)) }
+}
+
+fn summary(found: &Found<'_>) -> String {
+    let state = &found.state;
+    let what = match found.bound {
+        Bound::Inner => "the best clamp",
+        Bound::Loosest => "no maximum found: the loosest belt tried",
+        Bound::Tightest => "no maximum found: the tightest belt tried",
+    };
+    format!(
+        "Best clamp for {:.2} N·m, edition {}: {what}\n\n\
+         \x20 overall efficiency    {:>10.3} %, d/d(slack tension) {:.1e} %/N\n\
+         \x20 speed efficiency      {:>10.3} %\n\
+         \x20 slack tension         {:>10.2} N\n\
+         \x20 tight tension         {:>10.2} N\n\
+         \x20 primary axial force   {:>10.2} N\n\
+         \x20 secondary axial force {:>10.2} N\n\
+         \x20 {} solutions\n",
+        state.primary_torque,
+        found.edition,
+        100.0 * state.overall_efficiency,
+        100.0 * found.gradient,
+        100.0 * state.speed_efficiency,
+        state.slack_tension,
+        state.tight_tension,
+        state.primary_axial_force,
+        state.secondary_axial_force,
+        found.evaluations,
+    )
+}

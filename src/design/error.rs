@@ -1,0 +1,38 @@
+//! What can be wrong with a question about a design.
+
+use thiserror::Error;
+
+use crate::case::Key;
+use crate::drive::Failure;
+use solver::SolveError;
+
+/// Why a limit or an optimum could not be had.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// The case gives something in a way that leaves the question without an answer.
+    #[error("`{}` is given: {expected}", key.path())]
+    Given {
+        /// The key at fault.
+        key: Key,
+        /// What is expected instead.
+        expected: &'static str,
+    },
+    /// There is not even an operating point to start from.
+    #[error("no operating point was found to start from: {0}")]
+    Start(#[from] Failure),
+    /// The equations are singular where a derivative is needed.
+    #[error("a solution on the way has no derivatives: {0}")]
+    Singular(#[from] SolveError),
+}
+
+impl DesignError {
+    /// Whether the case is at fault rather than the search.
+    pub const fn is_bad_input(&self) -> bool {
+        match self {
+            Self::Given { .. } => true,
+            Self::Start(failure) => failure.is_bad_input(),
+            Self::Singular(_) => false,
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The largest torque for a clamp, and the smallest clamp for a torque.
+
+use serde::{Serialize, Serializer};
+
+use super::branch::{Branch, BranchEnd, Point};
+use super::error::DesignError;
+use super::state::State;
+use crate::case::{Clamp, Key, Load, Resolved, Speed};
+use crate::drive::{Constant, Output, Question, SolveOptions};
+
+/// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
+const TIGHT: f64 = 0.5;
+/// Evaluations that locate an extremum, and the relative bracket at which it counts as located.
+const LOCATING: usize = 30;
+const LOCATED: f64 = 1e-9;
+
+/// What a limit is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    /// An extremum on the curve: beyond it, there is no solution near this one.
+    Fold,
+    /// The collapse of the speed ratio: the limit is reached where the secondary stands still.
+    Collapse,
+    /// The speed efficiency fell to the least that was asked for.
+    SpeedEfficiency,
+    /// The solution was lost for this reason: the limit lies beyond.
+    Lost(String),
+}
+
+impl Kind {
+    /// In one word.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::Collapse => "collapse",
+            Self::SpeedEfficiency => "speed_efficiency",
+            Self::Lost(_) => "lost",
+        }
+    }
+}
+
+impl Serialize for Kind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// A limit, and the drive there.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Limit {
+    /// The limiting value, N or N·m.
+    pub value: f64,
+    /// What makes it a limit.
+    pub kind: Kind,
+    /// The drive there.
+    pub state: State,
+}
+
+/// The smallest clamps, in the ways to give one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClampLimits {
+    /// Tractive tension at the exit of the primary, N.
+    pub slack_tension: Limit,
+    /// Axial force on the primary, N.
+    pub primary_axial_force: Limit,
+    /// Axial force on the secondary, N.
+    pub secondary_axial_force: Limit,
+}
+
+/// How limits are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LimitOptions {
+    /// For every solution on the way.
+    pub solve: SolveOptions,
+    /// Speed efficiency below which the drive counts as slipping; 0 follows it to the stall.
+    pub least_speed_efficiency: f64,
+}
+
+/// The largest torque that the clamp of a case carries; the case's load does not matter.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
+    primary_speed(case)?;
+    let mut start = case.clone();
+    // What the clamp suggests when nothing is known of the torque.
+    start.operating_point.load = Load::SpeedRatio(1.0);
+    let easy = Question::of(&start).constants[Constant::PrimaryTorque];
+    start.operating_point.load = Load::PrimaryTorque(match case.operating_point.load {
+        Load::PrimaryTorque(torque) => torque.min(easy),
+        _ => easy,
+    });
+    let branch = Branch::trace(&start, Constant::PrimaryTorque, options.least_speed_efficiency, &options.solve)?;
+    let limit = extremum(&branch, "primary.torque", 1.0, options)?;
+    Ok((limit, branch))
+}
+
+/// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
+    primary_speed(case)?;
+    let start = clamped(case)?;
+    let branch = Branch::trace(&start, Constant::SlackTension, options.least_speed_efficiency, &options.solve)?;
+    let smallest = |path: &str| extremum(&branch, path, -1.0, options);
+    let limits = ClampLimits {
+        slack_tension: smallest("primary.exit_tension")?,
+        primary_axial_force: smallest("primary.axial_force")?,
+        secondary_axial_force: smallest("secondary.axial_force")?,
+    };
+    Ok((limits, branch))
+}
+
+/// The case with a slack tension at which its torque is carried well.
+pub(super) fn clamped(case: &Resolved) -> Result<Resolved, DesignError> {
+    let point = &case.operating_point;
+    if let Load::SpeedRatio(_) | Load::SecondarySpeed(_) = point.load {
+        let (key, _) = point.load.setting();
+        return Err(DesignError::Given { key, expected: "the clamp for a torque needs a torque in its place" });
+    }
+    if point.fourth.is_some() {
+        let expected = "the clamp cannot be sought while both radii are";
+        return Err(DesignError::Given { key: Key::Free, expected });
+    }
+    let guess = Question::of(case).constants;
+    let least = TIGHT * guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    let mut start = case.clone();
+    start.operating_point.clamp = Clamp::SlackTension(guess[Constant::SlackTension].max(least));
+    Ok(start)
+}
+
+/// A secondary that stands still has no speed to be given.
+fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
+    match case.operating_point.speed {
+        Speed::Primary(_) => Ok(()),
+        Speed::Secondary(_) => Err(DesignError::Given {
+            key: Key::SecondarySpeed,
+            expected: "a limit is sought down to the stall of the secondary, at a given `operating_point.primary_speed`",
+        }),
+    }
+}
+
+/// The first extremum of an output on the curve, a maximum for `sign` 1, a minimum for −1; else its value at the end.
+fn extremum(branch: &Branch, path: &str, sign: f64, options: &LimitOptions) -> Result<Limit, DesignError> {
+    let Some(output) = Output::named(path) else {
+        return Err(crate::drive::Failure::NoEquations.into());
+    };
+    let rate = |point: &Point| point.value_and_rate(output).map(|(_, rate)| sign * rate);
+    let mut before: Option<(&Point, f64)> = None;
+    for point in &branch.points {
+        let here = rate(point)?;
+        match before.filter(|(last, _)| last.parameter == point.parameter) {
+            Some((last, earlier)) if earlier > 0.0 && here <= 0.0 => {
+                let point = located(branch, (last, earlier), (point, here), &rate)?;
+                return limit(&point, output, Kind::Fold);
+            }
+            _ => before = Some((point, here)),
+        }
+    }
+    let kind = match &branch.end {
+        BranchEnd::Lost(failure) => Kind::Lost(failure.to_string()),
+        BranchEnd::Whole if options.least_speed_efficiency > 0.0 => Kind::SpeedEfficiency,
+        BranchEnd::Whole => Kind::Collapse,
+    };
+    match branch.points.last() {
+        Some(point) => limit(point, output, kind),
+        None => Err(crate::drive::Failure::NoEquations.into()),
+    }
+}
+
+fn limit(point: &Point, output: Output, kind: Kind) -> Result<Limit, DesignError> {
+    let (value, _) = point.value_and_rate(output)?;
+    Ok(Limit { value, kind, state: point.state() })
+}
+
+/// Where the rate is zero between two points: regula falsi, the Illinois variant (M. Dowell and P. Jarratt, BIT 11, 1971).
+fn located(
+    branch: &Branch,
+    first: (&Point, f64),
+    second: (&Point, f64),
+    rate: &dyn Fn(&Point) -> Result<f64, solver::SolveError>,
+) -> Result<Point, DesignError> {
+    let (mut a, mut b) = ((first.0.clone(), first.1), (second.0.clone(), second.1));
+    for _ in 0..LOCATING {
+        let (s, t) = (a.0.place, b.0.place);
+        if (s - t).abs() <= LOCATED * s.abs().max(t.abs()) || b.1 == 0.0 {
+            break;
+        }
+        let middle = (s * b.1 - t * a.1) / (b.1 - a.1);
+        // From the side that has a solution nearby; without one, the bracket is as narrow as it will be.
+        let near = branch.at(b.0.parameter, middle, &b.0.solved);
+        let Ok(point) = near.or_else(|_| branch.at(b.0.parameter, middle, &a.0.solved)) else { break };
+        let here = rate(&point)?;
+        if (here > 0.0) == (b.1 > 0.0) {
+            a.1 *= 0.5;
+        } else {
+            a = b;
+        }
+        b = (point, here);
+    }
+    Ok(b.0)
+}

@@ -1,0 +1,258 @@
+//! Limits and optima over a grid of keys, as a table and as figures.
+
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::error::DesignError;
+use super::limit::{LimitOptions, largest_torque, smallest_clamps};
+use super::optimum::optimum;
+use crate::case::{Key, Kind, Resolved, Setting};
+use crate::drive::SolveOptions;
+use crate::plot::{Axis, Figure, Series};
+use crate::study::{Cell, Point, Row, Study, StudyError, Table, TableBuilder};
+
+/// Keys of the load and of the clamp: what is varied is not sought.
+const LOADS: [Key; 2] = [Key::PrimaryTorque, Key::SecondaryTorque];
+const CLAMPS: [Key; 4] = [Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce];
+
+/// A column of a map, and how a figure shows it.
+#[derive(Debug, Clone, Copy)]
+struct Shown {
+    column: &'static str,
+    name: &'static str,
+    caption: &'static str,
+    axis: &'static str,
+    scale: f64,
+}
+
+const LIMITS: [Shown; 4] = [
+    Shown {
+        column: "smallest_clamp.slack_tension.value",
+        name: "smallest_slack_tension",
+        caption: "Smallest slack tension that carries the torque",
+        axis: "slack tension T_slack (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "smallest_clamp.primary_axial_force.value",
+        name: "smallest_primary_axial_force",
+        caption: "Smallest axial force on the primary that carries the torque",
+        axis: "axial force A_P (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "smallest_clamp.secondary_axial_force.value",
+        name: "smallest_secondary_axial_force",
+        caption: "Smallest axial force on the secondary that carries the torque",
+        axis: "axial force A_S (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "largest_torque.value",
+        name: "largest_torque",
+        caption: "Largest torque that the clamp carries",
+        axis: "torque M_in (N·m)",
+        scale: 1.0,
+    },
+];
+
+const OPTIMA: [Shown; 4] = [
+    Shown {
+        column: "state.slack_tension",
+        name: "best_slack_tension",
+        caption: "Slack tension of best overall efficiency",
+        axis: "slack tension T_slack (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "state.primary_axial_force",
+        name: "best_primary_axial_force",
+        caption: "Axial force on the primary at the best overall efficiency",
+        axis: "axial force A_P (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "state.secondary_axial_force",
+        name: "best_secondary_axial_force",
+        caption: "Axial force on the secondary at the best overall efficiency",
+        axis: "axial force A_S (N)",
+        scale: 1.0,
+    },
+    Shown {
+        column: "state.overall_efficiency",
+        name: "best_efficiency",
+        caption: "Best overall efficiency",
+        axis: "overall efficiency η (%)",
+        scale: 100.0,
+    },
+];
+
+/// The limits of one case: the largest torque, unless the load is what varies; the smallest clamps, unless the clamp is.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn limits(case: &Resolved, varied: &[Key], options: &LimitOptions) -> Result<Value, DesignError> {
+    let varies = |keys: &[Key]| keys.iter().any(|key| varied.contains(key));
+    let mut object = serde_json::Map::new();
+    if !varies(&LOADS) {
+        let (limit, _) = largest_torque(case, options)?;
+        object.insert("largest_torque".into(), serde_json::to_value(limit).unwrap_or_default());
+    }
+    if !varies(&CLAMPS) {
+        let (limits, _) = smallest_clamps(case, options)?;
+        object.insert("smallest_clamp".into(), serde_json::to_value(limits).unwrap_or_default());
+    }
+    Ok(Value::Object(object))
+}
+
+/// A table of [`limits`] over a grid, on `jobs` threads (all cores if none are given).
+///
+/// # Errors
+/// [`StudyError::Threads`]. A point without an answer has a row that says why.
+pub fn limit_map(study: &Study, jobs: Option<usize>, options: &LimitOptions) -> Result<Table, StudyError> {
+    let varied: Vec<Key> = study.axes().iter().flat_map(|axis| axis.keys().iter().copied()).collect();
+    map(study, jobs, |case| limits(case, &varied, options))
+}
+
+/// A table of the best clamps over a grid.
+///
+/// # Errors
+/// As [`limit_map`].
+pub fn optimum_map(study: &Study, jobs: Option<usize>, options: &SolveOptions) -> Result<Table, StudyError> {
+    map(study, jobs, |case| {
+        let best = optimum(case, options)?;
+        Ok(serde_json::json!({
+            "state": best.state, "bound": best.bound, "gradient": best.gradient, "evaluations": best.evaluations,
+        }))
+    })
+}
+
+fn map(
+    study: &Study,
+    jobs: Option<usize>,
+    answer: impl Fn(&Resolved) -> Result<Value, DesignError> + Sync,
+) -> Result<Table, StudyError> {
+    let threads = jobs.unwrap_or(0);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|_| StudyError::Threads(threads))?;
+    let row = |index: usize| -> Result<Row, StudyError> {
+        let point = study.point(index)?;
+        let answer = match &point.case {
+            Ok(case) => answer(case).map_err(|error| error.to_string()),
+            Err(error) => Err(error.to_string()),
+        };
+        Ok(table_row(index, &point, answer))
+    };
+    let rows = pool.install(|| (0..study.points()).into_par_iter().map(row).collect::<Result<Vec<_>, _>>())?;
+    let mut table = TableBuilder::new(study.points());
+    rows.into_iter().for_each(|row| table.insert(row));
+    Ok(table.finish())
+}
+
+fn table_row(index: usize, point: &Point, answer: Result<Value, String>) -> Row {
+    let mut cells: Vec<(String, Value)> = Vec::new();
+    for (key, setting) in &point.varied {
+        let value = match setting {
+            Setting::Number(value) => Value::from(*value),
+            Setting::Name(name) => Value::from(*name),
+        };
+        cells.push((key.path().to_owned(), value));
+    }
+    cells.push(("converged".into(), Value::Bool(answer.is_ok())));
+    let failure = match answer {
+        Ok(value) => {
+            flatten("", value, &mut cells);
+            Value::Null
+        }
+        Err(reason) => Value::from(reason),
+    };
+    cells.push(("failure".into(), failure));
+    let (columns, cells) = cells.into_iter().map(|(name, value)| (name, cell(value))).unzip();
+    Row { index, columns, cells }
+}
+
+/// The scalars of a value by their names with dots.
+fn flatten(name: &str, value: Value, cells: &mut Vec<(String, Value)>) {
+    match value {
+        Value::Object(members) => {
+            let dot = if name.is_empty() { "" } else { "." };
+            members.into_iter().for_each(|(member, value)| flatten(&format!("{name}{dot}{member}"), value, cells));
+        }
+        value => cells.push((name.to_owned(), value)),
+    }
+}
+
+fn cell(value: Value) -> Cell {
+    match value {
+        Value::Bool(truth) => Cell::Truth(truth),
+        Value::Number(number) => Cell::Number(number),
+        Value::String(text) => Cell::Text(text.into()),
+        Value::Null | Value::Array(_) | Value::Object(_) => Cell::Empty,
+    }
+}
+
+/// Figures of a map of limits: over the grid's last axis, a curve for each point of the others.
+pub fn limit_figures(study: &Study, table: &Table) -> Vec<Figure> {
+    figures(study, table, &LIMITS)
+}
+
+/// Figures of a map of optima.
+pub fn optimum_figures(study: &Study, table: &Table) -> Vec<Figure> {
+    figures(study, table, &OPTIMA)
+}
+
+fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
+    let Some(axis) = study.axes().last() else { return Vec::new() };
+    let Some(across) = axis.keys().first().filter(|_| axis.points() > 1 && axis.is_continuous()) else {
+        return Vec::new();
+    };
+    let line = |first: usize, column: &str, scale: f64| {
+        let varied = study.point(first).map(|point| point.varied).unwrap_or_default();
+        let others = varied.iter().take(varied.len().saturating_sub(axis.keys().len()));
+        let label: Vec<String> = others.map(|(key, setting)| label(*key, setting)).collect();
+        let rows = first..first + axis.points();
+        let x = |row: usize| from_si(*across, table.number(row, across.path()));
+        Series::line(label.join(", "), rows.map(|row| (x(row), scale * table.number(row, column))).collect())
+    };
+    let there = shown.iter().filter(|shown| table.column(shown.column).is_some());
+    there
+        .map(|shown| {
+            let starts = (0..study.points()).step_by(axis.points());
+            let series = starts.map(|first| line(first, shown.column, shown.scale)).collect();
+            Figure::new(shown.name, shown.caption, Axis::new(axis_label(*across)), Axis::new(shown.axis), series)
+        })
+        .collect()
+}
+
+fn from_si(key: Key, value: f64) -> f64 {
+    match key.entry().kind {
+        Kind::Quantity { unit, .. } => unit.from_si(value),
+        Kind::Choice { .. } => value,
+    }
+}
+
+fn unit(key: Key) -> String {
+    match key.entry().kind {
+        Kind::Quantity { unit, .. } => unit.symbol.replace('*', "·").replace("^2", "²"),
+        Kind::Choice { .. } => String::new(),
+    }
+}
+
+/// `M_in = 18 N·m`.
+fn label(key: Key, setting: &Setting) -> String {
+    match setting {
+        Setting::Number(value) => {
+            let number = (from_si(key, *value) * 1e6).round() / 1e6;
+            format!("{} = {number} {}", key.entry().symbol, unit(key)).trim_end().to_owned()
+        }
+        Setting::Name(name) => (*name).to_owned(),
+    }
+}
+
+/// `ratio R_S/R_P`, `torque M_in (N·m)`.
+fn axis_label(key: Key) -> String {
+    let name = key.entry().name().replace('_', " ");
+    let unit = unit(key);
+    let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
+    format!("{name} {}{unit}", key.entry().symbol)
+}

@@ -1,0 +1,176 @@
+//! The clamp of best overall efficiency for a torque and a ratio.
+//!
+//! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping. The
+//! efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That derivative comes
+//! of the factorisation that Newton's method holds, by one transposed solve.
+
+use serde::{Serialize, Serializer};
+use solver::{Functional, Linearisation};
+
+use super::error::DesignError;
+use super::limit::clamped;
+use super::state::State;
+use crate::case::{Clamp, Resolved};
+use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve, solve_from};
+
+/// Factor on the slack tension by which the maximum is bracketed, and that at which the search for a bracket gives up.
+const FACTOR: f64 = 1.5;
+const LEAST_FACTOR: f64 = 1.01;
+/// Slack tensions over M_in/R_P between which the maximum is sought.
+const RANGE: (f64, f64) = (1e-3, 30.0);
+/// Evaluations in all, and the bracket in the logarithm of the slack tension at which the maximum counts as located.
+const EVALUATIONS: usize = 60;
+const LOCATED: f64 = 1e-8;
+
+/// Where the best clamp lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// At a maximum of the efficiency.
+    Inner,
+    /// At the loosest belt that has a solution: the efficiency rises up to there.
+    Loosest,
+    /// At the tightest.
+    Tightest,
+}
+
+impl Serialize for Bound {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(match self {
+            Self::Inner => "inner",
+            Self::Loosest => "loosest",
+            Self::Tightest => "tightest",
+        })
+    }
+}
+
+/// The best clamp.
+#[derive(Debug, Clone)]
+pub struct Optimum {
+    /// The drive there.
+    pub state: State,
+    /// Whether it is a maximum.
+    pub bound: Bound,
+    /// d(overall efficiency)/d(slack tension) there, 1/N.
+    pub gradient: f64,
+    /// Solutions it took.
+    pub evaluations: usize,
+    /// The solution.
+    pub solved: Solved,
+}
+
+/// A slack tension tried.
+#[derive(Debug, Clone)]
+struct Trial {
+    solved: Solved,
+    /// ln T_slack.
+    place: f64,
+    /// dη/d ln T_slack.
+    slope: f64,
+}
+
+/// Finds the clamp of best overall efficiency for the torque of a case; the case's clamp does not matter.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, DesignError> {
+    let mut search = Search { case: clamped(case)?, options: *options, evaluations: 0 };
+    let start = solve(&search.case, options)?;
+    let here = search.trial(start)?;
+    match search.bracket(here)? {
+        Bracket::Pair(a, b) => {
+            let best = search.located(a, b)?;
+            Ok(search.finish(best, Bound::Inner))
+        }
+        Bracket::End(last, bound) => Ok(search.finish(last, bound)),
+    }
+}
+
+enum Bracket {
+    /// Slopes of opposite sign.
+    Pair(Trial, Trial),
+    /// The slope did not change its sign.
+    End(Trial, Bound),
+}
+
+struct Search {
+    case: Resolved,
+    options: SolveOptions,
+    evaluations: usize,
+}
+
+impl Search {
+    fn trial(&mut self, solved: Solved) -> Result<Trial, DesignError> {
+        self.evaluations += 1;
+        let tension = solved.constant(Constant::SlackTension);
+        let slope = tension * gradient(&solved)?;
+        Ok(Trial { solved, place: tension.ln(), slope })
+    }
+
+    fn at(&mut self, place: f64, from: &Trial) -> Result<Trial, DesignError> {
+        self.case.operating_point.clamp = Clamp::SlackTension(place.exp());
+        let solved =
+            solve_from(&from.solved, &self.case, &self.options).or_else(|_| solve(&self.case, &self.options))?;
+        self.trial(solved)
+    }
+
+    /// Goes uphill until it goes downhill.
+    fn bracket(&mut self, start: Trial) -> Result<Bracket, DesignError> {
+        let direction = start.slope.signum();
+        let bound = if direction < 0.0 { Bound::Loosest } else { Bound::Tightest };
+        let scale = start.solved.constant(Constant::PrimaryTorque) / start.solved.constant(Constant::PrimaryRadius);
+        let (low, high) = (RANGE.0.ln() + scale.ln(), RANGE.1.ln() + scale.ln());
+        let (mut here, mut step) = (start, FACTOR.ln());
+        while self.evaluations < EVALUATIONS && step >= LEAST_FACTOR.ln() {
+            let place = here.place + direction * step;
+            if place < low || place > high {
+                break;
+            }
+            match self.at(place, &here) {
+                Ok(next) if next.slope * direction <= 0.0 => return Ok(Bracket::Pair(here, next)),
+                Ok(next) => here = next,
+                Err(DesignError::Start(_)) => step *= 0.5,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(Bracket::End(here, bound))
+    }
+
+    /// Where the slope is zero: regula falsi, the Illinois variant.
+    fn located(&mut self, mut a: Trial, mut b: Trial) -> Result<Trial, DesignError> {
+        while self.evaluations < EVALUATIONS && (a.place - b.place).abs() > LOCATED && b.slope != 0.0 {
+            let middle = (a.place * b.slope - b.place * a.slope) / (b.slope - a.slope);
+            if (middle - b.place).abs() <= LOCATED {
+                break;
+            }
+            let next = self.at(middle, &b)?;
+            if (next.slope < 0.0) == (b.slope < 0.0) {
+                a.slope *= 0.5;
+            } else {
+                a = b;
+            }
+            b = next;
+        }
+        Ok(b)
+    }
+
+    fn finish(&self, best: Trial, bound: Bound) -> Optimum {
+        Optimum {
+            state: State::of(&best.solved),
+            bound,
+            gradient: best.slope / best.solved.constant(Constant::SlackTension),
+            evaluations: self.evaluations,
+            solved: best.solved,
+        }
+    }
+}
+
+/// d(overall efficiency)/d(slack tension), 1/N.
+fn gradient(solved: &Solved) -> Result<f64, DesignError> {
+    let Some(output) = Output::named("efficiency.overall") else { return Err(Failure::NoEquations.into()) };
+    let (ends, integrals) = inputs(&solved.solution);
+    let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
+    let functional =
+        Functional { inputs: gradients.get(output.index()).cloned().unwrap_or_default(), nodes: Vec::new() };
+    let gradient = Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional);
+    Ok(gradient.get(Constant::SlackTension.index()).copied().unwrap_or(f64::NAN))
+}

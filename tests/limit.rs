@@ -1,0 +1,190 @@
+//! Limits and optima: what they are, that they are where they say, and that they do not depend on the mesh.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use sheave::case::{Case, Resolved};
+use sheave::design::{
+    Bound, DesignError, Kind, LimitOptions, largest_torque, limit_figures, limit_map, optimum, optimum_figures,
+    optimum_map, smallest_clamps,
+};
+use sheave::drive::{SolveOptions, solve};
+use sheave::result::run;
+use sheave::study::{Axis, Study};
+use std::process::Command;
+
+fn case(settings: &[(&str, &str)]) -> Resolved {
+    let mut case = Case::base();
+    settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+    case.resolve().unwrap()
+}
+
+fn to(tolerance: f64) -> SolveOptions {
+    SolveOptions { tolerance, ..SolveOptions::default() }
+}
+
+fn limits(tolerance: f64) -> LimitOptions {
+    LimitOptions { solve: to(tolerance), least_speed_efficiency: 0.0 }
+}
+
+#[test]
+fn the_slip_limit_of_the_thesis_is_the_collapse_of_the_speed_ratio() {
+    let thesis = case(&[("edition", "thesis")]);
+    let (rough, branch) = smallest_clamps(&thesis, &limits(1e-4)).unwrap();
+    let (fine, _) = smallest_clamps(&thesis, &limits(1e-6)).unwrap();
+    for (rough, fine) in [
+        (&rough.slack_tension, &fine.slack_tension),
+        (&rough.primary_axial_force, &fine.primary_axial_force),
+        (&rough.secondary_axial_force, &fine.secondary_axial_force),
+    ] {
+        assert_eq!((&rough.kind, &fine.kind), (&Kind::Collapse, &Kind::Collapse));
+        assert!((rough.value / fine.value - 1.0).abs() < 1e-4, "{} {}", rough.value, fine.value);
+        assert_eq!(fine.state.speed_efficiency, 0.0);
+        assert!((fine.state.primary_torque - 18.0).abs() < 1e-6);
+    }
+    assert!((fine.slack_tension.value - 18.349).abs() < 0.002, "{}", fine.slack_tension.value);
+    // Few solutions tell it: work, not luck.
+    assert!(branch.points.len() < 30, "{}", branch.points.len());
+    // No drive is possible below, one is above; and the other way round it is the same limit.
+    let at = |tension: f64| case(&[("edition", "thesis"), ("operating_point.slack_tension", &tension.to_string())]);
+    assert!(solve(&at(18.2), &to(1e-4)).is_err());
+    assert!(solve(&at(18.6), &to(1e-4)).is_ok());
+    let (torque, _) = largest_torque(&at(fine.slack_tension.value), &limits(1e-6)).unwrap();
+    assert_eq!(torque.kind, Kind::Collapse);
+    assert!((torque.value - 18.0).abs() < 1e-3, "{}", torque.value);
+}
+
+#[test]
+fn continuous_shear_carries_the_torque_without_slack_tension() {
+    let (limit, _) = smallest_clamps(&case(&[]), &limits(1e-5)).unwrap();
+    assert_eq!(limit.slack_tension.kind, Kind::Collapse);
+    assert!((-1.0..0.0).contains(&limit.slack_tension.value), "{}", limit.slack_tension.value);
+    assert!((limit.primary_axial_force.value - 458.0).abs() < 0.5);
+}
+
+#[test]
+fn the_printed_equations_fold_in_the_secondarys_axial_force() {
+    let published = [("edition", "published")];
+    let (limits, branch) = smallest_clamps(&case(&published), &limits(1e-6)).unwrap();
+    let fold = &limits.secondary_axial_force;
+    assert_eq!((&fold.kind, &limits.slack_tension.kind), (&Kind::Fold, &Kind::Collapse));
+    assert!(fold.state.speed_efficiency > 0.5 && fold.state.speed_efficiency < 0.95, "{:?}", fold.state);
+    let values = branch.points.iter().map(|point| point.state().secondary_axial_force);
+    assert!(values.fold(f64::INFINITY, f64::min) >= fold.value - 1e-4);
+    let with = |force: f64| {
+        let force = ("operating_point.secondary_axial_force", force.to_string());
+        solve(&case(&[published[0], (force.0, &force.1)]), &to(1e-4))
+    };
+    assert!(with(fold.value + 0.5).is_ok());
+    assert!(with(fold.value - 0.5).is_err());
+}
+
+#[test]
+fn a_least_speed_efficiency_is_a_limit_of_its_own() {
+    let options = LimitOptions { least_speed_efficiency: 0.95, ..limits(1e-5) };
+    let (limit, _) = largest_torque(&case(&[("operating_point.slack_tension", "20")]), &options).unwrap();
+    assert_eq!(limit.kind, Kind::SpeedEfficiency);
+    assert!((limit.state.speed_efficiency - 0.95).abs() < 1e-9);
+    let (stall, _) = largest_torque(&case(&[("operating_point.slack_tension", "20")]), &limits(1e-5)).unwrap();
+    assert!(limit.value < stall.value);
+    // The clamp may be given in any way, the belt may be closed.
+    let force = [("operating_point.primary_axial_force", "818.6"), ("drive.free", "primary_radius")];
+    let (limit, branch) = largest_torque(&case(&force), &options).unwrap();
+    assert!((limit.state.primary_axial_force - 818.6).abs() < 1e-6 && limit.value > 18.0);
+    let lengths =
+        branch.points.iter().map(|point| sheave::result::Outputs::new(&point.solved.belt, &point.solved.solution));
+    assert!(lengths.into_iter().all(|outputs| (outputs.get("belt", "unstretched_length") - 0.8572).abs() < 1e-9));
+}
+
+#[test]
+fn the_best_clamp_is_where_the_gradient_vanishes() {
+    for (edition, tension, efficiency) in [("consistent", 38.57, 0.96191), ("thesis", 64.52, 0.97002)] {
+        let rough = optimum(&case(&[("edition", edition)]), &to(1e-4)).unwrap();
+        let best = optimum(&case(&[("edition", edition)]), &to(1e-6)).unwrap();
+        assert_eq!(best.bound, Bound::Inner);
+        assert!((best.state.slack_tension - tension).abs() < 0.02, "{edition}: {}", best.state.slack_tension);
+        assert!((best.state.overall_efficiency - efficiency).abs() < 2e-5);
+        assert!((rough.state.slack_tension / best.state.slack_tension - 1.0).abs() < 1e-3);
+        assert!(best.evaluations <= 40, "{edition}: {}", best.evaluations);
+        for factor in [0.9, 1.1] {
+            let beside = (best.state.slack_tension * factor).to_string();
+            let beside = case(&[("edition", edition), ("operating_point.slack_tension", &beside)]);
+            let beside = run(&beside, &to(1e-6)).unwrap().result;
+            assert!(beside.efficiency.overall < best.state.overall_efficiency);
+        }
+    }
+}
+
+#[test]
+fn the_slip_reserve_falls_to_nothing_at_the_limit() {
+    for (edition, tensions) in [("thesis", ["200", "60", "25", "18.4"]), ("consistent", ["200", "40", "5", "0.2"])] {
+        let reserves = tensions.map(|tension| {
+            let case = case(&[("edition", edition), ("operating_point.slack_tension", tension)]);
+            run(&case, &to(1e-5)).unwrap().result.slip_reserve
+        });
+        assert!(reserves.windows(2).all(|pair| pair[0] > pair[1]), "{edition}: {reserves:?}");
+        assert!(reserves[0] > 0.5 && reserves[3] < 0.01 && reserves[3] > 0.0, "{edition}: {reserves:?}");
+    }
+}
+
+#[test]
+fn maps_are_tables_with_figures() {
+    let axes =
+        ["operating_point.primary_torque=10,18 N*m", "drive.ratio=0.8,1.2"].map(|axis| Axis::parse(axis).unwrap());
+    let study = Study::new(Case::base(), axes, to(1e-4)).unwrap();
+    let limit = limit_map(&study, Some(2), &limits(1e-4)).unwrap();
+    let best = optimum_map(&study, Some(1), &to(1e-4)).unwrap();
+    assert_eq!((limit.failures(), best.failures(), limit.rows.len()), (0, 0, 4));
+    let force = |row| limit.number(row, "smallest_clamp.primary_axial_force.value");
+    let chosen = |row| best.number(row, "state.primary_axial_force");
+    assert!((0..4).all(|row| force(row) < chosen(row)));
+    assert!(force(0) < force(2) && chosen(1) < chosen(3));
+    for figure in limit_figures(&study, &limit).into_iter().chain(optimum_figures(&study, &best)) {
+        assert_eq!(figure.series.len(), 2);
+        assert!(figure.series.iter().all(|series| series.points.iter().all(|(x, y)| x.is_finite() && y.is_finite())));
+        assert!(figure.svg().unwrap().contains("M_in = 10 N·m"));
+    }
+}
+
+#[test]
+fn cases_without_an_answer_are_bad_input() {
+    let speed = case(&[("operating_point.secondary_speed", "300")]);
+    assert!(matches!(largest_torque(&speed, &limits(1e-4)), Err(DesignError::Given { .. })));
+    let ratio = case(&[("operating_point.speed_ratio", "0.99")]);
+    assert!(matches!(smallest_clamps(&ratio, &limits(1e-4)), Err(DesignError::Given { .. })));
+    assert!(matches!(optimum(&ratio, &to(1e-4)), Err(DesignError::Given { .. })));
+}
+
+#[test]
+fn the_commands_say_what_the_library_finds() {
+    let sheave = |arguments: &[&str]| {
+        let program =
+            Command::new(env!("CARGO_BIN_EXE_sheave")).args(arguments).env_remove("RUST_LOG").output().unwrap();
+        (program.status.code(), String::from_utf8(program.stdout).unwrap(), String::from_utf8(program.stderr).unwrap())
+    };
+    let thesis = ["--tol", "1e-4", "--edition", "thesis", "--set", "operating_point.slack_tension=20"];
+    let (status, text, _) = sheave(&[&["limit"], &thesis[..]].concat());
+    assert_eq!(status, Some(0));
+    assert!(
+        text.contains("smallest slack tension for a primary torque of 18.00 N·m") && text.contains("18.34"),
+        "{text}"
+    );
+    let (status, text, _) = sheave(&[&["limit", "--json"], &thesis[..]].concat());
+    let object: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((status, &object["smallest_clamp"]["slack_tension"]["kind"]), (Some(0), &"collapse".into()));
+    let (status, text, _) = sheave(&[&["optimum", "--json"], &thesis[..]].concat());
+    let object: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((status, &object["bound"]), (Some(0), &"inner".into()));
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let over = ["--over", "operating_point.primary_torque=12,18 N*m"];
+    let (status, text, _) = sheave(&[&["optimum", "--out", path], &over[..], &thesis[..4]].concat());
+    assert_eq!((status, text.as_str()), (Some(0), ""));
+    for name in ["map.csv", "best_slack_tension.svg", "best_efficiency.png"] {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+    let (status, text, error) = sheave(&["optimum", "--set", "operating_point.speed_ratio=0.99"]);
+    assert_eq!((status, text.as_str()), (Some(2), ""));
+    assert!(error.contains("operating_point.speed_ratio"), "{error}");
+    assert_eq!(sheave(&["limit", "--least-speed-efficiency", "1.5"]).0, Some(2));
+    assert_eq!(sheave(&["limit", "--over", "drive.ratio"]).0, Some(2));
+}
