@@ -1,5 +1,6 @@
 //! Progress and cancellation.
 
+use crate::continuation::Checkpoint;
 use std::ops::ControlFlow;
 
 /// What the solver has just done.
@@ -40,6 +41,14 @@ pub enum Event {
 pub trait Observer {
     /// Called after each event; `Break` ends the computation with a cancellation error.
     fn notify(&mut self, event: &Event) -> ControlFlow<()>;
+
+    /// Whether [`checkpoint`](Self::checkpoint) is to be called.
+    fn wants_checkpoints(&self) -> bool {
+        false
+    }
+
+    /// Called after each accepted step of a continuation, if wanted.
+    fn checkpoint(&mut self, _: &Checkpoint) {}
 }
 
 impl<F: FnMut(&Event) -> ControlFlow<()>> Observer for F {

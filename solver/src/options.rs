@@ -6,10 +6,10 @@ use crate::tableau::{ORDER_4, ORDER_6, Tableau};
 /// Order of the collocation method: of node values, dense output and integrals where the solution is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {
-    /// Three-stage Lobatto IIIA.
-    #[default]
+    /// Three-stage Lobatto IIIA: for right-hand sides with kinks, and for low accuracy.
     Four,
-    /// Five-stage mono-implicit Runge-Kutta.
+    /// Five-stage mono-implicit Runge-Kutta: fewer intervals where the solution is smooth.
+    #[default]
     Six,
 }
 

@@ -4,7 +4,7 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::interpolant::{Basis, Extension};
 use crate::collocation::{Iterate, System};
 use crate::options::Order;
-use crate::problem::Problem;
+use crate::problem::{Layout, Problem};
 use crate::stats::Stats;
 
 /// One region of a [`Solution`].
@@ -213,5 +213,16 @@ impl Solution {
     /// Intervals of all regions.
     pub fn intervals(&self) -> usize {
         self.regions.iter().map(RegionSolution::intervals).sum()
+    }
+
+    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`.
+    pub(crate) fn restricted(mut self, layout: &Layout, unknowns: &[usize]) -> Self {
+        for (region, inner) in self.regions.iter_mut().zip(&layout.regions) {
+            region.integrals.truncate(inner.integrals.len());
+            region.cumulative.truncate(inner.integrals.len());
+        }
+        self.constants.truncate(layout.constants.len());
+        self.unknowns = unknowns.to_vec();
+        self
     }
 }
