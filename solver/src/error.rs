@@ -230,6 +230,12 @@ pub enum SolveError {
         /// What is expected.
         expected: &'static str,
     },
+    /// A continuation was not at its end after as many steps as it may take.
+    #[error("not at the end of the path after {steps} steps")]
+    Steps {
+        /// Steps taken.
+        steps: usize,
+    },
     /// Newton's iteration failed.
     #[error("on a mesh of {intervals} intervals: {error}")]
     Newton {
@@ -277,7 +283,7 @@ pub enum SolveError {
 impl SolveError {
     /// Whether no other way of solving can help: the input is wrong, or the observer asked to stop.
     pub fn is_final(&self) -> bool {
-        !matches!(self, Self::Newton { .. } | Self::MeshLimit { .. } | Self::Boundary { .. })
+        !matches!(self, Self::Newton { .. } | Self::MeshLimit { .. } | Self::Boundary { .. } | Self::Steps { .. })
     }
 
     /// What to try.
@@ -296,6 +302,9 @@ impl SolveError {
             Self::Boundary { .. } => "Scale the boundary equation or its states, or loosen boundary_tolerance.",
             Self::Count { .. } => {
                 "Each unknown constant needs one boundary equation more; a region needs as many as it has states."
+            }
+            Self::Steps { .. } => {
+                "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
             }
             Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
             Self::Cancelled => "Nothing: the observer asked for it.",

@@ -27,12 +27,12 @@ pub enum Event {
     Step {
         /// Steps so far.
         step: usize,
-        /// Path parameter reached.
+        /// Path parameter reached; on a branch, value of the constant in which it is traced.
         lambda: f64,
     },
     /// A continuation step was rejected.
     Rejected {
-        /// Path parameter that was tried.
+        /// Path parameter that was tried; on a branch, value of the constant where it stands.
         lambda: f64,
     },
 }

@@ -146,6 +146,36 @@ pub struct MeshRecord {
     pub newton_iterations: usize,
 }
 
+/// Whether the estimated error of a solution meets the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// It does.
+    Met,
+    /// It does not, although the defects do: the problem amplifies them.
+    Short {
+        /// Estimated error: see [`Solution::error_estimate`].
+        estimate: f64,
+        /// What it was to meet.
+        tolerance: f64,
+        /// What stood in the way of a smaller error.
+        because: Shortfall,
+    },
+}
+
+/// Why a solution was not refined until its estimated error met the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Shortfall {
+    /// Only the defects were to meet the tolerance: [`Control::Defect`](crate::Control::Defect).
+    Uncontrolled,
+    /// The guess was a solution already, and was kept with its mesh.
+    WarmStart,
+    /// Finer meshes were not allowed, or could not be solved on.
+    Mesh,
+    /// Smaller defects would be rounding errors: the problem is ill-conditioned.
+    Rounding,
+}
+
 /// What [`solve`](crate::solve()) found.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -156,6 +186,7 @@ pub struct Solution {
     pub(crate) max_defect: f64,
     pub(crate) max_boundary_residual: f64,
     pub(crate) error_estimate: f64,
+    pub(crate) accuracy: Accuracy,
     pub(crate) stats: Stats,
     pub(crate) history: Vec<MeshRecord>,
 }
@@ -198,6 +229,11 @@ impl Solution {
     /// To first order, from the defects and the linearised equations.
     pub fn error_estimate(&self) -> f64 {
         self.error_estimate
+    }
+
+    /// Whether [`error_estimate`](Self::error_estimate) meets the tolerance, and if not why.
+    pub fn accuracy(&self) -> Accuracy {
+        self.accuracy
     }
 
     /// What it cost.

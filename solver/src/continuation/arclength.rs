@@ -9,17 +9,35 @@
 //! with the tangent τ of unit length in this inner product. The sum over nodes is stated as one more integral of each
 //! region, so that the solver needs no other equation than those it has, and folds are regular points.
 
+use crate::guess::{Guess, RegionGuess};
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 use crate::solution::Solution;
+
+/// The direction in which a branch leaves one of its points: rates of change, of unit length in the inner product of
+/// pseudo-arclength.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Direction {
+    /// Of the states, by region, state and node.
+    pub states: Vec<Vec<Vec<f64>>>,
+    /// Of all constants; zero for those that are given and stay.
+    pub constants: Vec<f64>,
+}
 
 /// A point of a branch, and the direction in which the branch leaves it.
 #[derive(Debug, Clone)]
 pub(crate) struct Reference {
     pub solution: Solution,
-    /// Per region and state, at the solution's nodes.
-    pub direction: Vec<Vec<Vec<f64>>>,
-    /// Of all constants; zero for those that are given and stay.
-    pub rates: Vec<f64>,
+    pub direction: Direction,
+}
+
+impl Direction {
+    pub(crate) fn fits(&self, guess: &Guess) -> bool {
+        let fits = |(rates, region): (&Vec<Vec<f64>>, &RegionGuess)| {
+            rates.len() == region.states.len() && rates.iter().all(|rates| rates.len() == region.mesh.len())
+        };
+        let regions = self.states.len() == guess.regions.len() && self.states.iter().zip(&guess.regions).all(fits);
+        regions && self.constants.len() == guess.constants.len()
+    }
 }
 
 /// See the module's head. The step is the last of the constants.
@@ -38,8 +56,15 @@ impl<'p, P: Problem + ?Sized> Arclength<'p, P> {
         let inner = problem.layout();
         let state_weights = state_weights(inner, &reference.solution);
         let squares = constant_squares(inner, &reference.solution);
-        let constant_weights = reference.rates.iter().zip(squares).map(|(rate, square)| rate / square).collect();
-        Self { problem, reference, layout: extended(inner, &reference.rates), state_weights, constant_weights }
+        let constant_weights =
+            reference.direction.constants.iter().zip(squares).map(|(rate, square)| rate / square).collect();
+        Self {
+            problem,
+            reference,
+            layout: extended(inner, &reference.direction.constants),
+            state_weights,
+            constant_weights,
+        }
     }
 
     /// Index of the step among the constants.
@@ -54,7 +79,7 @@ impl<'p, P: Problem + ?Sized> Arclength<'p, P> {
         let mesh = solution.mesh();
         let j = mesh.partition_point(|&node| node <= s).saturating_sub(1).min(mesh.len() - 2);
         let part = ((s - mesh[j]) / (mesh[j + 1] - mesh[j])).clamp(0.0, 1.0);
-        for (out, values) in direction.iter_mut().zip(&self.reference.direction[region]) {
+        for (out, values) in direction.iter_mut().zip(&self.reference.direction.states[region]) {
             *out = values[j] + part * (values[j + 1] - values[j]);
         }
     }
@@ -203,15 +228,15 @@ fn constant_squares(layout: &Layout, solution: &Solution) -> Vec<f64> {
 pub(crate) fn normalise(layout: &Layout, reference: &mut Reference) {
     let weights = state_weights(layout, &reference.solution);
     let squares = constant_squares(layout, &reference.solution);
-    let mut sum: f64 = reference.rates.iter().zip(squares).map(|(rate, square)| rate * rate / square).sum();
-    for (region, (direction, weights)) in reference.direction.iter().zip(&weights).enumerate() {
-        let mesh = reference.solution.regions()[region].mesh();
+    let Reference { solution, direction: Direction { states, constants } } = reference;
+    let mut sum: f64 = constants.iter().zip(squares).map(|(rate, square)| rate * rate / square).sum();
+    for (region, (direction, weights)) in states.iter().zip(&weights).enumerate() {
+        let mesh = solution.regions()[region].mesh();
         for (values, weight) in direction.iter().zip(weights) {
             let pairs = mesh.windows(2).zip(values.windows(2));
             sum += weight * pairs.map(|(s, v)| (s[1] - s[0]) * 0.5 * (v[0] * v[0] + v[1] * v[1])).sum::<f64>();
         }
     }
     let factor = if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 };
-    reference.rates.iter_mut().for_each(|rate| *rate *= factor);
-    reference.direction.iter_mut().flatten().flatten().for_each(|value| *value *= factor);
+    constants.iter_mut().chain(states.iter_mut().flatten().flatten()).for_each(|rate| *rate *= factor);
 }

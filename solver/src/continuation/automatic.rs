@@ -84,7 +84,19 @@ pub fn solve_automatically_observed<P: Problem + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Automatic, SolveError> {
-    let intervals = if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
+    solve_any(&problem, guess, unknowns, stiffness, options, observer)
+}
+
+fn solve_any(
+    problem: &dyn Problem,
+    guess: &Guess,
+    unknowns: &[usize],
+    stiffness: Option<Stiffness>,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Automatic, SolveError> {
+    let intervals =
+        if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
     let direct = Options { max_intervals: intervals, ..options.clone() };
     let mut attempt = Attempt { problem, guess, unknowns, options, observer, stats: Stats::default() };
     let failure = match solve_observed(problem, guess, unknowns, &direct, attempt.observer) {
@@ -109,8 +121,8 @@ pub fn solve_automatically_observed<P: Problem + ?Sized>(
     }
 }
 
-struct Attempt<'a, P: Problem + ?Sized> {
-    problem: &'a P,
+struct Attempt<'a> {
+    problem: &'a dyn Problem,
     guess: &'a Guess,
     unknowns: &'a [usize],
     options: &'a Options,
@@ -120,7 +132,7 @@ struct Attempt<'a, P: Problem + ?Sized> {
 
 type Found = Option<(Solution, How)>;
 
-impl<P: Problem + ?Sized> Attempt<'_, P> {
+impl Attempt<'_> {
     /// # Errors
     /// Only cancellation.
     fn by_stiffness(&mut self, stiffness: Stiffness) -> Result<Found, SolveError> {

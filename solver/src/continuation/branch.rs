@@ -1,7 +1,8 @@
 //! Tracing a branch of solutions through folds, in one constant, by pseudo-arclength; folds and events are located.
 
+use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::checkpoint::Checkpoint;
-use super::arclength::{Arclength, Reference, normalise};
+use super::natural::positive;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::{Guess, RegionGuess};
@@ -51,6 +52,26 @@ impl Default for BranchOptions {
             max_iterations: 12,
             max_points: 200,
         }
+    }
+}
+
+impl BranchOptions {
+    fn check(&self, start: f64) -> Result<(), SolveError> {
+        positive(&[
+            ("first_step", self.first_step),
+            ("smallest_step", self.smallest_step),
+            ("largest_step", self.largest_step),
+            ("contraction", self.contraction),
+        ])?;
+        let (low, high) = self.range;
+        if (low..=high).contains(&start) {
+            return Ok(());
+        }
+        Err(SolveError::Option {
+            name: "range",
+            value: start,
+            expected: "a range that holds the parameter at the start",
+        })
     }
 }
 
@@ -113,8 +134,7 @@ pub type EventFunction<'a> = &'a dyn Fn(&Solution) -> f64;
 
 /// Solves at the start's value of the constant `parameter` and traces the branch from there.
 ///
-/// To go on in another constant from any point, call this again with [`Guess::from`] its solution. To go on from a
-/// [`Checkpoint`], call this with its guess, `upwards` by the sign of its rate, and its step as the first.
+/// To go on in another constant from any point, call this again with [`Guess::from`] its solution.
 ///
 /// # Errors
 /// [`BranchError`] holds the points up to where it was lost.
@@ -142,20 +162,30 @@ pub fn trace_observed<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
     observer: &mut dyn Observer,
 ) -> Result<Branch, BranchError> {
-    let mut extended = unknowns.to_vec();
-    extended.push(parameter);
-    let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
-    let stats = Stats::default();
-    let mut tracer =
-        Tracer { problem, parameter, unknowns, extended, options, way, events, observer, stats, points: Vec::new() };
-    match tracer.trace(start) {
-        Ok(()) => Ok(Branch { points: tracer.points, stats: tracer.stats }),
-        Err(cause) => Err(BranchError { points: tracer.points, cause: Box::new(cause) }),
-    }
+    Tracer::new(&problem, parameter, unknowns, options, events, observer)
+        .run(|tracer| Ok((tracer.first(start)?, 0.0, options.first_step)))
 }
 
-struct Tracer<'a, 'e, P: Problem + ?Sized> {
-    problem: &'a P,
+/// Goes on from a checkpoint of an earlier tracing of the same branch, at folds too. The points begin with the
+/// checkpoint's.
+///
+/// # Errors
+/// As [`trace`].
+pub fn resume_trace<P: Problem + ?Sized>(
+    problem: &P,
+    from: &Checkpoint,
+    parameter: usize,
+    unknowns: &[usize],
+    options: &BranchOptions,
+    events: &[EventFunction<'_>],
+    observer: &mut dyn Observer,
+) -> Result<Branch, BranchError> {
+    Tracer::new(&problem, parameter, unknowns, options, events, observer)
+        .run(|tracer| Ok((tracer.resumed(from)?, from.position, from.step)))
+}
+
+struct Tracer<'a, 'e> {
+    problem: &'a dyn Problem,
     parameter: usize,
     unknowns: &'a [usize],
     /// The unknowns and the parameter.
@@ -175,12 +205,36 @@ struct Crossing {
     values: (f64, f64),
 }
 
-impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
-    fn trace(&mut self, start: &Guess) -> Result<(), SolveError> {
-        let mut here = self.first(start)?;
-        let mut arclength = 0.0;
+impl<'a, 'e> Tracer<'a, 'e> {
+    fn new(
+        problem: &'a dyn Problem,
+        parameter: usize,
+        unknowns: &'a [usize],
+        options: &'a BranchOptions,
+        events: &'a [EventFunction<'e>],
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let mut extended = unknowns.to_vec();
+        extended.push(parameter);
+        let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
+        let stats = Stats::default();
+        Self { problem, parameter, unknowns, extended, options, way, events, observer, stats, points: Vec::new() }
+    }
+
+    /// Traces from where `start` says: point, arclength and first step.
+    fn run(
+        mut self,
+        start: impl FnOnce(&mut Self) -> Result<(Reference, f64, f64), SolveError>,
+    ) -> Result<Branch, BranchError> {
+        let traced = start(&mut self).and_then(|(here, arclength, step)| self.trace(here, arclength, step));
+        match traced {
+            Ok(()) => Ok(Branch { points: self.points, stats: self.stats }),
+            Err(cause) => Err(BranchError { points: self.points, cause: Box::new(cause) }),
+        }
+    }
+
+    fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
-        let mut step = self.options.first_step;
         while self.points.len() < self.options.max_points {
             let (next, contraction) = match self.advance(&here, step) {
                 Ok(found) => found,
@@ -190,7 +244,7 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
                     if step < self.options.smallest_step {
                         return Err(cause);
                     }
-                    self.announce(&Event::Rejected { lambda: arclength })?;
+                    self.announce(&Event::Rejected { lambda: here.value(self.parameter) })?;
                     continue;
                 }
             };
@@ -203,16 +257,15 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
             }
             arclength += step;
             self.push(PointKind::Regular, arclength, &next);
-            if self.observer.wants_checkpoints() {
-                let rate = next.rates[self.parameter];
-                let guess = Guess::from(&next.solution);
-                self.observer.checkpoint(&Checkpoint { position: arclength, step, rate, guess });
-            }
-            self.announce(&Event::Step { step: self.points.len() - 1, lambda: next.value(self.parameter) })?;
             let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
             let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
-            step = (step * factor.clamp(0.3, 2.0)).min(self.options.largest_step);
-            here = next;
+            let longer = (step * factor.clamp(0.3, 2.0)).min(self.options.largest_step);
+            if self.observer.wants_checkpoints() {
+                let (guess, direction) = (Guess::from(&next.solution), Some(next.direction.clone()));
+                self.observer.checkpoint(&Checkpoint { position: arclength, step: longer, guess, direction });
+            }
+            self.announce(&Event::Step { step: self.points.len() - 1, lambda: next.value(self.parameter) })?;
+            (here, step) = (next, longer);
         }
         Ok(())
     }
@@ -225,20 +278,40 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
         self.points.push(BranchPoint {
             kind,
             parameter: at.value(self.parameter),
-            rate: at.rates[self.parameter],
+            rate: at.direction.constants[self.parameter],
             arclength,
             solution: at.solution.clone(),
         });
     }
 
-    /// The solution at the start, with the tangent of the parameter alone.
-    fn first(&mut self, start: &Guess) -> Result<Reference, SolveError> {
+    fn check(&self, start: &Guess) -> Result<(), SolveError> {
         let layout = self.problem.layout();
         check(layout, start, self.unknowns, &self.options.solve)?;
         let constants = layout.constants.len();
         if self.parameter >= constants || self.unknowns.contains(&self.parameter) {
             return Err(SolveError::Unknowns { index: self.parameter, constants });
         }
+        self.options.check(start.constants[self.parameter])
+    }
+
+    /// The point of a checkpoint. It lies where it lay; a Newton iteration confirms it.
+    fn resumed(&mut self, from: &Checkpoint) -> Result<Reference, SolveError> {
+        self.check(&from.guess)?;
+        positive(&[("step", from.step)])?;
+        let direction = from.direction.clone().filter(|direction| direction.fits(&from.guess));
+        let Some(direction) = direction else {
+            return Err(SolveError::Option { name: "position", value: from.position, expected: "a point of a branch" });
+        };
+        let mut run = Run::new(self.problem, Plan::new(self.problem.layout(), self.unknowns), &self.way, self.observer);
+        let solution = run.as_it_stands(Start::from(&from.guess))?;
+        self.stats += run.stats;
+        let (here, _) = self.advance(&Reference { solution, direction }, 0.0)?;
+        Ok(here)
+    }
+
+    /// The solution at the start, with the tangent of the parameter alone.
+    fn first(&mut self, start: &Guess) -> Result<Reference, SolveError> {
+        self.check(start)?;
         let solution = solve_observed(self.problem, start, self.unknowns, &self.options.solve, self.observer)?;
         self.stats += *solution.stats();
         let linearisation = Linearisation::new(self.problem, &solution)?;
@@ -251,24 +324,25 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
     fn reference(&self, solution: Solution, tangent: &Tangent, sign: f64) -> Reference {
         let scaled = |values: &Vec<f64>| values.iter().map(|value| sign * value).collect();
         let n = solution.constants().len();
-        let mut reference = Reference {
-            direction: tangent.regions.iter().map(|region| region.states.iter().map(scaled).collect()).collect(),
-            rates: tangent.constants[..n].iter().map(|rate| sign * rate).collect(),
-            solution,
+        let direction = Direction {
+            states: tangent.regions.iter().map(|region| region.states.iter().map(scaled).collect()).collect(),
+            constants: tangent.constants[..n].iter().map(|rate| sign * rate).collect(),
         };
+        let mut reference = Reference { solution, direction };
         normalise(self.problem.layout(), &mut reference);
         reference
     }
 
     /// The solution at the distance `step`, its tangent, and Newton's first contraction.
     fn advance(&mut self, here: &Reference, step: f64) -> Result<(Reference, f64), SolveError> {
-        let problem = Arclength::new(self.problem, here);
+        let arclength = Arclength::new(self.problem, here);
+        let problem: &dyn Problem = &arclength;
         let mut constants: Vec<f64> =
-            here.solution.constants().iter().zip(&here.rates).map(|(c, rate)| c + step * rate).collect();
+            here.solution.constants().iter().zip(&here.direction.constants).map(|(c, rate)| c + step * rate).collect();
         constants.push(step);
         let guess = Guess { regions: here.moved(step), constants };
         let plan = Plan::new(problem.layout(), &self.extended);
-        let mut run = Run::new(&problem, plan, &self.way, self.observer);
+        let mut run = Run::new(problem, plan, &self.way, self.observer);
         let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
         let contraction = run.contraction;
         let mut stats = run.stats;
@@ -276,7 +350,7 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
             let x = solved.converged.x;
             let linearisation = Linearisation::at(solved.system, x, Stats::default())?;
             stats += *linearisation.stats();
-            Ok((solution, linearisation.sensitivity(problem.step())))
+            Ok((solution, linearisation.sensitivity(arclength.step())))
         });
         self.stats += stats;
         let (solution, tangent) = found?;
@@ -303,7 +377,7 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
     fn watched(&self, kind: PointKind, at: &Reference) -> f64 {
         match kind {
             PointKind::Regular => f64::NAN,
-            PointKind::Fold => at.rates[self.parameter],
+            PointKind::Fold => at.direction.constants[self.parameter],
             PointKind::Event(index) => self.events.get(index).map_or(f64::NAN, |event| event(&at.solution)),
             PointKind::End => {
                 let (low, high) = self.options.range;
@@ -344,7 +418,8 @@ impl<P: Problem + ?Sized> Tracer<'_, '_, P> {
 impl Crossing {
     fn is_one(&self) -> bool {
         let (a, b) = self.values;
-        a * b < 0.0 || (b == 0.0 && a != 0.0)
+        // The end may be where the branch begins.
+        a * b < 0.0 || (b == 0.0 && a != 0.0) || (a == 0.0 && self.kind == PointKind::End)
     }
 
     /// Where the zero lies, by linear interpolation.
@@ -361,7 +436,7 @@ impl Reference {
 
     /// The states moved along the direction.
     fn moved(&self, step: f64) -> Vec<RegionGuess> {
-        let regions = self.solution.regions().iter().zip(&self.direction);
+        let regions = self.solution.regions().iter().zip(&self.direction.states);
         let moved = regions.map(|(region, direction)| RegionGuess {
             mesh: region.mesh().to_vec(),
             states: direction

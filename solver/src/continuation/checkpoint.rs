@@ -1,5 +1,6 @@
 //! Where a continuation stands, as text that a later process resumes from.
 
+use super::arclength::Direction;
 use crate::guess::{Guess, RegionGuess};
 use crate::observer::{Event, Observer};
 use std::fs;
@@ -8,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-const HEADER: &str = "bvp checkpoint 1";
+const HEADER: &str = "bvp checkpoint 2";
 
 /// A point that a continuation has reached. Written and read without loss.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,10 +18,10 @@ pub struct Checkpoint {
     pub position: f64,
     /// The next step.
     pub step: f64,
-    /// On a branch, d(parameter)/d(arclength): its sign says which way the branch was traced. On a path, 1.
-    pub rate: f64,
     /// Meshes, states and constants.
     pub guess: Guess,
+    /// On a branch, the direction in which it goes on; none on a path.
+    pub direction: Option<Direction>,
 }
 
 /// A checkpoint that cannot be read.
@@ -41,6 +42,10 @@ pub enum CheckpointError {
 }
 
 impl Checkpoint {
+    /// One line for the header, one for position, step, number of regions and whether a direction follows, one for the
+    /// constants; for each region its number of states, its mesh, and a line a state; then the direction's constants and
+    /// states. Numbers have as many digits as it takes to read back the same.
+    ///
     /// # Errors
     /// Those of the writer.
     pub fn write(&self, mut out: impl Write) -> io::Result<()> {
@@ -49,12 +54,17 @@ impl Checkpoint {
             let words: Vec<String> = values.iter().map(|value| format!("{value:e}")).collect();
             writeln!(out, "{}", words.join(" "))
         };
-        line(&[self.position, self.step, self.rate, self.guess.regions.len() as f64])?;
+        let directed = if self.direction.is_some() { 1.0 } else { 0.0 };
+        line(&[self.position, self.step, self.guess.regions.len() as f64, directed])?;
         line(&self.guess.constants)?;
         for region in &self.guess.regions {
             line(&[region.states.len() as f64])?;
             line(&region.mesh)?;
             region.states.iter().try_for_each(|state| line(state))?;
+        }
+        if let Some(direction) = &self.direction {
+            line(&direction.constants)?;
+            direction.states.iter().flatten().try_for_each(|rates| line(rates))?;
         }
         out.flush()
     }
@@ -66,30 +76,35 @@ impl Checkpoint {
         if lines.next("the header")? != HEADER {
             return Err(CheckpointError::Format { line: 1, expected: "a header of this version" });
         }
-        let head = lines.numbers("position, step, rate and number of regions")?;
-        let &[position, step, rate, regions] = head.as_slice() else {
+        let head = lines.numbers("position, step, number of regions, and 1 or 0", Some(4))?;
+        let &[position, step, regions, directed] = head.as_slice() else {
             return Err(CheckpointError::Format { line: 2, expected: "four numbers" });
         };
-        let constants = lines.numbers("the constants")?;
+        let constants = lines.numbers("the constants", None)?;
         let mut guess = Guess { regions: Vec::new(), constants };
         for _ in 0..regions as usize {
-            let states = lines.numbers("the number of states")?;
+            let states = lines.numbers("the number of states", Some(1))?;
             let count = states.first().map_or(0, |&count| count as usize);
-            let mesh = lines.numbers("a mesh")?;
-            let states = (0..count).map(|_| lines.numbers("values of a state")).collect::<Result<_, _>>()?;
+            let mesh = lines.numbers("a mesh", None)?;
+            let state = |_| lines.numbers("as many values of a state as nodes", Some(mesh.len()));
+            let states = (0..count).map(state).collect::<Result<_, _>>()?;
             guess.regions.push(RegionGuess { mesh, states });
         }
-        Ok(Self { position, step, rate, guess })
+        let direction = (directed == 1.0).then(|| lines.direction(&guess)).transpose()?;
+        Ok(Self { position, step, guess, direction })
     }
 
-    /// Writes to a file that is replaced as a whole.
+    /// Writes to a file that is replaced as a whole: whoever stops the process finds the old checkpoint or the new one.
     ///
     /// # Errors
     /// Those of the file system.
     pub fn save(&self, path: &Path) -> io::Result<()> {
-        let new = path.with_extension("new");
-        self.write(io::BufWriter::new(fs::File::create(&new)?))?;
-        fs::rename(new, path)
+        let mut beside = path.as_os_str().to_owned();
+        beside.push(".new");
+        let file = fs::File::create(&beside)?;
+        self.write(io::BufWriter::new(&file))?;
+        file.sync_all()?;
+        fs::rename(beside, path)
     }
 
     /// # Errors
@@ -111,11 +126,23 @@ impl<B: BufRead> Lines<B> {
         self.lines.next().ok_or(CheckpointError::Format { line, expected })?.map_err(CheckpointError::Io)
     }
 
-    fn numbers(&mut self, expected: &'static str) -> Result<Vec<f64>, CheckpointError> {
+    /// The finite numbers of one line: so many, if that is known.
+    fn numbers(&mut self, expected: &'static str, count: Option<usize>) -> Result<Vec<f64>, CheckpointError> {
         let text = self.next(expected)?;
-        let line = self.line;
-        let number = |word: &str| word.parse().map_err(|_| CheckpointError::Format { line, expected });
-        text.split_whitespace().map(number).collect()
+        let wrong = || CheckpointError::Format { line: self.line, expected };
+        let finite = |word: &str| word.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(wrong);
+        let numbers: Vec<f64> = text.split_whitespace().map(finite).collect::<Result<_, _>>()?;
+        if count.is_none_or(|count| numbers.len() == count) { Ok(numbers) } else { Err(wrong()) }
+    }
+
+    fn direction(&mut self, guess: &Guess) -> Result<Direction, CheckpointError> {
+        let constants = self.numbers("the constants' rates", Some(guess.constants.len()))?;
+        let mut states = Vec::new();
+        for region in &guess.regions {
+            let rates = |_| self.numbers("as many rates of a state as nodes", Some(region.mesh.len()));
+            states.push((0..region.states.len()).map(rates).collect::<Result<_, _>>()?);
+        }
+        Ok(Direction { states, constants })
     }
 }
 

@@ -32,9 +32,10 @@ impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
         }
         let last = inner.inputs();
         layout.boundary_pattern.extend((0..inner.equations.len()).map(|row| (row, last)));
-        let slopes = guess.regions.iter().map(|region| {
-            region.states.iter().map(|values| slopes(&region.mesh, values)).collect()
-        });
+        let slopes = guess
+            .regions
+            .iter()
+            .map(|region| region.states.iter().map(|values| slopes(&region.mesh, values)).collect());
         let mut homotopy = Self { problem, guess, layout, slopes: slopes.collect(), g: Vec::new() };
         homotopy.g = homotopy.boundary_of_guess();
         homotopy

@@ -13,10 +13,11 @@ mod homotopy;
 mod natural;
 mod path;
 
+pub use arclength::Direction;
 pub use automatic::{Automatic, How, Stiffness, solve_automatically, solve_automatically_observed};
 pub use branch::{
-    Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind, trace, trace_observed,
+    Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind, resume_trace, trace, trace_observed,
 };
 pub use checkpoint::{Checkpoint, CheckpointError, Saved};
-pub use natural::{Followed, PathError, PathOptions, StepRecord, follow, follow_observed, resume_observed};
+pub use natural::{Followed, PathError, PathOptions, StepRecord, follow, follow_observed, resume_follow};
 pub use path::{Path, Ramp};

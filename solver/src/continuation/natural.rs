@@ -57,6 +57,31 @@ impl Default for PathOptions {
     }
 }
 
+impl PathOptions {
+    fn check(&self, from: &Checkpoint) -> Result<(), SolveError> {
+        if !(0.0..=1.0).contains(&from.position) {
+            return Err(SolveError::Option { name: "position", value: from.position, expected: "from 0 to 1" });
+        }
+        positive(&[
+            ("step", from.step),
+            ("first_step", self.first_step),
+            ("smallest_step", self.smallest_step),
+            ("largest_step", self.largest_step),
+            ("contraction", self.contraction),
+            ("tolerance on the way", self.tolerance),
+        ])
+    }
+}
+
+/// # Errors
+/// The first that is not a positive number.
+pub(crate) fn positive(options: &[(&'static str, f64)]) -> Result<(), SolveError> {
+    match options.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
+        Some(&(name, value)) => Err(SolveError::Option { name, value, expected: "a positive number" }),
+        None => Ok(()),
+    }
+}
+
 /// One step of a continuation, accepted or not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRecord {
@@ -121,16 +146,27 @@ pub fn follow_observed<P: Problem + ?Sized>(
     options: &PathOptions,
     observer: &mut dyn Observer,
 ) -> Result<Followed, PathError> {
-    let checkpoint = Checkpoint { position: 0.0, step: options.first_step, rate: 1.0, guess: start.clone() };
-    resume_observed(problem, &checkpoint, path, unknowns, options, observer)
+    let checkpoint = Checkpoint { position: 0.0, step: options.first_step, guess: start.clone(), direction: None };
+    resume_follow(problem, &checkpoint, path, unknowns, options, observer)
 }
 
 /// Goes on from a checkpoint of an earlier continuation along the same path.
 ///
 /// # Errors
 /// As [`follow`].
-pub fn resume_observed<P: Problem + ?Sized>(
+pub fn resume_follow<P: Problem + ?Sized>(
     problem: &P,
+    from: &Checkpoint,
+    path: &dyn Path,
+    unknowns: &[usize],
+    options: &PathOptions,
+    observer: &mut dyn Observer,
+) -> Result<Followed, PathError> {
+    resume_any(&problem, from, path, unknowns, options, observer)
+}
+
+fn resume_any(
+    problem: &dyn Problem,
     from: &Checkpoint,
     path: &dyn Path,
     unknowns: &[usize],
@@ -141,6 +177,7 @@ pub fn resume_observed<P: Problem + ?Sized>(
     let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause: Box::new(cause) };
     let layout = problem.layout();
     check(layout, start, unknowns, &options.solve).map_err(early)?;
+    options.check(from).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
     let tolerance = options.tolerance.max(options.solve.tolerance);
     let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
@@ -172,6 +209,10 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         self.run.options = self.way;
         let mut step = from.step.min(1.0);
         while lambda < 1.0 {
+            if self.steps.len() > self.options.max_steps {
+                let cause = SolveError::Steps { steps: self.options.max_steps };
+                return Err(self.give_up(&here, lambda, cause));
+            }
             // A last sliver would cost a step of its own.
             let next = if lambda + 1.01 * step >= 1.0 { 1.0 } else { lambda + step };
             match self.step(&here, lambda, next) {
@@ -182,8 +223,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
                 }
                 Err(cause) => {
                     step = 0.5 * (next - lambda);
-                    let spent = self.steps.len() >= self.options.max_steps || step < self.options.smallest_step;
-                    if spent || cause == SolveError::Cancelled {
+                    if step < self.options.smallest_step || cause == SolveError::Cancelled {
                         return Err(self.give_up(&here, lambda, cause));
                     }
                 }
@@ -234,7 +274,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
     fn checkpoint(&mut self, here: &Solved<'_, P>, position: f64, step: f64) {
         if self.run.observer.wants_checkpoints() {
             let guess = Guess { regions: here.guess(), constants: here.converged.x.constants.clone() };
-            self.run.observer.checkpoint(&Checkpoint { position, step, rate: 1.0, guess });
+            self.run.observer.checkpoint(&Checkpoint { position, step, guess, direction: None });
         }
     }
 
