@@ -230,6 +230,12 @@ pub enum SolveError {
         /// What is expected.
         expected: &'static str,
     },
+    /// A continuation was not at its end after as many steps as it may take.
+    #[error("not at the end of the path after {steps} steps")]
+    Steps {
+        /// Steps taken.
+        steps: usize,
+    },
     /// Newton's iteration failed.
     #[error("on a mesh of {intervals} intervals: {error}")]
     Newton {
@@ -272,4 +278,63 @@ pub enum SolveError {
     /// The observer asked to stop.
     #[error("cancelled")]
     Cancelled,
+}
+
+impl SolveError {
+    /// Whether no other way of solving can help: the input is wrong, or the observer asked to stop.
+    pub fn is_final(&self) -> bool {
+        !matches!(self, Self::Newton { .. } | Self::MeshLimit { .. } | Self::Boundary { .. } | Self::Steps { .. })
+    }
+
+    /// What to try.
+    pub fn advice(&self) -> &'static str {
+        match self {
+            Self::Newton { error, .. } => error.advice(),
+            Self::MeshLimit { defect, tolerance, .. } if *defect > 1e3 * tolerance => {
+                "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution of a \
+                 coarse mesh. Continue in the parameter that makes it thin, begin with a finer mesh where the layer is, or \
+                 allow more intervals."
+            }
+            Self::MeshLimit { .. } => {
+                "Allow more intervals, use order six, or ask for less; near 1e-12 rounding is the limit. A kink in the \
+                 right-hand side costs many intervals: make its place the end of a region."
+            }
+            Self::Boundary { .. } => "Scale the boundary equation or its states, or loosen boundary_tolerance.",
+            Self::Count { .. } => {
+                "Each unknown constant needs one boundary equation more; a region needs as many as it has states."
+            }
+            Self::Steps { .. } => {
+                "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
+            }
+            Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
+            Self::Cancelled => "Nothing: the observer asked for it.",
+        }
+    }
+}
+
+impl NewtonError {
+    /// What to try.
+    pub fn advice(&self) -> &'static str {
+        match self {
+            Self::NonFinite(_) => {
+                "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or rewrite the \
+                 right-hand side so that it is defined nearby; at a singular end give the limit."
+            }
+            Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
+                "A boundary equation depends on no unknown: correct it."
+            }
+            Self::Singular { .. } => {
+                "The boundary equations do not determine the components named. A phase or scale may be free (add a condition), a \
+                 condition may be stated twice, or the branch turns round here: trace it by arclength."
+            }
+            Self::Stalled { .. } => {
+                "There may be no solution near the guess, or the equations may have a kink. Improve the guess, continue from an \
+                 easier parameter, or use solve_automatically."
+            }
+            Self::IterationLimit { .. } => {
+                "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier parameter."
+            }
+            Self::Cancelled => "Nothing: the observer asked for it.",
+        }
+    }
 }

@@ -1,5 +1,42 @@
 //! Boundary value problems for ordinary differential equations in several regions, with unknown constants and
 //! integral conditions, by collocation.
+//!
+//! Bratu's problem `u'' = -λ exp(u)`, `u(0) = u(1) = 0` at λ = 1:
+//!
+//! ```
+//! use solver::model::{Differentiated, Model, Scalar};
+//! use solver::{Guess, Layout, Options, Problem, Region, solve};
+//!
+//! struct Bratu;
+//!
+//! impl Model for Bratu {
+//!     fn layout(&self) -> Layout {
+//!         let string = Region::dense("string", (0.0, 1.0), &["u", "slope"], &[], 1);
+//!         Layout::dense(vec![string], &["lambda"], &["left end", "right end"])
+//!     }
+//!     fn rhs<S: Scalar>(&self, _region: usize, _s: S, y: &[S], c: &[S], f: &mut [S]) {
+//!         f[0] = y[1];
+//!         f[1] = -c[0] * y[0].exp();
+//!     }
+//!     fn boundary<S: Scalar>(&self, ends: &[S], _integrals: &[S], _c: &[S], g: &mut [S]) {
+//!         (g[0], g[1]) = (ends[0], ends[2]);
+//!     }
+//! }
+//!
+//! let problem = Differentiated::new(Bratu)?;
+//! let guess = Guess::uniform(problem.layout(), 10, &[1.0], |_, _, y| y.fill(0.0));
+//! let solution = solve(&problem, &guess, &[], &Options::default())?;
+//! assert!((solution.regions()[0].eval(0.5)[0] - 0.14053921).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
+//! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
+//! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
+//! - [`Linearisation`]: sensitivities, adjoints, conditioning.
+//!
+//! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/solver.md`. How well it does on 48
+//! problems of the literature: `docs/testset.md`.
 
 // Negated comparisons are meant: NaN must fail.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -25,6 +62,11 @@ mod solve;
 mod stats;
 mod tableau;
 
+/// The guide's programs are compiled and run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/solver.md")]
+struct Guide;
+
 pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
@@ -32,6 +74,6 @@ pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
 pub use observer::{Event, Observer, Silent};
 pub use options::{Control, Options, Order};
 pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
-pub use solution::{MeshRecord, RegionSolution, Solution};
+pub use solution::{Accuracy, MeshRecord, RegionSolution, Shortfall, Solution};
 pub use solve::{solve, solve_observed};
 pub use stats::Stats;

@@ -5,6 +5,7 @@ use crate::collocation::factor::Rhs;
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Defects, Extended, Extension};
 use crate::error::{NewtonError, NonFinite, SolveError};
+use crate::guess::RegionGuess;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
@@ -47,6 +48,15 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let Converged { x, work, .. } = &self.converged;
         let regions = self.extensions.iter().enumerate();
         regions.map(|(region, extension)| RegionSolution::new(&self.system, region, x, work, extension)).collect()
+    }
+
+    /// Meshes and states.
+    pub(crate) fn guess(&self) -> Vec<RegionGuess> {
+        let regions = self.system.grids.iter().zip(&self.converged.x.y).map(|(grid, y)| RegionGuess {
+            mesh: grid.mesh.clone(),
+            states: y.chunks_exact(grid.node_stride()).map(|y| grid.unpack(y)).collect(),
+        });
+        regions.collect()
     }
 
     /// Estimated error at the nodes and in the constants, largest component relative to typical magnitudes.

@@ -32,7 +32,8 @@ pub(crate) struct Limits {
     pub bold: bool,
 }
 
-/// A bold iteration takes at least this fraction of every correction.
+/// A bold iteration tries every correction in full, halves it as long as that is no progress, and takes this fraction
+/// of it whatever comes of it. Estimates of the Lipschitz constant are not used: where it is needed, they mislead.
 const BOLD_DAMPING: f64 = 1.0 / 16.0;
 
 /// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is
@@ -161,12 +162,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let (damping, last_size, simplified) = before;
         let change = self.system.distance(simplified, 1.0, dx);
         let estimate = last_size * self.system.norm(simplified) / (change * size) * damping;
-        let least = if self.limits.bold { BOLD_DAMPING } else { self.limits.smallest_damping };
-        if estimate.is_finite() { estimate.min(1.0).max(least) } else { 1.0 }
+        if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
     }
 
     fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, NewtonError> {
-        let mut damping = first;
+        let mut damping = if self.limits.bold { 1.0 } else { first };
         let mut reduced = false;
         let largest = self.system.largest(dx);
         let smallest = if largest <= STAGNANT { 0.01 } else { self.limits.smallest_damping };
@@ -195,11 +195,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             let forced = self.limits.bold && damping <= BOLD_DAMPING && contraction.is_finite();
             if !(contraction < 1.0 || forced) {
                 reduced = true;
-                let next = if estimate.is_finite() { estimate.min(damping / 2.0) } else { damping / 2.0 };
-                damping = next.max(damping / 10.0);
-                if self.limits.bold && contraction.is_finite() {
-                    damping = damping.max(BOLD_DAMPING);
-                }
+                let half = damping / 2.0;
+                damping = match self.limits.bold {
+                    false if estimate.is_finite() => estimate.min(half).max(damping / 10.0),
+                    _ => half,
+                };
                 continue;
             }
             let possible = if estimate.is_finite() { estimate.min(1.0) } else { 1.0 };
@@ -364,8 +364,16 @@ impl Factorisation {
     }
 }
 
-/// The scales a converged iterate was solved with.
 impl Converged {
+    /// An iterate known to be converged, and the residual there. Nothing is factored: of the factorisation there are
+    /// the scales only.
+    pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
+        let mut factorisation = Factorisation::new(system);
+        factorisation.scales = system.scales(&x);
+        Self { x, work, factorisation, contraction: 0.0, at_once: true, stagnated: None }
+    }
+
+    /// The scales a converged iterate was solved with.
     pub(crate) fn scales(&self) -> &Scales {
         &self.factorisation.scales
     }

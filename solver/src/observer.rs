@@ -1,5 +1,6 @@
 //! Progress and cancellation.
 
+use crate::continuation::Checkpoint;
 use std::ops::ControlFlow;
 
 /// What the solver has just done.
@@ -26,12 +27,12 @@ pub enum Event {
     Step {
         /// Steps so far.
         step: usize,
-        /// Path parameter reached.
+        /// Path parameter reached; on a branch, value of the constant in which it is traced.
         lambda: f64,
     },
     /// A continuation step was rejected.
     Rejected {
-        /// Path parameter that was tried.
+        /// Path parameter that was tried; on a branch, value of the constant where it stands.
         lambda: f64,
     },
 }
@@ -40,6 +41,14 @@ pub enum Event {
 pub trait Observer {
     /// Called after each event; `Break` ends the computation with a cancellation error.
     fn notify(&mut self, event: &Event) -> ControlFlow<()>;
+
+    /// Whether [`checkpoint`](Self::checkpoint) is to be called.
+    fn wants_checkpoints(&self) -> bool {
+        false
+    }
+
+    /// Called after each accepted step of a continuation, if wanted.
+    fn checkpoint(&mut self, _: &Checkpoint) {}
 }
 
 impl<F: FnMut(&Event) -> ControlFlow<()>> Observer for F {

@@ -6,10 +6,10 @@ use crate::tableau::{ORDER_4, ORDER_6, Tableau};
 /// Order of the collocation method: of node values, dense output and integrals where the solution is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {
-    /// Three-stage Lobatto IIIA.
+    /// Three-stage Lobatto IIIA: for right-hand sides with kinks, and for low accuracy.
     #[default]
     Four,
-    /// Five-stage mono-implicit Runge-Kutta.
+    /// Five-stage mono-implicit Runge-Kutta: fewer intervals where the solution is smooth.
     Six,
 }
 
@@ -32,9 +32,9 @@ impl Order {
 pub enum Control {
     /// The defect.
     Defect,
-    /// The defect, and where that is not enough also the estimated true error: the defect is then held to as little
-    /// as a thousandth of the tolerance. If that is not enough either, the problem is ill-conditioned, and the
-    /// solution's [`error_estimate`](crate::Solution::error_estimate) says how inaccurate it is.
+    /// The defect, and where that is not enough also the estimated true error: the defect is then held to less, as far
+    /// as the mesh may grow and rounding allows. A solution whose error could not be brought down says so, and how
+    /// inaccurate it is: [`Solution::accuracy`](crate::Solution::accuracy).
     #[default]
     Error,
 }

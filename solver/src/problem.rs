@@ -300,3 +300,36 @@ pub trait Problem {
     /// As [`boundary`](Self::boundary), and the derivatives: one for each entry of `boundary_pattern`.
     fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
 }
+
+/// A reference to a problem is one. Made an object, it lets the solver be compiled once for all problems; what is called
+/// works on whole batches of points.
+impl<P: Problem + ?Sized> Problem for &P {
+    fn layout(&self) -> &Layout {
+        (**self).layout()
+    }
+
+    fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
+        (**self).rhs(region, at, constants, f);
+    }
+
+    fn rhs_jacobian(
+        &self,
+        region: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        scope: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    ) {
+        (**self).rhs_jacobian(region, at, constants, scope, f, dy, dc);
+    }
+
+    fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+        (**self).boundary(ends, integrals, constants, g);
+    }
+
+    fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
+        (**self).boundary_jacobian(ends, integrals, constants, g, dz);
+    }
+}

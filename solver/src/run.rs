@@ -1,22 +1,27 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
+use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::{Guess, RegionGuess};
 use crate::measure::{Solved, intervals};
-use crate::newton::{self, Limits};
+use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
 use crate::problem::{Layout, Problem};
 use crate::refine::{Measure, Verdict, measure, verdict};
-use crate::solution::{MeshRecord, RegionSolution, Solution};
+use crate::solution::{Accuracy, MeshRecord, RegionSolution, Shortfall, Solution};
 use crate::stats::Stats;
 use std::sync::Arc;
 
-/// For the sake of the estimated error, defects are held to no less than this fraction of the tolerance.
-const TIGHTEST: f64 = 1e-3;
+/// A defect is a difference of slopes: on N intervals it is known to about N times this.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Defects held to less must bring the estimated error below this fraction of the least so far,
+const PROGRESS: f64 = 0.7;
+/// once in so many meshes, or what is left of it is due to rounding.
+const PATIENCE: usize = 3;
 
 /// Where Newton's iteration is to start.
 #[derive(Clone)]
@@ -36,6 +41,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub history: Vec<MeshRecord>,
     /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
     pub contraction: f64,
+    /// Why the last solve ended if not for a small estimated error.
+    shortfall: Shortfall,
 }
 
 /// State of one solve.
@@ -45,6 +52,10 @@ struct Progress<'a, P: Problem + ?Sized> {
     target: f64,
     /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
     fallback: Option<Solved<'a, P>>,
+    /// Least estimated error so far that exceeds the tolerance: the fallback's.
+    error: f64,
+    /// Meshes since it last fell.
+    vain: usize,
     coarsening: bool,
 }
 
@@ -62,6 +73,8 @@ enum Next {
     /// The fallback is the better one.
     Fallback,
     Remesh(Vec<Vec<f64>>),
+    /// The fallback may remain the better one.
+    Tighten(Vec<Vec<f64>>),
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
@@ -75,6 +88,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             stats: Stats::default(),
             history: Vec::new(),
             contraction: 0.0,
+            shortfall: Shortfall::Uncontrolled,
         }
     }
 
@@ -82,7 +96,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let origin = (self.options.rescues > 0).then(|| start.clone());
         let rescue = Rescue { halvings: 0, bold: false, origin };
-        let mut progress = Progress { rescue, target: self.options.tolerance, fallback: None, coarsening: false };
+        let (target, error) = (self.options.tolerance, f64::INFINITY);
+        let mut progress = Progress { rescue, target, fallback: None, error, vain: 0, coarsening: false };
+        self.shortfall = Shortfall::Uncontrolled;
         for attempt in 0..self.options.max_meshes {
             let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
                 Ok(solved) => solved,
@@ -121,6 +137,12 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     start = transfer(&solved, meshes);
                     progress.fallback = Some(solved);
                 }
+                Next::Tighten(meshes) => {
+                    start = transfer(&solved, meshes);
+                    if progress.vain == 0 {
+                        progress.fallback = Some(solved);
+                    }
+                }
             }
         }
         progress.fallback.ok_or_else(|| self.out_of_meshes())
@@ -129,13 +151,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     /// Newton's iteration on one set of meshes.
     fn solve_on(&mut self, start: Start, first: bool, bold: bool) -> Result<Solved<'a, P>, Stop> {
         let Start { grids, x } = start;
-        let system = System {
-            problem: self.problem,
-            layout: self.layout,
-            plan: self.plan.clone(),
-            tableau: self.options.order.tableau(),
-            grids,
-        };
+        let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
         let outcome = newton::solve(&system, &x, self.limits(bold), &mut self.stats, self.observer);
@@ -160,6 +176,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         if self.observer.notify(&event).is_break() { Err(Stop::Error(SolveError::Cancelled)) } else { Ok(solved) }
+    }
+
+    fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
+        let (plan, tableau) = (self.plan.clone(), self.options.order.tableau());
+        System { problem: self.problem, layout: self.layout, plan, tableau, grids }
     }
 
     fn limits(&self, bold: bool) -> Limits {
@@ -219,6 +240,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     /// Defects meet their target: is the estimated error small enough, are the meshes not far too fine?
     fn improve(&mut self, solved: &Solved<'a, P>, again: bool, progress: &mut Progress<'a, P>) -> Next {
         if again {
+            self.shortfall = Shortfall::WarmStart;
             return Next::Accept;
         }
         let tolerance = self.options.tolerance;
@@ -245,22 +267,32 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
     fn tightened(&mut self, solved: &Solved<'a, P>, error: f64, progress: &mut Progress<'a, P>) -> Next {
-        let tolerance = self.options.tolerance;
+        self.shortfall = Shortfall::Rounding;
+        progress.vain = if error <= PROGRESS * progress.error { 0 } else { progress.vain + 1 };
+        let best = if error < progress.error { Next::Accept } else { Next::Fallback };
+        progress.error = progress.error.min(error);
+        if progress.vain >= PATIENCE {
+            return best;
+        }
         let largest = measured(solved, progress.target).iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
-        let mut target = (0.5 * largest * tolerance / error).min(0.5 * progress.target);
-        while progress.target > TIGHTEST * tolerance {
-            progress.target = target.max(TIGHTEST * tolerance);
+        let mut target = (0.5 * largest * self.options.tolerance / error).min(0.5 * progress.target);
+        let intervals = solved.system.grids.iter().map(Grid::intervals).max().unwrap_or(0);
+        let floor = ROUNDING * intervals as f64;
+        while progress.target > floor {
+            progress.target = target.max(floor);
             target *= 0.5;
             let measures = measured(solved, progress.target);
             if measures.iter().all(|measure| measure.largest <= progress.target) {
                 continue;
             }
+            // What ends the solve from here on is that finer meshes are not had.
+            self.shortfall = Shortfall::Mesh;
             return match self.refined(solved, &measures, progress.target) {
-                Ok(meshes) => Next::Remesh(meshes),
-                Err(_) => Next::Accept,
+                Ok(meshes) => Next::Tighten(meshes),
+                Err(_) => best,
             };
         }
-        Next::Accept
+        best
     }
 
     fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
@@ -290,6 +322,19 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         }
     }
 
+    /// A solution known to be one, without an iteration; its error is not estimated.
+    pub(crate) fn as_it_stands(&mut self, Start { grids, x }: Start) -> Result<Solution, SolveError> {
+        let system = self.system(grids);
+        let mut work = system.work();
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(|error| SolveError::Newton {
+            error: NewtonError::NonFinite(error),
+            intervals: intervals(&system.grids),
+        })?;
+        let converged = Converged::known(&system, x, work);
+        let solved = Solved::new(system, converged, &mut self.stats)?;
+        Ok(self.solution(&solved, f64::NAN))
+    }
+
     /// The solution, if its boundary residuals too meet their tolerance.
     pub(crate) fn finish(&mut self, solved: &Solved<'_, P>) -> Result<Solution, SolveError> {
         let (residual, equation) = solved.worst_boundary_residual();
@@ -297,19 +342,29 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         if !(residual <= tolerance) {
             return Err(SolveError::Boundary { equation, residual, tolerance });
         }
-        let measures = measured(solved, self.options.tolerance);
         let error_estimate = solved.error_estimate(&mut self.stats);
-        Ok(Solution {
+        Ok(self.solution(solved, error_estimate))
+    }
+
+    fn solution(&self, solved: &Solved<'_, P>, error_estimate: f64) -> Solution {
+        let measures = measured(solved, self.options.tolerance);
+        let accuracy = if error_estimate <= self.options.tolerance {
+            Accuracy::Met
+        } else {
+            Accuracy::Short { estimate: error_estimate, tolerance: self.options.tolerance, because: self.shortfall }
+        };
+        Solution {
             regions: solved.regions(),
             constants: solved.converged.x.constants.clone(),
             unknowns: self.plan.unknowns.clone(),
             order: self.options.order,
             max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
-            max_boundary_residual: residual,
+            max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,
+            accuracy,
             stats: self.stats,
             history: self.history.clone(),
-        })
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::interpolant::{Basis, Extension};
 use crate::collocation::{Iterate, System};
 use crate::options::Order;
-use crate::problem::Problem;
+use crate::problem::{Layout, Problem};
 use crate::stats::Stats;
 
 /// One region of a [`Solution`].
@@ -146,6 +146,36 @@ pub struct MeshRecord {
     pub newton_iterations: usize,
 }
 
+/// Whether the estimated error of a solution meets the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// It does.
+    Met,
+    /// It does not, although the defects do: the problem amplifies them.
+    Short {
+        /// Estimated error: see [`Solution::error_estimate`].
+        estimate: f64,
+        /// What it was to meet.
+        tolerance: f64,
+        /// What stood in the way of a smaller error.
+        because: Shortfall,
+    },
+}
+
+/// Why a solution was not refined until its estimated error met the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Shortfall {
+    /// Only the defects were to meet the tolerance: [`Control::Defect`](crate::Control::Defect).
+    Uncontrolled,
+    /// The guess was a solution already, and was kept with its mesh.
+    WarmStart,
+    /// Finer meshes were not allowed, or could not be solved on.
+    Mesh,
+    /// Smaller defects would be rounding errors: the problem is ill-conditioned.
+    Rounding,
+}
+
 /// What [`solve`](crate::solve()) found.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -156,6 +186,7 @@ pub struct Solution {
     pub(crate) max_defect: f64,
     pub(crate) max_boundary_residual: f64,
     pub(crate) error_estimate: f64,
+    pub(crate) accuracy: Accuracy,
     pub(crate) stats: Stats,
     pub(crate) history: Vec<MeshRecord>,
 }
@@ -200,6 +231,11 @@ impl Solution {
         self.error_estimate
     }
 
+    /// Whether [`error_estimate`](Self::error_estimate) meets the tolerance, and if not why.
+    pub fn accuracy(&self) -> Accuracy {
+        self.accuracy
+    }
+
     /// What it cost.
     pub fn stats(&self) -> &Stats {
         &self.stats
@@ -213,5 +249,16 @@ impl Solution {
     /// Intervals of all regions.
     pub fn intervals(&self) -> usize {
         self.regions.iter().map(RegionSolution::intervals).sum()
+    }
+
+    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`.
+    pub(crate) fn restricted(mut self, layout: &Layout, unknowns: &[usize]) -> Self {
+        for (region, inner) in self.regions.iter_mut().zip(&layout.regions) {
+            region.integrals.truncate(inner.integrals.len());
+            region.cumulative.truncate(inner.integrals.len());
+        }
+        self.constants.truncate(layout.constants.len());
+        self.unknowns = unknowns.to_vec();
+        self
     }
 }

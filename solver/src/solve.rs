@@ -37,6 +37,16 @@ pub fn solve_observed<P: Problem + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Solution, SolveError> {
+    solve_any(&problem, guess, unknowns, options, observer)
+}
+
+fn solve_any(
+    problem: &dyn Problem,
+    guess: &Guess,
+    unknowns: &[usize],
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Solution, SolveError> {
     let layout = problem.layout();
     check(layout, guess, unknowns, options)?;
     let plan = Plan::new(layout, unknowns);

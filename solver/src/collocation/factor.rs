@@ -50,6 +50,13 @@ struct FactorRegion<'a, 'b> {
     factor: &'b mut RegionFactor,
 }
 
+impl FactorRegion<'_, '_> {
+    /// Not generic, so that it is compiled here once and not with every problem; the others likewise.
+    fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
 impl Job for FactorRegion<'_, '_> {
     type Output = ();
 
@@ -92,6 +99,12 @@ struct Forward<'a> {
     functionals: &'a mut [f64],
 }
 
+impl Forward<'_> {
+    fn vectorised(self) -> Vec<f64> {
+        vectorised(self)
+    }
+}
+
 impl Job for Forward<'_> {
     /// What the region contributes to the dense system: `n` values; and the stretches' right-hand sides.
     type Output = Vec<f64>;
@@ -127,6 +140,12 @@ struct Backward<'a> {
     first: &'a [f64],
     last: &'a [f64],
     u: &'a mut [Lane],
+}
+
+impl Backward<'_> {
+    fn vectorised(self) {
+        vectorised(self);
+    }
 }
 
 impl Job for Backward<'_> {
@@ -179,7 +198,7 @@ impl Factorisation {
         self.scales = scales;
         for (region, factor) in self.regions.iter_mut().enumerate() {
             let assembly = Assembly::new(system, region, &work.regions[region], &self.scales);
-            vectorised(FactorRegion { assembly, n: system.plan.regions[region].n, factor });
+            FactorRegion { assembly, n: system.plan.regions[region].n, factor }.vectorised();
         }
         self.assemble_dense(system, work);
         let size = self.size(system);
@@ -252,8 +271,7 @@ impl Factorisation {
 
     /// Rank of the dense system and its size.
     pub(crate) fn rank(&self) -> (usize, usize) {
-        let size = self.border.row_scale().len();
-        (self.border.rank(), size)
+        (self.border.rank(), self.border.size())
     }
 
     /// A dimensionless direction in ends and unknowns that the singular dense system does not see.
@@ -263,7 +281,7 @@ impl Factorisation {
 
     /// Whether no unknown enters the equation of this dense row.
     pub(crate) fn row_is_empty(&self, row: usize) -> bool {
-        let size = self.border.row_scale().len();
+        let size = self.border.size();
         self.dense[row * size..(row + 1) * size].iter().all(|&value| value == 0.0)
     }
 
@@ -295,7 +313,7 @@ impl Factorisation {
         for (factor, (lanes, functionals)) in
             self.regions.iter().zip(rhs.regions.iter_mut().zip(rhs.integrals.iter_mut()))
         {
-            let top = vectorised(Forward { factor, rhs: lanes, functionals });
+            let top = Forward { factor, rhs: lanes, functionals }.vectorised();
             dense.extend_from_slice(&top[top.len() - factor.lanes.sizes().n..]);
             tops.push(top);
         }
@@ -303,7 +321,7 @@ impl Factorisation {
             rhs.boundary[equation] -= value * rhs.integrals[region][k];
         }
         dense.extend_from_slice(&rhs.boundary);
-        self.border.solve(&mut dense, &mut Vec::new());
+        self.border.solve(&mut dense);
         let c = dense.split_off(2 * system.plan.states());
         let mut u = Vec::new();
         for (region, plan) in system.plan.regions.iter().enumerate() {
@@ -312,7 +330,7 @@ impl Factorisation {
             let constants: Vec<f64> = plan.columns.iter().map(|&column| c[column]).collect();
             let ends = &dense[plan.first_end..plan.first_end + 2 * plan.n];
             let (first, last) = ends.split_at(plan.n);
-            vectorised(Backward {
+            let backward = Backward {
                 factor: &self.regions[region],
                 rhs: &rhs.regions[region],
                 top: &tops[region],
@@ -320,7 +338,8 @@ impl Factorisation {
                 first,
                 last,
                 u: &mut nodes,
-            });
+            };
+            backward.vectorised();
             repeat_last(grid, last, &mut nodes);
             u.push(nodes);
         }

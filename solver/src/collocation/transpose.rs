@@ -26,6 +26,12 @@ struct Backward<'a> {
     top: &'a mut [f64],
 }
 
+impl Backward<'_> {
+    fn vectorised(self) -> Vec<f64> {
+        vectorised(self)
+    }
+}
+
 impl Job for Backward<'_> {
     /// Weights on the first and last node.
     type Output = Vec<f64>;
@@ -64,6 +70,12 @@ struct Forward<'a> {
     functionals: &'a [f64],
 }
 
+impl Forward<'_> {
+    fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
 impl Job for Forward<'_> {
     type Output = ();
 
@@ -100,7 +112,8 @@ impl Factorisation {
             let mut top = vec![0.0; W * plan.n];
             let mut constants = vec![0.0; plan.columns.len()];
             let u = &mut w.unknowns.u[region];
-            let mut ends = vectorised(Backward { factor, u, constants: &mut constants, rhs: &mut rhs, top: &mut top });
+            let backward = Backward { factor, u, constants: &mut constants, rhs: &mut rhs, top: &mut top };
+            let mut ends = backward.vectorised();
             factor.add_functionals(plan.n, &w.integrals[region], &mut ends, &mut constants);
             for (&column, weight) in plan.columns.iter().zip(&constants) {
                 c[column] += weight;
@@ -110,7 +123,7 @@ impl Factorisation {
             tops.push(top);
         }
         dense.extend(c);
-        self.border.solve_transposed(&mut dense, &mut Vec::new());
+        self.border.solve_transposed(&mut dense);
         let boundary = dense.split_off(system.plan.states());
         for &(equation, region, k, value) in &self.integral_entries {
             w.integrals[region][k] -= value * boundary[equation];
@@ -123,7 +136,7 @@ impl Factorisation {
             let last = top.len() - plan.n;
             top[last..].copy_from_slice(mine);
             let functionals = &w.integrals[region];
-            vectorised(Forward { factor: &self.regions[region], rhs: &mut lanes[region], top, functionals });
+            Forward { factor: &self.regions[region], rhs: &mut lanes[region], top, functionals }.vectorised();
         }
         Rhs { regions: lanes, integrals: w.integrals, boundary }
     }

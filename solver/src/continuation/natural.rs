@@ -4,6 +4,7 @@
 //! contraction Θ of Newton's iteration at the predicted point. For a predictor of order 2 the step that would have
 //! given the contraction Θ̄ is `(g(Θ̄)/g(Θ))^½` times the one taken, `g(Θ) = √(1 + 4Θ) - 1`.
 
+use super::checkpoint::Checkpoint;
 use super::path::Path;
 use crate::collocation::Correction;
 use crate::collocation::evaluate::Derivatives;
@@ -53,6 +54,31 @@ impl Default for PathOptions {
             max_iterations: 12,
             max_steps: 1000,
         }
+    }
+}
+
+impl PathOptions {
+    fn check(&self, from: &Checkpoint) -> Result<(), SolveError> {
+        if !(0.0..=1.0).contains(&from.position) {
+            return Err(SolveError::Option { name: "position", value: from.position, expected: "from 0 to 1" });
+        }
+        positive(&[
+            ("step", from.step),
+            ("first_step", self.first_step),
+            ("smallest_step", self.smallest_step),
+            ("largest_step", self.largest_step),
+            ("contraction", self.contraction),
+            ("tolerance on the way", self.tolerance),
+        ])
+    }
+}
+
+/// # Errors
+/// The first that is not a positive number.
+pub(crate) fn positive(options: &[(&'static str, f64)]) -> Result<(), SolveError> {
+    match options.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
+        Some(&(name, value)) => Err(SolveError::Option { name, value, expected: "a positive number" }),
+        None => Ok(()),
     }
 }
 
@@ -120,15 +146,44 @@ pub fn follow_observed<P: Problem + ?Sized>(
     options: &PathOptions,
     observer: &mut dyn Observer,
 ) -> Result<Followed, PathError> {
+    let checkpoint = Checkpoint { position: 0.0, step: options.first_step, guess: start.clone(), direction: None };
+    resume_follow(problem, &checkpoint, path, unknowns, options, observer)
+}
+
+/// Goes on from a checkpoint of an earlier continuation along the same path.
+///
+/// # Errors
+/// As [`follow`].
+pub fn resume_follow<P: Problem + ?Sized>(
+    problem: &P,
+    from: &Checkpoint,
+    path: &dyn Path,
+    unknowns: &[usize],
+    options: &PathOptions,
+    observer: &mut dyn Observer,
+) -> Result<Followed, PathError> {
+    resume_any(&problem, from, path, unknowns, options, observer)
+}
+
+fn resume_any(
+    problem: &dyn Problem,
+    from: &Checkpoint,
+    path: &dyn Path,
+    unknowns: &[usize],
+    options: &PathOptions,
+    observer: &mut dyn Observer,
+) -> Result<Followed, PathError> {
+    let start = &from.guess;
     let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause: Box::new(cause) };
     let layout = problem.layout();
     check(layout, start, unknowns, &options.solve).map_err(early)?;
+    options.check(from).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
     let tolerance = options.tolerance.max(options.solve.tolerance);
     let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
     let run = Run::new(problem, plan, &first, observer);
-    Follower { run, path, options, way: &way, steps: Vec::new() }.follow(start)
+    Follower { run, path, options, way: &way, steps: Vec::new() }.follow(from)
 }
 
 struct Follower<'a, 'o, P: Problem + ?Sized> {
@@ -141,31 +196,34 @@ struct Follower<'a, 'o, P: Problem + ?Sized> {
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
-    fn follow(mut self, start: &Guess) -> Result<Followed, PathError> {
-        let grids = start.grids();
-        let mut x = start.iterate(&grids);
-        self.path.constants(0.0, &mut x.constants);
+    fn follow(mut self, from: &Checkpoint) -> Result<Followed, PathError> {
+        let mut start = Start::from(&from.guess);
+        let mut lambda = from.position;
+        self.path.constants(lambda, &mut start.x.constants);
         let before = self.run.stats;
-        let mut here = match self.run.refine(Start { grids, x }) {
+        let mut here = match self.run.refine(start) {
             Ok(solved) => solved,
             Err(cause) => return Err(PathError { lambda: 0.0, last: None, steps: self.steps, cause: Box::new(cause) }),
         };
-        self.record(0.0, before, Some(&here));
+        self.record(lambda, before, Some(&here));
         self.run.options = self.way;
-        let mut lambda = 0.0;
-        let mut step = self.options.first_step.min(1.0);
+        let mut step = from.step.min(1.0);
         while lambda < 1.0 {
+            if self.steps.len() > self.options.max_steps {
+                let cause = SolveError::Steps { steps: self.options.max_steps };
+                return Err(self.give_up(&here, lambda, cause));
+            }
             // A last sliver would cost a step of its own.
             let next = if lambda + 1.01 * step >= 1.0 { 1.0 } else { lambda + step };
             match self.step(&here, lambda, next) {
                 Ok(solved) => {
                     step = self.next_step(next - lambda, self.run.contraction);
                     (here, lambda) = (solved, next);
+                    self.checkpoint(&here, lambda, step);
                 }
                 Err(cause) => {
                     step = 0.5 * (next - lambda);
-                    let spent = self.steps.len() >= self.options.max_steps || step < self.options.smallest_step;
-                    if spent || cause == SolveError::Cancelled {
+                    if step < self.options.smallest_step || cause == SolveError::Cancelled {
                         return Err(self.give_up(&here, lambda, cause));
                     }
                 }
@@ -212,6 +270,13 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
             newton_iterations: (self.run.stats - before).newton_iterations,
             intervals: solved.map_or(0, |solved| intervals(&solved.system.grids)),
         });
+    }
+
+    fn checkpoint(&mut self, here: &Solved<'_, P>, position: f64, step: f64) {
+        if self.run.observer.wants_checkpoints() {
+            let guess = Guess { regions: here.guess(), constants: here.converged.x.constants.clone() };
+            self.run.observer.checkpoint(&Checkpoint { position, step, guess, direction: None });
+        }
     }
 
     fn give_up(mut self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {

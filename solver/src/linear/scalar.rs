@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Chains that are eliminated side by side; one AVX register of doubles.
 pub(crate) const W: usize = 4;
 
-/// What the elimination needs of a number. No fused multiply-add: results are the same on every machine.
+/// What the elimination needs of a number. No fused multiply-add: chains are eliminated alike on every machine.
 pub(crate) trait Scalar:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign
 {

@@ -4,17 +4,15 @@ use crate::problems;
 use crate::problems::catalogue::{Case, record};
 use crate::problems::folds::{BRATU, NON};
 use crate::problems::run::{How, errors, run};
-use solver::{Guess, Options, Order, solve};
+use solver::{Accuracy, Guess, Options, Order, solve};
 
 const TOLERANCE: f64 = 1e-6;
-
-/// Newton's iteration stalls from the published guess: the period is far off and the orbit's shape rough.
-const UNSOLVED: [&str; 1] = ["NERVE"];
 
 /// A success, judged in tolerances.
 struct Judged {
     error: f64,
     estimate: f64,
+    accuracy: Accuracy,
     how: How,
 }
 
@@ -25,9 +23,13 @@ fn judge(case: &Case, parameter: Option<f64>, order: Order) -> Option<Judged> {
     match outcome.solution {
         Ok(solution) => {
             let errors = errors(case, parameter, &solution);
+            let again = solve(&*case.problem, &Guess::from(&solution), &case.unknowns, &options).unwrap();
+            let (iterations, intervals) = (again.stats().newton_iterations, again.intervals());
+            assert_eq!((iterations, intervals), (1, solution.intervals()), "{} at {parameter:?} again", case.id);
             assert!(!errors.everywhere.is_nan(), "{} at {parameter:?}: nothing to compare with", case.id);
             let error = errors.tabulated.max(errors.everywhere) / TOLERANCE;
-            Some(Judged { error, estimate: solution.error_estimate() / TOLERANCE, how: outcome.how })
+            let (estimate, accuracy) = (solution.error_estimate() / TOLERANCE, solution.accuracy());
+            Some(Judged { error, estimate, accuracy, how: outcome.how })
         }
         Err(reason) => {
             println!("{} at {parameter:?}, {order:?}: {reason}", case.label());
@@ -42,9 +44,10 @@ fn moderate_parameters_are_solved_to_ten_times_the_tolerance() {
         let parameter = case.parameters()[0];
         for order in [Order::Four, Order::Six] {
             match judge(&case, parameter, order) {
-                None => assert!(UNSOLVED.contains(&case.id), "{} at {parameter:?} failed", case.id),
-                Some(Judged { error, how, .. }) => {
+                None => panic!("{} at {parameter:?}, {order:?} failed", case.id),
+                Some(Judged { error, accuracy, how, .. }) => {
                     assert!(error <= 10.0, "{} at {parameter:?}, {order:?}: {error} tolerances", case.id);
+                    assert_eq!(accuracy, Accuracy::Met, "{} at {parameter:?}, {order:?}", case.id);
                     // T26 needs continuation even here.
                     assert!(how == How::Direct || case.id == "T26", "{} at {parameter:?} went by {how:?}", case.id);
                 }
@@ -59,16 +62,43 @@ fn hard_parameters_are_solved_to_ten_times_the_tolerance() {
     for case in problems::cases().into_iter().filter(|case| case.parameters().len() > 1) {
         let parameter = case.parameters()[1];
         for order in [Order::Four, Order::Six] {
-            let Some(Judged { error, estimate, .. }) = judge(&case, parameter, order) else {
+            let Some(Judged { error, estimate, accuracy, .. }) = judge(&case, parameter, order) else {
                 panic!("{} at {parameter:?} failed", case.id);
             };
             if case.id == "T35" {
-                assert!(estimate > 10.0 && error < 10.0 * estimate, "{error} tolerances, {estimate} estimated");
+                let short = matches!(accuracy, Accuracy::Short { .. });
+                assert!(
+                    error <= 10.0 || (short && error < 10.0 * estimate),
+                    "{error} tolerances, {estimate} estimated"
+                );
             } else {
                 assert!(error <= 10.0, "{} at {parameter:?}, {order:?}: {error} tolerances", case.id);
             }
         }
     }
+}
+
+/// A periodic orbit of unknown period from a rough guess, on twenty meshes: an iteration that insists on progress at every
+/// step succeeds on a few of them only. Some lead to the orbit run through backwards or twice, which are solutions too.
+#[test]
+fn a_rough_guess_of_a_periodic_orbit_leads_to_it_from_nearly_every_mesh() {
+    let mut case = problems::cases().into_iter().find(|case| case.id == "NERVE").unwrap();
+    let period = case.references(None)[0].constants[0];
+    let (mut solved, mut plain) = (0, 0);
+    for intervals in [2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100, 150, 200] {
+        case = case.intervals(intervals);
+        for order in [Order::Four, Order::Six] {
+            let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
+            let Ok(solution) = run(&case, None, &options).solution else { continue };
+            assert_eq!(solution.accuracy(), Accuracy::Met);
+            let periods = solution.constants()[case.unknowns[0]] / period;
+            assert!((periods - periods.round()).abs() < 1e-5 && periods.round() != 0.0, "{periods}");
+            solved += 1;
+            plain += usize::from(errors(&case, None, &solution).tabulated <= 10.0 * TOLERANCE);
+        }
+    }
+    println!("{solved} of 40 solved, {plain} of them by the plain orbit");
+    assert!(solved >= 34 && plain >= 20, "{solved} {plain}");
 }
 
 /// The smooth solution is found from the guess; the one with a corner by continuation from where both agree.

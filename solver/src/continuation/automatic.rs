@@ -1,0 +1,192 @@
+//! Solving what Newton's iteration cannot solve from the guess.
+
+use super::branch::{BranchOptions, PointKind, trace_observed};
+use super::homotopy::Homotopy;
+use super::natural::{PathError, PathOptions, follow_observed};
+use super::path::Ramp;
+use crate::error::SolveError;
+use crate::guess::Guess;
+use crate::observer::{Observer, Silent};
+use crate::options::{Control, Options};
+use crate::problem::{Layout, Problem};
+use crate::solution::Solution;
+use crate::solve::solve_observed;
+use crate::stats::Stats;
+
+/// A constant that makes the problem hard.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffness {
+    /// Index among the layout's constants; a given one.
+    pub constant: usize,
+    /// A value at which the problem is easy; if unknown, powers of ten times the given value are tried.
+    pub easy: Option<f64>,
+}
+
+/// How a solution was come by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum How {
+    /// From the guess.
+    Direct,
+    /// By continuation in the stiffness, from the value `easy`, in so many steps.
+    Stiffness {
+        /// Where the path began.
+        easy: f64,
+        /// Steps tried.
+        steps: usize,
+    },
+    /// By deforming the problem from one that the guess solves, in so many points of the branch.
+    Homotopy {
+        /// Points of the branch.
+        points: usize,
+    },
+}
+
+/// A solution, and how it was come by.
+#[derive(Debug, Clone)]
+pub struct Automatic {
+    /// The solution; its work counts are of the last attempt.
+    pub solution: Solution,
+    /// How.
+    pub how: How,
+    /// Work of all attempts.
+    pub stats: Stats,
+}
+
+/// Intervals of a region in the direct attempt if other ways are left.
+const DIRECT_INTERVALS: usize = 1000;
+/// Powers of ten that are tried for the easy value.
+const POWERS: i32 = 8;
+
+/// Solves directly if possible; else by continuation in the stiffness, if one is named; else by deforming the problem
+/// from one that the guess solves.
+///
+/// # Errors
+/// Why the direct attempt failed, if all else failed too.
+pub fn solve_automatically<P: Problem + ?Sized>(
+    problem: &P,
+    guess: &Guess,
+    unknowns: &[usize],
+    stiffness: Option<Stiffness>,
+    options: &Options,
+) -> Result<Automatic, SolveError> {
+    solve_automatically_observed(problem, guess, unknowns, stiffness, options, &mut Silent)
+}
+
+/// As [`solve_automatically`], watched by an observer that may cancel it.
+///
+/// # Errors
+/// As [`solve_automatically`].
+pub fn solve_automatically_observed<P: Problem + ?Sized>(
+    problem: &P,
+    guess: &Guess,
+    unknowns: &[usize],
+    stiffness: Option<Stiffness>,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Automatic, SolveError> {
+    solve_any(&problem, guess, unknowns, stiffness, options, observer)
+}
+
+fn solve_any(
+    problem: &dyn Problem,
+    guess: &Guess,
+    unknowns: &[usize],
+    stiffness: Option<Stiffness>,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Automatic, SolveError> {
+    let intervals =
+        if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
+    let direct = Options { max_intervals: intervals, ..options.clone() };
+    let mut attempt = Attempt { problem, guess, unknowns, options, observer, stats: Stats::default() };
+    let failure = match solve_observed(problem, guess, unknowns, &direct, attempt.observer) {
+        Ok(solution) => {
+            let stats = *solution.stats();
+            return Ok(Automatic { solution, how: How::Direct, stats });
+        }
+        Err(error) if error.is_final() => return Err(error),
+        Err(error) => error,
+    };
+    let found = match stiffness {
+        Some(stiffness) => attempt.by_stiffness(stiffness)?,
+        None => None,
+    };
+    let found = match found {
+        Some(found) => Some(found),
+        None => attempt.by_homotopy()?,
+    };
+    match found {
+        Some((solution, how)) => Ok(Automatic { solution, how, stats: attempt.stats }),
+        None => Err(failure),
+    }
+}
+
+struct Attempt<'a> {
+    problem: &'a dyn Problem,
+    guess: &'a Guess,
+    unknowns: &'a [usize],
+    options: &'a Options,
+    observer: &'a mut dyn Observer,
+    stats: Stats,
+}
+
+type Found = Option<(Solution, How)>;
+
+impl Attempt<'_> {
+    /// # Errors
+    /// Only cancellation.
+    fn by_stiffness(&mut self, stiffness: Stiffness) -> Result<Found, SolveError> {
+        let Some(&value) = self.guess.constants.get(stiffness.constant) else { return Ok(None) };
+        let powers = (1..=POWERS).flat_map(|power| [10.0_f64.powi(power), 10.0_f64.powi(-power)]);
+        let candidates: Vec<f64> = match stiffness.easy {
+            Some(easy) => vec![easy],
+            None => powers.map(|factor| factor * value).collect(),
+        };
+        let path = PathOptions { solve: self.options.clone(), ..PathOptions::default() };
+        for easy in candidates.into_iter().filter(|easy| *easy != value) {
+            let ramp = Ramp::new().geometric(stiffness.constant, easy, value);
+            match follow_observed(self.problem, self.guess, &ramp, self.unknowns, &path, self.observer) {
+                Ok(followed) => {
+                    self.stats += *followed.solution.stats();
+                    let how = How::Stiffness { easy, steps: followed.steps.len() };
+                    return Ok(Some((followed.solution, how)));
+                }
+                Err(PathError { cause, .. }) if *cause == SolveError::Cancelled => return Err(*cause),
+                Err(_) => {}
+            }
+        }
+        Ok(None)
+    }
+
+    /// # Errors
+    /// Only cancellation.
+    fn by_homotopy(&mut self) -> Result<Found, SolveError> {
+        let homotopy = Homotopy::new(self.problem, self.guess);
+        let layout: &Layout = homotopy.layout();
+        let t = layout.constants.len() - 1;
+        let mut start = self.guess.clone();
+        start.constants.push(0.0);
+        let way = Options { tolerance: 1e-2, control: Control::Defect, ..self.options.clone() };
+        let options = BranchOptions { solve: way, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
+        let branch = match trace_observed(&homotopy, &start, t, self.unknowns, &options, &[], self.observer) {
+            Ok(branch) => branch,
+            Err(error) if *error.cause == SolveError::Cancelled => return Err(*error.cause),
+            Err(_) => return Ok(None),
+        };
+        self.stats += branch.stats;
+        let points = branch.points.len();
+        let Some(last) = branch.points.last().filter(|last| last.kind == PointKind::End && last.parameter > 0.5) else {
+            return Ok(None);
+        };
+        let mut end = Guess::from(&last.solution);
+        end.constants.truncate(t);
+        match solve_observed(self.problem, &end, self.unknowns, self.options, self.observer) {
+            Ok(solution) => {
+                self.stats += *solution.stats();
+                Ok(Some((solution, How::Homotopy { points })))
+            }
+            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
+            Err(_) => Ok(None),
+        }
+    }
+}

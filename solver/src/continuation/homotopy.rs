@@ -1,0 +1,159 @@
+//! A problem deformed so that the guess solves it: the global homotopy.
+//!
+//! ```text
+//! y' = f(s, y, c) + (1 - t) [S₀'(s) - f(s, S₀(s), c₀)],      g(ends, I, c) = (1 - t) g(ends₀, I₀, c₀)
+//! ```
+//!
+//! For t = 0 the guess S₀ is a solution, for t = 1 the problem is the given one; the branch in between is traced by
+//! arclength, since t need not grow all the way. S. Smale, J. Math. Econ. 3 (1976) 107-120; H. B. Keller (1977).
+
+use crate::guess::Guess;
+use crate::problem::{Constant, Layout, Points, Problem, Scope};
+
+/// See the module's head. `t` is the last of the constants.
+pub(crate) struct Homotopy<'p, P: Problem + ?Sized> {
+    problem: &'p P,
+    guess: &'p Guess,
+    layout: Layout,
+    /// Slopes of the guess at its nodes.
+    slopes: Vec<Vec<Vec<f64>>>,
+    /// Boundary residuals of the guess.
+    g: Vec<f64>,
+}
+
+impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
+    pub(crate) fn new(problem: &'p P, guess: &'p Guess) -> Self {
+        let inner = problem.layout();
+        let mut layout = inner.clone();
+        let t = inner.constants.len();
+        layout.constants.push(Constant { name: "homotopy".to_owned(), scale: Some(1.0) });
+        for region in &mut layout.regions {
+            region.constant_pattern.extend((0..region.states.len()).map(|row| (row, t)));
+        }
+        let last = inner.inputs();
+        layout.boundary_pattern.extend((0..inner.equations.len()).map(|row| (row, last)));
+        let slopes = guess
+            .regions
+            .iter()
+            .map(|region| region.states.iter().map(|values| slopes(&region.mesh, values)).collect());
+        let mut homotopy = Self { problem, guess, layout, slopes: slopes.collect(), g: Vec::new() };
+        homotopy.g = homotopy.boundary_of_guess();
+        homotopy
+    }
+
+    fn boundary_of_guess(&self) -> Vec<f64> {
+        let inner = self.problem.layout();
+        let (mut ends, mut integrals) = (Vec::new(), Vec::new());
+        for (index, (guess, region)) in self.guess.regions.iter().zip(&inner.regions).enumerate() {
+            ends.extend(guess.states.iter().filter_map(|y| y.first()));
+            ends.extend(guess.states.iter().filter_map(|y| y.last()));
+            let (m, y) = (guess.mesh.len(), guess.states.concat());
+            let at = Points { len: m, stride: m, s: &guess.mesh, y: &y };
+            let mut f = vec![0.0; region.rows() * m];
+            self.problem.rhs(index, &at, &self.guess.constants, &mut f);
+            integrals.extend(f.chunks_exact(m).skip(region.states.len()).map(|q| trapezoid(&guess.mesh, q)));
+        }
+        let mut g = vec![0.0; inner.equations.len()];
+        self.problem.boundary(&ends, &integrals, &self.guess.constants, &mut g);
+        g
+    }
+
+    /// `S₀' - f(S₀)` at the points: `n * stride`.
+    fn defect(&self, region: usize, at: &Points<'_>) -> Vec<f64> {
+        let (guess, slopes) = (&self.guess.regions[region], &self.slopes[region]);
+        let n = guess.states.len();
+        let rows = self.problem.layout().regions[region].rows();
+        let (mut y, mut slope) = (vec![0.0; n * at.stride], vec![0.0; n * at.stride]);
+        for p in 0..at.len {
+            let j = guess.mesh.partition_point(|&node| node <= at.s[p]).saturating_sub(1).min(guess.mesh.len() - 2);
+            let h = guess.mesh[j + 1] - guess.mesh[j];
+            let (x, z) = ((at.s[p] - guess.mesh[j]) / h, 1.0 - (at.s[p] - guess.mesh[j]) / h);
+            for i in 0..n {
+                let (left, rise) = (guess.states[i][j], guess.states[i][j + 1] - guess.states[i][j]);
+                let (f0, f1) = (h * slopes[i][j], h * slopes[i][j + 1]);
+                y[i * at.stride + p] = left + rise * x * x * (3.0 - 2.0 * x) + f0 * x * z * z - f1 * x * x * z;
+                let derivative = rise * 6.0 * x * z + f0 * z * (1.0 - 3.0 * x) - f1 * x * (2.0 - 3.0 * x);
+                slope[i * at.stride + p] = derivative / h;
+            }
+        }
+        let mut f = vec![0.0; rows * at.stride];
+        let points = Points { y: &y, ..*at };
+        self.problem.rhs(region, &points, &self.guess.constants, &mut f);
+        slope.iter_mut().zip(&f).for_each(|(slope, f)| *slope -= f);
+        slope
+    }
+
+    fn split<'c>(&self, constants: &'c [f64]) -> (&'c [f64], f64) {
+        constants.split_last().map_or((&[], 0.0), |(t, rest)| (rest, 1.0 - t))
+    }
+}
+
+impl<P: Problem + ?Sized> Problem for Homotopy<'_, P> {
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
+        let (inner, rest) = self.split(constants);
+        self.problem.rhs(region, at, inner, f);
+        for (f, defect) in f.iter_mut().zip(self.defect(region, at)) {
+            *f += rest * defect;
+        }
+    }
+
+    fn rhs_jacobian(
+        &self,
+        region: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        _: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    ) {
+        let (inner, rest) = self.split(constants);
+        let entries = self.problem.layout().regions[region].constant_pattern.len();
+        let (inner_dc, added) = dc.split_at_mut(entries * at.stride);
+        self.problem.rhs_jacobian(region, at, inner, Scope::All, f, dy, inner_dc);
+        let defect = self.defect(region, at);
+        for ((f, added), defect) in f.iter_mut().zip(added).zip(defect) {
+            *f += rest * defect;
+            *added = -defect;
+        }
+    }
+
+    fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+        let (inner, rest) = self.split(constants);
+        self.problem.boundary(ends, integrals, inner, g);
+        g.iter_mut().zip(&self.g).for_each(|(g, first)| *g -= rest * first);
+    }
+
+    fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
+        let (inner, rest) = self.split(constants);
+        let (inner_dz, added) = dz.split_at_mut(self.problem.layout().boundary_pattern.len());
+        self.problem.boundary_jacobian(ends, integrals, inner, g, inner_dz);
+        g.iter_mut().zip(&self.g).for_each(|(g, first)| *g -= rest * first);
+        added.copy_from_slice(&self.g);
+    }
+}
+
+/// Slopes at the nodes of the parabolas through each node and its neighbours.
+fn slopes(mesh: &[f64], values: &[f64]) -> Vec<f64> {
+    let secants: Vec<f64> =
+        mesh.windows(2).zip(values.windows(2)).map(|(s, y)| (y[1] - y[0]) / (s[1] - s[0])).collect();
+    let last = mesh.len() - 1;
+    (0..=last)
+        .map(|j| match j {
+            0 => secants[0],
+            _ if j == last => secants[last - 1],
+            _ => {
+                let (left, right) = (mesh[j] - mesh[j - 1], mesh[j + 1] - mesh[j]);
+                (secants[j - 1] * right + secants[j] * left) / (left + right)
+            }
+        })
+        .collect()
+}
+
+fn trapezoid(mesh: &[f64], values: &[f64]) -> f64 {
+    mesh.windows(2).zip(values.windows(2)).map(|(s, q)| (s[1] - s[0]) * 0.5 * (q[0] + q[1])).sum()
+}

@@ -1,0 +1,120 @@
+//! Success that is none is told from success; problems are solved side by side.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{
+    Accuracy, Control, Guess, Layout, Linearisation, Options, Order, Problem, Region, Shortfall, Solution, solve,
+};
+use std::f64::consts::PI;
+
+/// Linear problems `u'' = a(s) u' + b(s) u` on (-1, 1), both ends given. Constants: ε.
+#[derive(Clone, Copy)]
+enum Linear {
+    /// Cash's T09: `(ε + s²) u'' + 4 s u' + 2 u = 0`, `u = 1/(ε + s²)`.
+    Peak,
+    /// Cash's T15: `ε u'' = s u`, `u(±1) = 1`: a turning point.
+    Airy,
+    /// `u'' = -(1 - ε)² π²/4 u`: nearly resonant.
+    Resonant,
+}
+
+impl Model for Linear {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("line", (-1.0, 1.0), &["u", "slope"], &[], 1)], &["eps"], &["left", "right"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+        f[0] = y[1];
+        f[1] = match self {
+            Self::Peak => -(s * y[1] * 4.0 + y[0] * 2.0) / (s * s + c[0]),
+            Self::Airy => s * y[0] / c[0],
+            Self::Resonant => -y[0] * (-c[0] + 1.0).powi(2) * (PI * PI / 4.0),
+        };
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], c: &[S], g: &mut [S]) {
+        let end = if matches!(self, Self::Peak) { (c[0] + 1.0).recip() } else { S::from(1.0) };
+        (g[0], g[1]) = (e[0] - end, e[2] - end);
+    }
+}
+
+fn solved(model: Linear, eps: f64, options: &Options) -> Solution {
+    let problem = Differentiated::new(model).unwrap();
+    let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
+    solve(&problem, &guess, &[], options).unwrap()
+}
+
+/// Both amplify defects a thousandfold: holding the defects to the tolerance leaves an error of 300 tolerances.
+#[test]
+fn defects_are_held_to_less_until_the_error_is_small() {
+    for (model, eps) in [(Linear::Peak, 1e-6), (Linear::Airy, 1e-6)] {
+        for order in [Order::Four, Order::Six] {
+            let options = Options { order, max_intervals: 200_000, ..Options::default() };
+            let solution = solved(model, eps, &options);
+            let line = &solution.regions()[0];
+            assert_eq!(solution.accuracy(), Accuracy::Met);
+            if let Linear::Peak = model {
+                let exact = |s: f64| 1.0 / (eps + s * s);
+                let error = line.mesh().iter().zip(line.state(0)).map(|(&s, u)| (u - exact(s)).abs() * eps);
+                assert!(error.fold(0.0, f64::max) < 1e-5);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_error_that_exceeds_the_tolerance_says_so_and_why() {
+    let short = |options: &Options, eps: f64| match solved(Linear::Resonant, eps, options).accuracy() {
+        Accuracy::Met => panic!("met"),
+        Accuracy::Short { estimate, tolerance, because } => {
+            assert!(estimate > tolerance && tolerance == options.tolerance);
+            because
+        }
+    };
+    let loose = Options { control: Control::Defect, ..Options::default() };
+    assert_eq!(short(&loose, 1e-5), Shortfall::Uncontrolled);
+    let few = Options { max_intervals: 100, ..Options::default() };
+    assert_eq!(short(&few, 1e-5), Shortfall::Mesh);
+    let all = Options { tolerance: 1e-10, newton_tolerance: Some(1e-6), order: Order::Six, ..Options::default() };
+    assert_eq!(short(&all, 1e-9), Shortfall::Rounding);
+    // A warm start keeps its mesh, and says that its error is what it was.
+    let problem = Differentiated::new(Linear::Resonant).unwrap();
+    let first = solved(Linear::Resonant, 1e-5, &loose);
+    let again = solve(&problem, &Guess::from(&first), &[], &Options::default()).unwrap();
+    assert_eq!(again.stats().newton_iterations, 1);
+    assert!(matches!(again.accuracy(), Accuracy::Short { because: Shortfall::WarmStart, .. }));
+    let kappa = Linearisation::new(&problem, &first).unwrap().conditioning().kappa();
+    assert!(kappa > 1e4, "{kappa}");
+}
+
+/// The solver starts no threads; whoever wants them solves in several.
+#[test]
+fn problems_are_solved_in_parallel_and_alike() {
+    fn parallel<T: Send + Sync>(_: &T) {}
+    let problem = Differentiated::new(Linear::Airy).unwrap();
+    parallel(&problem);
+    let widths = [1e-2, 1e-3, 1e-4, 1e-5];
+    let options = Options::default();
+    let alone: Vec<Solution> = widths.iter().map(|&eps| solved(Linear::Airy, eps, &options)).collect();
+    parallel(&alone);
+    let together: Vec<Solution> = std::thread::scope(|scope| {
+        let threads: Vec<_> = widths
+            .iter()
+            .map(|&eps| {
+                let (problem, options) = (&problem, &options);
+                scope.spawn(move || {
+                    let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
+                    let solution = solve(problem, &guess, &[], options).unwrap();
+                    let conditioning = Linearisation::new(problem, &solution).unwrap().conditioning();
+                    assert!(conditioning.kappa().is_finite());
+                    solution
+                })
+            })
+            .collect();
+        threads.into_iter().map(|thread| thread.join().unwrap()).collect()
+    });
+    for (a, b) in alone.iter().zip(&together) {
+        assert_eq!(a.regions()[0].mesh(), b.regions()[0].mesh());
+        assert_eq!(a.regions()[0].state(0), b.regions()[0].state(0));
+        assert_eq!(a.stats(), b.stats());
+    }
+}

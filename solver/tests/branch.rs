@@ -1,0 +1,360 @@
+//! Branches through folds, events, checkpoints, and the ways around a failing guess.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use solver::continuation::{
+    BranchOptions, Checkpoint, Direction, How, PathOptions, PointKind, Ramp, Saved, Stiffness, follow, follow_observed,
+    resume_follow, resume_trace, solve_automatically, trace, trace_observed,
+};
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{
+    Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess, Silent, Solution,
+    SolveError, solve,
+};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Bratu: `u'' = -λ exp(u)`, `u(0) = u(1) = 0`; a fold at λ = 3.51383...
+struct Bratu;
+
+impl Model for Bratu {
+    fn layout(&self) -> Layout {
+        let string = Region::dense("string", (0.0, 1.0), &["u", "slope"], &["area"], 1);
+        Layout::dense(vec![string], &["lambda"], &["left end", "right end"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1], f[2]) = (y[1], -c[0] * y[0].exp(), y[0]);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2]);
+    }
+}
+
+/// λ and u(1/2) at the fold: λ = 8 θ²/cosh² θ, u(1/2) = 2 ln cosh θ with θ tanh θ = 1.
+fn bratu_fold() -> (f64, f64) {
+    let mut theta = 1.2_f64;
+    for _ in 0..50 {
+        let f = theta * theta.tanh() - 1.0;
+        theta -= f / (theta.tanh() + theta / theta.cosh().powi(2));
+    }
+    (8.0 * (theta / theta.cosh()).powi(2), 2.0 * theta.cosh().ln())
+}
+
+fn middle(solution: &Solution) -> f64 {
+    solution.regions()[0].eval(0.5)[0]
+}
+
+#[test]
+fn a_fold_and_events_are_located() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    for order in [Order::Four, Order::Six] {
+        let options = BranchOptions {
+            solve: Options { order, tolerance: 1e-10, ..Options::default() },
+            range: (0.5, 10.0),
+            ..BranchOptions::default()
+        };
+        let peak = |solution: &Solution| middle(solution) - 3.0;
+        let branch = trace(&problem, &guess, 0, &[], &options, &[&peak]).unwrap();
+        println!("{order:?} {:?}", branch.stats);
+        // Some ten steps, and as many iterations to locate a fold, an event and the end.
+        assert!(branch.points.len() <= 20 && branch.stats.newton_iterations <= 75, "{:?}", branch.stats);
+        let folds: Vec<_> = branch.folds().collect();
+        let (lambda, height) = bratu_fold();
+        assert_eq!(folds.len(), 1);
+        assert!((folds[0].parameter - lambda).abs() < 1e-8 * lambda, "{} {lambda}", folds[0].parameter);
+        assert!((middle(&folds[0].solution) - height).abs() < 1e-6, "{} {height}", middle(&folds[0].solution));
+        let event = branch.points.iter().find(|point| point.kind == PointKind::Event(0)).unwrap();
+        assert!((middle(&event.solution) - 3.0).abs() < 1e-8);
+        let end = branch.points.last().unwrap();
+        assert_eq!(end.kind, PointKind::End);
+        assert!((end.parameter - 0.5).abs() < 1e-8);
+        assert!(middle(&end.solution) > 4.0, "the upper branch");
+        assert_eq!(end.solution.regions()[0].integrals().len(), 1);
+        assert!(branch.points.windows(2).all(|pair| pair[0].arclength <= pair[1].arclength));
+        // A point of the branch is a solution of the problem with the parameter given.
+        let again = solve(&problem, &Guess::from(&end.solution), &[], &options.solve).unwrap();
+        assert!(again.stats().newton_iterations <= 2);
+    }
+}
+
+#[test]
+fn at_a_fold_there_is_no_tangent_in_the_parameter() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[3.0], |_, _, y| y.fill(0.0));
+    let options = BranchOptions {
+        solve: Options { tolerance: 1e-9, ..Options::default() },
+        range: (3.0, 4.0),
+        ..BranchOptions::default()
+    };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let fold = branch.folds().next().unwrap();
+    let conditioning = Linearisation::new(&problem, &fold.solution).map(|linearisation| linearisation.conditioning());
+    assert!(conditioning.is_err() || conditioning.is_ok_and(|conditioning| conditioning.kappa() > 1e4));
+}
+
+/// Stops after so many steps; checkpoints go to a file.
+struct Stop {
+    after: usize,
+    saved: Saved,
+}
+
+impl Observer for Stop {
+    fn notify(&mut self, event: &Event) -> ControlFlow<()> {
+        match event {
+            Event::Step { step, .. } if *step > self.after => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+    fn wants_checkpoints(&self) -> bool {
+        true
+    }
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) {
+        self.saved.checkpoint(checkpoint);
+    }
+}
+
+fn stop_after(steps: usize, file: &str) -> (Stop, PathBuf) {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(file);
+    (Stop { after: steps, saved: Saved::to(&path) }, path)
+}
+
+#[test]
+fn a_branch_resumes_from_a_file_next_to_its_fold() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.5, 10.0), ..BranchOptions::default() };
+    let whole = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let (mut stop, path) = stop_after(7, "bratu.checkpoint");
+    let error = trace_observed(&problem, &guess, 0, &[], &options, &[], &mut stop).unwrap_err();
+    assert_eq!(*error.cause, SolveError::Cancelled);
+    assert!(stop.saved.failure.is_none());
+    let last = error.points.last().unwrap();
+    assert!(last.parameter > 3.5, "close to the fold, where the parameter determines nothing: {}", last.parameter);
+    let kept = Checkpoint::load(&path).unwrap();
+    assert_eq!(kept.position, last.arclength);
+    let rest = resume_trace(&problem, &kept, 0, &[], &options, &[], &mut Silent).unwrap();
+    let (a, b) = (rest.folds().next().unwrap(), whole.folds().next().unwrap());
+    assert!((a.parameter - b.parameter).abs() < 1e-7 && (a.arclength - b.arclength).abs() < 1e-4);
+    let (end, whole_end) = (rest.points.last().unwrap(), whole.points.last().unwrap());
+    assert_eq!(end.kind, PointKind::End);
+    assert!((middle(&end.solution) - middle(&whole_end.solution)).abs() < 1e-4);
+    assert!(rest.points.len() <= whole.points.len() - 8, "{} {}", rest.points.len(), whole.points.len());
+    // A path's checkpoint is none of a branch.
+    let path = Checkpoint { direction: None, ..kept };
+    let error = resume_trace(&problem, &path, 0, &[], &options, &[], &mut Silent).unwrap_err();
+    assert!(matches!(*error.cause, SolveError::Option { .. }), "{error}");
+}
+
+#[test]
+fn a_damaged_checkpoint_is_refused_by_line() {
+    let guess = Guess {
+        regions: vec![RegionGuess { mesh: vec![0.0, 0.1, 1.0], states: vec![vec![1.0 / 3.0, -0.0, 5e-324]] }],
+        constants: vec![std::f64::consts::PI, f64::MAX],
+    };
+    let direction = Direction { states: vec![vec![vec![1e-17, 0.1, 0.3]]], constants: vec![1.0, 0.0] };
+    let checkpoint = Checkpoint { position: 0.1, step: 1e-3, guess, direction: Some(direction) };
+    let mut text = Vec::new();
+    checkpoint.write(&mut text).unwrap();
+    assert_eq!(Checkpoint::read(text.as_slice()).unwrap(), checkpoint);
+    let text = String::from_utf8(text).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    for (line, replacement) in [(1, "something else"), (2, "1 2 3"), (3, "1 x"), (5, "0 NaN 1"), (6, "1 2")] {
+        let mut damaged = lines.clone();
+        damaged[line - 1] = replacement;
+        let error = Checkpoint::read(damaged.join("\n").as_bytes()).unwrap_err();
+        assert!(error.to_string().starts_with(&format!("line {line} ")), "{error}");
+    }
+    for kept in 0..lines.len() {
+        assert!(Checkpoint::read(lines[..kept].join("\n").as_bytes()).is_err(), "{kept} lines");
+    }
+}
+
+/// `u'' = -λ exp(x³ u)`, `u(0) = u(1) = 0`: a fold of the test set.
+struct Cubic;
+
+impl Model for Cubic {
+    fn layout(&self) -> Layout {
+        Bratu.layout()
+    }
+    fn rhs<S: Scalar>(&self, _: usize, x: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1], f[2]) = (y[1], -c[0] * (x.powi(3) * y[0]).exp(), y[0]);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], i: &[S], c: &[S], g: &mut [S]) {
+        Bratu.boundary(e, i, c, g);
+    }
+}
+
+#[test]
+fn the_test_set_s_second_fold_has_eight_digits() {
+    let data: serde_json::Value = serde_json::from_str(include_str!("data/bvp-testset.json")).unwrap();
+    let record = data["problems"].as_array().unwrap().iter().find(|problem| problem["id"] == "FOLD_NON").unwrap();
+    let reference = record["references"][0]["p1_fold"].as_f64().unwrap();
+    let problem = Differentiated::new(Cubic).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[1.0], |_, _, y| y.fill(0.0));
+    let solve = Options { order: Order::Six, tolerance: 1e-9, ..Options::default() };
+    let options = BranchOptions { solve, range: (0.5, 20.0), ..BranchOptions::default() };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let folds: Vec<f64> = branch.folds().map(|fold| fold.parameter).collect();
+    println!("{folds:?} {reference} {:?}", branch.stats);
+    assert!((folds[0] - reference).abs() < 1e-8 * reference);
+}
+
+/// `u'' = -λ exp(u / (1 + μ u))`, `u(0) = u(1) = 0`: two folds if μ is small, an S.
+struct Ignition;
+
+impl Model for Ignition {
+    fn layout(&self) -> Layout {
+        let slab = Region::dense("slab", (0.0, 1.0), &["u", "slope"], &[], 2);
+        Layout::dense(vec![slab], &["lambda", "mu"], &["left", "right"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], -c[0] * (y[0] / (c[1] * y[0] + 1.0)).exp());
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2]);
+    }
+}
+
+#[test]
+fn a_branch_turns_twice_and_goes_on_in_another_constant() {
+    let problem = Differentiated::new(Ignition).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5, 0.2], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.1, 8.0), ..BranchOptions::default() };
+    let hot = |solution: &Solution| middle(solution) - 10.0;
+    let branch = trace(&problem, &guess, 0, &[], &options, &[&hot]).unwrap();
+    let folds: Vec<f64> = branch.folds().map(|fold| fold.parameter).collect();
+    println!("{folds:?} {:?}", branch.stats);
+    assert!(folds.len() == 2 && folds[0] > folds[1], "{folds:?}");
+    let event = branch.points.iter().find(|point| point.kind == PointKind::Event(0)).unwrap();
+    // From there, with λ held, in μ: the other way round, u grows as μ falls.
+    let options = BranchOptions { range: (0.15, 0.25), upwards: false, ..options };
+    let other = trace(&problem, &Guess::from(&event.solution), 1, &[], &options, &[]).unwrap();
+    let end = other.points.last().unwrap();
+    assert_eq!(end.kind, PointKind::End);
+    assert!(other.points.iter().all(|point| point.solution.constants()[0] == event.parameter));
+    let direct = solve(&problem, &Guess::from(&end.solution), &[], &Options::default()).unwrap();
+    assert_eq!(direct.constants(), end.solution.constants());
+    assert!(direct.stats().newton_iterations <= 2);
+}
+
+#[test]
+fn senseless_options_of_a_continuation_are_refused() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    let refused = |options: &BranchOptions, parameter: usize| {
+        let error = trace(&problem, &guess, parameter, &[], options, &[]).unwrap_err();
+        assert!(error.cause.is_final() && error.points.is_empty(), "{error}");
+    };
+    refused(&BranchOptions { range: (1.0, 2.0), ..BranchOptions::default() }, 0);
+    refused(&BranchOptions { first_step: -0.1, ..BranchOptions::default() }, 0);
+    refused(&BranchOptions { smallest_step: f64::NAN, ..BranchOptions::default() }, 0);
+    refused(&BranchOptions::default(), 1);
+    let path = Ramp::new().linear(0, 0.5, 1.0);
+    let few = PathOptions { first_step: 0.01, largest_step: 0.01, max_steps: 3, ..PathOptions::default() };
+    let error = follow(&problem, &guess, &path, &[], &few).unwrap_err();
+    assert_eq!(*error.cause, SolveError::Steps { steps: 3 });
+    assert!(error.last.is_some());
+    let still = PathOptions { first_step: 0.0, ..PathOptions::default() };
+    assert!(matches!(*follow(&problem, &guess, &path, &[], &still).unwrap_err().cause, SolveError::Option { .. }));
+}
+
+#[test]
+fn a_range_that_ends_where_the_branch_begins() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.1, 0.5), ..BranchOptions::default() };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let kinds: Vec<PointKind> = branch.points.iter().map(|point| point.kind).collect();
+    assert_eq!(kinds, [PointKind::Regular, PointKind::End]);
+    assert!((branch.points[1].parameter - 0.5).abs() < 1e-6);
+}
+
+/// `ε u'' = u (1 - u')`.
+struct Corners;
+
+impl Model for Corners {
+    fn layout(&self) -> Layout {
+        let region = Region::dense("line", (0.0, 1.0), &["u", "slope"], &[], 1);
+        Layout::dense(vec![region], &["epsilon"], &["left", "right"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], y[0] * (-y[1] + 1.0) / c[0]);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0] - 1.0, e[2] + 1.0 / 3.0);
+    }
+}
+
+fn straight(_: usize, s: f64, y: &mut [f64]) {
+    (y[0], y[1]) = (1.0 - 4.0 / 3.0 * s, -4.0 / 3.0);
+}
+
+#[test]
+fn a_path_resumes_from_a_file() {
+    let problem = Differentiated::new(Corners).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[1.0], straight);
+    let path = Ramp::new().geometric(0, 1.0, 1e-4);
+    let options = PathOptions::default();
+    let whole = follow(&problem, &guess, &path, &[], &options).unwrap();
+    let (mut stop, file) = stop_after(2, "corners.checkpoint");
+    let error = follow_observed(&problem, &guess, &path, &[], &options, &mut stop).unwrap_err();
+    assert_eq!(*error.cause, SolveError::Cancelled);
+    assert!(error.last.is_some() && error.lambda > 0.0 && error.lambda < 1.0);
+    let kept = Checkpoint::load(&file).unwrap();
+    assert_eq!(kept.position, error.lambda);
+    let resumed = resume_follow(&problem, &kept, &path, &[], &options, &mut Silent).unwrap();
+    assert_eq!(resumed.solution.constants(), whole.solution.constants());
+    assert!(resumed.steps.len() < whole.steps.len(), "{:?} {:?}", resumed.steps, whole.steps);
+    assert!(resumed.solution.stats().newton_iterations < whole.solution.stats().newton_iterations);
+    let (a, b) = (&resumed.solution.regions()[0], &whole.solution.regions()[0]);
+    assert!((1..10).map(|i| 0.1 * f64::from(i)).all(|s| (a.eval(s)[0] - b.eval(s)[0]).abs() < 1e-5));
+}
+
+#[test]
+fn a_stiff_problem_is_solved_by_continuation_in_its_stiffness() {
+    let problem = Differentiated::new(Corners).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[1e-4], straight);
+    assert!(solve(&problem, &guess, &[], &Options::default()).is_err());
+    for easy in [Some(1.0), None] {
+        let stiffness = Stiffness { constant: 0, easy };
+        let found = solve_automatically(&problem, &guess, &[], Some(stiffness), &Options::default()).unwrap();
+        println!("{:?} {:?}", found.how, found.stats);
+        assert!(matches!(found.how, How::Stiffness { .. }));
+        assert_eq!(found.solution.constants(), [1e-4]);
+    }
+}
+
+/// Troesch: `u'' = μ sinh(μ u)`, `u(0) = 0`, `u(1) = 1`; a steep layer for large μ.
+struct Troesch(f64);
+
+impl Model for Troesch {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("line", (0.0, 1.0), &["u", "slope"], &[], 0)], &[], &["left", "right"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], _: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], (y[0] * self.0).sinh() * self.0);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2] - 1.0);
+    }
+}
+
+#[test]
+fn where_no_parameter_is_named_the_guess_is_deformed_into_a_solution() {
+    let problem = Differentiated::new(Troesch(20.0)).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[], |_, _, y| y.fill(0.0));
+    assert!(solve(&problem, &guess, &[], &Options::default()).is_err());
+    let found = solve_automatically(&problem, &guess, &[], None, &Options::default()).unwrap();
+    let How::Homotopy { points } = found.how else { panic!("{:?}", found.how) };
+    assert!(points <= 12 && found.stats.newton_iterations <= 100, "{points} {:?}", found.stats);
+    // The slope at the left end: test set, T23 at 20.
+    let data: serde_json::Value = serde_json::from_str(include_str!("data/bvp-testset.json")).unwrap();
+    let record = data["problems"].as_array().unwrap().iter().find(|problem| problem["id"] == "T23").unwrap();
+    let reference = record["references"].as_array().unwrap().iter().find(|one| one["parameter"] == 20.0).unwrap();
+    let [x, u] = [&reference["x"], &reference["y"][0]].map(|values| values.as_array().unwrap());
+    for (x, u) in x.iter().zip(u) {
+        let (x, u) = (x.as_f64().unwrap(), u.as_f64().unwrap());
+        assert!((found.solution.regions()[0].eval(x)[0] - u).abs() < 1e-5, "{x}");
+    }
+}
