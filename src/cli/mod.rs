@@ -1,6 +1,7 @@
 //! What the commands share; each command has a file of its own.
 
 mod case;
+mod init;
 mod keys;
 mod output;
 mod reproduce;
@@ -28,6 +29,7 @@ enum Command {
     Solve(solve::Arguments),
     Sweep(sweep::Arguments),
     Reproduce(reproduce::Arguments),
+    Init(init::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -45,6 +47,7 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
+        Command::Init(arguments) => init::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
