@@ -4,6 +4,7 @@ mod case;
 mod init;
 mod keys;
 mod output;
+mod pulley;
 mod reproduce;
 mod solve;
 mod stop;
@@ -30,6 +31,7 @@ enum Command {
     Sweep(sweep::Arguments),
     Reproduce(reproduce::Arguments),
     Init(init::Arguments),
+    Pulley(pulley::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -48,6 +50,7 @@ pub fn run() -> ExitCode {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Init(arguments) => init::run(arguments),
+        Command::Pulley(arguments) => pulley::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
