@@ -6,6 +6,7 @@ mod keys;
 mod output;
 mod pulley;
 mod reproduce;
+mod size;
 mod solve;
 mod stop;
 mod sweep;
@@ -32,6 +33,7 @@ enum Command {
     Reproduce(reproduce::Arguments),
     Init(init::Arguments),
     Pulley(pulley::Arguments),
+    Size(size::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -51,6 +53,7 @@ pub fn run() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Init(arguments) => init::run(arguments),
         Command::Pulley(arguments) => pulley::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
