@@ -1,5 +1,6 @@
 //! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
-//! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it.
+//! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it. [`small`]
+//! models stand beside the full one.
 
 pub mod case;
 pub mod design;
@@ -8,4 +9,5 @@ pub mod plot;
 pub mod quantity;
 pub mod report;
 pub mod result;
+pub mod small;
 pub mod study;

@@ -30,9 +30,15 @@ pub use error::Error;
 pub fn generate() -> Result<Vec<SourceFile>, Error> {
     symbolic(|| {
         let kernels = physics::edition::kernels()?;
-        let mut files = kernels.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()?;
-        files.push(emit::twin(&kernels)?);
+        let emitted = |kernels: &[physics::edition::Model]| {
+            kernels.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()
+        };
+        let mut files = emitted(&kernels)?;
+        files.push(emit::twin("twin.rs", &kernels)?);
         files.extend(document::files()?);
+        let small = physics::small::kernels()?;
+        files.extend(emitted(&small)?);
+        files.push(emit::twin("twin_small.rs", &small)?);
         Ok(files)
     })?
 }

@@ -3,11 +3,14 @@
 mod case;
 mod derive;
 mod design;
+mod init;
 mod keys;
 mod limit;
 mod optimum;
 mod output;
+mod pulley;
 mod reproduce;
+mod size;
 mod solve;
 mod stop;
 mod sweep;
@@ -35,6 +38,9 @@ enum Command {
     Optimum(optimum::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
+    Init(init::Arguments),
+    Pulley(pulley::Arguments),
+    Size(size::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -55,6 +61,9 @@ pub fn run() -> ExitCode {
         Command::Optimum(arguments) => optimum::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
+        Command::Init(arguments) => init::run(arguments),
+        Command::Pulley(arguments) => pulley::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
