@@ -58,6 +58,14 @@ pub enum Error {
         /// The equation.
         equation: String,
     },
+    /// An equation that should be of second degree in an unknown is not.
+    #[error("not quadratic in {unknown}: {equation}")]
+    NotQuadratic {
+        /// The unknown.
+        unknown: String,
+        /// The equation.
+        equation: String,
+    },
     /// A jet of higher order than the notation has symbols for.
     #[error("the total derivative of `{expression}` needs a derivative of {highest}")]
     JetOrder {

@@ -31,8 +31,11 @@ pub fn generate() -> Result<Vec<SourceFile>, Error> {
     symbolic(|| {
         let kernels = physics::edition::kernels()?;
         let mut files = kernels.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()?;
-        files.push(emit::twin(&kernels)?);
+        files.push(emit::twin("twin.rs", &kernels)?);
         files.extend(document::files()?);
+        let small = physics::small::kernels()?;
+        files.extend(small.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()?);
+        files.push(emit::twin("twin_small.rs", &small)?);
         Ok(files)
     })?
 }

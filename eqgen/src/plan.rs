@@ -19,6 +19,10 @@ pub enum Function {
     Tan,
     /// tanh u
     Tanh,
+    /// eᵘ
+    Exp,
+    /// ln u
+    Ln,
     /// min(1, u); its derivative is 1 below u = 1 and 0 from there on.
     Saturate,
     /// The angle of the vector (u, v) in (−π, π]: atan2(v, u).

@@ -146,6 +146,18 @@ pub(crate) fn tanh<Real: Lane>(u: Real) -> Real {
     e / (e + number(2.0))
 }
 
+/// eᵘ, the standard library's.
+#[inline(always)]
+pub(crate) fn exp<Real: Lane>(u: Real) -> Real {
+    u.map(f64::exp)
+}
+
+/// ln u, the standard library's; NaN for a negative u.
+#[inline(always)]
+pub(crate) fn ln<Real: Lane>(u: Real) -> Real {
+    u.map(f64::ln)
+}
+
 /// 1/13!, …, 1/3!, 1/2!
 const TAYLOR: [f64; 12] = [
     1.0 / 6_227_020_800.0,

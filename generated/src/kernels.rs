@@ -54,6 +54,24 @@ macro_rules! boundaries {
     };
 }
 
+macro_rules! formulae {
+    ($($name:ident $constant:ident $doc:literal),* $(,)?) => {
+        $(
+            #[allow(non_snake_case, unused_variables, unused_comparisons, clippy::all)]
+            mod $name {
+                use super::sized;
+                use crate::function::*;
+                use crate::types::{BoundaryKernel, Equation, Symbol};
+                generated!($name);
+            }
+            #[doc = $doc]
+            pub static $constant: BoundaryKernel = $name::KERNEL;
+        )*
+        /// All formulae of the small models: sets without ends and integrals, their inputs are the constants.
+        pub static FORMULAE: &[&BoundaryKernel] = &[$(&$constant),*];
+    };
+}
+
 regions! {
     contact_linearised_viscous_coulomb CONTACT_LINEARISED_VISCOUS_COULOMB
         "The belt in a groove: linearised shear (3.38), (3.40), viscous Coulomb friction.",
@@ -92,4 +110,19 @@ boundaries! {
         "Conditions of a belt without bending stiffness.",
     outputs_string OUTPUTS_STRING
         "What a drive is asked for, without bending stiffness: each equation's residual is an output.",
+}
+
+formulae! {
+    simple_drive SIMPLE_DRIVE
+        "A belt drive that adheres, then slides: residuals in two speeds, two torques, two axial forces and v_0.",
+    simple_drive_closed SIMPLE_DRIVE_CLOSED
+        "A belt drive that adheres, then slides: what follows without iteration.",
+    belt_pulley BELT_PULLEY
+        "A pulley wrapped by a belt: residuals in its ports, and its power balance.",
+    belt_pulley_limits BELT_PULLEY_LIMITS
+        "A pulley wrapped by a belt: how much of its friction a pair of tensions takes.",
+    drive_sizing DRIVE_SIZING
+        "Torques and inertia at the input of a belt drive (3.21) to (3.27); each equation's residual is an output.",
+    drive_sizing_idler DRIVE_SIZING_IDLER
+        "Inertia of an idler at the input of a belt drive; each equation's residual is an output.",
 }

@@ -4,7 +4,7 @@ mod isolate;
 mod jet;
 mod linearise;
 
-pub use isolate::{Linear, linear_in, solve_linear};
+pub use isolate::{Linear, Quadratic, linear_in, quadratic_in, solve_linear};
 pub use jet::{on_path, total_derivative};
 pub use linearise::linearise;
 

@@ -274,7 +274,9 @@ impl<'a> Body<'a> {
             Operation::Mul(..) => self.count.multiplications += 1,
             Operation::Reciprocal(_) => self.count.divisions += 1,
             Operation::Sqrt(_) => self.count.roots += 1,
-            Operation::Tanh(_) | Operation::Angle(..) => self.count.functions += 1,
+            Operation::Tanh(_) | Operation::Exp(_) | Operation::Ln(_) | Operation::Angle(..) => {
+                self.count.functions += 1;
+            }
             _ => self.count.additions += 1,
         }
     }
@@ -334,6 +336,8 @@ impl<'a> Body<'a> {
             Sin(a) => call("sin", &[a]),
             Cos(a) => call("cos", &[a]),
             Tanh(a) => call("tanh", &[a]),
+            Exp(a) => call("exp", &[a]),
+            Ln(a) => call("ln", &[a]),
             Saturate(a) => call("saturate", &[a]),
             BelowOne(a) => call("below_one", &[a]),
             Angle(a, b) => call("angle", &[a, b]),

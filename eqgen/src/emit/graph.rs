@@ -31,6 +31,10 @@ pub enum Operation {
     Cos(Node),
     /// tanh a
     Tanh(Node),
+    /// eᵃ
+    Exp(Node),
+    /// ln a
+    Ln(Node),
     /// min(1, a)
     Saturate(Node),
     /// 1 where a < 1, else 0
@@ -57,6 +61,8 @@ impl Operation {
             Sin(_) => "sine",
             Cos(_) => "cosine",
             Tanh(_) => "tanh",
+            Exp(_) => "exponential",
+            Ln(_) => "logarithm",
             Saturate(_) => "min(1, ·)",
             BelowOne(_) => "below one",
             Angle(..) => "angle",
@@ -70,9 +76,8 @@ impl Operation {
         let (first, second) = match self {
             Constant(_) | Input(_) => (None, None),
             Add(a, b) | Sub(a, b) | Mul(a, b) | Angle(a, b) => (Some(a), Some(b)),
-            Neg(a) | Reciprocal(a) | Sqrt(a) | Sin(a) | Cos(a) | Tanh(a) | Saturate(a) | BelowOne(a) | Turn(a) => {
-                (Some(a), None)
-            }
+            Neg(a) | Reciprocal(a) | Sqrt(a) | Sin(a) | Cos(a) | Tanh(a) | Exp(a) | Ln(a) | Saturate(a)
+            | BelowOne(a) | Turn(a) => (Some(a), None),
         };
         first.into_iter().chain(second)
     }

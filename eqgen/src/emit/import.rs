@@ -75,6 +75,8 @@ impl<'a> Import<'a> {
             }
             (Function::Tan, &[u]) => return self.tangent(step, u),
             (Function::Tanh, &[u]) => Operation::Tanh(u),
+            (Function::Exp, &[u]) => Operation::Exp(u),
+            (Function::Ln, &[u]) => Operation::Ln(u),
             (Function::Saturate, &[u]) => Operation::Saturate(u),
             (Function::Angle, &[u, v]) => Operation::Angle(u, v),
             (Function::Turn, &[u]) => Operation::Turn(u),
@@ -149,6 +151,14 @@ impl<'a> Import<'a> {
                 let square = self.graph.mul(value, value);
                 Ok(self.graph.sub(one, square))
             }
+            Function::Exp => Ok(value),
+            Function::Ln => match self.graph.operation(value) {
+                Operation::Ln(u) => {
+                    self.must_not_vanish(&step.name, u)?;
+                    Ok(self.graph.reciprocal(u))
+                }
+                _ => Err(unsupported()),
+            },
             Function::Saturate => match self.graph.operation(value) {
                 Operation::Saturate(u) => Ok(self.graph.function(Operation::BelowOne(u))),
                 _ => Err(unsupported()),

@@ -10,12 +10,12 @@ use crate::error::Error;
 use crate::physics::edition::Model;
 use crate::plan::{Definition, Function, Plan};
 
-/// The file of all twins.
+/// The file of that name, with the twins of those kernels.
 ///
 /// # Errors
 /// [`Error::Unsupported`] for a construct that has no form in it.
-pub fn file(models: &[Model]) -> Result<SourceFile, Error> {
-    let name = "twin.rs".to_owned();
+pub fn file(name: &str, models: &[Model]) -> Result<SourceFile, Error> {
+    let name = name.to_owned();
     let functions = models.iter().map(function).collect::<Result<Vec<_>, _>>()?;
     let table = models.iter().map(|model| {
         let (text, ident) = (model.name(), format_ident!("{}", model.name()));
@@ -73,6 +73,8 @@ fn definition(step: &str, definition: &Definition) -> Result<TokenStream, Error>
                     Function::Sqrt => "sqrt",
                     Function::Tan => "tan",
                     Function::Tanh => "tanh",
+                    Function::Exp => "exp",
+                    Function::Ln => "ln",
                     Function::Saturate => "saturate",
                     Function::Angle => "angle",
                     Function::Turn => "turn",

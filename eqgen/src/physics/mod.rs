@@ -10,5 +10,6 @@ pub mod friction;
 pub mod kinematics;
 pub mod notation;
 pub mod outputs;
+pub mod small;
 pub mod span;
 pub mod string;

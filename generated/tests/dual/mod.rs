@@ -13,6 +13,8 @@ pub trait Number:
     fn tan(self) -> Self;
     fn sqrt(self) -> Self;
     fn tanh(self) -> Self;
+    fn exp(self) -> Self;
+    fn ln(self) -> Self;
     /// min(1, ·)
     fn saturate(self) -> Self;
     /// The angle of (self, other).
@@ -52,6 +54,12 @@ impl Number for Dual {
     }
     fn tanh(self) -> Self {
         self.chain(self.0.tanh(), 1.0 - self.0.tanh().powi(2))
+    }
+    fn exp(self) -> Self {
+        self.chain(self.0.exp(), self.0.exp())
+    }
+    fn ln(self) -> Self {
+        self.chain(self.0.ln(), 1.0 / self.0)
     }
     fn saturate(self) -> Self {
         if self.0 < 1.0 { self } else { Self(1.0, 0.0) }

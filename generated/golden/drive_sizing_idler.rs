@@ -1,0 +1,151 @@
+// drive_sizing_idler: Inertia of an idler at the input of a belt drive.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Operations:
+//   value: 5 operations
+//   jacobian: 13 operations
+
+///Structurally nonzero derivatives.
+const PATTERN: &[(usize, usize)] = &[(0, 2), (0, 12), (0, 13)];
+///Inertia of an idler at the input of a belt drive.
+pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+    name: "drive_sizing_idler",
+    equations: &[
+        Equation {
+            name: "reflected_inertia",
+            doc: "inertia of an idler as seen at the input, kg·m^2",
+        },
+    ],
+    ends: &[],
+    integrals: &[],
+    constants: &[
+        Symbol {
+            name: "M_belt",
+            symbol: "M_b",
+            unit: "kg",
+            doc: "mass of the belt",
+        },
+        Symbol {
+            name: "M_load",
+            symbol: "M_l",
+            unit: "kg",
+            doc: "mass that the belt moves in a straight line",
+        },
+        Symbol {
+            name: "D_in",
+            symbol: "D_in",
+            unit: "m",
+            doc: "diameter of the input pulley",
+        },
+        Symbol {
+            name: "D_out",
+            symbol: "D_out",
+            unit: "m",
+            doc: "diameter of the output pulley",
+        },
+        Symbol {
+            name: "F",
+            symbol: "F",
+            unit: "N",
+            doc: "external force on the belt, against its motion",
+        },
+        Symbol {
+            name: "F_f",
+            symbol: "F_f",
+            unit: "N",
+            doc: "friction force on the linear load",
+        },
+        Symbol {
+            name: "T_out",
+            symbol: "T_out",
+            unit: "N·m",
+            doc: "torque that the application takes from the output pulley",
+        },
+        Symbol {
+            name: "I_p1",
+            symbol: "I_p1",
+            unit: "kg·m²",
+            doc: "inertia of the input pulley",
+        },
+        Symbol {
+            name: "I_p2",
+            symbol: "I_p2",
+            unit: "kg·m²",
+            doc: "inertia of the output pulley",
+        },
+        Symbol {
+            name: "I_RL",
+            symbol: "I_RL",
+            unit: "kg·m²",
+            doc: "inertia of the rotary load on the output pulley",
+        },
+        Symbol {
+            name: "I_idlers",
+            symbol: "I_i",
+            unit: "kg·m²",
+            doc: "inertia of all idlers as seen at the input",
+        },
+        Symbol {
+            name: "alpha",
+            symbol: "dω/dt",
+            unit: "rad/s²",
+            doc: "angular acceleration of the input",
+        },
+        Symbol {
+            name: "D",
+            symbol: "D",
+            unit: "m",
+            doc: "diameter of an idler",
+        },
+        Symbol {
+            name: "I_idler",
+            symbol: "I",
+            unit: "kg·m²",
+            doc: "inertia of an idler",
+        },
+    ],
+    pattern: PATTERN,
+    value,
+    jacobian: derivatives,
+};
+///Residuals.
+fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+    assert!(ends.len() >= 0, "ends: too few values");
+    assert!(integrals.len() >= 0, "integrals: too few values");
+    assert!(constants.len() >= 14, "constants: too few values");
+    let g = sized(g, 1, "g");
+    let D = constants[12];
+    let t1 = reciprocal(D);
+    let I_idler = constants[13];
+    let D_in = constants[2];
+    let reflected_inertia = t1 * t1 * (I_idler * (D_in * D_in));
+    g[0] = reflected_inertia;
+}
+///Residuals and their derivatives.
+fn derivatives(
+    ends: &[f64],
+    integrals: &[f64],
+    constants: &[f64],
+    g: &mut [f64],
+    dz: &mut [f64],
+) {
+    assert!(ends.len() >= 0, "ends: too few values");
+    assert!(integrals.len() >= 0, "integrals: too few values");
+    assert!(constants.len() >= 14, "constants: too few values");
+    let g = sized(g, 1, "g");
+    let dz = sized(dz, PATTERN.len(), "dz");
+    let D = constants[12];
+    let t1 = reciprocal(D);
+    let t2 = t1 * t1;
+    let I_idler = constants[13];
+    let D_in = constants[2];
+    let t3 = D_in * D_in;
+    let t4 = I_idler * t3;
+    let reflected_inertia = t2 * t4;
+    g[0] = reflected_inertia;
+    let d_reflected_inertia_d_D_in = 2.0 * (t2 * (D_in * I_idler));
+    dz[0] = d_reflected_inertia_d_D_in;
+    let d_reflected_inertia_d_D = -(t1 * t2 * (t4 * 2.0));
+    dz[1] = d_reflected_inertia_d_D;
+    let d_reflected_inertia_d_I_idler = t3 * t2;
+    dz[2] = d_reflected_inertia_d_I_idler;
+}
