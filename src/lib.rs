@@ -1,5 +1,5 @@
 //! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
-//! [`study`] does so over a grid; [`plot`] and [`report`] show it.
+//! [`study`] does so over a grid; [`plot`] and [`report`] show it. [`small`] models stand beside the full one.
 
 pub mod case;
 pub mod drive;
@@ -7,4 +7,5 @@ pub mod plot;
 pub mod quantity;
 pub mod report;
 pub mod result;
+pub mod small;
 pub mod study;

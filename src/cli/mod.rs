@@ -2,6 +2,7 @@
 
 mod case;
 mod derive;
+mod init;
 mod keys;
 mod output;
 mod reproduce;
@@ -30,6 +31,7 @@ enum Command {
     Sweep(sweep::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
+    Init(init::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -48,6 +50,7 @@ pub fn run() -> ExitCode {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
+        Command::Init(arguments) => init::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

@@ -1,0 +1,93 @@
+//! Newton's method for v_0 and one more unknown.
+
+use super::state::{InitError, PulleyId, gross_slip};
+use super::{Inputs, SimpleDrive};
+
+/// Steps at most; fewer than ten are usual.
+const STEPS: usize = 100;
+/// Halvings of a step at most.
+const HALVINGS: usize = 60;
+/// A step that changes the belt's tension by less than this share is the last: the next would change it by its square.
+const LAST_STEP: f64 = 1e-8;
+
+/// Two equations for two unknowns.
+pub(super) struct System<'a> {
+    pub drive: &'a SimpleDrive,
+    /// Their names among the residuals.
+    pub equations: [&'static str; 2],
+    /// The unknown beside v_0.
+    pub unknown: &'static str,
+    /// The pulley whose axial force is given.
+    pub clamped: PulleyId,
+}
+
+impl System<'_> {
+    /// Solves from where `closed` stands and leaves the solution there; the number of steps.
+    pub fn solve(&self, mut residuals: Inputs, closed: &mut Inputs) -> Result<usize, InitError> {
+        for name in ["omega_I", "omega_O", "M_O", "M_I", "v_0"] {
+            residuals.set(name, closed.get(name));
+        }
+        for step in 1..=STEPS {
+            let [x, v_0] = self.step(&residuals);
+            let share = self.walk(&mut residuals, closed, [x, v_0])?;
+            if share == 1.0 && self.change(closed, [x, v_0]) < LAST_STEP {
+                return Ok(step);
+            }
+        }
+        match gross_slip(closed, self.clamped) {
+            slip @ InitError::GrossSlip { axial_force, smallest, .. } if axial_force < smallest => Err(slip),
+            _ => Err(InitError::NotConverged { steps: STEPS }),
+        }
+    }
+
+    /// The full step in the unknown and v_0, by Cramer's rule.
+    fn step(&self, residuals: &Inputs) -> [f64; 2] {
+        let at = residuals.linearised();
+        let [f, g] = self.equations;
+        let entry = |equation, unknown| at.derivative(equation, unknown);
+        let [[f_x, f_v], [g_x, g_v]] = [f, g].map(|equation| [entry(equation, self.unknown), entry(equation, "v_0")]);
+        let (f, g) = (at.get(f), at.get(g));
+        let determinant = f_x * g_v - f_v * g_x;
+        [(f_v * g - g_v * f) / determinant, (g_x * f - f_x * g) / determinant]
+    }
+
+    /// Takes the step, halved until the belt is tight and some of it adheres; the share that was taken.
+    fn walk(&self, residuals: &mut Inputs, closed: &mut Inputs, step: [f64; 2]) -> Result<f64, InitError> {
+        let from = [self.unknown, "v_0"].map(|name| residuals.get(name));
+        let mut share = 1.0;
+        for _ in 0..HALVINGS {
+            for ((name, from), step) in [self.unknown, "v_0"].into_iter().zip(from).zip(step) {
+                residuals.set(name, from + share * step);
+                closed.set(name, from + share * step);
+            }
+            if is_possible(self.drive, closed, self.clamped) {
+                return Ok(share);
+            }
+            share /= 2.0;
+        }
+        Err(gross_slip(closed, self.clamped))
+    }
+
+    /// What share of the belt's tension a step changes.
+    fn change(&self, closed: &Inputs, [x, v_0]: [f64; 2]) -> f64 {
+        let outputs = closed.outputs();
+        let tension = outputs.get("tight_tension").max(outputs.get("slack_tension"));
+        let strain = (v_0 / closed.get("v_0")).abs() * self.drive.longitudinal_stiffness / tension;
+        let torque = if self.unknown.starts_with('M') { (x / closed.get(self.unknown)).abs() } else { 0.0 };
+        strain.max(torque)
+    }
+}
+
+/// Whether the belt runs more slowly than a wave along it, is pressed into both grooves, and adheres somewhere on `pulley`.
+pub(super) fn is_possible(drive: &SimpleDrive, closed: &Inputs, pulley: PulleyId) -> bool {
+    let outputs = closed.outputs();
+    let (v_0, lift_off) = (closed.get("v_0"), outputs.get("lift_off"));
+    // K has a pole where the belt is as fast as a wave, and is negative beyond.
+    let runs = v_0 > 0.0 && lift_off >= 0.0;
+    let tight = outputs.get("slack_force") > lift_off && outputs.get("tight_force") > lift_off;
+    let sliding = match pulley {
+        PulleyId::Output => outputs.get("sliding_O"),
+        PulleyId::Input => outputs.get("sliding_I"),
+    };
+    runs && tight && sliding <= drive.contact_angle(pulley)
+}

@@ -1,0 +1,6 @@
+//! Small models that stand beside the full one, each a few formulae: where a drive starts ([`init`]).
+//!
+//! Their equations are derived and emitted by `eqgen` as the full model's are; `docs/small-models.md` lists them.
+
+mod formula;
+pub mod init;
