@@ -5,6 +5,7 @@ mod derive;
 mod init;
 mod keys;
 mod output;
+mod pulley;
 mod reproduce;
 mod solve;
 mod stop;
@@ -32,6 +33,7 @@ enum Command {
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
+    Pulley(pulley::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -51,6 +53,7 @@ pub fn run() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
+        Command::Pulley(arguments) => pulley::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

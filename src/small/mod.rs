@@ -1,6 +1,8 @@
-//! Small models that stand beside the full one, each a few formulae: where a drive starts ([`init`]).
+//! Small models that stand beside the full one, each a few formulae: where a drive starts ([`init`]), one pulley as a
+//! component of a drive line ([`pulley`]).
 //!
 //! Their equations are derived and emitted by `eqgen` as the full model's are; `docs/small-models.md` lists them.
 
 mod formula;
 pub mod init;
+pub mod pulley;

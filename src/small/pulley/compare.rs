@@ -1,0 +1,152 @@
+//! The component beside the full model: what Euler's relation makes of the tensions that the full model finds.
+
+use super::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
+use crate::result::{Outcome, Pulley};
+use crate::small::formula::Inputs;
+use generated::BELT_PULLEY_LIMITS;
+use serde::Serialize;
+
+/// Force below which the component counts a branch as slack, N: far below any tension of a drive.
+const FORCE_THRESHOLD: f64 = 1e-3;
+
+/// Both pulleys of a drive.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The driving pulley.
+    pub primary: PulleyComparison,
+    /// The driven pulley.
+    pub secondary: PulleyComparison,
+}
+
+/// One pulley of the full model, and the same as a component.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PulleyComparison {
+    /// Tractive tension of the tight span in the full model, N.
+    pub tight_tension: f64,
+    /// Tractive tension of the slack span in the full model, N.
+    pub slack_tension: f64,
+    /// Their ratio in the full model.
+    pub tension_ratio: f64,
+    /// Wrap angle in the full model, rad; the component's, too.
+    pub wrap_angle: f64,
+    /// f or f', the component's coefficient of friction; `None` for an ideal belt.
+    pub effective_coefficient: Option<f64>,
+    /// e^(f θ), the largest ratio of the component; `None` for an ideal belt.
+    pub largest_ratio: Option<f64>,
+    /// ln(ratio)/(f θ), the share of the component's friction that the full model's tensions take; 0 for an ideal belt.
+    pub share: f64,
+    /// Size of V_rel at which the component carries the full model's tensions, m/s; `None` where its friction does not
+    /// suffice at any speed.
+    pub sliding_speed: Option<f64>,
+    /// Smallest sliding speed in the full model, m/s.
+    pub full_min_sliding_speed: f64,
+    /// Largest sliding speed in the full model, m/s.
+    pub full_max_sliding_speed: f64,
+    /// Size of the component's torque at the full model's tensions, N·m.
+    pub torque: f64,
+    /// Torque of the full model, N·m.
+    pub full_torque: f64,
+    /// Power that the component loses to friction, W; `None` as the sliding speed.
+    pub friction_loss: Option<f64>,
+    /// Power that the full model loses to friction on this pulley, W.
+    pub full_friction_loss: f64,
+}
+
+/// What grips in the component.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grip {
+    /// No slip.
+    Ideal,
+    /// The sheave's coefficient of friction on the circumference.
+    Flat,
+    /// The sheave's coefficient of friction on both faces of its groove.
+    V,
+}
+
+impl Grip {
+    fn belt(self, outcome: &Outcome) -> BeltType {
+        let sheave = &outcome.result.inputs.sheave;
+        let friction_coefficient = sheave.friction_coefficient;
+        match self {
+            Self::Ideal => BeltType::Ideal,
+            Self::Flat => BeltType::Flat { friction_coefficient },
+            Self::V => BeltType::V { friction_coefficient, sheave_angle: 2.0 * sheave.half_angle },
+        }
+    }
+}
+
+/// Compares both pulleys of a solved drive with the component, whose friction velocity threshold is the case's: with
+/// `viscous-coulomb` friction the speed at which that reaches its coefficient, with `tanh` the same law.
+pub fn compare(outcome: &Outcome, grip: Grip) -> Comparison {
+    let result = &outcome.result;
+    let belt = grip.belt(outcome);
+    Comparison {
+        primary: pulley(outcome, belt, &result.primary, result.inputs.drive.primary_radius, true),
+        secondary: pulley(outcome, belt, &result.secondary, result.inputs.drive.secondary_radius, false),
+    }
+}
+
+fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving: bool) -> PulleyComparison {
+    let inputs = &outcome.result.inputs;
+    let component = BeltPulley {
+        belt,
+        direction: Direction::Opposite,
+        radius,
+        wrap_angle: full.wrap_angle,
+        mass_per_length: inputs.belt.mass_per_length,
+        inertia: 0.0,
+        bearing_damping: 0.0,
+        velocity_threshold: inputs.sheave.slip_threshold,
+        force_threshold: FORCE_THRESHOLD,
+    };
+    let ideal = belt == BeltType::Ideal;
+    let coefficient = component.effective_coefficient();
+    let (tight_tension, slack_tension) = match driving {
+        true => (full.entry_tension, full.exit_tension),
+        false => (full.exit_tension, full.entry_tension),
+    };
+    let limits = Inputs::new(&BELT_PULLEY_LIMITS).with(&[
+        ("f", coefficient),
+        ("wrap", full.wrap_angle),
+        ("T_tight", tight_tension),
+        ("T_slack", slack_tension),
+        ("V_thr", component.velocity_threshold),
+    ]);
+    let outputs = limits.outputs();
+    let share = outputs.get("share");
+    let creep = (share < 1.0).then(|| outputs.get("creep"));
+    // Branch A is where the belt enters; on the driving pulley the belt is slower than the rim.
+    let ports = ports(&component, full, creep.unwrap_or(0.0) * if driving { -1.0 } else { 1.0 });
+    let behaviour = component.behaviour(&ports);
+    let torque = -component.residuals(&ports)[2];
+    PulleyComparison {
+        tight_tension,
+        slack_tension,
+        tension_ratio: outputs.get("tension_ratio"),
+        wrap_angle: full.wrap_angle,
+        effective_coefficient: (!ideal).then_some(coefficient),
+        largest_ratio: (!ideal).then(|| outputs.get("largest_ratio")),
+        share,
+        sliding_speed: creep,
+        full_min_sliding_speed: full.min_sliding_speed,
+        full_max_sliding_speed: full.max_sliding_speed,
+        torque: torque.abs(),
+        full_torque: full.torque,
+        friction_loss: creep.map(|_| behaviour.friction_loss),
+        full_friction_loss: full.friction_loss,
+    }
+}
+
+/// The component's ports at the full model's tensions and speed, the belt sliding at `slip` m/s, without a torque.
+fn ports(component: &BeltPulley, full: &Pulley, slip: f64) -> Ports {
+    let velocity = full.speed * component.radius + slip;
+    let resting = Branch { velocity, tension: 0.0 };
+    let shaft = Shaft { speed: full.speed, acceleration: 0.0, torque: 0.0 };
+    let bare = Ports { a: Branch { velocity: -velocity, ..resting }, b: resting, s: shaft };
+    let lift_off = component.behaviour(&bare).centrifugal_tension;
+    Ports {
+        a: Branch { velocity: -velocity, tension: full.entry_tension + lift_off },
+        b: Branch { velocity, tension: full.exit_tension + lift_off },
+        s: shaft,
+    }
+}
