@@ -7,6 +7,7 @@ mod keys;
 mod output;
 mod pulley;
 mod reproduce;
+mod size;
 mod solve;
 mod stop;
 mod sweep;
@@ -34,6 +35,7 @@ enum Command {
     Derive(derive::Arguments),
     Init(init::Arguments),
     Pulley(pulley::Arguments),
+    Size(size::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -54,6 +56,7 @@ pub fn run() -> ExitCode {
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
         Command::Pulley(arguments) => pulley::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

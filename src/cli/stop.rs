@@ -13,6 +13,8 @@ pub enum Stop {
     Input(CaseError),
     /// Bad input other than a case's: nothing was computed.
     Usage(String),
+    /// Bad input with its place: nothing was computed.
+    Refused(miette::Report),
     /// There is no solution, or none was found; the reason.
     NoSolution(String),
     /// A file, or standard output, could not be written.
@@ -25,6 +27,10 @@ impl Stop {
         match self {
             Self::Input(error) => {
                 eprint!("{:?}", miette::Report::new(error));
+                ExitCode::from(2)
+            }
+            Self::Refused(report) => {
+                eprint!("{report:?}");
                 ExitCode::from(2)
             }
             Self::Usage(reason) => {

@@ -1,0 +1,173 @@
+//! Sizing of a belt drive: the torques and the inertia that its motor has to deal with, (3.21) to (3.27) of the chapter on
+//! power transmission in R. Crowder, *Electric Drives and Electromechanical Systems*.
+//!
+//! ```
+//! use sheave::small::size::{BeltDrive, size};
+//! // 50 kg on a belt that a pulley of 100 mm moves against 20 N of friction.
+//! let drive = BeltDrive { linear_mass: 50.0, friction_force: 20.0, ..BeltDrive::new(0.1) };
+//! let sizing = size(&drive)?;
+//! assert!((sizing.inertia.load - 0.125).abs() < 1e-15); // 50 · 0.1²/4
+//! assert_eq!(sizing.torque.friction, 1.0); // 0.1 · 20/2
+//! # Ok::<(), sheave::small::size::SizeError>(())
+//! ```
+
+mod error;
+mod file;
+mod keys;
+
+pub use error::{Problem, SizeError};
+pub use keys::{Entry, IDLER, TABLE};
+
+use super::formula::Inputs;
+use generated::{DRIVE_SIZING, DRIVE_SIZING_IDLER};
+use serde::Serialize;
+
+/// A belt drive, SI. What is zero is not there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeltDrive {
+    /// M, mass of the belt, kg.
+    pub belt_mass: f64,
+    /// M, mass that the belt moves in a straight line, kg.
+    pub linear_mass: f64,
+    /// F, external force on the belt against its motion, N.
+    pub force: f64,
+    /// F_f, friction force on what the belt moves in a straight line, N.
+    pub friction_force: f64,
+    /// D_in, m.
+    pub input_diameter: f64,
+    /// I_p1, kg·m².
+    pub input_inertia: f64,
+    /// D_out, m; of the same size as the input's for a belt that only conveys.
+    pub output_diameter: f64,
+    /// I_p2, of the output pulley itself, kg·m².
+    pub output_inertia: f64,
+    /// I_RL, of the rotary load on the output pulley, kg·m².
+    pub load_inertia: f64,
+    /// T_out, that the application takes from the output pulley, N·m.
+    pub load_torque: f64,
+    /// Angular acceleration of the input, rad/s².
+    pub acceleration: f64,
+    /// All idlers.
+    pub idlers: Vec<Idler>,
+}
+
+/// A pulley that only turns with the belt.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Idler {
+    /// kg·m².
+    pub inertia: f64,
+    /// m.
+    pub diameter: f64,
+}
+
+/// What the input of a belt drive sees.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Sizing {
+    /// n, diameter of the output over that of the input pulley (3.25).
+    pub ratio: f64,
+    /// Inertia at the input.
+    pub inertia: Inertia,
+    /// Torque at the input.
+    pub torque: Torque,
+}
+
+/// Inertia at the input, kg·m².
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Inertia {
+    /// I_L, of the belt and of what it moves in a straight line (3.22).
+    pub load: f64,
+    /// Of the idlers.
+    pub idlers: f64,
+    /// I_p, of all that rotates, idlers included (3.21).
+    pub rotating: f64,
+    /// I_tot (3.21), (3.27).
+    pub total: f64,
+}
+
+/// Torque at the input, N·m.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Torque {
+    /// T_ext, for the external force (3.23).
+    pub external: f64,
+    /// T_f, for the friction force (3.24).
+    pub friction: f64,
+    /// T_i, for the load torque (3.26).
+    pub load: f64,
+    /// These three.
+    pub steady: f64,
+    /// For the acceleration of the total inertia.
+    pub acceleration: f64,
+    /// All together.
+    pub drive: f64,
+}
+
+impl BeltDrive {
+    /// Two pulleys of that diameter in m, and nothing else.
+    pub fn new(diameter: f64) -> Self {
+        Self {
+            belt_mass: 0.0,
+            linear_mass: 0.0,
+            force: 0.0,
+            friction_force: 0.0,
+            input_diameter: diameter,
+            input_inertia: 0.0,
+            output_diameter: diameter,
+            output_inertia: 0.0,
+            load_inertia: 0.0,
+            load_torque: 0.0,
+            acceleration: 0.0,
+            idlers: Vec::new(),
+        }
+    }
+
+    /// Inertia of the idlers at the input, kg·m².
+    fn idlers_at_input(&self) -> f64 {
+        let reflected = |idler: &Idler| {
+            let inputs = [("D_in", self.input_diameter), ("D", idler.diameter), ("I_idler", idler.inertia)];
+            Inputs::new(&DRIVE_SIZING_IDLER).with(&inputs).outputs().get("reflected_inertia")
+        };
+        self.idlers.iter().map(reflected).sum()
+    }
+}
+
+/// Sizes a drive.
+///
+/// # Errors
+/// [`Problem::OutOfRange`] names the first quantity that is out of its range.
+pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
+    keys::check(drive)?;
+    let idlers = drive.idlers_at_input();
+    let outputs = Inputs::new(&DRIVE_SIZING)
+        .with(&[
+            ("M_belt", drive.belt_mass),
+            ("M_load", drive.linear_mass),
+            ("D_in", drive.input_diameter),
+            ("D_out", drive.output_diameter),
+            ("F", drive.force),
+            ("F_f", drive.friction_force),
+            ("T_out", drive.load_torque),
+            ("I_p1", drive.input_inertia),
+            ("I_p2", drive.output_inertia),
+            ("I_RL", drive.load_inertia),
+            ("I_idlers", idlers),
+            ("alpha", drive.acceleration),
+        ])
+        .outputs();
+    Ok(Sizing {
+        ratio: outputs.get("ratio"),
+        inertia: Inertia {
+            load: outputs.get("load_inertia"),
+            idlers,
+            rotating: outputs.get("rotating_inertia"),
+            total: outputs.get("total_inertia"),
+        },
+        torque: Torque {
+            external: outputs.get("external_torque"),
+            friction: outputs.get("friction_torque"),
+            load: outputs.get("input_torque"),
+            steady: outputs.get("steady_torque"),
+            acceleration: outputs.get("acceleration_torque"),
+            drive: outputs.get("drive_torque"),
+        },
+    })
+}
