@@ -1,5 +1,5 @@
 //! Derivatives of the small models' formulae against dual numbers through their slow twins.
-#![allow(non_snake_case, unused_variables, dead_code, clippy::all, clippy::unwrap_used, clippy::panic)]
+#![allow(non_snake_case, unused_variables, clippy::all, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 mod dual;

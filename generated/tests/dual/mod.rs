@@ -1,4 +1,5 @@
-//! Forward-mode dual numbers, and what the slow twins ask of a number.
+//! Forward-mode dual numbers, and what the slow twins ask of a number. Not every test uses all of it.
+#![allow(dead_code)]
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

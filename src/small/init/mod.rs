@@ -268,16 +268,20 @@ struct Problem {
 }
 
 impl Problem {
-    /// Sign of the output's torque; 0 without a torque.
+    /// Sign of the output's torque; 0 without a torque, where two given speeds differ by rounding alone included.
     fn sign(&self) -> f64 {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
         let value = |name| self.situation.value(name);
-        let excess = match (value("M_O"), value("M_I"), value("omega_I"), value("omega_O")) {
-            (Some(torque), ..) => torque,
-            (_, Some(torque), ..) => -torque,
-            (_, _, Some(input), Some(output)) => self.drive.input_radius * input - self.drive.output_radius * output,
-            _ => 0.0,
+        let (excess, least) = match (value("M_O"), value("M_I"), value("omega_I"), value("omega_O")) {
+            (Some(torque), ..) => (torque, 0.0),
+            (_, Some(torque), ..) => (-torque, 0.0),
+            (_, _, Some(input), Some(output)) => {
+                let (input, output) = (self.drive.input_radius * input, self.drive.output_radius * output);
+                (input - output, ROUNDING * input)
+            }
+            _ => (0.0, 0.0),
         };
-        if excess == 0.0 { 0.0 } else { excess.signum() }
+        if excess.abs() <= least { 0.0 } else { excess.signum() }
     }
 
     fn is_unloaded(&self) -> bool {

@@ -9,6 +9,8 @@ const STEPS: usize = 100;
 const HALVINGS: usize = 60;
 /// A step that changes the belt's tension by less than this share is the last: the next would change it by its square.
 const LAST_STEP: f64 = 1e-8;
+/// Roundings of v_0 in its last digit that are no step.
+const ROUNDINGS: f64 = 64.0;
 
 /// Two equations for two unknowns.
 pub(super) struct System<'a> {
@@ -28,15 +30,21 @@ impl System<'_> {
             residuals.set(name, closed.get(name));
         }
         for step in 1..=STEPS {
-            let [x, v_0] = self.step(&residuals);
-            let share = self.walk(&mut residuals, closed, [x, v_0])?;
-            if share == 1.0 && self.change(closed, [x, v_0]) < LAST_STEP {
-                return Ok(step);
+            let to = self.step(&residuals);
+            match self.walk(&mut residuals, closed, to) {
+                Some(1.0) if self.is_last(closed, to) => return Ok(step),
+                Some(_) => {}
+                None => return Err(self.failure(closed, step)),
             }
         }
+        Err(self.failure(closed, STEPS))
+    }
+
+    /// Why it ended: near where all of the contact slides there is no solution if the force is too small for one.
+    fn failure(&self, closed: &Inputs, steps: usize) -> InitError {
         match gross_slip(closed, self.clamped) {
-            slip @ InitError::GrossSlip { axial_force, smallest, .. } if axial_force < smallest => Err(slip),
-            _ => Err(InitError::NotConverged { steps: STEPS }),
+            slip @ InitError::GrossSlip { axial_force, smallest, .. } if axial_force <= smallest => slip,
+            _ => InitError::NotConverged { steps },
         }
     }
 
@@ -51,30 +59,37 @@ impl System<'_> {
         [(f_v * g - g_v * f) / determinant, (g_x * f - f_x * g) / determinant]
     }
 
-    /// Takes the step, halved until the belt is tight and some of it adheres; the share that was taken.
-    fn walk(&self, residuals: &mut Inputs, closed: &mut Inputs, step: [f64; 2]) -> Result<f64, InitError> {
+    /// Takes the step, halved until the belt is tight and some of it adheres; the share that was taken, if there is one.
+    fn walk(&self, residuals: &mut Inputs, closed: &mut Inputs, step: [f64; 2]) -> Option<f64> {
         let from = [self.unknown, "v_0"].map(|name| residuals.get(name));
+        let mut go = |share: f64, closed: &mut Inputs| {
+            for ((name, from), step) in [self.unknown, "v_0"].into_iter().zip(from).zip(step) {
+                let to = if share == 0.0 { from } else { from + share * step };
+                residuals.set(name, to);
+                closed.set(name, to);
+            }
+        };
         let mut share = 1.0;
         for _ in 0..HALVINGS {
-            for ((name, from), step) in [self.unknown, "v_0"].into_iter().zip(from).zip(step) {
-                residuals.set(name, from + share * step);
-                closed.set(name, from + share * step);
-            }
+            go(share, closed);
             if is_possible(self.drive, closed, self.clamped) {
-                return Ok(share);
+                return Some(share);
             }
             share /= 2.0;
         }
-        Err(gross_slip(closed, self.clamped))
+        go(0.0, closed);
+        None
     }
 
-    /// What share of the belt's tension a step changes.
-    fn change(&self, closed: &Inputs, [x, v_0]: [f64; 2]) -> f64 {
+    /// Whether a step changes the belt's tension by so small a share that none is left.
+    fn is_last(&self, closed: &Inputs, [x, v_0]: [f64; 2]) -> bool {
         let outputs = closed.outputs();
         let tension = outputs.get("tight_tension").max(outputs.get("slack_tension"));
-        let strain = (v_0 / closed.get("v_0")).abs() * self.drive.longitudinal_stiffness / tension;
-        let torque = if self.unknown.starts_with('M') { (x / closed.get(self.unknown)).abs() } else { 0.0 };
-        strain.max(torque)
+        let per_strain = self.drive.longitudinal_stiffness / tension;
+        let by_speed = (v_0 / closed.get("v_0")).abs() * per_strain;
+        let radius = self.drive.input_radius.min(self.drive.output_radius);
+        let by_torque = if self.unknown.starts_with('M') { x.abs() / (radius * tension) } else { 0.0 };
+        by_speed.max(by_torque) < LAST_STEP.max(ROUNDINGS * f64::EPSILON * per_strain)
     }
 }
 

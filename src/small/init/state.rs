@@ -109,6 +109,21 @@ pub enum InitError {
         /// The torque on it, N·m.
         torque: f64,
     },
+    /// The other pulley's contact is too short for the torque.
+    #[error(
+        "the belt slides on all of the {pulley} pulley: the torque takes a sliding angle of {:.2} deg, and the contact is \
+         {:.2} deg long",
+        sliding.to_degrees(),
+        contact.to_degrees()
+    )]
+    ShortContact {
+        /// Which pulley.
+        pulley: PulleyId,
+        /// Φ that the other pulley's axial force and the torque ask for, rad.
+        sliding: f64,
+        /// Contact angle, rad.
+        contact: f64,
+    },
     /// No belt speed keeps the belt tight.
     #[error("no belt speed carries a torque of {torque:.4} N·m: the belt would have to stretch to twice its length")]
     Overloaded {
@@ -154,11 +169,12 @@ impl State {
                 closed.set(given, outputs.get(computed));
             }
         }
-        // Without a torque it is zero but for rounding.
-        let sliding_angle = if method == Method::Closed { 0.0 } else { outputs.get("sliding_O") };
+        // Zero but for rounding without a torque, or with a tiny one.
+        let sliding_angle = if method == Method::Closed { 0.0 } else { outputs.get("sliding_O").max(0.0) };
         for pulley in [PulleyId::Output, PulleyId::Input] {
-            if sliding_angle > drive.contact_angle(pulley) {
-                return Err(gross_slip(&closed, pulley));
+            let contact = drive.contact_angle(pulley);
+            if sliding_angle > contact {
+                return Err(InitError::ShortContact { pulley, sliding: sliding_angle, contact });
             }
         }
         Ok(Self {
