@@ -169,7 +169,8 @@ impl BeltPulley {
         check("force_threshold", "N", self.force_threshold, self.force_threshold > 0.0, "a positive force")
     }
 
-    /// The coefficient of friction that Euler's relation takes: f of a flat belt, f' of a V-belt, none of an ideal one.
+    /// The coefficient of friction that Euler's relation takes: f of a flat belt, f' of a V-belt, infinite
+    /// of an ideal one.
     pub fn effective_coefficient(&self) -> f64 {
         match self.belt {
             BeltType::Ideal => f64::INFINITY,
