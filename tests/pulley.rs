@@ -313,6 +313,14 @@ fn the_command_sets_euler_beside_the_full_model() {
         assert!((of("torque") / full("torque") - 1.0).abs() < 0.1, "{} {}", of("torque"), full("torque"));
         assert_near(of("friction_loss"), (full(tight) - full(slack)) * of("sliding_speed"), 1e-9, "loss");
     }
+    // A radius that is solved for is the solution's: the torques stay near each other.
+    let closed = ["pulley", "--tol=1e-4", "--json", "--set=drive.free=secondary_radius", "--edition=thesis"];
+    let closed = object(&sheave(&closed));
+    let of = |key: &str| closed["secondary"][key].as_f64().unwrap();
+    assert!((of("torque") / of("full_torque") - 1.0).abs() < 0.1, "{closed}");
+    let string =
+        object(&sheave(&["pulley", "--tol=1e-4", "--json", "--edition=string", "--set=sheave.slip_threshold=2e-2"]));
+    assert_eq!(string["converged"], true);
     let ideal = object(&sheave(&[&["pulley", "--belt=ideal"], &case[..]].concat()));
     assert!(ideal["primary"]["largest_ratio"].is_null() && ideal["primary"]["share"] == 0.0);
 }
