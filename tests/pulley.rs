@@ -1,6 +1,7 @@
 //! The belt pulley as a component, by hand and by its power balance; and beside the full model.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use nalgebra::{Matrix4, Vector4};
 use serde_json::Value;
 use sheave::small::pulley::{BeltPulley, BeltType, Branch, Direction, End, Ports, Pull, PulleyError, Shaft};
 use std::f64::consts::PI;
@@ -181,6 +182,51 @@ fn derivatives_are_those_of_the_residuals() {
     }
 }
 
+/// Two pulleys joined at their ports: the tight span leads from B of the driven one to A of the driving one, the slack span
+/// back. Newton's method with the components' derivatives finds belt speed, tight tension, output speed and input torque.
+#[test]
+fn two_components_make_a_drive() {
+    let driving =
+        BeltPulley { belt: BeltType::V { friction_coefficient: 0.3, sheave_angle: 0.6 }, inertia: 0.0, ..flat() };
+    let driven = BeltPulley { radius: 0.15, ..driving };
+    let (input_speed, slack, load) = (50.0, 120.0, 30.0);
+    let joined = |x: &Vector4<f64>| {
+        let at = |pulley: &BeltPulley, arriving: f64, leaving: f64, speed: f64, torque: f64| {
+            let ports = Ports {
+                a: Branch { velocity: -x[0], tension: arriving },
+                b: Branch { velocity: x[0], tension: leaving },
+                s: Shaft { speed, acceleration: 0.0, torque },
+            };
+            (pulley.residuals(&ports), pulley.jacobian(&ports), pulley.behaviour(&ports))
+        };
+        (at(&driving, x[1], slack, input_speed, x[3]), at(&driven, slack, x[1], x[2], load))
+    };
+    let mut x = Vector4::new(5.0, 320.0, 33.3, -20.0);
+    for _ in 0..50 {
+        let ((f, df, _), (g, dg, _)) = joined(&x);
+        let residual = Vector4::new(f[1], f[2], g[1], g[2]);
+        // Columns: V_A, F_A, V_B, F_B, ω, dω/dt, T_S; V_A = −V_B.
+        let first = |row: usize| [df[row][2] - df[row][0], df[row][1], 0.0, df[row][6]];
+        let second = |row: usize| [dg[row][2] - dg[row][0], dg[row][3], dg[row][4], 0.0];
+        let rows = [first(1), first(2), second(1), second(2)];
+        let jacobian = Matrix4::from_fn(|row, column| rows[row][column]);
+        // The smooth friction law is steep: speeds move by its width at most.
+        let step = jacobian.lu().solve(&residual).unwrap();
+        let limit = (0.5 * driving.velocity_threshold / step[0].abs().max(step[2].abs() * 0.15)).min(1.0);
+        x -= limit * step;
+    }
+    let ((f, _, first), (g, _, second)) = joined(&x);
+    assert!(f.iter().chain(&g).all(|residual| residual.abs() < 1e-9), "{f:?} {g:?}");
+    // (t − s) R − b ω = load on the driven pulley; both creep.
+    let tight = slack + (load + driven.bearing_damping * x[2]) / driven.radius;
+    assert_near(x[1], tight, 1e-8, "tight tension");
+    assert!(first.relative_velocity < 0.0 && second.relative_velocity > 0.0);
+    assert!(x[2] < input_speed * driving.radius / driven.radius);
+    // What goes in comes out, or is lost to creep and bearings.
+    let losses = first.friction_loss + second.friction_loss + first.bearing_loss + second.bearing_loss;
+    assert_near(-x[3] * input_speed, load * x[2] + losses, 1e-7, "power");
+}
+
 /// What a subscriber writes.
 #[derive(Clone, Default)]
 struct Log(Arc<Mutex<Vec<u8>>>);
@@ -267,6 +313,14 @@ fn the_command_sets_euler_beside_the_full_model() {
         assert!((of("torque") / full("torque") - 1.0).abs() < 0.1, "{} {}", of("torque"), full("torque"));
         assert_near(of("friction_loss"), (full(tight) - full(slack)) * of("sliding_speed"), 1e-9, "loss");
     }
+    // A radius that is solved for is the solution's: the torques stay near each other.
+    let closed = ["pulley", "--tol=1e-4", "--json", "--set=drive.free=secondary_radius", "--edition=thesis"];
+    let closed = object(&sheave(&closed));
+    let of = |key: &str| closed["secondary"][key].as_f64().unwrap();
+    assert!((of("torque") / of("full_torque") - 1.0).abs() < 0.1, "{closed}");
+    let string =
+        object(&sheave(&["pulley", "--tol=1e-4", "--json", "--edition=string", "--set=sheave.slip_threshold=2e-2"]));
+    assert_eq!(string["converged"], true);
     let ideal = object(&sheave(&[&["pulley", "--belt=ideal"], &case[..]].concat()));
     assert!(ideal["primary"]["largest_ratio"].is_null() && ideal["primary"]["share"] == 0.0);
 }

@@ -1,6 +1,7 @@
 //! The component beside the full model: what Euler's relation makes of the tensions that the full model finds.
 
 use super::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
+use crate::drive::Constant;
 use crate::result::{Outcome, Pulley};
 use crate::small::formula::Inputs;
 use generated::BELT_PULLEY_LIMITS;
@@ -80,9 +81,12 @@ impl Grip {
 pub fn compare(outcome: &Outcome, grip: Grip) -> Comparison {
     let result = &outcome.result;
     let belt = grip.belt(outcome);
+    // From the solution: a radius may have been solved for.
+    let constants = outcome.solved.solution.constants();
+    let radius = |radius: Constant| constants.get(radius.index()).copied().unwrap_or(f64::NAN);
     Comparison {
-        primary: pulley(outcome, belt, &result.primary, result.inputs.drive.primary_radius, true),
-        secondary: pulley(outcome, belt, &result.secondary, result.inputs.drive.secondary_radius, false),
+        primary: pulley(outcome, belt, &result.primary, radius(Constant::PrimaryRadius), true),
+        secondary: pulley(outcome, belt, &result.secondary, radius(Constant::SecondaryRadius), false),
     }
 }
 
