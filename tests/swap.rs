@@ -282,3 +282,55 @@ fn the_seven_input_situations_are_operating_points() {
         }
     }
 }
+
+#[test]
+fn a_case_file_may_ask_for_any_constant() {
+    let text = "swap = ['belt.bending_stiffness for efficiency.overall = 0.96', \
+                'operating_point.slack_tension for secondary.axial_force = 0.6 kN']\n[drive]\nratio = 1.1";
+    let case = Case::from_toml("case.toml", text).unwrap();
+    let resolved = case.resolve().unwrap();
+    case.check_supported(&resolved).unwrap();
+    let outcome = run(&resolved, &rough()).unwrap();
+    let result = &outcome.result;
+    assert!((result.efficiency.overall - 0.96).abs() < 1e-8 && (result.secondary.axial_force - 600.0).abs() < 1e-5);
+    assert!(outcome.solved.constant(Constant::BendingStiffness) > 0.0);
+    // What is written is read again.
+    let inputs = serde_json::to_value(&resolved).unwrap();
+    let again: Vec<&str> = inputs["swap"].as_array().unwrap().iter().map(|swap| swap.as_str().unwrap()).collect();
+    let mut copy = Case::base();
+    again.iter().for_each(|swap| copy.swap(swap).unwrap());
+    assert_eq!(copy.resolve().unwrap().swaps, resolved.swaps);
+}
+
+#[test]
+fn swaps_that_mean_nothing_are_bad_input() {
+    for (text, said) in [
+        ("belt.bending_stiffness", "KEY for OUTPUT"),
+        ("belt.bending_stifness for efficiency.overall = 0.96", "`belt.bending_stiffness`"),
+        ("belt.length for efficiency.overall = 0.96", "gives no constant"),
+        ("belt.bending_stiffness for efficiency.overal = 0.96", "`efficiency.overall`"),
+        ("belt.bending_stiffness for primary.axial_force = 3 kg", "a force"),
+        ("belt.bending_stiffness for primary.axial_force = inf", "finite"),
+    ] {
+        let error = Case::base().swap(text).unwrap_err().to_string();
+        assert!(error.contains(said), "{text}: {error}");
+    }
+    assert!(Case::from_toml("case.toml", "swap = 3").is_err());
+    assert!(Case::from_toml("case.toml", "swap = [3]").is_err());
+    // Understood, but without an answer: two conditions for one constant, a condition that says what is given.
+    let command = |swaps: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"));
+        command.args(["solve", "--json", "--tol", "1e-3"]);
+        swaps.iter().for_each(|swap| drop(command.args(["--swap", swap])));
+        let output = command.output().unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (status, text) = command(&["belt.bending_stiffness for primary.power = 6 kW"]);
+    assert_eq!(status, Some(2), "{text}");
+    let object: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(object["failure"].as_str().unwrap().contains("`primary.power`"), "{text}");
+    let twice = "belt.bending_stiffness for efficiency.overall = 0.96";
+    assert_eq!(command(&[twice, "belt.bending_stiffness for primary.axial_force = 900"]).0, Some(2));
+    let (status, text) = command(&[twice]);
+    assert_eq!(status, Some(0), "{text}");
+}

@@ -2,6 +2,7 @@
 
 use super::geometry::NoRadii;
 use super::keys::Key;
+use crate::drive::IllPosed;
 use crate::quantity::QuantityError;
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
@@ -156,6 +157,17 @@ pub enum Problem {
         /// Why not.
         reason: NoRadii,
     },
+    /// A constant that is to be found for an output, not understood.
+    #[error("the swap `{text}` is not understood: {reason}")]
+    Swap {
+        /// As given.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A question that has no answer whatever the numbers.
+    #[error(transparent)]
+    IllPosed(IllPosed),
 }
 
 impl Problem {
@@ -251,6 +263,8 @@ impl CaseError {
             (Problem::Overlap { .. }, _) => "does not fit",
             (Problem::NoRadii { .. }, 0) => "no radii exist",
             (Problem::NoRadii { .. }, _) => "with this",
+            (Problem::Swap { .. }, _) => "here",
+            (Problem::IllPosed(_), _) => "with this",
             (Problem::Read { .. }, _) => "cannot be read",
         }
     }

@@ -3,6 +3,7 @@
 use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
 use super::keys::{Key, Kind};
+use super::swap::Exchange;
 use crate::quantity::{self, Quantity, QuantityError};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -12,10 +13,15 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// The key at the top of a file under which constants are made unknown for outputs.
+pub(super) const SWAP: &str = "swap";
+
 /// What the user has given; the base case's values apply to all other keys.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Case {
     given: BTreeMap<Key, Given>,
+    /// Constants that are found for outputs that are prescribed, in the order of the text.
+    pub(super) swaps: Vec<(Exchange, Place)>,
 }
 
 /// One key that was given.
@@ -92,6 +98,9 @@ impl Case {
     ) -> Result<(), CaseError> {
         let name = key.get_ref();
         let place = Place { source: source.clone(), key: key.span(), value: value.span() };
+        if name == SWAP {
+            return self.read_swaps(source, value, place);
+        }
         if !super::keys::sections().any(|section| section == name) {
             return self.insert(name, raw(value.get_ref()), place);
         }
@@ -102,6 +111,26 @@ impl Case {
         for (key, value) in in_order(table) {
             let place = Place { source: source.clone(), key: key.span(), value: value.span() };
             self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place)?;
+        }
+        Ok(())
+    }
+
+    /// The key `swap`: a list of texts.
+    fn read_swaps(
+        &mut self,
+        source: &Arc<Source>,
+        value: &Spanned<DeValue<'_>>,
+        place: Place,
+    ) -> Result<(), CaseError> {
+        let wrong = |given, place| {
+            let expected = "a list of texts, such as [\"belt.bending_stiffness for efficiency.overall = 0.96\"]".into();
+            CaseError::new(Problem::Type { path: SWAP.into(), given, expected }, [place])
+        };
+        let DeValue::Array(items) = value.get_ref() else { return Err(wrong(kind(value.get_ref()), place)) };
+        for item in items.iter() {
+            let place = Place { source: source.clone(), key: item.span(), value: item.span() };
+            let DeValue::String(text) = item.get_ref() else { return Err(wrong(kind(item.get_ref()), place)) };
+            self.add_swap(text, place)?;
         }
         Ok(())
     }

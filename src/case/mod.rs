@@ -21,6 +21,8 @@
 //!   and the free one starts there.
 //! - `model.*` overrides any edition's choices, one by one: `published` with `model.ends = "zero"` keeps the printed spans
 //!   only. The printed end conditions exist for linearised shear only; a string takes no choice but its friction law.
+//! - `swap = ["belt.bending_stiffness for efficiency.overall = 0.96"]` at the top makes any given constant unknown and
+//!   prescribes any output in its place; the constant's own key says where the search starts.
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
 
 mod choice;
@@ -29,8 +31,10 @@ mod file;
 pub mod geometry;
 mod keys;
 mod operating;
+mod posed;
 mod range;
 mod resolve;
+mod swap;
 
 pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};
@@ -39,3 +43,4 @@ pub use keys::{Entry, Key, Kind, TABLE, sections};
 pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
 pub use range::{Bound, Range};
 pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};
+pub use swap::Exchange;

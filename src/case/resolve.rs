@@ -2,10 +2,11 @@
 
 use super::choice::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use super::error::{CaseError, Problem};
-use super::file::Case;
+use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
 use super::operating::OperatingPoint;
+use super::swap::Exchange;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -25,6 +26,8 @@ pub struct Resolved {
     pub drive: Drive,
     /// The operating point.
     pub operating_point: OperatingPoint,
+    /// Constants that are found for outputs that are prescribed.
+    pub swaps: Vec<Exchange>,
 }
 
 /// The belt.
@@ -102,6 +105,7 @@ impl Case {
             },
             drive,
             operating_point: OperatingPoint::resolve(self, drive.free)?,
+            swaps: self.swaps.iter().map(|(exchange, _)| exchange.clone()).collect(),
         })
     }
 
@@ -213,7 +217,7 @@ fn is_free(free: Option<Free>, radius: Key) -> bool {
 impl Resolved {
     /// Every key with its value, in the order of the table; given to [`Case::set`], they make the same case again.
     pub fn settings(&self) -> Vec<(Key, Setting)> {
-        let Self { edition, model, belt, sheave, drive, operating_point } = self;
+        let Self { edition, model, belt, sheave, drive, operating_point, swaps: _ } = self;
         let mut settings = vec![(Key::Edition, Setting::Name(edition.name()))];
         if let Some(bending) = model.bending {
             settings.push((Key::Shear, Setting::Name(bending.shear.name())));
@@ -246,6 +250,9 @@ impl Serialize for Resolved {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let settings = self.settings();
         let mut map = serializer.serialize_map(None)?;
+        if !self.swaps.is_empty() {
+            map.serialize_entry(SWAP, &self.swaps.iter().map(Exchange::to_string).collect::<Vec<_>>())?;
+        }
         for section in settings.chunk_by(|(a, _), (b, _)| a.entry().section() == b.entry().section()) {
             match section {
                 [(key, value)] if key.entry().section().is_empty() => map.serialize_entry(key.path(), value)?,

@@ -19,6 +19,10 @@ pub struct CaseArguments {
     /// Take a key out of the file's case, before any --set: another key can then fill its slot
     #[arg(long = "unset", value_name = "KEY")]
     unset: Vec<String>,
+    /// Find a constant for an output that is prescribed: "belt.bending_stiffness for efficiency.overall = 0.96"; in a case
+    /// file, swap = ["..."]
+    #[arg(long = "swap", value_name = "KEY for OUTPUT = VALUE")]
+    swap: Vec<String>,
     /// Edition of the equations, in place of the case's
     #[arg(long, value_name = "E", value_parser = edition_parser())]
     edition: Option<String>,
@@ -53,6 +57,7 @@ impl CaseArguments {
     fn changed(&self, mut case: Case) -> Result<Case, CaseError> {
         self.unset.iter().try_for_each(|key| case.unset(key))?;
         self.set.iter().try_for_each(|assignment| case.assign(assignment))?;
+        self.swap.iter().try_for_each(|swap| case.swap(swap))?;
         if let Some(edition) = &self.edition {
             case.set(Key::Edition.path(), edition)?;
         }
@@ -61,6 +66,9 @@ impl CaseArguments {
 
     /// The case, resolved and fit for the solver.
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
-        self.read()?.resolve()
+        let case = self.read()?;
+        let resolved = case.resolve()?;
+        case.check_posed(&resolved)?;
+        Ok(resolved)
     }
 }

@@ -10,6 +10,8 @@ use crate::drive::{Constant, Output, Question, SolveOptions};
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
+/// A fold counts if it differs from the end of the curve by this many times the tolerance.
+const TOLD_APART: f64 = 30.0;
 /// Evaluations that locate an extremum, and the relative bracket at which it counts as located.
 const LOCATING: usize = 30;
 const LOCATED: f64 = 1e-9;
@@ -153,7 +155,11 @@ fn extremum(branch: &Branch, path: &str, sign: f64, options: &LimitOptions) -> R
         match before.filter(|(last, _)| last.parameter == point.parameter) {
             Some((last, earlier)) if earlier > 0.0 && here <= 0.0 => {
                 let point = located(branch, (last, earlier), (point, here), &rate)?;
-                return limit(&point, output, Kind::Fold);
+                let fold = limit(&point, output, Kind::Fold)?;
+                if told_apart(branch, output, &fold, options)? {
+                    return Ok(fold);
+                }
+                before = None;
             }
             _ => before = Some((point, here)),
         }
@@ -167,6 +173,13 @@ fn extremum(branch: &Branch, path: &str, sign: f64, options: &LimitOptions) -> R
         Some(point) => limit(point, output, kind),
         None => Err(crate::drive::Failure::NoEquations.into()),
     }
+}
+
+/// Whether a fold differs from the end of the curve by more than the solutions' accuracy. Near the stall curves are flat.
+fn told_apart(branch: &Branch, output: Output, fold: &Limit, options: &LimitOptions) -> Result<bool, DesignError> {
+    let (BranchEnd::Whole, Some(last)) = (&branch.end, branch.points.last()) else { return Ok(true) };
+    let (end, _) = last.value_and_rate(output)?;
+    Ok((fold.value - end).abs() > TOLD_APART * options.solve.tolerance * end.abs())
 }
 
 fn limit(point: &Point, output: Output, kind: Kind) -> Result<Limit, DesignError> {

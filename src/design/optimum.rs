@@ -13,13 +13,13 @@ use super::state::State;
 use crate::case::{Clamp, Resolved};
 use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve, solve_from};
 
-/// Factor on the slack tension by which the maximum is bracketed, and that at which the search for a bracket gives up.
-const FACTOR: f64 = 1.5;
+/// Factor on the slack tension from one trial to the next, and that below which a march ends.
+const FACTOR: f64 = 1.4;
 const LEAST_FACTOR: f64 = 1.01;
 /// Slack tensions over M_in/R_P between which the maximum is sought.
-const RANGE: (f64, f64) = (1e-3, 30.0);
-/// Evaluations in all, and the bracket in the logarithm of the slack tension at which the maximum counts as located.
-const EVALUATIONS: usize = 60;
+const RANGE: (f64, f64) = (5e-3, 30.0);
+/// Evaluations that locate a maximum, and the bracket in the logarithm of the slack tension at which the maximum counts as located.
+const LOCATING: usize = 30;
 const LOCATED: f64 = 1e-8;
 
 /// Where the best clamp lies.
@@ -68,28 +68,45 @@ struct Trial {
     slope: f64,
 }
 
-/// Finds the clamp of best overall efficiency for the torque of a case; the case's clamp does not matter.
+/// Finds the clamp of best overall efficiency for the torque of a case; the case's clamp does not matter. Where the
+/// efficiency has several maxima, as it may when a belt hardly wraps, the highest is taken.
 ///
 /// # Errors
 /// See [`DesignError`].
 pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, DesignError> {
     let mut search = Search { case: clamped(case)?, options: *options, evaluations: 0 };
     let start = solve(&search.case, options)?;
-    let here = search.trial(start)?;
-    match search.bracket(here)? {
-        Bracket::Pair(a, b) => {
-            let best = search.located(a, b)?;
-            Ok(search.finish(best, Bound::Inner))
+    let start = search.trial(start)?;
+    let mut trials = search.march(&start, 1.0)?;
+    trials.reverse();
+    trials.push(start.clone());
+    trials.extend(search.march(&start, -1.0)?);
+    // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
+    let mut best: Option<(f64, Trial, Bound)> = None;
+    let mut offer = |trial: Trial, bound: Bound| {
+        let efficiency = State::of(&trial.solved).overall_efficiency;
+        if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
+            best = Some((efficiency, trial, bound));
         }
-        Bracket::End(last, bound) => Ok(search.finish(last, bound)),
+    };
+    for pair in trials.windows(2) {
+        if let [tight, loose] = pair
+            && tight.slope <= 0.0
+            && loose.slope > 0.0
+        {
+            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner);
+        }
     }
-}
-
-enum Bracket {
-    /// Slopes of opposite sign.
-    Pair(Trial, Trial),
-    /// The slope did not change its sign.
-    End(Trial, Bound),
+    if let Some(loosest) = trials.last().filter(|trial| trial.slope < 0.0) {
+        offer(loosest.clone(), Bound::Loosest);
+    }
+    if let Some(tightest) = trials.first().filter(|trial| trial.slope > 0.0) {
+        offer(tightest.clone(), Bound::Tightest);
+    }
+    match best {
+        Some((_, trial, bound)) => Ok(search.finish(trial, bound)),
+        None => Err(Failure::NoEquations.into()),
+    }
 }
 
 struct Search {
@@ -108,41 +125,41 @@ impl Search {
 
     fn at(&mut self, place: f64, from: &Trial) -> Result<Trial, DesignError> {
         self.case.operating_point.clamp = Clamp::SlackTension(place.exp());
-        let solved =
-            solve_from(&from.solved, &self.case, &self.options).or_else(|_| solve(&self.case, &self.options))?;
+        let solved = solve_from(&from.solved, &self.case, &self.options)?;
         self.trial(solved)
     }
 
-    /// Goes uphill until it goes downhill.
-    fn bracket(&mut self, start: Trial) -> Result<Bracket, DesignError> {
-        let direction = start.slope.signum();
-        let bound = if direction < 0.0 { Bound::Loosest } else { Bound::Tightest };
+    /// Goes to tighter (`direction` 1) belts until that costs efficiency, or to looser ones (−1) as far as there are any.
+    fn march(&mut self, start: &Trial, direction: f64) -> Result<Vec<Trial>, DesignError> {
         let scale = start.solved.constant(Constant::PrimaryTorque) / start.solved.constant(Constant::PrimaryRadius);
-        let (low, high) = (RANGE.0.ln() + scale.ln(), RANGE.1.ln() + scale.ln());
-        let (mut here, mut step) = (start, FACTOR.ln());
-        while self.evaluations < EVALUATIONS && step >= LEAST_FACTOR.ln() {
+        let range = (RANGE.0 * scale).ln()..(RANGE.1 * scale).ln();
+        let (mut trials, mut here, mut step) = (Vec::new(), start.clone(), FACTOR.ln());
+        while step >= LEAST_FACTOR.ln() && (direction < 0.0 || here.slope > 0.0) {
             let place = here.place + direction * step;
-            if place < low || place > high {
+            if !range.contains(&place) {
                 break;
             }
             match self.at(place, &here) {
-                Ok(next) if next.slope * direction <= 0.0 => return Ok(Bracket::Pair(here, next)),
-                Ok(next) => here = next,
+                Ok(next) => {
+                    trials.push(next.clone());
+                    here = next;
+                }
                 Err(DesignError::Start(_)) => step *= 0.5,
                 Err(error) => return Err(error),
             }
         }
-        Ok(Bracket::End(here, bound))
+        Ok(trials)
     }
 
     /// Where the slope is zero: regula falsi, the Illinois variant.
     fn located(&mut self, mut a: Trial, mut b: Trial) -> Result<Trial, DesignError> {
-        while self.evaluations < EVALUATIONS && (a.place - b.place).abs() > LOCATED && b.slope != 0.0 {
+        let most = self.evaluations + LOCATING;
+        while self.evaluations < most && (a.place - b.place).abs() > LOCATED && b.slope != 0.0 {
             let middle = (a.place * b.slope - b.place * a.slope) / (b.slope - a.slope);
             if (middle - b.place).abs() <= LOCATED {
                 break;
             }
-            let next = self.at(middle, &b)?;
+            let next = self.at(middle, &b).or_else(|_| self.at(middle, &a))?;
             if (next.slope < 0.0) == (b.slope < 0.0) {
                 a.slope *= 0.5;
             } else {

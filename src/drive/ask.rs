@@ -72,6 +72,12 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
             }
         }
     }
+    let exchanges = case.swaps.iter();
+    swaps.extend(exchanges.map(|exchange| Swap {
+        free: exchange.constant,
+        known: Known::Output(exchange.output),
+        value: exchange.value,
+    }));
     swaps
 }
 

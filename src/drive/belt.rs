@@ -149,6 +149,9 @@ fn prescribe(layout: &mut Layout, outputs: &BoundaryKernel, output: Output, scal
     layout.constants.push(solver::Constant { name, scale });
 }
 
+/// A secondary that stands still may seem to turn back by this share of the primary's speed while its stall is sought.
+const LEAST_RATIO: f64 = -1e-3;
+
 /// Whether the constants describe a belt at all: it runs forward, more slowly than a wave along it, over positive angles
 /// and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
 /// backwards under compression, satisfies the same equations and is shut out here.
@@ -168,7 +171,7 @@ fn is_physical(constants: &[f64]) -> bool {
     let unstretched_speed = value(Constant::Flow) * value(Constant::PrimaryRadius) * value(Constant::PrimarySpeed);
     let wave_speed = (value(Constant::LongitudinalStiffness) / value(Constant::MassPerLength)).sqrt();
     positive.into_iter().all(|constant| value(constant) > 0.0)
-        && value(Constant::SpeedRatio) >= 0.0
+        && value(Constant::SpeedRatio) >= LEAST_RATIO
         && apart
         && unstretched_speed < wave_speed
 }

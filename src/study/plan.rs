@@ -101,7 +101,10 @@ impl Study {
             }
         }
         let resolved = match case.resolve() {
-            Ok(resolved) => Ok(resolved),
+            Ok(resolved) => {
+                case.check_posed(&resolved)?;
+                Ok(resolved)
+            }
             Err(error) if matches!(error.problem(), Problem::Overlap { .. } | Problem::NoRadii { .. }) => Err(error),
             Err(error) => return Err(error),
         };
