@@ -18,7 +18,9 @@ const TRAIL: usize = 2;
 /// whoever wants a point of the last.
 const HEADS: usize = 16;
 /// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
-const FARTHEST: f64 = 2.0;
+const FARTHEST: f64 = 1.6;
+/// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
+const PATIENCE: usize = 2;
 
 /// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given), and hands each row to
 /// `keep` as soon as it is there: in any order, from any thread. What a point is solved from depends on the study alone,
@@ -197,17 +199,16 @@ impl Work<'_> {
     fn along(&self, study: &Study, task: &Task, first: &Point, head: Result<Known, String>) -> Result<(), StudyError> {
         (self.take)(task, task.start, first, found(&head))?;
         let mut trail: Vec<Known> = head.into_iter().collect();
-        // Once a neighbour is too far away, the others of the chain are as well.
-        let mut near_enough = true;
+        let mut too_far = 0;
         for index in task.start + 1..task.end {
             if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
                 return Ok(());
             }
             let point = study.point(index)?;
             let solved = attempt(&point, |case| {
-                let near = trail.iter().filter(|(before, _)| near_enough && before.model == case.model);
+                let near = trail.iter().filter(|(before, _)| too_far < PATIENCE && before.model == case.model);
                 let near: Vec<&Solved> = near.map(|(_, outcome)| &outcome.solved).collect();
-                solve(case, study.options(), &near, &mut near_enough)
+                solve(case, study.options(), &near, &mut too_far)
             });
             (self.take)(task, index, &point, found(&solved))?;
             if let Ok(solved) = solved {
@@ -254,21 +255,19 @@ fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outc
         .filter(|(remoteness, _)| *remoteness <= FARTHEST)
         .min_by(|(a, _), (b, _)| a.total_cmp(b));
     let near: Vec<&Solved> = near.into_iter().map(|(_, solved)| solved).collect();
-    solve(case, options, &near, &mut true)
+    solve(case, options, &near, &mut 0)
 }
 
-/// From the solutions nearby, else from nothing; says if they were not near enough.
-fn solve(
-    case: &Resolved,
-    options: &SolveOptions,
-    near: &[&Solved],
-    near_enough: &mut bool,
-) -> Result<Outcome, Failure> {
+/// From the solutions nearby, else from nothing; counts how often in a row they were too far away.
+fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mut usize) -> Result<Outcome, Failure> {
     let start = Instant::now();
     if !near.is_empty() {
         match solve_along(near, case, options) {
-            Ok(solved) => return result::interpret(case, options, solved, start),
-            Err(_) => *near_enough = false,
+            Ok(solved) => {
+                *too_far = 0;
+                return result::interpret(case, options, solved, start);
+            }
+            Err(_) => *too_far += 1,
         }
     }
     result::run(case, options)
