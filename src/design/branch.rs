@@ -17,11 +17,15 @@ const SHRINKAGE: f64 = 0.3;
 /// Factor by which the torque grows, or the slack tension falls, as long as the speed efficiency hardly tells; and the one
 /// below which a step is too small.
 const FACTOR: f64 = 1.25;
-const LEAST_FACTOR: f64 = 1.01;
+const LEAST_FACTOR: f64 = 1.002;
 /// Fall of the speed efficiency over the change of the logarithm of torque or slack tension from which on it tells.
 const TELLING: f64 = 1e-3;
-/// Points before the speed efficiency must tell.
+/// Smallest length over which torque or tension changes, over their value at the start: a tension may pass zero.
+const LEAST_STRIDE: f64 = 0.01;
+/// Points before the speed efficiency must tell, points where it turns, and how often it may.
 const MOST_POINTS: usize = 60;
+const LEAST_POINTS: usize = 2;
+const MOST_TURNS: usize = 8;
 
 /// In what a curve is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +57,8 @@ pub enum BranchEnd {
 }
 
 /// Solutions in order: first towards more torque or less tension, until that makes the speed efficiency fall, then in
-/// order of falling speed efficiency. Where the parameter changes, a solution stands twice.
+/// order of falling speed efficiency; where that turns, again towards more torque or less tension. Where the parameter
+/// changes, a solution stands twice.
 #[derive(Debug)]
 pub struct Branch {
     /// The solutions, the operating point first.
@@ -119,8 +124,23 @@ impl Branch {
             efficiency,
             options: *options,
         };
-        branch.approach(last)?;
+        branch.approach(last, 0)?;
         branch.descend(last);
+        // Where the speed efficiency turns, torque or tension does not; it is followed in them until the efficiency tells
+        // again.
+        for _ in 0..MOST_TURNS {
+            let (BranchEnd::Lost(_), Some(here)) = (&branch.end, branch.points.last()) else { break };
+            let before = branch.points.len();
+            let Ok(point) = branch.at(Parameter::Given(free), here.solved.constant(free), &here.solved) else { break };
+            branch.points.push(point);
+            branch.approach(last, LEAST_POINTS)?;
+            if branch.points.len() == before + 1 {
+                branch.points.pop();
+                break;
+            }
+            branch.end = BranchEnd::Whole;
+            branch.descend(last);
+        }
         Ok(branch)
     }
 
@@ -138,18 +158,24 @@ impl Branch {
         Ok(Point { solved, parameter, place })
     }
 
-    /// Towards more torque or less tension, until the speed efficiency tells how far the belt slips: a tighter belt sinks
-    /// deeper, and that alone may change the speed more than slip does.
-    fn approach(&mut self, last: f64) -> Result<(), DesignError> {
+    /// Towards more torque or less tension, by some points and until the speed efficiency tells how far the belt slips: a
+    /// tighter belt sinks deeper, and that alone may change the speed more than slip does.
+    fn approach(&mut self, last: f64, points: usize) -> Result<(), DesignError> {
         let parameter = Parameter::Given(self.free);
-        let mut factor = FACTOR;
-        while self.points.len() < MOST_POINTS {
+        let least = LEAST_STRIDE * self.points.first().map_or(0.0, |point| point.place.abs());
+        let (least_points, most, mut factor) = (self.points.len() + points, self.points.len() + MOST_POINTS, FACTOR);
+        while self.points.len() < most {
             let Some(here) = self.points.last() else { return Ok(()) };
             let (speed, rate) = here.value_and_rate(self.efficiency)?;
-            if rate * here.place <= -TELLING || speed <= last || factor < LEAST_FACTOR {
+            let stride = here.place.abs().max(least);
+            let tells = rate * stride <= -TELLING && self.points.len() >= least_points;
+            if tells || speed <= last || factor < LEAST_FACTOR {
                 break;
             }
-            let next = if self.free == Constant::SlackTension { here.place / factor } else { here.place * factor };
+            let next = match self.free {
+                Constant::SlackTension => here.place - (1.0 - 1.0 / factor) * stride,
+                _ => here.place + (factor - 1.0) * stride,
+            };
             match self.at(parameter, next, &here.solved) {
                 Ok(point) => self.points.push(point),
                 Err(_) => factor = factor.sqrt(),
