@@ -20,15 +20,35 @@ fn sweep(side: usize, jobs: &str, out: &Path, resume: bool) -> Child {
     child.unwrap_or_else(|error| unreachable!("the program was built with this bench: {error}"))
 }
 
-/// Waits for a sweep; its seconds, and the most memory it had, MiB.
-fn wait(mut child: Child) -> (f64, f64) {
+/// What a sweep took.
+#[derive(Default)]
+struct Cost {
+    seconds: f64,
+    /// Of all threads; what others do on the machine changes it little.
+    processor: f64,
+    /// Most memory, MiB.
+    memory: f64,
+}
+
+/// Waits for a sweep.
+fn wait(mut child: Child) -> Cost {
     let start = Instant::now();
-    let mut peak = 0.0_f64;
+    let mut cost = Cost::default();
     while matches!(child.try_wait(), Ok(None)) {
-        peak = peak.max(memory(child.id()));
+        cost.memory = cost.memory.max(memory(child.id()));
+        cost.processor = cost.processor.max(processor(child.id()));
         std::thread::sleep(Duration::from_millis(20));
     }
-    (start.elapsed().as_secs_f64(), peak)
+    cost.seconds = start.elapsed().as_secs_f64();
+    cost
+}
+
+/// Processor seconds of a process so far, in hundredths; zero where the system does not tell.
+fn processor(process: u32) -> f64 {
+    let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
+    let behind_name = stat.rsplit(')').next().unwrap_or_default();
+    let ticks = behind_name.split_whitespace().skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok());
+    ticks.sum::<f64>() / 100.0
 }
 
 /// Most memory a process has had, MiB; zero where the system does not tell.
@@ -69,7 +89,7 @@ fn main() {
     }
     let killed = child.kill().is_ok() && child.wait().is_ok();
     let rows = lines(&path("killed.csv.journal"));
-    let (seconds, _) = wait(sweep(side, "2", &path("killed.csv"), true));
+    let seconds = wait(sweep(side, "2", &path("killed.csv"), true)).seconds;
     let whole = std::fs::read(path("1.csv")).unwrap_or_default();
     let same = |name: &str| !whole.is_empty() && std::fs::read(path(name)).is_ok_and(|bytes| bytes == whole);
     println!("killed ({killed}) after {rows} lines, resumed in {seconds:.1} s");

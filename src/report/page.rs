@@ -16,11 +16,11 @@ const LENGTH_ERROR: f64 = 0.005;
 const STYLE: &str = "\
 :root{color-scheme:light dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}\
 @media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--page:#16181b;--line:#3a3d42;--soft:#a0a0a0;--warn:#ffb066}}\
-body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1220px;margin:2em auto;padding:0 1.2em}\
+body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1270px;margin:2em auto;padding:0 1.2em}\
 h1{font-size:1.5em;margin:0}h2{font-size:1.1em;margin:1.8em 0 .5em;border-bottom:1px solid var(--line)}\
 p.lead{color:var(--soft);margin:.2em 0 1em}table{border-collapse:collapse}td,th{padding:.16em .7em .16em 0;text-align:left;font-weight:normal}\
 th{color:var(--soft)}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}.key{display:flex;flex-wrap:wrap;gap:.6em 2.4em;margin:1em 0}\
-.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 2.2em}\
+.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 1.8em}\
 sub{font-size:.72em;line-height:0}ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}\
 figure{margin:0}figure svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
 figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);gap:1em}\
@@ -149,9 +149,13 @@ fn headline(html: &mut String, outcome: &Outcome) {
     *html += "</div>\n";
 }
 
-/// A number with a true minus sign; any other text as it is.
-fn signed(text: &str) -> String {
-    text.strip_prefix('-').map_or_else(|| text.to_owned(), |number| format!("\u{2212}{number}"))
+/// A number with a true minus sign, unless all its digits are zero; any other text as it is.
+pub(super) fn signed(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(number) if number.chars().any(|c| c.is_ascii_digit() && c != '0') => format!("\u{2212}{number}"),
+        Some(number) => number.to_owned(),
+        None => text.to_owned(),
+    }
 }
 
 fn row(html: &mut String, name: &str, cells: &[String], unit: &str) {

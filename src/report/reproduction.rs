@@ -1,6 +1,6 @@
 //! Chapters 6 and 7 beside what the editions give: as text, and as one page with all figures.
 
-use super::page::document;
+use super::page::{document, signed};
 use crate::case::Edition;
 use crate::plot::{Figure, PlotError};
 use crate::study::thesis::{Chapters, Check, checks, comparison, figures, number_in_thesis};
@@ -75,7 +75,7 @@ impl Reproduction {
     /// The energy audit of the base case: name, and each edition's watts.
     fn audit(&self) -> Vec<(&'static str, Vec<String>)> {
         let row = |name, watts: fn(&Chapters) -> f64| {
-            (name, self.editions.iter().map(|(chapters, ..)| format!("{:.2}", watts(chapters))).collect())
+            (name, self.editions.iter().map(|(chapters, ..)| signed(&format!("{:.2}", watts(chapters)))).collect())
         };
         vec![
             row("power in", |chapters| chapters.base.result.energy.power_in),
@@ -167,7 +167,7 @@ impl Reproduction {
         self.names().iter().for_each(|name| *body += &format!("<th class=\"n\">{name}</th>"));
         for (name, watts) in self.audit() {
             *body += &format!("</tr><tr><td>{name}</td>");
-            watts.iter().for_each(|watts| *body += &format!("<td class=\"n\">{}</td>", watts.replace('-', "\u{2212}")));
+            watts.iter().for_each(|watts| *body += &format!("<td class=\"n\">{}</td>", watts));
         }
         *body += "</tr></table>\n";
         for failure in self.failures() {
@@ -218,7 +218,7 @@ fn short(value: f64) -> String {
     let digits = if value == 0.0 { 0.0 } else { (3.0 - value.abs().log10().floor()).clamp(0.0, 6.0) };
     let text = format!("{value:.*}", digits as usize);
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text };
-    text.replace('-', "\u{2212}")
+    signed(&text)
 }
 
 /// The editions that the thesis is reproduced in, its own first.
