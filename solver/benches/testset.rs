@@ -16,7 +16,7 @@ mod problems;
 
 use problems::catalogue::Case;
 use problems::folds::{BRATU, NON};
-use problems::run::{How, errors, kappa, run};
+use problems::run::{How, errors, kappa, obstacle, run};
 use serde_json::Value;
 use solver::{Options, Order};
 use std::collections::BTreeMap;
@@ -67,7 +67,8 @@ fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
         }
         outcome.seconds = outcome.seconds.min(run(case, parameter, &options).seconds);
     }
-    let reason = outcome.solution.as_ref().err().cloned().or(outcome.direct);
+    let reason = outcome.solution.as_ref().err().cloned();
+    let reason = reason.or_else(|| (outcome.how != How::Direct).then(|| obstacle(case, parameter, &options)).flatten());
     let solved = outcome.solution.ok().map(|solution| {
         let errors = errors(case, parameter, &solution);
         Solved {
@@ -123,6 +124,7 @@ fn cell(cell: &Cell) -> String {
         (None, _) => "**failed**".to_owned(),
         (_, How::Direct) => "direct".to_owned(),
         (_, How::Continued(steps)) => format!("{steps} steps"),
+        (_, How::Deformed(points)) => format!("{points} points"),
     };
     match &cell.solved {
         None => format!("{how} | | | | {}", milliseconds(cell.seconds)),

@@ -7,6 +7,7 @@ use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::{Guess, RegionGuess};
 use crate::measure::{Solved, intervals};
+use crate::mesh::split;
 use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
@@ -57,6 +58,8 @@ struct Progress<'a, P: Problem + ?Sized> {
     /// Meshes since it last fell.
     vain: usize,
     coarsening: bool,
+    /// The solution that the present meshes were made from, while the tolerance is not met.
+    coarser: Option<Solved<'a, P>>,
 }
 
 /// What is tried when Newton's iteration fails: halved meshes, then the same again boldly.
@@ -97,7 +100,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let origin = (self.options.rescues > 0).then(|| start.clone());
         let rescue = Rescue { halvings: 0, bold: false, origin };
         let (target, error) = (self.options.tolerance, f64::INFINITY);
-        let mut progress = Progress { rescue, target, fallback: None, error, vain: 0, coarsening: false };
+        let mut progress =
+            Progress { rescue, target, fallback: None, error, vain: 0, coarsening: false, coarser: None };
         self.shortfall = Shortfall::Uncontrolled;
         for attempt in 0..self.options.max_meshes {
             let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
@@ -108,11 +112,18 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     if let Some(fallback) = progress.fallback {
                         return Ok(fallback);
                     }
+                    if let Some(coarser) = progress.coarser.take().filter(|_| error != NewtonError::Cancelled) {
+                        start = transfer(&coarser, twice(&coarser));
+                        continue;
+                    }
                     start = self.rescued(*failed, error, &mut progress.rescue)?;
                     continue;
                 }
             };
-            progress.rescue.origin = None;
+            let solved = match progress.rescue.origin.take() {
+                Some(origin) if attempt == 0 && solved.converged.at_once => self.unless_worse(solved, origin)?,
+                _ => solved,
+            };
             let measures = measured(&solved, progress.target);
             let passes = measures.iter().all(|measure| measure.largest <= progress.target);
             if progress.coarsening && !passes {
@@ -123,6 +134,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     Ok(meshes) => transfer(&solved, meshes),
                     Err(error) => return progress.fallback.ok_or(error),
                 };
+                progress.coarser = Some(solved);
                 continue;
             }
             if let Some(error) = solved.converged.stagnated.clone() {
@@ -146,6 +158,23 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             }
         }
         progress.fallback.ok_or_else(|| self.out_of_meshes())
+    }
+
+    /// A guess that was a solution, without its negligible correction if that makes a defect exceed the tolerance: where
+    /// the equations are stiff, they tell more of a solution than the tolerance of Newton's iteration.
+    fn unless_worse(&mut self, mut solved: Solved<'a, P>, origin: Start) -> Result<Solved<'a, P>, SolveError> {
+        let tolerance = self.options.tolerance;
+        if measured(&solved, tolerance).iter().all(|measure| measure.largest <= tolerance) {
+            return Ok(solved);
+        }
+        let converged = &mut solved.converged;
+        converged.x = origin.x;
+        let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
+        evaluated.map_err(|error| SolveError::Newton {
+            error: NewtonError::NonFinite(error),
+            intervals: intervals(&solved.system.grids),
+        })?;
+        Solved::new(solved.system, solved.converged, &mut self.stats)
     }
 
     /// Newton's iteration on one set of meshes.
@@ -382,6 +411,12 @@ fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64) -> Vec<Mea
 fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
     let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
     Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
+}
+
+/// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more than
+/// its width, which Newton's iteration may not follow; splitting all moves it less.
+fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>> {
+    solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
 }
 
 /// Halves every interval, states interpolated linearly.

@@ -325,6 +325,37 @@ fn a_stiff_problem_is_solved_by_continuation_in_its_stiffness() {
     }
 }
 
+/// A shock inside: `ε u'' + u u' - u = 0`, `u(0) = -1`, `u(1) = 3/2`; it stands at 1/4, where `ε u' = 9/32`.
+struct Shock;
+
+impl Model for Shock {
+    fn layout(&self) -> Layout {
+        Corners.layout()
+    }
+    fn rhs<S: Scalar>(&self, region: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+        Corners.rhs(region, s, y, c, f);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0] + 1.0, e[2] - 1.5);
+    }
+}
+
+#[test]
+fn a_shock_is_followed_until_it_is_a_millionth_wide() {
+    let problem = Differentiated::new(Shock).unwrap();
+    for order in [Order::Four, Order::Six] {
+        for epsilon in [1e-4, 1e-5, 1e-6] {
+            let guess = Guess::uniform(problem.layout(), 20, &[epsilon], |_, s, y| (y[0], y[1]) = (2.5 * s - 1.0, 2.5));
+            let options = Options { order, ..Options::default() };
+            let stiffness = Stiffness { constant: 0, easy: Some(1.0) };
+            let found = solve_automatically(&problem, &guess, &[], Some(stiffness), &options).unwrap();
+            println!("{order:?} {epsilon:e} {:?} {:?}", found.how, found.stats);
+            let slope = found.solution.regions()[0].state(1).iter().fold(0.0, |max: f64, v| max.max(v.abs()));
+            assert!((epsilon * slope - 9.0 / 32.0).abs() < 1e-3 + 3.0 * epsilon, "{}", epsilon * slope);
+        }
+    }
+}
+
 /// Troesch: `u'' = μ sinh(μ u)`, `u(0) = 0`, `u(1) = 1`; a steep layer for large μ.
 struct Troesch(f64);
 

@@ -9,7 +9,7 @@ use crate::guess::Guess;
 use crate::observer::{Observer, Silent};
 use crate::options::{Control, Options};
 use crate::problem::{Layout, Problem};
-use crate::solution::Solution;
+use crate::solution::{Accuracy, Shortfall, Solution};
 use crate::solve::solve_observed;
 use crate::stats::Stats;
 
@@ -48,7 +48,7 @@ pub struct Automatic {
     pub solution: Solution,
     /// How.
     pub how: How,
-    /// Work of all attempts.
+    /// Work of what led to it; attempts that failed are not counted.
     pub stats: Stats,
 }
 
@@ -99,7 +99,12 @@ fn solve_any(
         if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
     let direct = Options { max_intervals: intervals, ..options.clone() };
     let mut attempt = Attempt { problem, guess, unknowns, options, observer, stats: Stats::default() };
-    let failure = match solve_observed(problem, guess, unknowns, &direct, attempt.observer) {
+    let mut outcome = solve_observed(problem, guess, unknowns, &direct, attempt.observer);
+    let short = |solution: &Solution| matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. });
+    if intervals < options.max_intervals && outcome.as_ref().is_ok_and(short) {
+        outcome = solve_observed(problem, guess, unknowns, options, attempt.observer);
+    }
+    let failure = match outcome {
         Ok(solution) => {
             let stats = *solution.stats();
             return Ok(Automatic { solution, how: How::Direct, stats });
@@ -142,10 +147,13 @@ impl Attempt<'_> {
             Some(easy) => vec![easy],
             None => powers.map(|factor| factor * value).collect(),
         };
-        let path = PathOptions { solve: self.options.clone(), ..PathOptions::default() };
-        for easy in candidates.into_iter().filter(|easy| *easy != value) {
+        // Where a layer's place depends on how well it is resolved, steps must be solved as well as their end.
+        let loose = PathOptions { solve: self.options.clone(), ..PathOptions::default() };
+        let tight = PathOptions { tolerance: self.options.tolerance, ..loose.clone() };
+        let each = |path| candidates.iter().filter(|easy| **easy != value).map(move |easy| (path, *easy));
+        for (path, easy) in each(&loose).chain(each(&tight)) {
             let ramp = Ramp::new().geometric(stiffness.constant, easy, value);
-            match follow_observed(self.problem, self.guess, &ramp, self.unknowns, &path, self.observer) {
+            match follow_observed(self.problem, self.guess, &ramp, self.unknowns, path, self.observer) {
                 Ok(followed) => {
                     self.stats += *followed.solution.stats();
                     let how = How::Stiffness { easy, steps: followed.steps.len() };

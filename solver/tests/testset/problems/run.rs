@@ -1,7 +1,7 @@
 //! Solving a case and judging the result.
 
 use crate::problems::catalogue::{Case, Reference};
-use solver::continuation::{PathOptions, Ramp, follow};
+use solver::continuation::{PathOptions, Ramp, Stiffness, follow, solve_automatically};
 use solver::{Guess, Linearisation, Options, Order, Solution, solve};
 use std::time::Instant;
 
@@ -12,33 +12,41 @@ pub enum How {
     Direct,
     /// Along a path in the parameter, of so many steps.
     Continued(usize),
+    /// By deforming the problem, over so many points.
+    Deformed(usize),
 }
 
 /// What a run brought.
 pub struct Outcome {
     pub solution: Result<Solution, String>,
     pub how: How,
-    /// Why the direct solve failed, if it did.
-    pub direct: Option<String>,
     pub seconds: f64,
 }
 
-/// Solves from the suggested guess; if that fails, by continuation from where the data suggests, if it does.
+/// Solves from the suggested guess, automatically by continuation where that fails: the parameter is named as what makes
+/// the problem hard if the data suggests where to continue from.
 pub fn run(case: &Case, parameter: Option<f64>, options: &Options) -> Outcome {
     let start = Instant::now();
-    let problem = &*case.problem;
-    let failure = match solve(problem, &case.guess(parameter), &case.unknowns, options) {
-        Ok(solution) => {
-            return Outcome { solution: Ok(solution), how: How::Direct, direct: None, seconds: seconds(start) };
+    let stiffness = case.continue_from.zip(case.parameter);
+    let stiffness = stiffness.map(|(easy, constant)| Stiffness { constant, easy: Some(easy) });
+    let found = solve_automatically(&*case.problem, &case.guess(parameter), &case.unknowns, stiffness, options);
+    let seconds = start.elapsed().as_secs_f64();
+    match found {
+        Err(error) => Outcome { solution: Err(error.to_string()), how: How::Direct, seconds },
+        Ok(found) => {
+            let how = match found.how {
+                solver::continuation::How::Direct => How::Direct,
+                solver::continuation::How::Stiffness { steps, .. } => How::Continued(steps),
+                solver::continuation::How::Homotopy { points } => How::Deformed(points),
+            };
+            Outcome { solution: Ok(found.solution), how, seconds }
         }
-        Err(error) => error.to_string(),
-    };
-    let (solution, steps) = continued(case, parameter, options).unwrap_or_else(|| (Err(failure.clone()), 0));
-    Outcome { solution, how: How::Continued(steps), direct: Some(failure), seconds: seconds(start) }
+    }
 }
 
-fn seconds(start: Instant) -> f64 {
-    start.elapsed().as_secs_f64()
+/// Why the suggested guess does not lead to a solution directly, if it does not.
+pub fn obstacle(case: &Case, parameter: Option<f64>, options: &Options) -> Option<String> {
+    solve(&*case.problem, &case.guess(parameter), &case.unknowns, options).err().map(|error| error.to_string())
 }
 
 /// By continuation in the parameter; `None` where none is suggested.
