@@ -81,3 +81,33 @@ fn the_published_base_case_is_reproduced_at_the_tolerance_it_was_computed_with()
         assert!((found - value).abs() <= tolerance, "{key}: {found} for {value} ± {tolerance}");
     }
 }
+
+/// The string of Kong and Parker at the threshold for which an independent code has it, and the beam on its way to it.
+#[test]
+fn the_beam_becomes_the_string() {
+    let at = |edition: &str, stiffness: f64| {
+        let mut case = Case::default();
+        case.set("edition", edition).unwrap();
+        case.set("sheave.slip_threshold", "5e-3 m/s").unwrap();
+        case.set("belt.bending_stiffness", &stiffness.to_string()).unwrap();
+        let result = solve(&case, 1e-4);
+        ["primary.axial_force", "secondary.axial_force", "secondary.speed", "efficiency.overall", "primary.wrap_angle"]
+            .map(|key| lookup(&result, key))
+    };
+    let string = at("string", 0.2602);
+    let wrap = 192.5_f64.to_radians();
+    for ((found, expected), within) in
+        string.iter().zip([902.5, 513.4, 354.06, 0.982, wrap]).zip([0.05, 0.05, 0.005, 5e-4, 1e-3])
+    {
+        assert!((found - expected).abs() <= within, "{found} for {expected}");
+    }
+    let distance = |stiffness| {
+        let beam = at("thesis", stiffness);
+        beam.iter().zip(&string).fold(0.0_f64, |most, (beam, string)| most.max((beam / string - 1.0).abs()))
+    };
+    let distances = [0.03, 0.003, 0.0003].map(distance);
+    assert!(
+        distances[0] > 2.0 * distances[1] && distances[1] > 2.0 * distances[2] && distances[2] < 5e-3,
+        "{distances:?}"
+    );
+}
