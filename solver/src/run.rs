@@ -42,6 +42,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub history: Vec<MeshRecord>,
     /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
     pub contraction: f64,
+    /// Whether a guess that is a solution already keeps its mesh, whatever its estimated error.
+    pub keep: bool,
     /// Why the last solve ended if not for a small estimated error.
     shortfall: Shortfall,
 }
@@ -60,6 +62,22 @@ struct Progress<'a, P: Problem + ?Sized> {
     coarsening: bool,
     /// The solution that the present meshes were made from, while the tolerance is not met.
     coarser: Option<Solved<'a, P>>,
+    fallback_doubled: bool,
+}
+
+impl<P: Problem + ?Sized> Progress<'_, P> {
+    /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once.
+    fn doubled(&mut self) -> Option<Start> {
+        if self.coarsening {
+            return None;
+        }
+        if let Some(coarser) = self.coarser.take() {
+            return Some(transfer(&coarser, twice(&coarser)));
+        }
+        let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;
+        self.fallback_doubled = true;
+        Some(transfer(fallback, twice(fallback)))
+    }
 }
 
 /// What is tried when Newton's iteration fails: halved meshes, then the same again boldly.
@@ -91,6 +109,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             stats: Stats::default(),
             history: Vec::new(),
             contraction: 0.0,
+            keep: true,
             shortfall: Shortfall::Uncontrolled,
         }
     }
@@ -100,8 +119,16 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let origin = (self.options.rescues > 0).then(|| start.clone());
         let rescue = Rescue { halvings: 0, bold: false, origin };
         let (target, error) = (self.options.tolerance, f64::INFINITY);
-        let mut progress =
-            Progress { rescue, target, fallback: None, error, vain: 0, coarsening: false, coarser: None };
+        let mut progress = Progress {
+            rescue,
+            target,
+            fallback: None,
+            error,
+            vain: 0,
+            coarsening: false,
+            coarser: None,
+            fallback_doubled: false,
+        };
         self.shortfall = Shortfall::Uncontrolled;
         for attempt in 0..self.options.max_meshes {
             let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
@@ -109,12 +136,15 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 Err(Stop::Error(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
                 Err(Stop::Error(error)) => return progress.fallback.ok_or(error),
                 Err(Stop::Newton(failed, error)) => {
+                    if error == NewtonError::Cancelled {
+                        return Err(SolveError::Cancelled);
+                    }
+                    if let Some(meshes) = progress.doubled() {
+                        start = meshes;
+                        continue;
+                    }
                     if let Some(fallback) = progress.fallback {
                         return Ok(fallback);
-                    }
-                    if let Some(coarser) = progress.coarser.take().filter(|_| error != NewtonError::Cancelled) {
-                        start = transfer(&coarser, twice(&coarser));
-                        continue;
                     }
                     start = self.rescued(*failed, error, &mut progress.rescue)?;
                     continue;
@@ -141,7 +171,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 let intervals = intervals(&solved.system.grids);
                 return progress.fallback.ok_or(SolveError::Newton { error, intervals });
             }
-            let again = attempt == 0 && solved.converged.at_once;
+            let again = self.keep && attempt == 0 && solved.converged.at_once;
             match self.improve(&solved, again, &mut progress) {
                 Next::Accept => return Ok(solved),
                 Next::Fallback => return Ok(progress.fallback.unwrap_or(solved)),
@@ -151,8 +181,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 }
                 Next::Tighten(meshes) => {
                     start = transfer(&solved, meshes);
+                    progress.coarser = None;
                     if progress.vain == 0 {
-                        progress.fallback = Some(solved);
+                        (progress.fallback, progress.fallback_doubled) = (Some(solved), false);
                     }
                 }
             }

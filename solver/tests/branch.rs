@@ -8,8 +8,8 @@ use solver::continuation::{
 };
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess, Silent, Solution,
-    SolveError, solve,
+    Accuracy, Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess, Silent,
+    Solution, SolveError, solve,
 };
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -350,6 +350,7 @@ fn a_shock_is_followed_until_it_is_a_millionth_wide() {
             let stiffness = Stiffness { constant: 0, easy: Some(1.0) };
             let found = solve_automatically(&problem, &guess, &[], Some(stiffness), &options).unwrap();
             println!("{order:?} {epsilon:e} {:?} {:?}", found.how, found.stats);
+            assert_eq!(found.solution.accuracy(), Accuracy::Met, "{order:?} {epsilon}");
             let slope = found.solution.regions()[0].state(1).iter().fold(0.0, |max: f64, v| max.max(v.abs()));
             assert!((epsilon * slope - 9.0 / 32.0).abs() < 1e-3 + 3.0 * epsilon, "{}", epsilon * slope);
         }

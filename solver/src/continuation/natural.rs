@@ -287,6 +287,8 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
     /// From the tolerance of the way to that of the solution.
     fn finish(mut self, here: Solved<'a, P>) -> Result<Followed, PathError> {
         self.run.options = &self.options.solve;
+        // On the way errors were not estimated.
+        self.run.keep = false;
         let start = Start { grids: here.system.grids.clone(), x: here.converged.x.clone() };
         let outcome = self.run.refine(start).and_then(|solved| self.run.finish(&solved));
         match outcome {
