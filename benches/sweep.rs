@@ -72,15 +72,21 @@ fn main() {
 
     let mut rates = Vec::new();
     for jobs in ["1", "2"] {
-        let (seconds, peak) = wait(sweep(side, jobs, &path(&format!("{jobs}.csv")), false));
-        rates.push(points as f64 / seconds);
+        let cost = wait(sweep(side, jobs, &path(&format!("{jobs}.csv")), false));
+        let rate = points as f64 / cost.seconds;
+        let each = 1e3 * cost.processor / points as f64;
         println!(
-            "{points} points, {jobs} jobs: {seconds:.1} s, {:.0} points/s, {peak:.0} MiB",
-            points as f64 / seconds
+            "{points} points, {jobs} jobs: {:.1} s, {rate:.0} points/s; {:.1} processor seconds, {each:.2} ms a point; {:.0} MiB",
+            cost.seconds, cost.processor, cost.memory
         );
+        rates.push((rate, cost.processor));
     }
-    if let [one, two] = rates[..] {
-        println!("two jobs against one: {:.2} times", two / one);
+    if let [(one, once), (two, twice)] = rates[..] {
+        println!(
+            "two jobs against one: {:.2} times as fast, {:.2} times the processor seconds",
+            two / one,
+            twice / once
+        );
     }
 
     let mut child = sweep(side, "2", &path("killed.csv"), false);
