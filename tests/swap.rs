@@ -289,7 +289,7 @@ fn a_case_file_may_ask_for_any_constant() {
                 'operating_point.slack_tension for secondary.axial_force = 0.6 kN']\n[drive]\nratio = 1.1";
     let case = Case::from_toml("case.toml", text).unwrap();
     let resolved = case.resolve().unwrap();
-    case.check_supported(&resolved).unwrap();
+    case.check_posed(&resolved).unwrap();
     let outcome = run(&resolved, &rough()).unwrap();
     let result = &outcome.result;
     assert!((result.efficiency.overall - 0.96).abs() < 1e-8 && (result.secondary.axial_force - 600.0).abs() < 1e-5);
