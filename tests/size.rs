@@ -204,7 +204,7 @@ fn the_command_refuses_with_status_2() {
 
 #[test]
 fn the_example_is_sound() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/conveyor.toml");
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/size/conveyor.toml");
     let sizing = size(&BeltDrive::read(Some(&path), &[], &[]).unwrap()).unwrap();
     assert!(sizing.torque.drive > 0.0);
 }
