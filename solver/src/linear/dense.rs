@@ -7,6 +7,7 @@
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::triangular_solve as triangular;
 use faer::{Mat, MatMut, MatRef, Par, Spec};
+use nalgebra::{DMatrix, Dyn, SVD};
 
 /// `P S A = L U` of a square matrix, `S` the row scaling that makes each row's largest entry 1.
 #[derive(Debug, Clone, Default)]
@@ -26,6 +27,8 @@ pub(crate) struct Lu {
 const SUSPICIOUS: f64 = 1e-11;
 /// Singular values smaller than this times the largest count as zero.
 const RANK: f64 = 4.0 * f64::EPSILON;
+/// Most sweeps of the singular value decomposition.
+const SWEEPS: usize = 1000;
 
 impl Lu {
     /// Factors `a` (by rows, `n * n`); reuses the memory of an earlier factorisation.
@@ -55,19 +58,21 @@ impl Lu {
         self.rank = if sound { n } else { self.numerical_rank() };
     }
 
-    fn scaled(&self) -> MatRef<'_, f64> {
+    /// Singular values, decreasing, and if wanted the transposed right singular vectors; `None` for a matrix that is not
+    /// finite. By nalgebra: faer's decomposition takes half a minute to compile, and this is for diagnosis only.
+    fn svd(&self, vectors: bool) -> Option<SVD<f64, Dyn, Dyn>> {
         let n = self.scale.len();
-        MatRef::from_row_major_slice(&self.scaled, n, n)
+        if n == 0 || self.scaled.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        SVD::try_new(DMatrix::from_row_slice(n, n, &self.scaled), false, vectors, f64::EPSILON, SWEEPS)
     }
 
     /// Number of singular values that are not zero; 0 for a matrix that is not finite.
     fn numerical_rank(&self) -> usize {
-        if self.scaled.iter().any(|x| !x.is_finite()) {
-            return 0;
-        }
-        let values = self.scaled().singular_values().unwrap_or_default();
-        let largest = values.first().copied().unwrap_or(0.0);
-        values.iter().filter(|&&value| value > RANK * largest).count()
+        let Some(svd) = self.svd(false) else { return 0 };
+        let largest = svd.singular_values.max();
+        svd.singular_values.iter().filter(|&&value| value > RANK * largest).count()
     }
 
     /// Number of singular values that are not zero.
@@ -109,9 +114,10 @@ impl Lu {
     /// largest component 1. Zero for a matrix that is not finite.
     pub(crate) fn null_vector(&self) -> Vec<f64> {
         let n = self.scale.len();
-        let finite = self.scaled.iter().all(|x| x.is_finite());
-        let Some(svd) = self.scaled().svd().ok().filter(|_| finite && n > 0) else { return vec![0.0; n] };
-        let v: Vec<f64> = (0..n).map(|i| svd.V()[(i, n - 1)]).collect();
+        let Some(svd) = self.svd(true) else { return vec![0.0; n] };
+        let (smallest, _) = svd.singular_values.argmin();
+        let Some(vectors) = svd.v_t else { return vec![0.0; n] };
+        let v: Vec<f64> = vectors.row(smallest).iter().copied().collect();
         let largest = v.iter().fold(0.0, |max: f64, &x| if x.abs() > max.abs() { x } else { max });
         v.iter().map(|x| x / largest).collect()
     }
