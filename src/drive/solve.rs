@@ -16,14 +16,16 @@ use crate::case::{Model, Resolved};
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
-/// Newton iterations of a step on the way, for a belt without bending stiffness.
+/// Newton iterations of a step on the way: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
+const WAY_ITERATIONS: usize = 25;
+/// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
 /// Intervals of a region on the way.
 const WAY_INTERVALS: usize = 2000;
 /// Smallest step on a leg of the way, as a share of the leg.
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a leg of the way, accepted or not.
-const LEG_STEPS: usize = 200;
+const LEG_STEPS: usize = 400;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
@@ -157,7 +159,7 @@ fn rough(options: &SolveOptions) -> Options {
 /// How a leg of the way is followed, `solve` being for its end.
 fn way(model: &Model, solve: Options) -> PathOptions {
     let (tolerance, max_iterations) = match model.bending {
-        Some(_) => (ROUGH_TOLERANCE, PathOptions::default().max_iterations),
+        Some(_) => (ROUGH_TOLERANCE, WAY_ITERATIONS),
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
         None => (STRING_TOLERANCE, STRING_ITERATIONS),
     };
