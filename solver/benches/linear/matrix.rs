@@ -3,9 +3,9 @@
 //! The trapezoidal rule for `y' = A(s) y + b c`, five states, one unknown constant, and six boundary equations that mix
 //! both ends and the constant.
 
-use crate::linear::chain::{Block, Chain, Sizes};
+use crate::linear::chain::{Block, Chain, Intervals, Reduced, Sizes};
 use crate::linear::dense::Lu;
-use crate::linear::reflect::Fixed;
+use crate::linear::reflect::{Fixed, Rows};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::shortest;
@@ -140,6 +140,27 @@ impl Bordered {
     }
 }
 
+/// `W` stretches of `steps` blocks, side by side.
+struct Stretches<'a> {
+    steps: usize,
+    blocks: &'a [Block<f64>],
+}
+
+impl Intervals<Lane> for Stretches<'_> {
+    #[inline(always)]
+    fn fill<R: Rows>(&mut self, _: R, t: usize, block: &mut Block<Lane>) {
+        let pick =
+            |entry: &dyn Fn(&Block<f64>) -> f64| Lane(std::array::from_fn(|l| entry(&self.blocks[l * self.steps + t])));
+        for i in 0..N * N {
+            block.a[i] = pick(&|block| block.a[i]);
+            block.b[i] = pick(&|block| block.b[i]);
+        }
+        for i in 0..N * P {
+            block.c[i] = pick(&|block| block.c[i]);
+        }
+    }
+}
+
 struct Eliminate<'a>(&'a Bordered);
 
 impl Job for Eliminate<'_> {
@@ -151,22 +172,9 @@ impl Job for Eliminate<'_> {
         let (steps, rows) = (*steps, Fixed::<N>);
         let gathered = |values: &dyn Fn(usize) -> f64| Lane(std::array::from_fn(|l| values(l * steps)));
         let mut lanes = Chain::<Lane>::new(SHAPE, steps);
-        lanes.factor(rows, |t, block| {
-            for i in 0..N * N {
-                block.a[i] = gathered(&|first| blocks[first + t].a[i]);
-                block.b[i] = gathered(&|first| blocks[first + t].b[i]);
-            }
-            for i in 0..N * P {
-                block.c[i] = gathered(&|first| blocks[first + t].c[i]);
-            }
-        });
+        lanes.factor(rows, Stretches { steps, blocks });
         let mut top = Chain::<f64>::new(SHAPE, W);
-        top.factor(rows, |l, block| {
-            let pairs = [(&lanes.end.a, &mut block.a), (&lanes.end.b, &mut block.b), (&lanes.end.c, &mut block.c)];
-            for (from, to) in pairs {
-                to.iter_mut().zip(from).for_each(|(to, from)| *to = from.0[l]);
-            }
-        });
+        top.factor(rows, Reduced(&lanes.end));
         let size = 2 * N + P;
         let mut dense = vec![0.0; size * size];
         for i in 0..N {

@@ -132,65 +132,112 @@ impl<'a> Assembly<'a> {
             }
             return;
         }
-        let (x, v) = (self.tableau.x[stage], self.tableau.v[stage]);
-        for (matrix, width, diagonal, skip) in [
-            (&mut self.left, n, 1.0 - v, Some(1)),
-            (&mut self.right, n, v, Some(0)),
-            (&mut self.by_constant, p, 0.0, None),
-        ] {
-            let (known, rest) = matrix.split_at_mut(stage * all * width);
-            let sum = &mut self.sum[..n * width];
-            sum.fill(Lane::ZERO);
-            for (earlier, &weight) in x.iter().enumerate() {
-                if weight != 0.0 && Some(earlier) != skip {
-                    let weight = h.times(weight);
-                    for (sum, &k) in sum.iter_mut().zip(&known[earlier * all * width..]) {
-                        *sum += weight * k;
-                    }
-                }
-            }
-            if diagonal != 0.0 {
-                for i in 0..n {
-                    sum[i * width + i] += Lane::ONE.times(diagonal);
-                }
-            }
-            for entry in &self.states {
-                let value = Lane(dy[entry.from * steps + step]).times(entry.factor);
-                let out = &mut rest[entry.row * width..(entry.row + 1) * width];
-                for (out, &y) in out.iter_mut().zip(&sum[entry.column * width..]) {
-                    *out += value * y;
-                }
-            }
-        }
+        let known = |skip: Option<usize>| {
+            let weights = self.tableau.x[stage].iter().enumerate();
+            weights.filter(move |&(earlier, weight)| *weight != 0.0 && Some(earlier) != skip)
+        };
+        let (v, sum) = (self.tableau.v[stage], &mut self.sum);
+        let chain = Chain { entries: &self.states, dy, steps, step };
+        // Widths are known when compiled if the number of states is.
+        argument(&self.left, n, all * n, n, h, known(Some(1)), sum);
+        add_to_diagonal(sum, n, 1.0 - v);
+        chain.apply(n, sum, &mut self.left[before..here]);
+        argument(&self.right, n, all * n, n, h, known(Some(0)), sum);
+        add_to_diagonal(sum, n, v);
+        chain.apply(n, sum, &mut self.right[before..here]);
+        argument(&self.by_constant, n, all * p, p, h, known(None), sum);
+        chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
     }
 
     /// `A = -I - h Σ b dK/dy_0`, `B = I - h Σ b dK/dy_1`, `C = -h Σ b dK/dc`; functionals `h Σ b dQ`.
     #[inline(always)]
     fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
-        for (matrix, width, diagonal, out, functional) in [
-            (&self.left, n, -1.0, &mut block.a, &mut block.fa),
-            (&self.right, n, 1.0, &mut block.b, &mut block.fb),
-            (&self.by_constant, p, 0.0, &mut block.c, &mut block.fc),
-        ] {
-            let sum = &mut self.sum[..all * width];
-            sum.fill(Lane::ZERO);
-            for (stage, &b) in self.tableau.b.iter().enumerate() {
-                let weight = h.times(b);
-                for (sum, &k) in sum.iter_mut().zip(&matrix[stage * all * width..]) {
-                    *sum += weight * k;
-                }
-            }
+        let (b, sum) = (self.tableau.b, &mut self.sum);
+        quadrature(&self.left, n, all, b, h, sum);
+        transposed(sum, n, n, &mut block.a, &mut block.fa);
+        add_to_diagonal(&mut block.a, n, -1.0);
+        quadrature(&self.right, n, all, b, h, sum);
+        transposed(sum, n, n, &mut block.b, &mut block.fb);
+        add_to_diagonal(&mut block.b, n, 1.0);
+        quadrature(&self.by_constant, p, all, b, h, sum);
+        transposed(sum, n, p, &mut block.c, &mut block.fc);
+    }
+}
+
+/// Multiplication by the states' Jacobian at one stage.
+struct Chain<'a> {
+    entries: &'a [Entry],
+    dy: &'a [[f64; W]],
+    steps: usize,
+    step: usize,
+}
+
+impl Chain<'_> {
+    /// `out += J argument`, by rows of `width`.
+    #[inline(always)]
+    fn apply(&self, width: usize, argument: &[Lane], out: &mut [Lane]) {
+        for entry in self.entries {
+            let value = Lane(self.dy[entry.from * self.steps + self.step]).times(entry.factor);
+            let out = &mut out[entry.row * width..][..width];
+            let argument = &argument[entry.column * width..][..width];
             for j in 0..width {
-                for i in 0..n {
-                    out[j * n + i] = -sum[i * width + j];
-                }
+                out[j] += value * argument[j];
             }
-            if diagonal != 0.0 {
-                for i in 0..n {
-                    out[i * n + i] += Lane::ONE.times(diagonal);
-                }
-            }
-            functional.copy_from_slice(&sum[n * width..]);
         }
+    }
+}
+
+/// `h Σ x dK` over the earlier stages, `n` rows of `width`; a stage holds `stride` values.
+#[inline(always)]
+fn argument<'a>(
+    stages: &[Lane],
+    n: usize,
+    stride: usize,
+    width: usize,
+    h: Lane,
+    earlier: impl Iterator<Item = (usize, &'a f64)>,
+    sum: &mut [Lane],
+) {
+    let sum = &mut sum[..n * width];
+    sum.fill(Lane::ZERO);
+    for (stage, &weight) in earlier {
+        let weight = h.times(weight);
+        let known = &stages[stage * stride..][..n * width];
+        for j in 0..n * width {
+            sum[j] += weight * known[j];
+        }
+    }
+}
+
+/// `h Σ b dK` over all stages, `all` rows of `width`.
+#[inline(always)]
+fn quadrature(stages: &[Lane], width: usize, all: usize, b: &[f64], h: Lane, sum: &mut [Lane]) {
+    let sum = &mut sum[..all * width];
+    sum.fill(Lane::ZERO);
+    for (stage, &b) in b.iter().enumerate() {
+        let weight = h.times(b);
+        let known = &stages[stage * all * width..][..all * width];
+        for j in 0..all * width {
+            sum[j] += weight * known[j];
+        }
+    }
+}
+
+/// The rows of the equations by columns and negated, those of the functionals as they are.
+#[inline(always)]
+fn transposed(sum: &[Lane], n: usize, width: usize, equations: &mut [Lane], functionals: &mut [Lane]) {
+    let equations = &mut equations[..n * width];
+    for j in 0..width {
+        for i in 0..n {
+            equations[j * n + i] = -sum[i * width + j];
+        }
+    }
+    functionals.copy_from_slice(&sum[n * width..][..functionals.len()]);
+}
+
+#[inline(always)]
+fn add_to_diagonal(matrix: &mut [Lane], n: usize, value: f64) {
+    for i in 0..n {
+        matrix[i * n + i] += Lane::ONE.times(value);
     }
 }

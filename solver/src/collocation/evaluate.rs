@@ -3,6 +3,7 @@
 use super::{Iterate, System};
 use crate::error::NonFinite;
 use crate::linear::scalar::W;
+use crate::linear::simd::elementwise;
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
 
@@ -159,9 +160,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let right = &y[i * nodes + W..][..intervals];
             out.fill(0.0);
             add_slopes(self.tableau.x[stage], stages, i, out);
-            for p in 0..intervals {
-                out[p] = (1.0 - v) * left[p] + v * right[p] + grid.h[p] * out[p];
-            }
+            elementwise(out, [left, right, &grid.h], |sum, [left, right, h]| (1.0 - v) * left + v * right + h * sum);
         }
     }
 
@@ -175,9 +174,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let right = &y[i * nodes + W..][..intervals];
             out.fill(0.0);
             add_slopes(self.tableau.b, stages, i, out);
-            for p in 0..intervals {
-                out[p] = right[p] - left[p] - grid.h[p] * out[p];
-            }
+            elementwise(out, [left, right, &grid.h], |sum, [left, right, h]| right - left - h * sum);
         }
         stages.phi = phi;
     }
@@ -200,7 +197,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let mut out = vec![0.0; (plan.rows - plan.n) * h.len()];
         for (k, sums) in out.chunks_exact_mut(h.len()).enumerate() {
             add_slopes(self.tableau.b, stages, plan.n + k, sums);
-            sums.iter_mut().zip(h).for_each(|(sum, h)| *sum *= h);
+            elementwise(sums, [h], |sum, [h]| sum * h);
         }
         out
     }
@@ -264,9 +261,7 @@ fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {
     for (stage, &weight) in weights.iter().enumerate() {
         if weight != 0.0 {
             let slopes = stages.slope(stage, row, out.len());
-            for (out, slope) in out.iter_mut().zip(slopes) {
-                *out += weight * slope;
-            }
+            elementwise(out, [slopes], |out, [slope]| out + weight * slope);
         }
     }
 }

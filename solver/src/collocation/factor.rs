@@ -4,7 +4,7 @@ use super::assemble::Assembly;
 use super::evaluate::Work;
 use super::plan::RegionPlan;
 use super::{Correction, Scales, System};
-use crate::linear::chain::{Block, Chain};
+use crate::linear::chain::{Block, Chain, Intervals, Reduced};
 use crate::linear::dense::Lu;
 use crate::linear::reflect::{Rows, with_rows};
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -37,7 +37,8 @@ pub(crate) struct Factorisation {
     pub scales: Scales,
     pub regions: Vec<RegionFactor>,
     pub border: Lu,
-    dense: Vec<f64>,
+    /// By rows: the regions' reduced equations, then the boundary equations, in all ends and unknowns, dimensionless.
+    pub dense: Vec<f64>,
     /// `(equation, region, active integral, derivative)`.
     pub integral_entries: Vec<(usize, usize, usize, f64)>,
     /// Largest dimensionless coefficient of each boundary equation.
@@ -67,29 +68,23 @@ impl Job for FactorRegion<'_, '_> {
 }
 
 #[inline(always)]
-fn factor_region<R: Rows>(rows: R, mut assembly: Assembly<'_>, factor: &mut RegionFactor) {
-    let n = rows.n();
+fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFactor) {
     let RegionFactor { lanes, top, row_scale } = factor;
-    lanes.factor(rows, |t, block| assembly.fill(rows, t, block, &mut row_scale[t * n..(t + 1) * n]));
-    let end = &lanes.end;
-    top.factor(rows, |l, block| pick(end, l, block));
+    lanes.factor(rows, Stretches { assembly, row_scale });
+    top.factor(rows, Reduced(&lanes.end));
 }
 
-/// The coefficients of one stretch out of those of all.
-#[inline(always)]
-fn pick(from: &Block<Lane>, l: usize, to: &mut Block<f64>) {
-    let pairs = [
-        (&from.a, &mut to.a),
-        (&from.b, &mut to.b),
-        (&from.c, &mut to.c),
-        (&from.fa, &mut to.fa),
-        (&from.fb, &mut to.fb),
-        (&from.fc, &mut to.fc),
-    ];
-    for (from, to) in pairs {
-        for (to, from) in to.iter_mut().zip(from) {
-            *to = from.0[l];
-        }
+/// The intervals of all stretches, side by side.
+struct Stretches<'a, 'b> {
+    assembly: Assembly<'a>,
+    row_scale: &'b mut [Lane],
+}
+
+impl Intervals<Lane> for Stretches<'_, '_> {
+    #[inline(always)]
+    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>) {
+        let n = rows.n();
+        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n]);
     }
 }
 
@@ -127,7 +122,12 @@ fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
         *sum += lane.0.iter().sum::<f64>();
     }
     let last = &job.rhs[job.rhs.len() - n..];
-    let mut top: Vec<f64> = (0..W).flat_map(|l| last.iter().map(move |lane| lane.0[l])).collect();
+    let mut top = vec![0.0; W * n];
+    for (i, lane) in last.iter().enumerate() {
+        for l in 0..W {
+            top[l * n + i] = lane.0[l];
+        }
+    }
     job.factor.top.forward(rows, &mut top, job.functionals);
     top
 }
@@ -195,25 +195,25 @@ impl Factorisation {
 
     /// Factors the matrix whose derivatives `work` holds. The rank may be deficient: see [`rank`](Self::rank).
     pub(crate) fn factor<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work, scales: Scales) {
+        self.condense(system, work, scales);
+        self.border.factor(columns(system), &self.dense);
+    }
+
+    /// Eliminates the regions' interiors: what is left is [`dense`](Self::dense).
+    pub(crate) fn condense<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work, scales: Scales) {
         self.scales = scales;
         for (region, factor) in self.regions.iter_mut().enumerate() {
             let assembly = Assembly::new(system, region, &work.regions[region], &self.scales);
             FactorRegion { assembly, n: system.plan.regions[region].n, factor }.vectorised();
         }
         self.assemble_dense(system, work);
-        let size = self.size(system);
-        self.border.factor(size, &self.dense);
-    }
-
-    fn size<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> usize {
-        2 * system.plan.states() + system.plan.unknowns.len()
     }
 
     fn assemble_dense<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work) {
-        let size = self.size(system);
+        let size = columns(system);
         let first_unknown = size - system.plan.unknowns.len();
         self.dense.clear();
-        self.dense.resize(size * size, 0.0);
+        self.dense.resize((system.plan.states() + system.layout.equations.len()) * size, 0.0);
         let mut row = 0;
         for (plan, factor) in system.plan.regions.iter().zip(&self.regions) {
             let (n, end) = (plan.n, &factor.top.end);
@@ -240,7 +240,7 @@ impl Factorisation {
         first_unknown: usize,
     ) {
         let layout = system.layout;
-        let size = self.size(system);
+        let size = columns(system);
         let (ends, integrals) = (layout.ends(), layout.integrals());
         let input_scale = input_scales(&self.scales);
         self.integral_entries.clear();
@@ -345,6 +345,11 @@ impl Factorisation {
         }
         Correction { u, c }
     }
+}
+
+/// Ends and unknowns.
+fn columns<P: Problem + ?Sized>(system: &System<'_, P>) -> usize {
+    2 * system.plan.states() + system.plan.unknowns.len()
 }
 
 /// Padding holds the last node, exactly.

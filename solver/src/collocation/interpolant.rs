@@ -16,6 +16,7 @@ use super::evaluate::Stages;
 use super::{Iterate, Scales, System};
 use crate::error::NonFinite;
 use crate::linear::scalar::W;
+use crate::linear::simd::elementwise;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
 use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
@@ -104,14 +105,16 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             self.match_middle(&mut extension, stats)?;
             return Ok(extension);
         }
+        let intervals = self.intervals();
+        let mut slope = vec![0.0; intervals];
         for (sigma, sign) in [(0.5 - QUARTIC_OFFSET, 1.0), (0.5 + QUARTIC_OFFSET, -1.0)] {
             let sample = self.sample(None, sigma, stats)?;
             let basis = Basis::slope(sigma);
-            for i in 0..self.n() {
-                for p in 0..self.intervals() {
-                    let missing = self.h()[p] * sample.f[i * self.intervals() + p] - self.at(None, &basis, i, p);
-                    extension.alpha[i * self.intervals() + p] += 0.5 * sign * missing / QUARTIC_SLOPE;
-                }
+            for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
+                self.weigh(None, &basis, i, &mut slope);
+                elementwise(alpha, [self.h(), &sample.f[i * intervals..], &slope], |alpha, [h, f, slope]| {
+                    alpha + 0.5 * sign * (h * f - slope) / QUARTIC_SLOPE
+                });
             }
         }
         Ok(extension)
@@ -121,22 +124,25 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn match_middle(&self, extension: &mut Extension, stats: &mut Stats) -> Result<(), NonFinite> {
         let intervals = self.intervals();
         let (value, slope) = (Basis::value(0.5), Basis::slope(0.5));
-        for i in 0..self.n() {
-            let y = &self.x.y[self.region][i * self.nodes()..];
+        let mut cubic = vec![0.0; intervals];
+        for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
             let stage = |stage| self.stages.slope(stage, i, intervals);
-            let (f0, f1, f3, f4) = (stage(0), stage(1), stage(2), stage(3));
-            for p in 0..intervals {
-                let rise = self.h()[p] * ((f0[p] - f1[p]) / 24.0 + (f3[p] - f4[p]) / 6.0);
-                let rise = 0.5 * (y[p + W] - y[p]) + rise;
-                extension.alpha[i * intervals + p] = (rise - self.at(None, &value, i, p)) / value.alpha;
-            }
+            let (y0, y1) = self.values(i);
+            self.weigh(None, &value, i, &mut cubic);
+            elementwise(alpha, [stage(0), stage(1), stage(2), stage(3), self.h()], |_, [f0, f1, f3, f4, h]| {
+                h * ((f0 - f1) / 24.0 + (f3 - f4) / 6.0)
+            });
+            elementwise(alpha, [y0, y1, &cubic], |rise, [y0, y1, cubic]| {
+                (0.5 * (y1 - y0) + rise - cubic) / value.alpha
+            });
         }
         let sample = self.sample(Some(extension), 0.5, stats)?;
         for i in 0..self.n() {
-            for p in 0..intervals {
-                let missing = self.h()[p] * sample.f[i * intervals + p] - self.at(None, &slope, i, p);
-                extension.beta[i * intervals + p] = missing / slope.beta;
-            }
+            self.weigh(Some(extension), &slope, i, &mut cubic);
+            let beta = &mut extension.beta[i * intervals..(i + 1) * intervals];
+            elementwise(beta, [self.h(), &sample.f[i * intervals..], &cubic], |_, [h, f, known]| {
+                (h * f - known) / slope.beta
+            });
         }
         Ok(())
     }
@@ -157,27 +163,34 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         &self.system.grids[self.region].h
     }
 
-    /// The weighted sum of a basis (without `y_0`), component `i`, interval `p`. Without extension: of the cubic.
-    #[inline]
-    fn at(&self, extension: Option<&Extension>, basis: &Basis, i: usize, p: usize) -> f64 {
-        let y = &self.x.y[self.region][i * self.nodes()..];
-        let f = &self.stages.nodes.f[i * self.nodes()..];
-        let cubic = basis.rise * (y[p + W] - y[p]) + self.h()[p] * (basis.left * f[p] + basis.right * f[p + W]);
-        extension.map_or(cubic, |extension| {
-            let at = i * self.intervals() + p;
-            cubic + basis.alpha * extension.alpha[at] + basis.beta * extension.beta[at]
-        })
+    /// Component `i` at the left and right nodes of all intervals.
+    fn values(&self, i: usize) -> (&[f64], &[f64]) {
+        let y = &self.x.y[self.region][i * self.nodes()..(i + 1) * self.nodes()];
+        (&y[..self.intervals()], &y[W..])
+    }
+
+    /// The weighted sums of a basis (without `y_0`), component `i`, all intervals. Without extension: of the cubic.
+    fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
+        let (y0, y1) = self.values(i);
+        let (f0, f1) = (self.stages.slope(0, i, out.len()), self.stages.slope(1, i, out.len()));
+        elementwise(out, [y0, y1, f0, f1, self.h()], |_, [y0, y1, f0, f1, h]| {
+            basis.rise * (y1 - y0) + h * (basis.left * f0 + basis.right * f1)
+        });
+        if let Some(Extension { alpha, beta }) = extension {
+            let first = i * out.len();
+            elementwise(out, [&alpha[first..], &beta[first..]], |cubic, [alpha, beta]| {
+                cubic + basis.alpha * alpha + basis.beta * beta
+            });
+        }
     }
 
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
     fn sample(&self, extension: Option<&Extension>, sigma: f64, stats: &mut Stats) -> Result<Sample, NonFinite> {
-        let intervals = self.intervals();
         let basis = Basis::value(sigma);
-        let mut y = vec![0.0; self.n() * intervals];
-        for i in 0..self.n() {
-            for p in 0..intervals {
-                y[i * intervals + p] = self.x.y[self.region][i * self.nodes() + p] + self.at(extension, &basis, i, p);
-            }
+        let mut y = vec![0.0; self.n() * self.intervals()];
+        for (i, y) in y.chunks_exact_mut(self.intervals()).enumerate() {
+            self.weigh(extension, &basis, i, y);
+            elementwise(y, [self.values(i).0], |rise, [y0]| y0 + rise);
         }
         self.call(sigma, y, stats)
     }
@@ -214,21 +227,28 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let terms = self.terms();
         let (mut relative, mut absolute) = (vec![0.0; n * intervals], vec![0.0; n * intervals]);
         let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
-        let mut samples = Vec::new();
+        let (mut samples, mut defect) = (Vec::new(), vec![0.0; intervals]);
         for &(sigma, weight) in self.system.tableau.samples {
             let mut sample = self.sample(Some(extension), sigma, stats)?;
-            means.iter_mut().zip(&sample.f).for_each(|(mean, f)| *mean += weight * f);
+            elementwise(&mut means, [&sample.f], |mean, [f]| mean + weight * f);
             let basis = Basis::slope(sigma);
-            for (i, scale) in scales.states[self.region].iter().enumerate() {
-                for p in 0..intervals {
-                    let f = sample.f[i * intervals + p];
-                    // Padding has no length and no defect.
-                    let h = grid.h[p];
-                    let defect = if h > 0.0 { self.at(Some(extension), &basis, i, p) / h - f } else { 0.0 };
-                    let fraction = defect * length / (scale + f.abs().max(terms[i * intervals + p]) * length);
-                    relative[i * intervals + p] += weight * fraction * fraction;
-                    absolute[i * intervals + p] += weight * (defect * h / scale) * (defect * h / scale);
-                }
+            for (i, &scale) in scales.states[self.region].iter().enumerate() {
+                let row = i * intervals..(i + 1) * intervals;
+                let f = &sample.f[row.clone()];
+                self.weigh(Some(extension), &basis, i, &mut defect);
+                // Padding has no length and no defect.
+                elementwise(&mut defect, [&grid.h, f], |rise, [h, f]| if h > 0.0 { rise / h - f } else { 0.0 });
+                elementwise(
+                    &mut relative[row.clone()],
+                    [&defect, f, &terms[row.clone()]],
+                    |sum, [defect, f, terms]| {
+                        let fraction = defect * length / (scale + f.abs().max(terms) * length);
+                        sum + weight * fraction * fraction
+                    },
+                );
+                elementwise(&mut absolute[row], [&defect, &grid.h], |sum, [defect, h]| {
+                    sum + weight * (defect * h / scale) * (defect * h / scale)
+                });
             }
             sample.f.truncate(n * intervals);
             samples.push(sample.f);
@@ -255,9 +275,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             let dy = &self.stages.nodes.dy[entry * nodes..(entry + 1) * nodes];
             let y = &self.x.y[self.region][state * nodes..(state + 1) * nodes];
             let out = &mut at_nodes[row * nodes..(row + 1) * nodes];
-            for p in 0..nodes {
-                out[p] += (dy[p] * y[p]).abs();
-            }
+            elementwise(out, [dy, y], |sum, [dy, y]| sum + (dy * y).abs());
         }
         let larger = |terms: &[f64]| -> Vec<f64> { (0..intervals).map(|p| terms[p].max(terms[p + W])).collect() };
         at_nodes.chunks_exact(nodes).flat_map(larger).collect()

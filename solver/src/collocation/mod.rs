@@ -10,6 +10,7 @@ pub(crate) mod plan;
 pub(crate) mod transpose;
 
 use crate::linear::scalar::{Lane, W};
+use crate::linear::simd::largest;
 use crate::problem::{Layout, Problem};
 use crate::tableau::Tableau;
 use grid::Grid;
@@ -55,10 +56,9 @@ pub(crate) struct Correction {
 impl<P: Problem + ?Sized> System<'_, P> {
     /// The larger of what the layout says (1 where it says nothing) and what the iterate shows.
     pub(crate) fn scales(&self, x: &Iterate) -> Scales {
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |max, y| max.max(y.abs()));
         let states = self.layout.regions.iter().zip(&x.y).map(|(region, y)| {
             let stride = y.len() / region.states.len();
-            let found = y.chunks_exact(stride).map(largest);
+            let found = y.chunks_exact(stride).map(|y| largest(y.as_chunks::<W>().0.iter().map(|y| Lane(*y)), &[]));
             region.states.iter().zip(found).map(|(state, found)| found.max(state.scale.unwrap_or(1.0))).collect()
         });
         let constants = self.layout.constants.iter().zip(&x.constants);
@@ -120,10 +120,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         (sum / unknowns.max(1) as f64).sqrt()
     }
 
-    /// Largest component.
+    /// Largest component; NaN if any is not finite.
     pub(crate) fn largest(&self, dx: &Correction) -> f64 {
-        let states = dx.u.iter().flatten().flat_map(|lane| lane.0);
-        states.chain(dx.c.iter().copied()).fold(0.0, |max: f64, u| if u.is_nan() { f64::NAN } else { max.max(u.abs()) })
+        largest(dx.u.iter().flatten().copied(), &dx.c)
     }
 }
 

@@ -4,6 +4,7 @@ use super::evaluate::{Batch, Stages, Work};
 use super::factor::Rhs;
 use super::{Scales, System};
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::elementwise;
 use crate::problem::{Problem, Region};
 
 impl<P: Problem + ?Sized> System<'_, P> {
@@ -64,17 +65,13 @@ impl<P: Problem + ?Sized> System<'_, P> {
             if let Some(nodes) = nodes {
                 let v = self.tableau.v[stage];
                 for (shift, du) in shift.chunks_exact_mut(len).zip(nodes.chunks_exact(len + W)) {
-                    for p in 0..len {
-                        shift[p] = (1.0 - v) * du[p] + v * du[p + W];
-                    }
+                    elementwise(shift, [du, &du[W..]], |_, [left, right]| (1.0 - v) * left + v * right);
                 }
             }
             for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 let earlier = &known[earlier * rows * len..];
                 for (shift, earlier) in shift.chunks_exact_mut(len).zip(earlier.chunks_exact(len)) {
-                    for p in 0..len {
-                        shift[p] += weight * h[p] * earlier[p];
-                    }
+                    elementwise(shift, [h, earlier], |shift, [h, earlier]| shift + weight * h * earlier);
                 }
             }
             if stage >= 2 || nodes.is_some() {
@@ -82,9 +79,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             }
             let b = self.tableau.b[stage];
             for (sums, out) in sums.chunks_exact_mut(len).zip(out.chunks_exact(len)) {
-                for p in 0..len {
-                    sums[p] += b * h[p] * out[p];
-                }
+                elementwise(sums, [h, out], |sum, [h, out]| sum + b * h * out);
             }
         }
         sums
@@ -99,9 +94,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let mut rates = vec![0.0; self.tableau.stages() * rows * len];
         for (stage, &b) in rates.chunks_exact_mut(rows * len).zip(self.tableau.b) {
             for (out, weights) in stage.chunks_exact_mut(len).zip(weights.chunks_exact(len)) {
-                for p in 0..len {
-                    out[p] = b * h[p] * weights[p];
-                }
+                elementwise(out, [h, weights], |_, [h, weight]| b * h * weight);
             }
         }
         let mut shift = vec![0.0; n * len];
@@ -117,9 +110,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
                 let values = &batch.dy[entry * stride + offset..][..len];
                 let (shift, out) = (&mut shift[state * len..(state + 1) * len], &out[row * len..(row + 1) * len]);
-                for p in 0..len {
-                    shift[p] += values[p] * out[p];
-                }
+                elementwise(shift, [values, out], |shift, [value, out]| shift + value * out);
             }
             let v = self.tableau.v[stage];
             for (nodes, shift) in nodes.chunks_exact_mut(len + W).zip(shift.chunks_exact(len)) {
@@ -131,9 +122,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 let earlier = &mut known[earlier * rows * len..];
                 for (earlier, shift) in earlier.chunks_exact_mut(len).zip(shift.chunks_exact(len)) {
-                    for p in 0..len {
-                        earlier[p] += weight * h[p] * shift[p];
-                    }
+                    elementwise(earlier, [h, shift], |earlier, [h, shift]| earlier + weight * h * shift);
                 }
             }
         }
@@ -158,7 +147,7 @@ fn explicit_rates(region: &Region, batch: &Batch, stride: usize, offset: usize, 
         let rate = direction[constant];
         if rate != 0.0 {
             let values = &batch.dc[entry * stride + offset..][..len];
-            out[row * len..(row + 1) * len].iter_mut().zip(values).for_each(|(out, value)| *out += rate * value);
+            elementwise(&mut out[row * len..(row + 1) * len], [values], |out, [value]| out + rate * value);
         }
     }
 }
@@ -170,8 +159,6 @@ fn chain(region: &Region, batch: &Batch, stride: usize, offset: usize, shift: &[
         let values = &batch.dy[entry * stride + offset..][..len];
         let shift = &shift[state * len..(state + 1) * len];
         let out = &mut out[row * len..(row + 1) * len];
-        for p in 0..len {
-            out[p] += values[p] * shift[p];
-        }
+        elementwise(out, [values, shift], |out, [value, shift]| out + value * shift);
     }
 }

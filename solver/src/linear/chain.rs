@@ -13,7 +13,7 @@
 //! too becomes a combination of the two ends and the constants.
 
 use super::reflect::{Rows, make_reflector};
-use super::scalar::Scalar;
+use super::scalar::{Lane, Scalar};
 
 /// Sizes of a chain: `n` unknowns a node, `p` constants, `k` functionals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -83,6 +83,36 @@ fn kept_mut<T>(Sizes { n, p, .. }: Sizes, data: &mut [T]) -> Kept<&mut [T]> {
     Kept { reflectors, r, inverse, e, f, g, x }
 }
 
+/// Where a chain has its coefficients from. Not a closure: those cannot be told to be inlined, and on their own they are
+/// compiled without the vectors of their caller.
+pub(crate) trait Intervals<T> {
+    /// Writes the coefficients of interval `t`. Must be `#[inline(always)]`.
+    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<T>);
+}
+
+/// Chains reduced side by side, as the intervals of one more chain.
+pub(crate) struct Reduced<'a>(pub &'a Block<Lane>);
+
+impl Intervals<f64> for Reduced<'_> {
+    #[inline(always)]
+    fn fill<R: Rows>(&mut self, _: R, l: usize, to: &mut Block<f64>) {
+        let from = self.0;
+        let pairs = [
+            (&from.a, &mut to.a),
+            (&from.b, &mut to.b),
+            (&from.c, &mut to.c),
+            (&from.fa, &mut to.fa),
+            (&from.fb, &mut to.fb),
+            (&from.fc, &mut to.fc),
+        ];
+        for (from, to) in pairs {
+            for (to, from) in to.iter_mut().zip(from) {
+                *to = from.0[l];
+            }
+        }
+    }
+}
+
 /// A factored chain.
 #[derive(Debug, Clone)]
 pub(crate) struct Chain<T> {
@@ -103,13 +133,13 @@ impl<T: Scalar> Chain<T> {
         self.sizes
     }
 
-    /// Eliminates the interior nodes `1..steps`; `fill(t, block)` writes the coefficients of interval `t`.
+    /// Eliminates the interior nodes `1..steps`.
     #[inline(always)]
-    pub(crate) fn factor<R: Rows>(&mut self, rows: R, mut fill: impl FnMut(usize, &mut Block<T>)) {
-        fill(0, &mut self.end);
+    pub(crate) fn factor<R: Rows>(&mut self, rows: R, mut intervals: impl Intervals<T>) {
+        intervals.fill(rows, 0, &mut self.end);
         let sizes = self.sizes;
         for (t, data) in self.data.chunks_exact_mut(kept_len(sizes)).enumerate() {
-            fill(t + 1, &mut self.block);
+            intervals.fill(rows, t + 1, &mut self.block);
             let kept = kept_mut(sizes, data);
             eliminate(rows, sizes, kept, &mut self.end, &mut self.block);
         }

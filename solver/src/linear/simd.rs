@@ -1,5 +1,7 @@
 //! Runs a loop with the widest vectors the processor has.
 
+use super::scalar::{Lane, Scalar};
+
 /// A computation that is inlined into a caller compiled for more vector instructions than the crate's baseline.
 pub(crate) trait Job {
     type Output;
@@ -22,4 +24,85 @@ pub(crate) fn vectorised<J: Job>(job: J) -> J::Output {
 #[target_feature(enable = "avx2")]
 fn with_avx2<J: Job>(job: J) -> J::Output {
     job.run()
+}
+
+/// `out[p] = f(out[p], [x[p], ...])`, with the widest vectors the processor has. The inputs are at least as long as `out`.
+#[inline(always)]
+pub(crate) fn elementwise<const K: usize>(out: &mut [f64], inputs: [&[f64]; K], f: impl Fn(f64, [f64; K]) -> f64) {
+    vectorised(Elementwise { out, inputs, f });
+}
+
+struct Elementwise<'a, const K: usize, F> {
+    out: &'a mut [f64],
+    inputs: [&'a [f64]; K],
+    f: F,
+}
+
+impl<const K: usize, F: Fn(f64, [f64; K]) -> f64> Job for Elementwise<'_, K, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let inputs = self.inputs.map(|x| &x[..self.out.len()]);
+        for (p, out) in self.out.iter_mut().enumerate() {
+            let mut x = [0.0; K];
+            for k in 0..K {
+                x[k] = inputs[k][p];
+            }
+            *out = (self.f)(*out, x);
+        }
+    }
+}
+
+/// Largest magnitude; NaN if any value is NaN or infinite.
+pub(crate) fn largest(lanes: impl Iterator<Item = Lane>, rest: &[f64]) -> f64 {
+    vectorised(Largest { lanes, rest })
+}
+
+struct Largest<'a, I> {
+    lanes: I,
+    rest: &'a [f64],
+}
+
+impl<I: Iterator<Item = Lane>> Job for Largest<'_, I> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let (mut most, mut sums) = (Lane::ZERO, Lane::ZERO);
+        for lane in self.lanes {
+            most = most.zip(lane.abs(), |most, x| if x > most { x } else { most });
+            // x * 0 is 0 for a finite x and NaN otherwise.
+            sums += lane.times(0.0);
+        }
+        let sum = sums.0.iter().chain(self.rest).fold(0.0, |sum, x| sum + x * 0.0);
+        most.0.iter().chain(self.rest).fold(sum, |max: f64, x| if max.is_nan() { max } else { max.max(x.abs()) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::scalar::W;
+
+    #[test]
+    fn the_largest_magnitude_is_found_wherever_it_stands_and_what_is_not_finite_shows() {
+        for len in 0..20 {
+            let mut values: Vec<f64> = (0..len).map(|i| -0.5 + i as f64 / 100.0).collect();
+            let found = |values: &[f64]| {
+                let (lanes, rest) = values.as_chunks::<W>();
+                largest(lanes.iter().map(|x| Lane(*x)), rest)
+            };
+            assert_eq!(found(&values), values.iter().fold(0.0, |max: f64, x| max.max(x.abs())));
+            for at in 0..len {
+                values[at] = -7.0;
+                assert_eq!(found(&values), 7.0);
+                for undefined in [f64::NAN, f64::INFINITY] {
+                    values[at] = undefined;
+                    assert!(found(&values).is_nan());
+                }
+                values[at] = 0.0;
+            }
+        }
+    }
 }
