@@ -33,7 +33,8 @@
 //! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
-//! - [`Linearisation`]: sensitivities, adjoints, conditioning.
+//! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the whole
+//!   solution, one by one; adjoints; conditioning.
 //!
 //! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/solver.md`. How well it does on 48
 //! problems of the literature: `docs/testset.md`.
@@ -42,6 +43,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod collocation;
+mod condensation;
 mod conditioning;
 pub mod continuation;
 pub mod error;
@@ -67,6 +69,7 @@ mod tableau;
 #[doc = include_str!("../../docs/solver.md")]
 struct Guide;
 
+pub use condensation::Condensation;
 pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};

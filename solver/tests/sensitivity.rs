@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::needless_range_loop)]
 
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Functional, Guess, Layout, Linearisation, Options, Order, Problem, Region, Solution, solve};
+use solver::{
+    Condensation, Functional, Guess, Layout, Linearisation, Options, Order, Problem, Region, Solution, solve,
+};
 
 /// A hot rod in two pieces whose interface temperature and heat flow are continuous; the source strength `q` follows from
 /// the mean temperature. Constants: conductivities, exponent of radiation, ends, mean; unknown: source.
@@ -59,6 +61,9 @@ fn tangents_and_adjoints_agree_with_differences_of_solves() {
         let solution = solved(&CONSTANTS, order);
         let linearisation = Linearisation::new(&problem, &solution).unwrap();
         assert_eq!(linearisation.stats().factorisations, 1);
+        let condensation = Condensation::new(&problem, &solution).unwrap();
+        assert_eq!((condensation.stats().factorisations, condensation.stats().linear_solves), (1, 5));
+        assert!(condensation.rates(5).is_none() && condensation.rates(6).is_none());
         let size = problem.layout().inputs();
         // Rows of the Jacobian by adjoints: one functional an input.
         let gradients: Vec<Vec<f64>> = (0..size)
@@ -88,6 +93,8 @@ fn tangents_and_adjoints_agree_with_differences_of_solves() {
                     tangent[input]
                 );
                 assert!((gradients[input][constant] - tangent[input]).abs() < 1e-9, "adjoint {constant} {input}");
+                let condensed = condensation.rates(constant).unwrap()[input];
+                assert!((condensed - tangent[input]).abs() < 1e-9, "condensed {constant} {input}");
             }
         }
     }
@@ -153,4 +160,28 @@ fn conditioning_tells_a_layer_from_an_ill_posed_problem() {
     let conditioning = Linearisation::new(&problem, &solution).unwrap().conditioning();
     println!("{conditioning:?} {}", conditioning.stiffness());
     assert!(conditioning.kappa() > 1e3, "{conditioning:?}");
+}
+
+#[test]
+fn what_is_singular_at_the_solution_is_named_by_the_condensation_too() {
+    /// The left end twice.
+    struct Twice;
+    impl Model for Twice {
+        fn layout(&self) -> Layout {
+            Layer(1.0).layout()
+        }
+        fn rhs<S: Scalar>(&self, r: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+            Layer(1.0).rhs(r, s, y, c, f);
+        }
+        fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+            (g[0], g[1]) = (e[0] - 1.0, e[0] - 1.0);
+        }
+    }
+    let problem = Differentiated::new(Layer(1.0)).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[], |_, _, y| y.fill(0.0));
+    let solution = solve(&problem, &guess, &[], &Options::default()).unwrap();
+    let twice = Differentiated::new(Twice).unwrap();
+    let error = Condensation::new(&twice, &solution).unwrap_err();
+    assert!(error.to_string().contains("have rank 3 of 4"), "{error}");
+    assert_eq!(error.to_string(), Linearisation::new(&twice, &solution).map(|_| ()).unwrap_err().to_string());
 }

@@ -2,32 +2,32 @@
 
 use std::collections::BTreeMap;
 
-use solver::{Linearisation, SolveError};
+use solver::{Condensation, SolveError};
 
 use crate::drive::{Constant, Known, Output, Solved, inputs};
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
 pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
 
-/// Differentiates every output that is a smooth function of the solution's ends, integrals and constants: one
-/// factorisation, and one linear solve for each given constant and each prescribed output. Extremes along a contact or a
-/// span are left out.
+/// Differentiates every output that is a smooth function of the solution's ends, integrals and constants: one elimination
+/// for all given constants and prescribed outputs. Extremes along a contact or a span are left out.
 ///
 /// # Errors
 /// What the solver says if the equations are singular at the solution, as at a limit.
 pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, SolveError> {
     let (ends, integrals) = inputs(&solved.solution);
     let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let linearisation = Linearisation::new(&solved.belt, &solved.solution)?;
-    let mut all = Sensitivities::new();
-    for (constant, name) in given(solved) {
-        let rates = linearisation.sensitivity(constant).inputs();
-        for (output, gradient) in Output::all().zip(&gradients) {
-            let derivative = gradient.iter().zip(&rates).map(|(partial, rate)| partial * rate).sum();
-            all.entry(output.path()).or_default().insert(name.clone(), derivative);
-        }
-    }
-    Ok(all)
+    let condensation = Condensation::new(&solved.belt, &solved.solution)?;
+    let given: Vec<(&[f64], String)> =
+        given(solved).into_iter().filter_map(|(constant, name)| Some((condensation.rates(constant)?, name))).collect();
+    let rows = Output::all().zip(&gradients).map(|(output, gradient)| {
+        // An output depends on few of its inputs.
+        let partials: Vec<(usize, f64)> =
+            gradient.iter().copied().enumerate().filter(|(_, partial)| *partial != 0.0).collect();
+        let derivative = |rates: &[f64]| partials.iter().map(|&(input, partial)| partial * rates[input]).sum();
+        (output.path(), given.iter().map(|(rates, name)| (name.clone(), derivative(rates))).collect())
+    });
+    Ok(rows.collect())
 }
 
 /// Places of what is given among the problem's constants, with their names.

@@ -10,7 +10,7 @@ pub(crate) struct RegionPlan {
     pub n: usize,
     /// States and all integrals.
     pub rows: usize,
-    /// Integrals that enter a boundary equation.
+    /// Integrals whose derivatives are needed.
     pub active: Vec<usize>,
     /// Unknowns (indices into [`Plan::unknowns`]) on which the region depends, one a column.
     pub columns: Vec<usize>,
@@ -45,18 +45,25 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// `unknowns` must be distinct indices of constants.
+    /// What Newton's iteration needs. `unknowns` must be distinct indices of constants.
     pub(crate) fn new(layout: &Layout, unknowns: &[usize]) -> Self {
         let ends = layout.ends();
-        let used: Vec<bool> = {
-            let mut used = vec![false; layout.integrals()];
-            for &(_, input) in &layout.boundary_pattern {
-                if let Some(flag) = input.checked_sub(ends).and_then(|index| used.get_mut(index)) {
-                    *flag = true;
-                }
+        let mut used = vec![false; layout.integrals()];
+        for &(_, input) in &layout.boundary_pattern {
+            if let Some(flag) = input.checked_sub(ends).and_then(|index| used.get_mut(index)) {
+                *flag = true;
             }
-            used
-        };
+        }
+        Self::with(layout, unknowns, &used)
+    }
+
+    /// With all constants for unknowns and all integrals.
+    pub(crate) fn complete(layout: &Layout) -> Self {
+        let constants: Vec<usize> = (0..layout.constants.len()).collect();
+        Self::with(layout, &constants, &vec![true; layout.integrals()])
+    }
+
+    fn with(layout: &Layout, unknowns: &[usize], used: &[bool]) -> Self {
         let (mut first_end, mut first_integral) = (0, 0);
         let mut regions = Vec::new();
         for region in &layout.regions {
