@@ -8,6 +8,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
 
 // The crate's own elimination, which is not public.
+#[path = "linear/flops.rs"]
+mod flops;
 #[allow(dead_code, unused_imports, unused_macros)]
 #[path = "../src/linear/mod.rs"]
 mod linear;
@@ -107,6 +109,23 @@ fn table(rows: &[Compared]) -> String {
     out
 }
 
+/// How fast the elimination computes; and what the shapes of a larger problem cost.
+fn rates(rows: &[Compared]) -> String {
+    let (factor, solve) = flops::an_interval(matrix::SHAPE);
+    let mut out =
+        format!("{factor:.0} operations an interval to factor, {solve:.0} to solve; thousand millions a second:");
+    for row in rows {
+        let rate = (factor + solve) * row.intervals as f64 / row.elimination / 1e9;
+        let _ = write!(out, " {rate:.1} ({} intervals)", row.intervals);
+    }
+    out.push('\n');
+    for (n, p, k) in [(2, 0, 0), (4, 2, 2), (5, 2, 1), (5, 3, 0)] {
+        let (factor, solve) = flops::an_interval(linear::chain::Sizes { n, p, k });
+        let _ = writeln!(out, "{n} states, {p} constants, {k} integrals: {factor:.0} to factor, {solve:.0} to solve");
+    }
+    out
+}
+
 fn csv(rows: &[Compared], whole: &[Measured]) -> String {
     let mut out = String::from("what,intervals,seconds,bytes\n");
     for row in rows {
@@ -148,6 +167,7 @@ fn main() {
     }
     let rows: Vec<Compared> = SIZES.into_iter().map(compare).collect();
     println!("{}", table(&rows));
+    println!("{}", rates(&rows));
     let whole = whole::all();
     println!("{}", whole::table(&whole));
     if std::env::args().any(|argument| argument == "--write") {

@@ -18,7 +18,7 @@ use faer::{Mat, MatMut};
 pub const SIZES: [usize; 10] = [16, 32, 64, 128, 256, 512, 1024, 4096, 16_384, 65_536];
 const N: usize = 5;
 const P: usize = 1;
-const SHAPE: Sizes = Sizes { n: N, p: P, k: 0 };
+pub const SHAPE: Sizes = Sizes { n: N, p: P, k: 0 };
 
 pub struct Bordered {
     steps: usize,
