@@ -61,6 +61,7 @@ mod refine;
 mod run;
 mod solution;
 mod solve;
+mod start;
 mod stats;
 mod tableau;
 

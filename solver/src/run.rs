@@ -1,19 +1,18 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
+use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
-use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
-use crate::guess::{Guess, RegionGuess};
 use crate::measure::{Solved, intervals};
-use crate::mesh::split;
 use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
 use crate::problem::{Layout, Problem};
 use crate::refine::{Measure, Verdict, measure, verdict};
-use crate::solution::{Accuracy, MeshRecord, RegionSolution, Shortfall, Solution};
+use crate::solution::{Accuracy, MeshRecord, Shortfall, Solution};
+use crate::start::{Start, halved, transfer, twice};
 use crate::stats::Stats;
 use std::sync::Arc;
 
@@ -23,13 +22,6 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
-
-/// Where Newton's iteration is to start.
-#[derive(Clone)]
-pub(crate) struct Start {
-    pub grids: Vec<Grid>,
-    pub x: Iterate,
-}
 
 /// One solve, or the solves of one continuation: what they share, and what they have cost so far.
 pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
@@ -436,49 +428,4 @@ enum Stop {
 
 fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64) -> Vec<Measure> {
     solved.defects.iter().map(|defects| measure(defects, target)).collect()
-}
-
-/// The solution on other meshes.
-fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
-    let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
-    Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
-}
-
-/// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more than
-/// its width, which Newton's iteration may not follow; splitting all moves it less.
-fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>> {
-    solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
-}
-
-/// Halves every interval, states interpolated linearly.
-fn halved(start: &Start) -> Start {
-    let halve = |values: &[f64]| -> Vec<f64> {
-        let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
-        pairs.chain(values.last().copied()).collect()
-    };
-    let regions = start.grids.iter().zip(&start.x.y).map(|(grid, y)| RegionGuess {
-        mesh: halve(&grid.mesh),
-        states: y.chunks_exact(grid.node_stride()).map(|y| halve(&grid.unpack(y))).collect(),
-    });
-    Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
-}
-
-impl From<&Guess> for Start {
-    fn from(guess: &Guess) -> Self {
-        let grids = guess.grids();
-        Self { x: guess.iterate(&grids), grids }
-    }
-}
-
-impl RegionSolution {
-    /// The solution at other nodes; old nodes keep their values exactly.
-    pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
-        let mut states = vec![Vec::with_capacity(mesh.len()); self.states()];
-        let mut y = vec![0.0; self.states()];
-        for &s in &mesh {
-            self.eval_into(s, &mut y);
-            states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
-        }
-        RegionGuess { mesh, states }
-    }
 }

@@ -6,8 +6,9 @@ use crate::guess::Guess;
 use crate::observer::{Observer, Silent};
 use crate::options::Options;
 use crate::problem::{Layout, Problem};
-use crate::run::{Run, Start};
+use crate::run::Run;
 use crate::solution::Solution;
+use crate::start::Start;
 
 /// Solves a boundary value problem from a guess, on meshes refined until the tolerance is met.
 ///

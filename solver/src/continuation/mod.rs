@@ -12,6 +12,7 @@ mod checkpoint;
 mod homotopy;
 mod natural;
 mod path;
+mod tracer;
 
 pub use arclength::Direction;
 pub use automatic::{Automatic, How, Stiffness, solve_automatically, solve_automatically_observed};

@@ -15,9 +15,10 @@ use crate::measure::{Solved, intervals};
 use crate::observer::{Event, Observer, Silent};
 use crate::options::{Control, Options};
 use crate::problem::Problem;
-use crate::run::{Run, Start};
+use crate::run::Run;
 use crate::solution::Solution;
 use crate::solve::check;
+use crate::start::Start;
 use crate::stats::Stats;
 use thiserror::Error;
 

@@ -1,0 +1,284 @@
+//! Steps along a branch: predictor, corrector, step length; folds and events between two points.
+
+use super::arclength::{Arclength, Direction, Reference, normalise};
+use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
+use super::checkpoint::Checkpoint;
+use super::natural::positive;
+use crate::collocation::plan::Plan;
+use crate::error::SolveError;
+use crate::guess::{Guess, RegionGuess};
+use crate::linearisation::{Linearisation, Tangent};
+use crate::observer::{Event, Observer};
+use crate::options::Options;
+use crate::problem::Problem;
+use crate::run::Run;
+use crate::solution::Solution;
+use crate::solve::{check, solve_observed};
+use crate::start::Start;
+use crate::stats::Stats;
+
+/// One tracing: what it was asked, and what it has found.
+pub(super) struct Tracer<'a, 'e> {
+    problem: &'a dyn Problem,
+    parameter: usize,
+    unknowns: &'a [usize],
+    /// The unknowns and the parameter.
+    extended: Vec<usize>,
+    options: &'a BranchOptions,
+    way: Options,
+    events: &'a [EventFunction<'e>],
+    observer: &'a mut dyn Observer,
+    stats: Stats,
+    points: Vec<BranchPoint>,
+}
+
+/// A zero of one of the watched functions lies between two points.
+struct Crossing {
+    kind: PointKind,
+    /// Values at both points.
+    values: (f64, f64),
+}
+
+impl<'a, 'e> Tracer<'a, 'e> {
+    pub(super) fn new(
+        problem: &'a dyn Problem,
+        parameter: usize,
+        unknowns: &'a [usize],
+        options: &'a BranchOptions,
+        events: &'a [EventFunction<'e>],
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let mut extended = unknowns.to_vec();
+        extended.push(parameter);
+        let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
+        let stats = Stats::default();
+        Self { problem, parameter, unknowns, extended, options, way, events, observer, stats, points: Vec::new() }
+    }
+
+    /// Traces from where `start` says: point, arclength and first step.
+    pub(super) fn run(
+        mut self,
+        start: impl FnOnce(&mut Self) -> Result<(Reference, f64, f64), SolveError>,
+    ) -> Result<Branch, BranchError> {
+        let traced = start(&mut self).and_then(|(here, arclength, step)| self.trace(here, arclength, step));
+        match traced {
+            Ok(()) => Ok(Branch { points: self.points, stats: self.stats }),
+            Err(cause) => Err(BranchError { points: self.points, cause: Box::new(cause) }),
+        }
+    }
+
+    fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
+        self.push(PointKind::Regular, arclength, &here);
+        while self.points.len() < self.options.max_points {
+            let (next, contraction) = match self.advance(&here, step) {
+                Ok(found) => found,
+                Err(SolveError::Cancelled) => return Err(SolveError::Cancelled),
+                Err(cause) => {
+                    step *= 0.5;
+                    if step < self.options.smallest_step {
+                        return Err(cause);
+                    }
+                    self.announce(&Event::Rejected { lambda: here.value(self.parameter) })?;
+                    continue;
+                }
+            };
+            for crossing in self.crossings(&here, &next) {
+                let (at, found) = self.locate(&here, step, &crossing)?;
+                self.push(crossing.kind, arclength + at, &found);
+                if crossing.kind == PointKind::End {
+                    return Ok(());
+                }
+            }
+            arclength += step;
+            self.push(PointKind::Regular, arclength, &next);
+            let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
+            let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
+            let longer = (step * factor.clamp(0.3, 2.0)).min(self.options.largest_step);
+            if self.observer.wants_checkpoints() {
+                let (guess, direction) = (Guess::from(&next.solution), Some(next.direction.clone()));
+                self.observer.checkpoint(&Checkpoint { position: arclength, step: longer, guess, direction });
+            }
+            self.announce(&Event::Step { step: self.points.len() - 1, lambda: next.value(self.parameter) })?;
+            (here, step) = (next, longer);
+        }
+        Ok(())
+    }
+
+    fn announce(&mut self, event: &Event) -> Result<(), SolveError> {
+        if self.observer.notify(event).is_break() { Err(SolveError::Cancelled) } else { Ok(()) }
+    }
+
+    fn push(&mut self, kind: PointKind, arclength: f64, at: &Reference) {
+        self.points.push(BranchPoint {
+            kind,
+            parameter: at.value(self.parameter),
+            rate: at.direction.constants[self.parameter],
+            arclength,
+            solution: at.solution.clone(),
+        });
+    }
+
+    fn check(&self, start: &Guess) -> Result<(), SolveError> {
+        let layout = self.problem.layout();
+        check(layout, start, self.unknowns, &self.options.solve)?;
+        let constants = layout.constants.len();
+        if self.parameter >= constants || self.unknowns.contains(&self.parameter) {
+            return Err(SolveError::Unknowns { index: self.parameter, constants });
+        }
+        self.options.check(start.constants[self.parameter])
+    }
+
+    /// The point of a checkpoint. It lies where it lay; a Newton iteration confirms it.
+    pub(super) fn resumed(&mut self, from: &Checkpoint) -> Result<Reference, SolveError> {
+        self.check(&from.guess)?;
+        positive(&[("step", from.step)])?;
+        let direction = from.direction.clone().filter(|direction| direction.fits(&from.guess));
+        let Some(direction) = direction else {
+            return Err(SolveError::Option { name: "position", value: from.position, expected: "a point of a branch" });
+        };
+        let mut run = Run::new(self.problem, Plan::new(self.problem.layout(), self.unknowns), &self.way, self.observer);
+        let solution = run.as_it_stands(Start::from(&from.guess))?;
+        self.stats += run.stats;
+        let (here, _) = self.advance(&Reference { solution, direction }, 0.0)?;
+        Ok(here)
+    }
+
+    /// The solution at the start, with the tangent of the parameter alone.
+    pub(super) fn first(&mut self, start: &Guess) -> Result<Reference, SolveError> {
+        self.check(start)?;
+        let solution = solve_observed(self.problem, start, self.unknowns, &self.options.solve, self.observer)?;
+        self.stats += *solution.stats();
+        let linearisation = Linearisation::new(self.problem, &solution)?;
+        self.stats += *linearisation.stats();
+        let tangent = linearisation.sensitivity(self.parameter);
+        let sign = if self.options.upwards { 1.0 } else { -1.0 };
+        Ok(self.reference(solution, &tangent, sign))
+    }
+
+    fn reference(&self, solution: Solution, tangent: &Tangent, sign: f64) -> Reference {
+        let scaled = |values: &Vec<f64>| values.iter().map(|value| sign * value).collect();
+        let n = solution.constants().len();
+        let direction = Direction {
+            states: tangent.regions.iter().map(|region| region.states.iter().map(scaled).collect()).collect(),
+            constants: tangent.constants[..n].iter().map(|rate| sign * rate).collect(),
+        };
+        let mut reference = Reference { solution, direction };
+        normalise(self.problem.layout(), &mut reference);
+        reference
+    }
+
+    /// The solution at the distance `step`, its tangent, and Newton's first contraction.
+    fn advance(&mut self, here: &Reference, step: f64) -> Result<(Reference, f64), SolveError> {
+        let arclength = Arclength::new(self.problem, here);
+        let problem: &dyn Problem = &arclength;
+        let mut constants: Vec<f64> =
+            here.solution.constants().iter().zip(&here.direction.constants).map(|(c, rate)| c + step * rate).collect();
+        constants.push(step);
+        let guess = Guess { regions: here.moved(step), constants };
+        let plan = Plan::new(problem.layout(), &self.extended);
+        let mut run = Run::new(problem, plan, &self.way, self.observer);
+        let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
+        let contraction = run.contraction;
+        let mut stats = run.stats;
+        let found = outcome.and_then(|(solution, solved)| {
+            let x = solved.converged.x;
+            let linearisation = Linearisation::at(solved.system, x, Stats::default())?;
+            stats += *linearisation.stats();
+            Ok((solution, linearisation.sensitivity(arclength.step())))
+        });
+        self.stats += stats;
+        let (solution, tangent) = found?;
+        let solution = solution.restricted(self.problem.layout(), self.unknowns);
+        Ok((self.reference(solution, &tangent, 1.0), contraction))
+    }
+
+    /// Zeros between two points, in the order in which they are passed.
+    fn crossings(&self, a: &Reference, b: &Reference) -> Vec<Crossing> {
+        let mut kinds = vec![PointKind::Fold];
+        kinds.extend((0..self.events.len()).map(PointKind::Event));
+        let (low, high) = self.options.range;
+        let outside = |value: f64| !(low..=high).contains(&value);
+        if outside(b.value(self.parameter)) {
+            kinds.push(PointKind::End);
+        }
+        let crossing = |kind| Crossing { kind, values: (self.watched(kind, a), self.watched(kind, b)) };
+        let mut found: Vec<Crossing> = kinds.into_iter().map(crossing).filter(|crossing| crossing.is_one()).collect();
+        found.sort_by(|a, b| a.place().total_cmp(&b.place()));
+        found
+    }
+
+    /// The function whose zero makes a point special.
+    fn watched(&self, kind: PointKind, at: &Reference) -> f64 {
+        match kind {
+            PointKind::Regular => f64::NAN,
+            PointKind::Fold => at.direction.constants[self.parameter],
+            PointKind::Event(index) => self.events.get(index).map_or(f64::NAN, |event| event(&at.solution)),
+            PointKind::End => {
+                let (low, high) = self.options.range;
+                let value = at.value(self.parameter);
+                // Negative inside.
+                (low - value).max(value - high)
+            }
+        }
+    }
+
+    /// Zero of the watched function by the Illinois method (M. Dowell and P. Jarratt, BIT 11 (1971) 168-174).
+    fn locate(&mut self, here: &Reference, step: f64, crossing: &Crossing) -> Result<(f64, Reference), SolveError> {
+        let (mut a, mut b) = (0.0, step);
+        let (mut fa, mut fb) = crossing.values;
+        let small = 1e-10 * (fa.abs() + fb.abs());
+        let mut best: Option<(f64, f64, Reference)> = None;
+        for _ in 0..40 {
+            let at = (a * fb - b * fa) / (fb - fa);
+            let (found, _) = self.advance(here, at)?;
+            let f = self.watched(crossing.kind, &found);
+            if best.as_ref().is_none_or(|best| f.abs() < best.0.abs()) {
+                best = Some((f, at, found));
+            }
+            if !(f.abs() > small) || (b - a).abs() <= 1e-10 * step {
+                break;
+            }
+            if f * fb < 0.0 {
+                (a, fa) = (b, fb);
+            } else {
+                fa *= 0.5;
+            }
+            (b, fb) = (at, f);
+        }
+        best.map(|(_, at, found)| (at, found)).ok_or(SolveError::Cancelled)
+    }
+}
+
+impl Crossing {
+    fn is_one(&self) -> bool {
+        let (a, b) = self.values;
+        // The end may be where the branch begins.
+        a * b < 0.0 || (b == 0.0 && a != 0.0) || (a == 0.0 && self.kind == PointKind::End)
+    }
+
+    /// Where the zero lies, by linear interpolation.
+    fn place(&self) -> f64 {
+        let (a, b) = self.values;
+        a / (a - b)
+    }
+}
+
+impl Reference {
+    fn value(&self, constant: usize) -> f64 {
+        self.solution.constants()[constant]
+    }
+
+    /// The states moved along the direction.
+    fn moved(&self, step: f64) -> Vec<RegionGuess> {
+        let regions = self.solution.regions().iter().zip(&self.direction.states);
+        let moved = regions.map(|(region, direction)| RegionGuess {
+            mesh: region.mesh().to_vec(),
+            states: direction
+                .iter()
+                .enumerate()
+                .map(|(i, rates)| region.state(i).iter().zip(rates).map(|(y, rate)| y + step * rate).collect())
+                .collect(),
+        });
+        moved.collect()
+    }
+}

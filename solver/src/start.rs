@@ -1,0 +1,61 @@
+//! Where Newton's iteration starts: a guess, or a solution carried to other meshes.
+
+use crate::collocation::Iterate;
+use crate::collocation::grid::Grid;
+use crate::guess::{Guess, RegionGuess};
+use crate::measure::Solved;
+use crate::mesh::split;
+use crate::problem::Problem;
+use crate::solution::RegionSolution;
+
+/// Where Newton's iteration is to start.
+#[derive(Clone)]
+pub(crate) struct Start {
+    pub grids: Vec<Grid>,
+    pub x: Iterate,
+}
+
+/// The solution on other meshes.
+pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
+    let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
+    Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
+}
+
+/// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more than
+/// its width, which Newton's iteration may not follow; splitting all moves it less.
+pub(crate) fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>> {
+    solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
+}
+
+/// Halves every interval, states interpolated linearly.
+pub(crate) fn halved(start: &Start) -> Start {
+    let halve = |values: &[f64]| -> Vec<f64> {
+        let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+        pairs.chain(values.last().copied()).collect()
+    };
+    let regions = start.grids.iter().zip(&start.x.y).map(|(grid, y)| RegionGuess {
+        mesh: halve(&grid.mesh),
+        states: y.chunks_exact(grid.node_stride()).map(|y| halve(&grid.unpack(y))).collect(),
+    });
+    Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
+}
+
+impl From<&Guess> for Start {
+    fn from(guess: &Guess) -> Self {
+        let grids = guess.grids();
+        Self { x: guess.iterate(&grids), grids }
+    }
+}
+
+impl RegionSolution {
+    /// The solution at other nodes; old nodes keep their values exactly.
+    pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
+        let mut states = vec![Vec::with_capacity(mesh.len()); self.states()];
+        let mut y = vec![0.0; self.states()];
+        for &s in &mesh {
+            self.eval_into(s, &mut y);
+            states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
+        }
+        RegionGuess { mesh, states }
+    }
+}
