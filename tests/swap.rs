@@ -255,16 +255,13 @@ fn sensitivities_are_with_respect_to_what_is_given() {
     assert!(!found.contains_key("operating_point.slack_tension"));
 }
 
-/// The seven input situations of a drive whose belt has a clamp: two of speeds and torques, and one axial force.
-#[test]
-fn the_seven_input_situations_are_operating_points() {
-    let drive = [set("drive.ratio", 1.2), set("operating_point.slack_tension", 140.0)];
-    let known = outcome(&drive, &accurate());
-    let [speeds, loads, clamps] = slots(&known);
+/// The keys and values of the seven input situations of a solved drive: two of speeds and torques, and one axial force.
+fn situations(known: &Outcome) -> [[(&'static str, f64); 3]; 7] {
+    let [speeds, loads, clamps] = slots(known);
     let (speed_in, speed_out) = (speeds[0], speeds[1]);
     let (torque_in, torque_out) = (loads[0], loads[1]);
     let (clamp_in, clamp_out) = (clamps[2], clamps[3]);
-    let situations = [
+    [
         [speed_in, torque_out, clamp_out],
         [speed_out, torque_in, clamp_in],
         [speed_in, speed_out, clamp_out],
@@ -272,8 +269,14 @@ fn the_seven_input_situations_are_operating_points() {
         [speed_in, torque_out, clamp_in],
         [speed_in, torque_in, clamp_out],
         [speed_in, torque_in, clamp_in],
-    ];
-    for situation in situations {
+    ]
+}
+
+#[test]
+fn the_seven_input_situations_are_operating_points() {
+    let drive = [set("drive.ratio", 1.2), set("operating_point.slack_tension", 140.0)];
+    let known = outcome(&drive, &accurate());
+    for situation in situations(&known) {
         let settings: Vec<_> =
             [set("drive.ratio", 1.2)].into_iter().chain(situation.map(|(key, value)| set(key, value))).collect();
         let found = outcome(&settings, &accurate());
@@ -281,6 +284,26 @@ fn the_seven_input_situations_are_operating_points() {
             assert!((found / known - 1.0).abs() <= 1e-8, "{situation:?}: {found} for {known}");
         }
     }
+}
+
+/// With rules of thumb alone these 56 took 1472 steps.
+#[test]
+fn the_seven_input_situations_start_from_the_simple_drive() {
+    let drives = [(0.85, 20.0, 200.0), (1.7, 22.0, 300.0), (1.45, 18.0, 220.0), (1.0, 10.0, 230.0)];
+    let mut steps = 0;
+    for edition in ["consistent", "thesis"] {
+        for (ratio, torque, tension) in drives {
+            let drive = [("edition", edition.into()), set("drive.ratio", ratio)];
+            let point = [set("operating_point.primary_torque", torque), set("operating_point.slack_tension", tension)];
+            let known = outcome(&[drive.clone(), point].concat(), &rough());
+            for situation in situations(&known) {
+                let settings: Vec<_> =
+                    drive.clone().into_iter().chain(situation.map(|(key, value)| set(key, value))).collect();
+                steps += outcome(&settings, &rough()).result.solver.continuation_steps;
+            }
+        }
+    }
+    assert!(steps < 1400, "{steps}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod approach;
 mod ask;
 mod belt;
 mod constants;
+mod estimate;
 mod failure;
 mod inputs;
 mod model;
