@@ -137,6 +137,20 @@ fn with_the_length_closed_the_ratio_follows_from_axial_forces_alone() {
 }
 
 #[test]
+fn inputs_are_what_was_asked_and_pulleys_have_the_radii_found() {
+    let result = outcome(&[set("drive.ratio", 1.2), ("drive.free", "primary_radius".into())], &rough()).result;
+    let object = serde_json::to_value(&result).unwrap();
+    let drive = object["inputs"]["drive"].as_object().unwrap();
+    assert_eq!(drive["free"], "primary_radius");
+    assert!(!drive.contains_key("primary_radius"));
+    let (primary, secondary) = (object["primary"]["radius"].as_f64(), object["secondary"]["radius"].as_f64());
+    assert_eq!((drive["secondary_radius"].as_f64(), primary), (secondary, Some(result.primary.radius)));
+    // Asked again with the radius that was found, the belt has the length it was closed to.
+    let again = [set("drive.primary_radius", primary.unwrap()), set("drive.secondary_radius", secondary.unwrap())];
+    assert!(outcome(&again, &rough()).result.belt.length_error.abs() < 1e-6);
+}
+
+#[test]
 fn any_given_constant_may_be_unknown_and_any_output_prescribed() {
     let case = case(&[set("sheave.slip_threshold", 1e-3)]);
     let options = SolveOptions { tolerance: 1e-8, ..accurate() };
