@@ -37,6 +37,35 @@ fn solve(case: &Case, options: &SolveOptions) -> Result<Outcome, String> {
     run(&resolved, options).map_err(|failure| failure.to_string())
 }
 
+/// Situations solved, and what they cost.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tally {
+    solved: usize,
+    steps: usize,
+    iterations: usize,
+}
+
+impl Tally {
+    fn add(&mut self, found: &Outcome) {
+        let cost = &found.result.solver;
+        *self += Self { solved: 1, steps: cost.continuation_steps, iterations: cost.newton_iterations };
+    }
+}
+
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.solved += other.solved;
+        self.steps += other.steps;
+        self.iterations += other.iterations;
+    }
+}
+
+impl std::fmt::Display for Tally {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} solved, {} steps, {} Newton iterations", self.solved, self.steps, self.iterations)
+    }
+}
+
 /// The situations, each with its keys and their values.
 fn situations(known: &Outcome) -> [(&'static str, [(Key, f64); 3]); 7] {
     let (primary, secondary) = (&known.result.primary, &known.result.secondary);
@@ -75,14 +104,15 @@ fn main() -> Result<(), String> {
     let options = SolveOptions { tolerance: 1e-8, order: Order::Six, sensitivities: false };
     for edition in ["consistent", "thesis"] {
         let mut stream = Stream(2012);
-        let (mut solved, mut skipped, mut worst, mut seconds) = (0, 0, 0.0_f64, Vec::new());
+        let (mut skipped, mut worst, mut seconds) = (0, 0.0_f64, Vec::new());
+        let mut tallies = [Tally::default(); 7];
         for index in 0..drives {
             let (bare, whole) = drive(&mut stream, edition)?;
             let Ok(known) = solve(&whole, &options) else {
                 skipped += 1;
                 continue;
             };
-            for (name, slots) in situations(&known) {
+            for ((name, slots), tally) in situations(&known).into_iter().zip(&mut tallies) {
                 let mut case = bare.clone();
                 slots
                     .iter()
@@ -91,8 +121,8 @@ fn main() -> Result<(), String> {
                 let start = Instant::now();
                 match solve(&case, &options) {
                     Ok(found) => {
-                        solved += 1;
                         seconds.push(start.elapsed().as_secs_f64());
+                        tally.add(&found);
                         for constant in [Constant::PrimarySpeed, Constant::PrimaryTorque, Constant::SlackTension] {
                             let off = found.solved.constant(constant) / known.solved.constant(constant) - 1.0;
                             worst = worst.max(off.abs());
@@ -104,11 +134,17 @@ fn main() -> Result<(), String> {
         }
         seconds.sort_by(f64::total_cmp);
         let median = seconds.get(seconds.len() / 2).copied().unwrap_or(f64::NAN);
+        let mut all = Tally::default();
+        for (tally, number) in tallies.iter().zip(1..) {
+            println!("{edition}, situation {number}: {tally}");
+            all += *tally;
+        }
         println!(
-            "{edition}: {solved} of {} solved ({skipped} drives have no ordinary solution), back to {worst:.1e} at worst, \
-             median {:.0} ms",
+            "{edition}: {all}, of {} ({skipped} drives have no ordinary solution), back to {worst:.1e} at worst, \
+             median {:.0} ms, {:.1} s in all",
             7 * (drives - skipped),
-            1e3 * median
+            1e3 * median,
+            seconds.iter().sum::<f64>()
         );
     }
     Ok(())

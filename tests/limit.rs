@@ -77,6 +77,27 @@ fn the_printed_equations_fold_in_the_secondarys_axial_force() {
     assert!(with(fold.value - 0.5).is_err());
 }
 
+/// On the first, slack tension and speed efficiency turn close to each other; on the others, the axial force has a minimum
+/// and a maximum at nearly the same speed.
+#[test]
+fn curves_that_turn_twice_are_followed() {
+    let drive = |edition: &str, torque: &str, ratio: &str| {
+        let keys = [("edition", edition), ("operating_point.primary_torque", torque), ("drive.ratio", ratio)];
+        smallest_clamps(&case(&keys), &limits(1e-5)).unwrap()
+    };
+    let (smallest, branch) = drive("thesis", "12", "1.2");
+    assert_eq!((&smallest.slack_tension.kind, &smallest.primary_axial_force.kind), (&Kind::Fold, &Kind::Collapse));
+    assert!((smallest.slack_tension.value - 3.2855).abs() < 2e-4, "{:?}", smallest.slack_tension);
+    assert!((smallest.slack_tension.state.speed_efficiency - 0.9112).abs() < 1e-4);
+    assert!((smallest.primary_axial_force.value - 238.348).abs() < 1e-2);
+    assert!(branch.points.len() < 45, "{}", branch.points.len());
+    for (ratio, force) in [("1.02", 171.901), ("1.44", 228.298)] {
+        let smallest = drive("consistent", "6", ratio).0.primary_axial_force;
+        assert_eq!(smallest.kind, Kind::Fold, "ratio {ratio}");
+        assert!((smallest.value - force).abs() < 2e-3, "ratio {ratio}: {}", smallest.value);
+    }
+}
+
 #[test]
 fn a_least_speed_efficiency_is_a_limit_of_its_own() {
     let options = LimitOptions { least_speed_efficiency: 0.95, ..limits(1e-5) };

@@ -3,6 +3,7 @@
 use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
 use super::keys::{Key, Kind};
+use super::raw::{Raw, in_order, kind, raw};
 use super::swap::Exchange;
 use crate::quantity::{self, Quantity, QuantityError};
 use std::borrow::Cow;
@@ -38,16 +39,6 @@ pub(super) enum Value {
     Quantity(f64),
     /// One of the key's choices.
     Choice(&'static str),
-}
-
-/// A value as it stands in a text.
-enum Raw<'a> {
-    /// A TOML string, or the value of an argument, which may be a number as well.
-    Text(Cow<'a, str>),
-    /// A TOML number.
-    Number(f64),
-    /// Anything else.
-    Other(&'static str),
 }
 
 impl Case {
@@ -254,42 +245,10 @@ impl Case {
     }
 }
 
-/// Entries of a table in the order of the text.
-fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<Cow<'i, str>>, &'a Spanned<DeValue<'i>>)> {
-    let mut entries: Vec<_> = table.iter().collect();
-    entries.sort_by_key(|(key, _)| key.span().start);
-    entries
-}
-
 fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     Key::from_path(path).ok_or_else(|| {
         CaseError::new(Problem::UnknownKey { path: path.into(), nearest: Key::nearest(path) }, [place.clone()])
     })
-}
-
-fn raw<'a>(value: &'a DeValue<'_>) -> Raw<'a> {
-    match value {
-        DeValue::String(text) => Raw::Text(text.as_ref().into()),
-        // Integers too long for a float become infinite, and are refused as such.
-        DeValue::Integer(integer) if integer.radix() == 10 => {
-            integer.as_str().parse().map_or(Raw::Other("an integer"), Raw::Number)
-        }
-        DeValue::Float(float) => float.as_str().parse().map_or(Raw::Other("a number"), Raw::Number),
-        other => Raw::Other(kind(other)),
-    }
-}
-
-fn kind(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a string",
-        DeValue::Integer(integer) if integer.radix() == 10 => "an integer",
-        DeValue::Integer(_) => "an integer that is not decimal",
-        DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "a boolean",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "an array",
-        DeValue::Table(_) => "a table",
-    }
 }
 
 fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {

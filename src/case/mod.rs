@@ -33,6 +33,7 @@ mod keys;
 mod operating;
 mod posed;
 mod range;
+pub(crate) mod raw;
 mod resolve;
 mod swap;
 

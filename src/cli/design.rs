@@ -16,6 +16,9 @@ use std::path::PathBuf;
 pub struct GridArguments {
     #[command(flatten)]
     case: CaseArguments,
+    /// Relative tolerance of the solutions, from 1e-12 to 0.1
+    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
+    tol: f64,
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "over")]
     json: bool,
@@ -33,6 +36,10 @@ pub struct GridArguments {
 impl GridArguments {
     pub fn case(&self) -> &CaseArguments {
         &self.case
+    }
+
+    pub fn options(&self) -> SolveOptions {
+        SolveOptions { tolerance: self.tol, ..SolveOptions::default() }
     }
 
     pub fn json(&self) -> bool {

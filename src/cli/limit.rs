@@ -9,7 +9,6 @@ use sheave::case::Resolved;
 use sheave::design::{
     ClampLimits, Kind, Limit, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
 };
-use sheave::drive::SolveOptions;
 use sheave::result::SCHEMA;
 use std::fmt::Write;
 
@@ -22,9 +21,6 @@ use std::fmt::Write;
 pub struct Arguments {
     #[command(flatten)]
     grid: GridArguments,
-    /// Relative tolerance of the solutions, from 1e-12 to 0.1
-    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
-    tol: f64,
     /// Count the drive as slipping below this speed efficiency, from 0 (the stall) to 1
     #[arg(long, value_name = "S", default_value = "0", value_parser = share)]
     least_speed_efficiency: f64,
@@ -40,7 +36,7 @@ struct Found<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let solve = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
+    let solve = arguments.grid.options();
     let options = LimitOptions { solve, least_speed_efficiency: arguments.least_speed_efficiency };
     if arguments.grid.is_grid() {
         let study = arguments.grid.study(solve)?;

@@ -7,7 +7,6 @@ use clap::Args;
 use serde::Serialize;
 use sheave::case::Resolved;
 use sheave::design::{Bound, State, optimum, optimum_figures, optimum_map};
-use sheave::drive::SolveOptions;
 use sheave::result::SCHEMA;
 
 /// Find the clamp of best overall efficiency for the torque of a case
@@ -19,9 +18,6 @@ use sheave::result::SCHEMA;
 pub struct Arguments {
     #[command(flatten)]
     grid: GridArguments,
-    /// Relative tolerance of the solutions, from 1e-12 to 0.1
-    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
-    tol: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -37,7 +33,7 @@ struct Found<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
+    let options = arguments.grid.options();
     if arguments.grid.is_grid() {
         let study = arguments.grid.study(options)?;
         let table = optimum_map(&study, arguments.grid.jobs(), &options)?;

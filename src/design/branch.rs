@@ -1,12 +1,16 @@
 //! The curve from an operating point to the stall of the secondary.
 
+use solver::continuation::PointKind;
 use solver::{Linearisation, SolveError};
 
-use super::error::DesignError;
 use super::state::State;
-use crate::case::{Model, Resolved};
-use crate::drive::{Constant, Failure, Output, Question, SolveOptions, Solved, inputs, solve, solve_question_from};
+use crate::case::Model;
+use crate::drive::{Constant, Curve, End, Failure, Output, SolveOptions, Solved, inputs, solve_question_from, trace};
 
+/// Speed efficiency down to which a curve is followed in arclength. Below it the belt comes to rest: states change within
+/// 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and the speed
+/// efficiency itself is the better parameter.
+const RESTING: f64 = 0.02;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;
 const SMALLEST_STEP: f64 = 1e-4;
@@ -14,24 +18,12 @@ const LARGEST_STEP: f64 = 0.15;
 /// How steps grow, and shrink after a failure.
 const GROWTH: f64 = 1.6;
 const SHRINKAGE: f64 = 0.3;
-/// Factor by which the torque grows, or the slack tension falls, as long as the speed efficiency hardly tells; and the one
-/// below which a step is too small.
-const FACTOR: f64 = 1.25;
-const LEAST_FACTOR: f64 = 1.002;
-/// Fall of the speed efficiency over the change of the logarithm of torque or slack tension from which on it tells.
-const TELLING: f64 = 1e-3;
-/// Smallest length over which torque or tension changes, over their value at the start: a tension may pass zero.
-const LEAST_STRIDE: f64 = 0.01;
-/// Points before the speed efficiency must tell, points where it turns, and how often it may.
-const MOST_POINTS: usize = 60;
-const LEAST_POINTS: usize = 2;
-const MOST_TURNS: usize = 8;
 
 /// In what a curve is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// The torque, upwards, or the slack tension, downwards: given like any other constant.
-    Given(Constant),
+    /// Arclength.
+    Arclength,
     /// The speed efficiency, downwards: prescribed, with torque or slack tension unknown.
     SpeedEfficiency,
 }
@@ -43,8 +35,10 @@ pub struct Point {
     pub solved: Solved,
     /// In what the curve is followed here.
     pub parameter: Parameter,
-    /// The parameter's value.
+    /// The speed efficiency.
     pub place: f64,
+    /// Whether what is sought was found to have an extremum here.
+    pub is_extremum: bool,
 }
 
 /// Where a curve ends.
@@ -56,17 +50,15 @@ pub enum BranchEnd {
     Lost(Failure),
 }
 
-/// Solutions in order: first towards more torque or less tension, until that makes the speed efficiency fall, then in
-/// order of falling speed efficiency; where that turns, again towards more torque or less tension. Where the parameter
-/// changes, a solution stands twice.
+/// Solutions in order, the operating point first. Where the parameter changes, a solution stands twice.
 #[derive(Debug)]
 pub struct Branch {
-    /// The solutions, the operating point first.
+    /// The solutions.
     pub points: Vec<Point>,
     /// Why there are no more.
     pub end: BranchEnd,
     model: Model,
-    question: Question,
+    start: Solved,
     free: Constant,
     efficiency: Output,
     options: SolveOptions,
@@ -78,8 +70,7 @@ impl Point {
         State::of(&self.solved)
     }
 
-    /// An output, and its rate along the curve: its derivative with respect to the parameter, in the direction in which
-    /// the curve is followed.
+    /// An output, and its rate as the speed efficiency falls, where that is prescribed.
     ///
     /// # Errors
     /// What the solver says if the equations are singular, as where the parameter turns.
@@ -87,107 +78,68 @@ impl Point {
         let (ends, integrals) = inputs(&self.solved.solution);
         let (values, gradients) =
             self.solved.belt.output_gradients(&ends, &integrals, self.solved.solution.constants());
-        let linearisation = Linearisation::new(&self.solved.belt, &self.solved.solution)?;
-        let (index, direction) = match self.parameter {
-            Parameter::Given(Constant::SlackTension) => (Constant::SlackTension.index(), -1.0),
-            Parameter::Given(constant) => (constant.index(), 1.0),
-            // Prescribed last.
-            Parameter::SpeedEfficiency => {
-                (Constant::ALL.len() + self.solved.belt.prescribed().len().saturating_sub(1), -1.0)
-            }
-        };
-        let rates = linearisation.sensitivity(index).inputs();
+        // Prescribed last.
+        let index = Constant::ALL.len() + self.solved.belt.prescribed().len().saturating_sub(1);
+        let rates = Linearisation::new(&self.solved.belt, &self.solved.solution)?.sensitivity(index).inputs();
         let rate = |gradient: &Vec<f64>| gradient.iter().zip(&rates).map(|(partial, rate)| partial * rate).sum::<f64>();
         let at = output.index();
         let value = values.get(at).copied().unwrap_or(f64::NAN);
-        Ok((value, gradients.get(at).map_or(f64::NAN, |gradient| direction * rate(gradient))))
+        Ok((value, gradients.get(at).map_or(f64::NAN, |gradient| -rate(gradient))))
     }
 }
 
 impl Branch {
-    /// Follows the curve of `case`, in which `free` (the primary's torque, or the slack tension) is given, from the case's
-    /// operating point down to the speed efficiency `last`, 0 being the stall.
+    /// Follows the curve on which `free` (the primary's torque, or the slack tension) moves, from the operating point
+    /// `start` down to the speed efficiency `last`, 0 being the stall; at first so that `sought` rises (`upwards`) or falls.
     ///
     /// # Errors
-    /// [`DesignError::Start`] if the operating point has no solution.
-    pub fn trace(case: &Resolved, free: Constant, last: f64, options: &SolveOptions) -> Result<Self, DesignError> {
-        let efficiency = Output::all().find(|output| output.name() == "efficiency__speed");
-        let Some(efficiency) = efficiency else { return Err(Failure::NoEquations.into()) };
-        let solved = solve(case, options)?;
-        let start = Point { parameter: Parameter::Given(free), place: solved.constant(free), solved };
+    /// [`Failure::NoEquations`].
+    pub fn trace(
+        model: &Model,
+        start: &Solved,
+        (free, sought): (Constant, Output),
+        upwards: bool,
+        last: f64,
+        options: &SolveOptions,
+    ) -> Result<Self, Failure> {
+        let efficiency = Output::named("efficiency.speed").ok_or(Failure::NoEquations)?;
+        let end = End { output: efficiency, value: last.max(RESTING) };
+        let Curve { points, lost } = trace(model, start, (free, sought), upwards, end, options)?;
         let mut branch = Self {
-            points: vec![start],
+            points: Vec::new(),
             end: BranchEnd::Whole,
-            model: case.model,
-            question: Question::of(case),
+            model: *model,
+            start: start.clone(),
             free,
             efficiency,
             options: *options,
         };
-        branch.approach(last, 0)?;
-        branch.descend(last);
-        // Where the speed efficiency turns, torque or tension does not; it is followed in them until the efficiency tells
-        // again.
-        for _ in 0..MOST_TURNS {
-            let (BranchEnd::Lost(_), Some(here)) = (&branch.end, branch.points.last()) else { break };
-            let before = branch.points.len();
-            let Ok(point) = branch.at(Parameter::Given(free), here.solved.constant(free), &here.solved) else { break };
-            branch.points.push(point);
-            branch.approach(last, LEAST_POINTS)?;
-            if branch.points.len() == before + 1 {
-                branch.points.pop();
-                break;
-            }
-            branch.end = BranchEnd::Whole;
-            branch.descend(last);
+        for (kind, solved) in points {
+            let place = State::of(&solved).speed_efficiency;
+            let is_extremum = kind == PointKind::Fold;
+            // An extremum counts as accurately as any solution.
+            let settled = if is_extremum { branch.at(place, &solved).ok() } else { None };
+            let solved = settled.map_or(solved, |point| point.solved);
+            branch.points.push(Point { solved, parameter: Parameter::Arclength, place, is_extremum });
+        }
+        match lost {
+            Some(failure) => branch.end = BranchEnd::Lost(failure),
+            None => branch.descend(last),
         }
         Ok(branch)
     }
 
-    /// The solution at a value of a parameter, from one nearby.
-    pub(super) fn at(&self, parameter: Parameter, place: f64, from: &Solved) -> Result<Point, Failure> {
-        let question = match parameter {
-            Parameter::Given(constant) => {
-                let mut question = self.question.clone();
-                question.constants[constant] = place;
-                question
-            }
-            Parameter::SpeedEfficiency => self.question.clone().swap(self.free, self.efficiency, place),
-        };
+    /// The solution at a speed efficiency, from one nearby.
+    pub(super) fn at(&self, place: f64, from: &Solved) -> Result<Point, Failure> {
+        let question = self.start.question.clone().swap(self.free, self.efficiency, place);
         let solved = solve_question_from(from, &self.model, &question, &self.options)?;
-        Ok(Point { solved, parameter, place })
-    }
-
-    /// Towards more torque or less tension, by some points and until the speed efficiency tells how far the belt slips: a
-    /// tighter belt sinks deeper, and that alone may change the speed more than slip does.
-    fn approach(&mut self, last: f64, points: usize) -> Result<(), DesignError> {
-        let parameter = Parameter::Given(self.free);
-        let least = LEAST_STRIDE * self.points.first().map_or(0.0, |point| point.place.abs());
-        let (least_points, most, mut factor) = (self.points.len() + points, self.points.len() + MOST_POINTS, FACTOR);
-        while self.points.len() < most {
-            let Some(here) = self.points.last() else { return Ok(()) };
-            let (speed, rate) = here.value_and_rate(self.efficiency)?;
-            let stride = here.place.abs().max(least);
-            let tells = rate * stride <= -TELLING && self.points.len() >= least_points;
-            if tells || speed <= last || factor < LEAST_FACTOR {
-                break;
-            }
-            let next = match self.free {
-                Constant::SlackTension => here.place - (1.0 - 1.0 / factor) * stride,
-                _ => here.place + (factor - 1.0) * stride,
-            };
-            match self.at(parameter, next, &here.solved) {
-                Ok(point) => self.points.push(point),
-                Err(_) => factor = factor.sqrt(),
-            }
-        }
-        Ok(())
+        Ok(Point { solved, parameter: Parameter::SpeedEfficiency, place, is_extremum: false })
     }
 
     fn descend(&mut self, last: f64) {
         let Some(here) = self.points.last() else { return };
         let speed = here.state().speed_efficiency;
-        match self.at(Parameter::SpeedEfficiency, speed.max(last), &here.solved) {
+        match self.at(speed.max(last), &here.solved) {
             Ok(point) => self.points.push(point),
             Err(failure) => {
                 self.end = BranchEnd::Lost(failure);
@@ -199,7 +151,7 @@ impl Branch {
             let rest = here.place - last;
             // A last sliver would cost a step of its own.
             let next = if 1.01 * step >= rest { last } else { here.place - step };
-            match self.at(Parameter::SpeedEfficiency, next, &here.solved) {
+            match self.at(next, &here.solved) {
                 Ok(point) => {
                     step = (GROWTH * step).min(LARGEST_STEP);
                     self.points.push(point);

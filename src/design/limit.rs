@@ -2,11 +2,12 @@
 
 use serde::{Serialize, Serializer};
 
-use super::branch::{Branch, BranchEnd, Point};
+use super::branch::{Branch, BranchEnd, Parameter, Point};
 use super::error::DesignError;
 use super::state::State;
-use crate::case::{Clamp, Key, Load, Resolved, Speed};
-use crate::drive::{Constant, Output, Question, SolveOptions};
+use crate::case::{Clamp, Key, Load, Model, Resolved, Speed};
+use crate::drive::{Constant, Failure, Output, Question, SolveOptions, Solved, solve};
+use crate::result::Outputs;
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
@@ -92,9 +93,8 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
         Load::PrimaryTorque(torque) => torque.min(easy),
         _ => easy,
     });
-    let branch = Branch::trace(&start, Constant::PrimaryTorque, options.least_speed_efficiency, &options.solve)?;
-    let limit = extremum(&branch, "primary.torque", 1.0, options)?;
-    Ok((limit, branch))
+    let solved = solve(&start, &options.solve)?;
+    limit(&start.model, &solved, (Constant::PrimaryTorque, "primary.torque"), true, options)
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
@@ -104,14 +104,12 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
 pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
     primary_speed(case)?;
     let start = clamped(case)?;
-    let branch = Branch::trace(&start, Constant::SlackTension, options.least_speed_efficiency, &options.solve)?;
-    let smallest = |path: &str| extremum(&branch, path, -1.0, options);
-    let limits = ClampLimits {
-        slack_tension: smallest("primary.exit_tension")?,
-        primary_axial_force: smallest("primary.axial_force")?,
-        secondary_axial_force: smallest("secondary.axial_force")?,
-    };
-    Ok((limits, branch))
+    let solved = solve(&start, &options.solve)?;
+    let smallest = |path: &str| limit(&start.model, &solved, (Constant::SlackTension, path), false, options);
+    let (slack_tension, branch) = smallest("primary.exit_tension")?;
+    let (primary_axial_force, _) = smallest("primary.axial_force")?;
+    let (secondary_axial_force, _) = smallest("secondary.axial_force")?;
+    Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
 }
 
 /// The case with a slack tension at which its torque is carried well.
@@ -143,48 +141,53 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
     }
 }
 
-/// The first extremum of an output on the curve, a maximum for `sign` 1, a minimum for −1; else its value at the end.
-fn extremum(branch: &Branch, path: &str, sign: f64, options: &LimitOptions) -> Result<Limit, DesignError> {
-    let Some(output) = Output::named(path) else {
-        return Err(crate::drive::Failure::NoEquations.into());
-    };
-    let rate = |point: &Point| point.value_and_rate(output).map(|(_, rate)| sign * rate);
-    let mut before: Option<(&Point, f64)> = None;
-    for point in &branch.points {
-        let here = rate(point)?;
-        match before.filter(|(last, _)| last.parameter == point.parameter) {
-            Some((last, earlier)) if earlier > 0.0 && here <= 0.0 => {
-                let point = located(branch, (last, earlier), (point, here), &rate)?;
-                let fold = limit(&point, output, Kind::Fold)?;
-                if told_apart(branch, output, &fold, options)? {
-                    return Ok(fold);
-                }
-                before = None;
-            }
-            _ => before = Some((point, here)),
-        }
-    }
+/// The largest (`upwards`) or smallest value of an output on the curve on which `free` moves: at its first extremum, else at
+/// the curve's end.
+fn limit(
+    model: &Model,
+    start: &Solved,
+    (free, path): (Constant, &str),
+    upwards: bool,
+    options: &LimitOptions,
+) -> Result<(Limit, Branch), DesignError> {
+    let Some(output) = Output::named(path) else { return Err(Failure::NoEquations.into()) };
+    let least = options.least_speed_efficiency;
+    let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
         BranchEnd::Lost(failure) => Kind::Lost(failure.to_string()),
-        BranchEnd::Whole if options.least_speed_efficiency > 0.0 => Kind::SpeedEfficiency,
+        BranchEnd::Whole if least > 0.0 => Kind::SpeedEfficiency,
         BranchEnd::Whole => Kind::Collapse,
     };
-    match branch.points.last() {
-        Some(point) => limit(point, output, kind),
-        None => Err(crate::drive::Failure::NoEquations.into()),
+    let Some(last) = branch.points.last() else { return Err(Failure::NoEquations.into()) };
+    let value = |point: &Point| Outputs::new(&point.solved.belt, &point.solved.solution).value(output);
+    let end = value(last);
+    // Near the stall curves are flat: a fold there is told from the end by more than the solutions' accuracy.
+    let told_apart = |point: &Point| {
+        let least = TOLD_APART * options.solve.tolerance * end.abs();
+        matches!(kind, Kind::Lost(_)) || (value(point) - end).abs() > least
+    };
+    let mut folds: Vec<Point> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
+    folds.extend(extrema(&branch, output, if upwards { 1.0 } else { -1.0 })?);
+    let limit = match folds.iter().find(|point| told_apart(point)) {
+        Some(fold) => Limit { value: value(fold), kind: Kind::Fold, state: fold.state() },
+        None => Limit { value: end, kind, state: last.state() },
+    };
+    Ok((limit, branch))
+}
+
+/// The extrema of an output where the speed efficiency is prescribed: maxima for `sign` 1, minima for −1.
+fn extrema(branch: &Branch, output: Output, sign: f64) -> Result<Vec<Point>, DesignError> {
+    let rate = |point: &Point| point.value_and_rate(output).map(|(_, rate)| sign * rate);
+    let mut extrema = Vec::new();
+    let mut before: Option<(&Point, f64)> = None;
+    for point in branch.points.iter().filter(|point| point.parameter == Parameter::SpeedEfficiency) {
+        let here = rate(point)?;
+        if let Some((last, earlier)) = before.filter(|(_, earlier)| *earlier > 0.0 && here <= 0.0) {
+            extrema.push(located(branch, (last, earlier), (point, here), &rate)?);
+        }
+        before = Some((point, here));
     }
-}
-
-/// Whether a fold differs from the end of the curve by more than the solutions' accuracy. Near the stall curves are flat.
-fn told_apart(branch: &Branch, output: Output, fold: &Limit, options: &LimitOptions) -> Result<bool, DesignError> {
-    let (BranchEnd::Whole, Some(last)) = (&branch.end, branch.points.last()) else { return Ok(true) };
-    let (end, _) = last.value_and_rate(output)?;
-    Ok((fold.value - end).abs() > TOLD_APART * options.solve.tolerance * end.abs())
-}
-
-fn limit(point: &Point, output: Output, kind: Kind) -> Result<Limit, DesignError> {
-    let (value, _) = point.value_and_rate(output)?;
-    Ok(Limit { value, kind, state: point.state() })
+    Ok(extrema)
 }
 
 /// Where the rate is zero between two points: regula falsi, the Illinois variant (M. Dowell and P. Jarratt, BIT 11, 1971).
@@ -202,8 +205,8 @@ fn located(
         }
         let middle = (s * b.1 - t * a.1) / (b.1 - a.1);
         // From the side that has a solution nearby; without one, the bracket is as narrow as it will be.
-        let near = branch.at(b.0.parameter, middle, &b.0.solved);
-        let Ok(point) = near.or_else(|_| branch.at(b.0.parameter, middle, &a.0.solved)) else { break };
+        let near = branch.at(middle, &b.0.solved);
+        let Ok(point) = near.or_else(|_| branch.at(middle, &a.0.solved)) else { break };
         let here = rate(&point)?;
         if (here > 0.0) == (b.1 > 0.0) {
             a.1 *= 0.5;

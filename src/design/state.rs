@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::drive::{Output, Solved, inputs};
+use crate::drive::Solved;
+use crate::result::Outputs;
 
 /// Where a drive stands: torque, clamp, speeds and efficiency. SI, ratios as fractions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -30,22 +31,18 @@ pub struct State {
 impl State {
     /// Of a solution.
     pub fn of(solved: &Solved) -> Self {
-        let (ends, integrals) = inputs(&solved.solution);
-        let values = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
-        let value = |path: &str| {
-            let output = Output::named(path);
-            output.and_then(|output| values.get(output.index()).copied()).unwrap_or(f64::NAN)
-        };
+        let outputs = Outputs::new(&solved.belt, &solved.solution);
+        let value = |region: &str, key: &str| outputs.get(region, key);
         Self {
-            primary_torque: value("primary.torque"),
-            secondary_torque: value("secondary.torque"),
-            slack_tension: value("primary.exit_tension"),
-            tight_tension: value("primary.entry_tension"),
-            primary_axial_force: value("primary.axial_force"),
-            secondary_axial_force: value("secondary.axial_force"),
-            speed_ratio: value("secondary.speed") / value("primary.speed"),
-            speed_efficiency: value("efficiency.speed"),
-            overall_efficiency: value("efficiency.overall"),
+            primary_torque: value("primary", "torque"),
+            secondary_torque: value("secondary", "torque"),
+            slack_tension: value("primary", "exit_tension"),
+            tight_tension: value("primary", "entry_tension"),
+            primary_axial_force: value("primary", "axial_force"),
+            secondary_axial_force: value("secondary", "axial_force"),
+            speed_ratio: value("secondary", "speed") / value("primary", "speed"),
+            speed_efficiency: value("efficiency", "speed"),
+            overall_efficiency: value("efficiency", "overall"),
         }
     }
 }

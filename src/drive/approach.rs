@@ -8,7 +8,7 @@ use super::constants::Constant;
 use super::failure::Failure;
 use super::inputs::inputs;
 use super::polish::{lenient, polished};
-use super::question::{Known, Question, Swap};
+use super::question::{Known, Output, Question, Swap};
 use super::solve::{Solved, accepted};
 use crate::case::Model;
 
@@ -20,18 +20,11 @@ pub(super) fn approach(
     question: &Question,
     options: &PathOptions,
 ) -> Result<Solved, Failure> {
-    let (ends, integrals) = inputs(&from.solution);
-    let constants = from.solution.constants();
-    let values = from.belt.outputs(&ends, &integrals, constants);
-    let prescribed: Vec<_> = question.conditions().collect();
-    let belt = Belt::prescribing(model, &question.constants, &prescribed).ok_or(Failure::NoEquations)?;
-    let mut start = Guess::from(&from.solution);
-    start.constants.truncate(Constant::ALL.len());
+    let (belt, start) = posed(model, from, question)?;
     let mut path = Ramp::new();
-    for (output, asked) in prescribed {
-        let here = values.get(output.index()).copied().unwrap_or(f64::NAN);
-        path = path.linear(start.constants.len(), here, asked);
-        start.constants.push(here);
+    for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
+        let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
+        path = path.linear(index, here, asked);
     }
     let unknowns = question.unknowns();
     for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant)) {
@@ -58,6 +51,19 @@ pub(super) fn approach(
         Ok(solution) => Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution }),
         Err((last, cause)) => Err(Failure::approaching(&belt, question, Some(&last), Box::new(cause))),
     }
+}
+
+/// The problem of a question, and a solution as its start: every prescribed output at the value that it has there.
+pub(super) fn posed(model: &Model, from: &Solved, question: &Question) -> Result<(Belt, Guess), Failure> {
+    let (ends, integrals) = inputs(&from.solution);
+    let values = from.belt.outputs(&ends, &integrals, from.solution.constants());
+    let prescribed: Vec<_> = question.conditions().collect();
+    let belt = Belt::prescribing(model, &question.constants, &prescribed).ok_or(Failure::NoEquations)?;
+    let mut start = Guess::from(&from.solution);
+    start.constants.truncate(Constant::ALL.len());
+    let here = |(output, _): &(Output, f64)| values.get(output.index()).copied().unwrap_or(f64::NAN);
+    start.constants.extend(prescribed.iter().map(here));
+    Ok((belt, start))
 }
 
 /// The value of a given constant: as the question has it, or prescribed.

@@ -1,21 +1,11 @@
 //! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
 
-use std::f64::consts::PI;
-
 use super::constants::{Constant, Constants};
+use super::estimate::{EFFICIENCY, estimate};
 use super::question::{Known, Output, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
-use crate::case::{Clamp, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
-
-/// Share of the axial force of a frictionless wedge, Φ T/(2 tan β), that a belt exerts which friction holds up.
-const AXIAL_SHARE: f64 = 0.5;
-/// Overall efficiency, to guess a torque from the other.
-const EFFICIENCY: f64 = 0.95;
-/// Slack tension of a start over M_in/R_P: at least this, for a looser belt may slip.
-const LEAST_TENSION: f64 = 0.35;
-/// M_in over R_P and slack tension, when nothing says how large the torque is.
-const TORQUE: f64 = 1.5;
+use crate::case::{Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
 
 impl Question {
     /// What a case asks. Where a given constant is unknown, its value is an estimate.
@@ -37,8 +27,9 @@ impl Question {
             constants[constant] = value;
         }
         let swaps = swaps(case);
+        let mut constants = start::constants(&constants);
         estimate(&mut constants, case);
-        Self { constants: start::constants(&constants), swaps }
+        Self { constants, swaps }
     }
 }
 
@@ -79,40 +70,6 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
         value: exchange.value,
     }));
     swaps
-}
-
-/// Speed, torque and slack tension of the operating point: as given, or near what is prescribed in their place.
-fn estimate(constants: &mut Constants, case: &Resolved) {
-    let point = &case.operating_point;
-    let (primary, secondary) = (constants[Constant::PrimaryRadius], constants[Constant::SecondaryRadius]);
-    constants[Constant::PrimarySpeed] = match (point.speed, point.load) {
-        (Speed::Primary(speed), _) => speed,
-        (Speed::Secondary(speed), Load::SpeedRatio(ratio)) => speed / ratio,
-        (Speed::Secondary(speed), _) => speed * secondary / primary,
-    };
-    let torque = match point.load {
-        Load::PrimaryTorque(torque) => Some(torque),
-        Load::SecondaryTorque(torque) => Some(torque * primary / secondary / EFFICIENCY),
-        Load::SecondarySpeed(_) | Load::SpeedRatio(_) => None,
-    };
-    let tension = tension(point.clamp, torque, primary, case.sheave.half_angle);
-    constants[Constant::SlackTension] = tension;
-    constants[Constant::PrimaryTorque] = torque.unwrap_or(TORQUE * tension * primary);
-}
-
-/// Slack tension near which the clamp has its value.
-fn tension(clamp: Clamp, torque: Option<f64>, radius: f64, half_angle: f64) -> f64 {
-    // Half the difference of tensions that the torque makes, over the mean tension if there is no torque to go by.
-    let mean_of = |force: f64| 2.0 * half_angle.tan() * force / (AXIAL_SHARE * PI);
-    let below = |mean: f64| torque.map_or(mean / (1.0 + 0.5 * TORQUE), |torque| mean - 0.5 * torque / radius);
-    let least = torque.map_or(0.0, |torque| LEAST_TENSION * torque / radius);
-    match clamp {
-        Clamp::SlackTension(tension) => tension,
-        Clamp::TightTension(tension) => {
-            torque.map_or(tension / (1.0 + TORQUE), |torque| tension - torque / radius).max(least)
-        }
-        Clamp::PrimaryAxialForce(force) | Clamp::SecondaryAxialForce(force) => below(mean_of(force)).max(least),
-    }
 }
 
 /// The radii; where both are free, those of (6.12) at the ratio that the operating point suggests.

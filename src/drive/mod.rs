@@ -4,6 +4,8 @@ mod approach;
 mod ask;
 mod belt;
 mod constants;
+mod curve;
+mod estimate;
 mod failure;
 mod inputs;
 mod model;
@@ -18,6 +20,7 @@ mod warm;
 
 pub use belt::Belt;
 pub use constants::{Constant, Constants};
+pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};
 pub use inputs::inputs;
 pub use question::{IllPosed, Known, Output, Question, SEPARATOR, Swap};

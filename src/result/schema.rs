@@ -16,7 +16,8 @@ pub struct DriveResult<I> {
     pub edition: String,
     /// Whether defects and boundary residuals hold on the final mesh; always true of a result.
     pub converged: bool,
-    /// The case, resolved to SI.
+    /// The case, resolved to SI: what was asked, so that the same can be asked again. What was solved for is not in it: a free
+    /// radius, which `drive.free` names there, stands in [`Pulley::radius`].
     pub inputs: I,
     /// The driving pulley.
     pub primary: Pulley,

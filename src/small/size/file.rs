@@ -3,13 +3,12 @@
 use super::error::{Problem, SizeError};
 use super::keys::{Entry, IDLER, TABLE};
 use super::{BeltDrive, Idler};
+use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Source};
 use crate::quantity::{self, Dimension, Quantity, QuantityError};
-use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 const OUTPUT_DIAMETER: &str = "output.diameter";
@@ -130,7 +129,7 @@ impl Draft {
             return Err(SizeError::new(Problem::Assignment { text }, Some(place)));
         };
         let place = Place { source, key: 0..key.len(), value: key.len() + 1..setting.len() };
-        let value = Raw::Text(unquoted(value.trim()));
+        let value = Raw::Text(unquoted(value.trim()).into());
         self.given.push(read_into(&TABLE, &mut self.drive, key.trim(), value, place)?);
         Ok(())
     }
@@ -143,46 +142,9 @@ impl Draft {
         };
         let mut idler = Idler { inertia: 0.0, diameter: f64::NAN };
         let second = inertia.len() + 1..text.len();
-        read_into(&IDLER, &mut idler, "idler.inertia", Raw::Text(inertia.trim()), place(0..inertia.len()))?;
-        read_into(&IDLER, &mut idler, "idler.diameter", Raw::Text(diameter.trim()), place(second.clone()))?;
+        read_into(&IDLER, &mut idler, "idler.inertia", Raw::Text(inertia.trim().into()), place(0..inertia.len()))?;
+        read_into(&IDLER, &mut idler, "idler.diameter", Raw::Text(diameter.trim().into()), place(second.clone()))?;
         self.push(idler, Some(place(second)))
-    }
-}
-
-/// Entries of a table in the order of the text.
-fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<Cow<'i, str>>, &'a Spanned<DeValue<'i>>)> {
-    let mut entries: Vec<_> = table.iter().collect();
-    entries.sort_by_key(|(key, _)| key.span().start);
-    entries
-}
-
-/// A value as it stands in a text.
-enum Raw<'a> {
-    Text(&'a str),
-    Number(f64),
-    Other(&'static str),
-}
-
-fn raw<'a>(value: &'a DeValue<'_>) -> Raw<'a> {
-    match value {
-        DeValue::String(text) => Raw::Text(text.as_ref()),
-        DeValue::Integer(integer) if integer.radix() == 10 => {
-            integer.as_str().parse().map_or(Raw::Other("an integer"), Raw::Number)
-        }
-        DeValue::Float(float) => float.as_str().parse().map_or(Raw::Other("a number"), Raw::Number),
-        other => Raw::Other(kind(other)),
-    }
-}
-
-fn kind(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a string",
-        DeValue::Integer(_) => "an integer",
-        DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "a boolean",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "an array",
-        DeValue::Table(_) => "a table",
     }
 }
 
@@ -203,7 +165,7 @@ fn read_into<T>(
         expected: expected.into(),
     };
     let read = match raw {
-        Raw::Text(text) => quantity::parse(text).map_err(|reason| invalid(reason, &given, &expected)),
+        Raw::Text(text) => quantity::parse(&text).map_err(|reason| invalid(reason, &given, &expected)),
         Raw::Number(si) if si.is_finite() => Ok(Quantity { si, dimension: Dimension::NONE, bare: true }),
         Raw::Number(_) => Err(invalid(QuantityError::NotFinite, &given, &expected)),
         Raw::Other(kind) => Err(Problem::Type { path: path.into(), given: kind, expected: expected.clone() }),

@@ -1,0 +1,106 @@
+//! The curve on which the solutions of a question lie when one of its given constants moves, followed through its folds.
+
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
+use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed};
+use solver::{Event, Options, Solution, SolveError, Stats};
+
+use super::approach::posed;
+use super::constants::Constant;
+use super::failure::Failure;
+use super::inputs::inputs;
+use super::polish::lenient;
+use super::question::Output;
+use super::solve::{SolveOptions, Solved};
+use crate::case::Model;
+
+/// Intervals at most: a curve that needs more is lost.
+const MAX_INTERVALS: usize = 2000;
+/// First contraction of Newton's iteration that steps aim at: kinks of the friction law upset it more than turns of the curve.
+const CONTRACTION: f64 = 0.5;
+/// Largest step in arclength: an axial force may rise and fall again within two of these.
+const LARGEST_STEP: f64 = 0.2;
+/// Points at most.
+const MAX_POINTS: usize = 200;
+
+/// Solutions in order of arclength.
+#[derive(Debug)]
+pub struct Curve {
+    /// The solutions, the first being where the curve was entered; with what is special about each.
+    pub points: Vec<(PointKind, Solved)>,
+    /// Why there are no more, if its end was not reached.
+    pub lost: Option<Failure>,
+}
+
+/// An output, the value at which a curve ends, reached from above.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct End {
+    /// The output.
+    pub output: Output,
+    /// Its value there.
+    pub value: f64,
+}
+
+/// Follows the curve through the solution `from` on which `free`, given there, moves: by pseudo-arclength, with `output` as
+/// its parameter, at whose extrema there are points of the kind [`PointKind::Fold`]. It is left in the direction in which the
+/// output rises (`upwards`) or falls, and followed to its `end`, a point of the kind [`PointKind::Event`].
+///
+/// # Errors
+/// [`Failure::NoEquations`]; a curve that is lost holds what was found of it.
+pub fn trace(
+    model: &Model,
+    from: &Solved,
+    (free, output): (Constant, Output),
+    upwards: bool,
+    end: End,
+    options: &SolveOptions,
+) -> Result<Curve, Failure> {
+    let question = from.question.clone().swap(free, output, f64::NAN);
+    let (belt, start) = posed(model, from, &question)?;
+    let parameter = start.constants.len().saturating_sub(1);
+    let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
+    let over = Cell::new(false);
+    let excess = |solution: &Solution| {
+        let (ends, integrals) = inputs(solution);
+        let values = belt.outputs(&ends, &integrals, solution.constants());
+        let excess = values.get(end.output.index()).map_or(f64::NAN, |value| value - end.value);
+        over.set(over.get() || excess <= 0.0);
+        excess
+    };
+    let mut observer = |event: &Event| match event {
+        Event::Step { .. } if over.get() => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    let solve = lenient(&Options { max_intervals: MAX_INTERVALS, ..options.solver() });
+    let options = BranchOptions {
+        solve,
+        upwards,
+        contraction: CONTRACTION,
+        largest_step: LARGEST_STEP,
+        max_points: MAX_POINTS,
+        ..BranchOptions::default()
+    };
+    let traced = trace_observed(&belt, &start, parameter, &unknowns, &options, &[&excess], &mut observer);
+    let (mut points, cause) = match traced {
+        Ok(branch) => (branch.points, Box::new(SolveError::Steps { steps: MAX_POINTS })),
+        Err(error) => (error.points, error.cause),
+    };
+    let ended = points.iter().position(|point| matches!(point.kind, PointKind::Event(_)));
+    points.truncate(ended.map_or(points.len(), |at| at + 1));
+    let last = points.last().map(|point| &point.solution);
+    let lost = ended.is_none().then(|| Failure::of(last, cause));
+    let solved = |point: BranchPoint| {
+        let mut question = question.clone();
+        question.swaps.iter_mut().next_back().into_iter().for_each(|swap| swap.value = point.parameter);
+        let solved = Solved {
+            question,
+            belt: belt.clone(),
+            solution: point.solution,
+            stats: Stats::default(),
+            continuation_steps: 0,
+        };
+        (point.kind, solved)
+    };
+    Ok(Curve { points: points.into_iter().map(solved).collect(), lost })
+}
