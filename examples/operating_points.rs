@@ -6,7 +6,7 @@ use std::path::Path;
 
 use sheave::case::Case;
 use sheave::drive::SolveOptions;
-use sheave::plot::{Axis as Scale, Figure, Series};
+use sheave::plot::{Axis as Scale, Figure, Look, Series};
 use sheave::study::{Axis, Study, Table, table};
 
 const TENSION: &str = "primary.exit_tension";
@@ -55,7 +55,7 @@ fn axial_forces(edition: &str) -> Result<Vec<Figure>, Box<dyn Error>> {
         figures.push(Figure::new(
             format!("swap_axial_force_{pulley}_{edition}"),
             format!("Axial force of the {pulley}, prescribed, over the slack tension found, edition {edition}"),
-            Scale::new("slack tension T_slack (N)"),
+            Scale::new("slack tension T_{slack} (N)"),
             Scale::new("axial force A (N)"),
             series,
         ));
@@ -69,10 +69,10 @@ fn friction_laws() -> Result<Figure, Box<dyn Error>> {
     println!("{:>8}{:>6}{:>24}{:>24}", "A_P", "ratio", "T_slack, N (vc, tanh)", "efficiency, % (vc, tanh)");
     let mut series = Vec::new();
     for ratio in RATIOS {
-        let axes = [format!("drive.ratio={ratio}"), "operating_point.primary_axial_force=600..2400 N:13".to_owned()];
+        let axes = [format!("drive.ratio={ratio}"), "operating_point.primary_axial_force=600..2400 N:37".to_owned()];
         let axes = axes.each_ref().map(String::as_str);
         let [viscous, smooth] = [solve("consistent", "viscous-coulomb", &axes)?, solve("consistent", "tanh", &axes)?];
-        for row in [0, 3, 6, 12] {
+        for row in [0, 9, 18, 36] {
             let force = viscous.number(row, "operating_point.primary_axial_force");
             let pair = |column: &str, scale: f64| [&viscous, &smooth].map(|table| scale * table.number(row, column));
             let ([a, b], [c, d]) = (pair(TENSION, 1.0), pair("efficiency.overall", 100.0));
@@ -81,14 +81,13 @@ fn friction_laws() -> Result<Figure, Box<dyn Error>> {
         let color = series.len() / 2;
         let line = |table: &Table| points(table, "operating_point.primary_axial_force", "efficiency.overall", 100.0);
         series.push(Series::line(format!("ratio {ratio}, viscous-coulomb"), line(&viscous)).color(color));
-        series.push(
-            Series::line(format!("ratio {ratio}, tanh"), line(&smooth)).color(color).look(sheave::plot::Look::Dashed),
-        );
+        let sparse = line(&smooth).into_iter().step_by(3).collect();
+        series.push(Series::line(format!("ratio {ratio}, tanh"), sparse).color(color).look(Look::Dots));
     }
     Ok(Figure::new(
         "swap_friction_laws",
         "Overall efficiency over the prescribed axial force, by friction law",
-        Scale::new("axial force A_P (N)"),
+        Scale::new("axial force A_{P} (N)"),
         Scale::new("overall efficiency η (%)"),
         series,
     ))

@@ -163,7 +163,7 @@ fn figure(rows: &[Row], clamp: &str, quantity: &str, axis: Scale, scale: f64) ->
             let value = |row: &Row| scale * of(row)[index];
             rows.iter().filter(at).map(|row| (row.torque, value(row))).collect()
         };
-        let symbol = if clamp == "primary" { "A_P" } else { "A_S" };
+        let symbol = if clamp == "primary" { "A_{P}" } else { "A_{S}" };
         series.push(Series::line(format!("{symbol} = {force} N, full"), points(|row| row.full)).color(color));
         let dashed = Series::line(format!("{symbol} = {force} N, simple"), points(|row| row.simple));
         series.push(dashed.color(color).look(Look::Dashed));
@@ -171,7 +171,7 @@ fn figure(rows: &[Row], clamp: &str, quantity: &str, axis: Scale, scale: f64) ->
     Figure::new(
         format!("simple_{}_{clamp}", quantity),
         format!("The simple drive beside the full model, edition consistent, ratio 1: {}", axis.label),
-        Scale::new("torque M_in (N·m)"),
+        Scale::new("torque M_{in} (N·m)"),
         axis,
         series,
     )
@@ -190,10 +190,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::fs::create_dir_all(folder)?;
         write(&rows, &folder.join("simple-and-full.csv"))?;
         for figure in [
-            figure(&rows, "primary", "slack_tension", Scale::new("slack tension T_slack (N)"), 1.0),
-            figure(&rows, "secondary", "slack_tension", Scale::new("slack tension T_slack (N)"), 1.0),
-            figure(&rows, "primary", "speed_loss", Scale::log("speed loss 1 − ω_S R_S/(ω_P R_P) (%)"), 100.0),
-            figure(&rows, "primary", "other_axial_force", Scale::new("axial force A_S (N)"), 1.0),
+            figure(&rows, "primary", "slack_tension", Scale::new("slack tension T_{slack} (N)"), 1.0),
+            figure(&rows, "secondary", "slack_tension", Scale::new("slack tension T_{slack} (N)"), 1.0),
+            figure(&rows, "primary", "speed_loss", Scale::log("speed loss 1 − ω_{S} R_{S}/(ω_{P} R_{P}) (%)"), 100.0),
+            figure(&rows, "primary", "other_axial_force", Scale::new("axial force A_{S} (N)"), 1.0),
         ] {
             std::fs::write(folder.join(format!("{}.svg", figure.name)), figure.svg()?)?;
             std::fs::write(folder.join(format!("{}.png", figure.name)), figure.png()?)?;

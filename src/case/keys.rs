@@ -214,6 +214,41 @@ impl Entry {
         }
     }
 
+    /// Its symbol with every index as `_{..}`, as figures are labelled: `R_{S}/R_{P}`.
+    pub fn marked_symbol(&self) -> String {
+        let mut parts = self.symbol.split('_');
+        let mut marked = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (index, rest) = part.split_at(part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len()));
+            marked += &format!("_{{{index}}}{rest}");
+        }
+        marked
+    }
+
+    /// A value in SI as people read it: the number, and its unit as it is printed.
+    pub fn readable(&self, si: f64) -> (f64, String) {
+        match self.kind {
+            Kind::Quantity { unit, .. } => (unit.from_si(si), unit.printed()),
+            Kind::Choice { .. } => (si, String::new()),
+        }
+    }
+
+    /// What a curve at a value in SI is called in a figure: `M_{in} = 18 N·m`.
+    pub fn label_at(&self, si: f64) -> String {
+        let (number, unit) = self.readable(si);
+        let number = (number * 1e6).round() / 1e6;
+        format!("{} = {number} {unit}", self.marked_symbol()).trim_end().to_owned()
+    }
+
+    /// What an axis of a figure is called: `slack tension T_{slack} (N)`.
+    pub fn axis_label(&self) -> String {
+        let unit = match self.kind {
+            Kind::Quantity { unit, .. } if !unit.symbol.is_empty() => format!(" ({})", unit.printed()),
+            _ => String::new(),
+        };
+        format!("{} {}{unit}", self.name().replace('_', " "), self.marked_symbol())
+    }
+
     /// A value that could be written in a case file.
     pub fn example(&self) -> String {
         match self.kind {
@@ -276,6 +311,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn figures_are_labelled_with_indices_below_the_line() {
+        assert_eq!(Key::Ratio.entry().axis_label(), "ratio R_{S}/R_{P}");
+        assert_eq!(Key::SlackTension.entry().axis_label(), "slack tension T_{slack} (N)");
+        assert_eq!(Key::BendingStiffness.entry().label_at(0.14), "EI = 0.14 N·m²");
+        assert_eq!(Key::PrimarySpeed.entry().label_at(std::f64::consts::TAU), "ω_{P} = 60 rpm");
+        assert_eq!(Key::Edition.entry().marked_symbol(), "");
     }
 
     #[test]

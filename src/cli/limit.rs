@@ -90,13 +90,11 @@ fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
             "the limit lies beyond: no solution was found farther on (-v says why)".to_owned()
         }
     };
+    // Adding zero takes the sign from a zero.
+    let efficiency = (1e3 * limit.state.speed_efficiency).round() / 10.0 + 0.0;
     // Writing to a string cannot fail.
-    let _ = writeln!(
-        text,
-        "  {what:<58} {:>10.3} {unit:<4} at {:.1} % speed efficiency: {kind}",
-        limit.value,
-        100.0 * limit.state.speed_efficiency
-    );
+    let _ =
+        writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency:.1} % speed efficiency: {kind}", limit.value);
 }
 
 fn share(text: &str) -> Result<f64, String> {

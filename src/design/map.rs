@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::error::DesignError;
 use super::limit::{LimitOptions, largest_torque, smallest_clamps};
 use super::optimum::optimum;
-use crate::case::{Key, Kind, Resolved, Setting};
+use crate::case::{Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use crate::plot::{Axis, Figure, Series};
 use crate::study::{Cell, Point, Row, Study, StudyError, Table, TableBuilder};
@@ -30,28 +30,28 @@ const LIMITS: [Shown; 4] = [
         column: "smallest_clamp.slack_tension.value",
         name: "smallest_slack_tension",
         caption: "Smallest slack tension that carries the torque",
-        axis: "slack tension T_slack (N)",
+        axis: "slack tension T_{slack} (N)",
         scale: 1.0,
     },
     Shown {
         column: "smallest_clamp.primary_axial_force.value",
         name: "smallest_primary_axial_force",
         caption: "Smallest axial force on the primary that carries the torque",
-        axis: "axial force A_P (N)",
+        axis: "axial force A_{P} (N)",
         scale: 1.0,
     },
     Shown {
         column: "smallest_clamp.secondary_axial_force.value",
         name: "smallest_secondary_axial_force",
         caption: "Smallest axial force on the secondary that carries the torque",
-        axis: "axial force A_S (N)",
+        axis: "axial force A_{S} (N)",
         scale: 1.0,
     },
     Shown {
         column: "largest_torque.value",
         name: "largest_torque",
         caption: "Largest torque that the clamp carries",
-        axis: "torque M_in (N·m)",
+        axis: "torque M_{in} (N·m)",
         scale: 1.0,
     },
 ];
@@ -61,21 +61,21 @@ const OPTIMA: [Shown; 4] = [
         column: "state.slack_tension",
         name: "best_slack_tension",
         caption: "Slack tension of best overall efficiency",
-        axis: "slack tension T_slack (N)",
+        axis: "slack tension T_{slack} (N)",
         scale: 1.0,
     },
     Shown {
         column: "state.primary_axial_force",
         name: "best_primary_axial_force",
         caption: "Axial force on the primary at the best overall efficiency",
-        axis: "axial force A_P (N)",
+        axis: "axial force A_{P} (N)",
         scale: 1.0,
     },
     Shown {
         column: "state.secondary_axial_force",
         name: "best_secondary_axial_force",
         caption: "Axial force on the secondary at the best overall efficiency",
-        axis: "axial force A_S (N)",
+        axis: "axial force A_{S} (N)",
         scale: 1.0,
     },
     Shown {
@@ -211,7 +211,7 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
         let others = varied.iter().take(varied.len().saturating_sub(axis.keys().len()));
         let label: Vec<String> = others.map(|(key, setting)| label(*key, setting)).collect();
         let rows = first..first + axis.points();
-        let x = |row: usize| from_si(*across, table.number(row, across.path()));
+        let x = |row: usize| across.entry().readable(table.number(row, across.path())).0;
         Series::line(label.join(", "), rows.map(|row| (x(row), scale * table.number(row, column))).collect())
     };
     let there = shown.iter().filter(|shown| table.column(shown.column).is_some());
@@ -219,40 +219,21 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
         .map(|shown| {
             let starts = (0..study.points()).step_by(axis.points());
             let series = starts.map(|first| line(first, shown.column, shown.scale)).collect();
-            Figure::new(shown.name, shown.caption, Axis::new(axis_label(*across)), Axis::new(shown.axis), series)
+            Figure::new(
+                shown.name,
+                shown.caption,
+                Axis::new(across.entry().axis_label()),
+                Axis::new(shown.axis),
+                series,
+            )
         })
         .collect()
 }
 
-fn from_si(key: Key, value: f64) -> f64 {
-    match key.entry().kind {
-        Kind::Quantity { unit, .. } => unit.from_si(value),
-        Kind::Choice { .. } => value,
-    }
-}
-
-fn unit(key: Key) -> String {
-    match key.entry().kind {
-        Kind::Quantity { unit, .. } => unit.symbol.replace('*', "·").replace("^2", "²"),
-        Kind::Choice { .. } => String::new(),
-    }
-}
-
-/// `M_in = 18 N·m`.
+/// `M_{in} = 18 N·m`.
 fn label(key: Key, setting: &Setting) -> String {
     match setting {
-        Setting::Number(value) => {
-            let number = (from_si(key, *value) * 1e6).round() / 1e6;
-            format!("{} = {number} {}", key.entry().symbol, unit(key)).trim_end().to_owned()
-        }
+        Setting::Number(value) => key.entry().label_at(*value),
         Setting::Name(name) => (*name).to_owned(),
     }
-}
-
-/// `ratio R_S/R_P`, `torque M_in (N·m)`.
-fn axis_label(key: Key) -> String {
-    let name = key.entry().name().replace('_', " ");
-    let unit = unit(key);
-    let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
-    format!("{name} {}{unit}", key.entry().symbol)
 }

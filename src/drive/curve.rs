@@ -21,6 +21,12 @@ const MAX_INTERVALS: usize = 2000;
 const CONTRACTION: f64 = 0.5;
 /// Largest step in arclength: an axial force may rise and fall again within two of these.
 const LARGEST_STEP: f64 = 0.2;
+/// Smallest step in arclength: where steps must be shorter, meshes are at their limit, and every step takes long.
+const SMALLEST_STEP: f64 = 1e-3;
+/// Points of the curve are this accurate; who needs a better one solves anew from there.
+const TOLERANCE: f64 = 1e-4;
+/// Newton iterations on each mesh of a step.
+const MAX_ITERATIONS: usize = 25;
 /// Points at most.
 const MAX_POINTS: usize = 200;
 
@@ -72,13 +78,16 @@ pub fn trace(
         Event::Step { .. } if over.get() => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let solve = lenient(&Options { max_intervals: MAX_INTERVALS, ..options.solver() });
+    let tolerance = options.tolerance.max(TOLERANCE);
+    let solve = lenient(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
     let options = BranchOptions {
         solve,
         upwards,
         contraction: CONTRACTION,
+        smallest_step: SMALLEST_STEP,
         largest_step: LARGEST_STEP,
         max_points: MAX_POINTS,
+        max_iterations: MAX_ITERATIONS,
         ..BranchOptions::default()
     };
     let traced = trace_observed(&belt, &start, parameter, &unknowns, &options, &[&excess], &mut observer);

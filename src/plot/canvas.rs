@@ -101,6 +101,11 @@ fn marked(text: &str) -> String {
     out
 }
 
+/// The text without marks: `T_slack` for `T_{slack}`.
+pub fn plain(text: &str) -> String {
+    parts(text).map(|(piece, below)| if below { format!("_{piece}") } else { piece.to_owned() }).collect()
+}
+
 /// The pieces of a text, and whether each is a subscript.
 fn parts(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let mut rest = text;
@@ -186,24 +191,49 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
 
     /// Writes a text in which `_{..}` is a subscript.
     fn write(&self, text: &str, (x, y): (i32, i32), size: i32, horizontal: HPos, vertical: VPos) -> Drawn<B> {
-        let pos = |horizontal| Pos::new(horizontal, vertical);
         if !self.pieces {
-            let style = self.text(size).pos(pos(horizontal));
+            let style = self.text(size).pos(Pos::new(horizontal, vertical));
             return self.area.draw(&Text::new(marked(text), (x, y), style));
         }
         // The area centres a line's box, which is higher above the letters' middle than below.
         let lower = if matches!(vertical, VPos::Center) { size * self.scale / 6 } else { 0 };
         let width = self.width(text, size);
-        let mut x = match horizontal {
+        let x = match horizontal {
             HPos::Left => x,
             HPos::Center => x - width / 2,
             HPos::Right => x - width,
         };
+        self.write_pieces(text, size, |style, along, drop| {
+            ((x + along, y + lower + drop), style.pos(Pos::new(HPos::Left, vertical)))
+        })
+    }
+
+    /// Writes such a text upwards, its middle beside a point.
+    fn write_upwards(&self, text: &str, (x, y): (i32, i32), size: i32) -> Drawn<B> {
+        let turned = FontTransform::Rotate270;
+        if !self.pieces {
+            let style = self.text(size).pos(Pos::new(HPos::Center, VPos::Top)).transform(turned);
+            return self.area.draw(&Text::new(marked(text), (x, y), style));
+        }
+        let start = y + self.width(text, size) / 2;
+        self.write_pieces(text, size, |style, along, drop| {
+            ((x + drop, start - along), style.pos(Pos::new(HPos::Left, VPos::Top)).transform(turned.clone()))
+        })
+    }
+
+    /// Draws the pieces of a text where `at` puts each of them, by how far along the text and how much lower it stands.
+    fn write_pieces<'s>(
+        &self,
+        text: &str,
+        size: i32,
+        at: impl Fn(TextStyle<'s>, i32, i32) -> ((i32, i32), TextStyle<'s>),
+    ) -> Drawn<B> {
+        let mut along = 0;
         for (piece, below) in parts(text) {
             let (height, drop) = self.sizes(size, below);
-            let style = self.sized(height).pos(pos(HPos::Left));
-            self.area.draw(&Text::new(piece.to_owned(), (x, y + lower + drop), style))?;
-            x += self.extent(piece, height);
+            let (point, style) = at(self.sized(height), along, drop);
+            self.area.draw(&Text::new(piece.to_owned(), point, style))?;
+            along += self.extent(piece, height);
         }
         Ok(())
     }
@@ -268,9 +298,7 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         let [left, right, top, bottom] = self.frame;
         let below = ((left + right) / 2, bottom + 25 * self.scale);
         self.write(&self.figure.x.label, below, TEXT, HPos::Center, VPos::Top)?;
-        let turned = self.text(TEXT).pos(Pos::new(HPos::Center, VPos::Top)).transform(FontTransform::Rotate270);
-        let beside = (6 * self.scale, (top + bottom) / 2);
-        self.area.draw(&Text::new(self.figure.y.label.clone(), beside, turned))
+        self.write_upwards(&self.figure.y.label, (6 * self.scale, (top + bottom) / 2), TEXT)
     }
 
     fn series(&self, series: &Series, color: RGBColor) -> Drawn<B> {

@@ -1,6 +1,6 @@
 //! Figures as SVG and PNG.
 
-use super::canvas::{Canvas, MARKS, size};
+use super::canvas::{Canvas, MARKS, plain, size};
 use super::figure::Figure;
 use plotters::backend::{BitMapBackend, SVGBackend};
 use plotters::drawing::IntoDrawingArea;
@@ -51,7 +51,7 @@ impl Figure {
         drop(area);
         drawn.map_err(|reason| self.error(reason))?;
         let fine = format!("width=\"{}\" height=\"{}\"", width * STEPS, height * STEPS);
-        let name = escape(&self.caption);
+        let name = escape(&plain(&self.caption));
         let own = format!("role=\"img\" aria-label=\"{name}\" width=\"{width}\" height=\"{height}\"");
         let [begin, end, close] = MARKS;
         let text = text.replacen(&fine, &own, 1).replace(begin, "<tspan dy=\"0.25em\" font-size=\"72%\">");

@@ -44,6 +44,11 @@ impl Unit {
         Self::new(symbol, tens, 1.0, 1.0, dimension)
     }
 
+    /// The unit as it is printed: `N·m²` for `N*m^2`.
+    pub fn printed(&self) -> String {
+        self.symbol.replace('*', "·").replace("^2", "²")
+    }
+
     /// A value in this unit, in SI.
     pub fn to_si(&self, value: f64) -> f64 {
         self.scale.to_si(value)

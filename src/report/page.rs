@@ -1,7 +1,7 @@
 //! The page itself.
 
 use super::loss::{LossSplit, Mechanisms, losses};
-use crate::case::{Kind, Setting};
+use crate::case::Setting;
 use crate::plot::{Figure, PlotError};
 use crate::result::{Outcome, Pulley};
 use std::fmt::Write;
@@ -222,20 +222,17 @@ fn inputs(html: &mut String, outcome: &Outcome) {
     *html += "<table>";
     for (key, setting) in outcome.result.inputs.settings() {
         let entry = key.entry();
-        let (value, unit) = match (setting, entry.kind) {
-            (Setting::Number(si), Kind::Quantity { unit, .. }) => {
-                (short(unit.from_si(si)), unit.symbol.replace('*', "·").replace("^2", "²"))
+        let (value, unit) = match setting {
+            Setting::Number(si) => {
+                let (number, unit) = entry.readable(si);
+                (short(number), unit)
             }
-            (Setting::Number(si), Kind::Choice { .. }) => (si.to_string(), String::new()),
-            (Setting::Name(name), _) => (name.to_owned(), String::new()),
+            Setting::Name(name) => (name.to_owned(), String::new()),
         };
-        let symbol = match entry.symbol.split_once('_') {
-            Some((letter, index)) => format!(" {letter}<sub>{index}</sub>"),
-            None if entry.symbol.is_empty() => String::new(),
-            None => format!(" {}", entry.symbol),
-        };
+        let symbol = entry.marked_symbol().replace("_{", "<sub>").replace('}', "</sub>");
+        let gap = if symbol.is_empty() { "" } else { " " };
         let name = entry.name().replace('_', " ");
-        row(html, &format!("{name}{symbol}"), &[value], &unit);
+        row(html, &format!("{name}{gap}{symbol}"), &[value], &unit);
     }
     *html += "</table>";
 }

@@ -1,7 +1,7 @@
 //! The figures of chapters 6 and 7.
 
 use super::{Chapters, Ends, Family};
-use crate::case::{Key, Kind};
+use crate::case::Key;
 use crate::plot::{self, Axis, Figure, Look, Series};
 use crate::result::Outcome;
 use crate::study::Table;
@@ -144,19 +144,12 @@ fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, String)]) 
 
 /// Efficiencies over the ratio, curve by curve; for the slack tension, axial forces over it as well.
 fn family(family: &Family) -> Vec<Figure> {
-    let curve = |value: f64| {
-        let entry = family.key.entry();
-        let (number, unit) = match entry.kind {
-            Kind::Quantity { unit, .. } => (unit.from_si(value), unit.symbol.replace('*', "·").replace("^2", "²")),
-            Kind::Choice { .. } => (value, String::new()),
-        };
-        format!("{} = {} {unit}", indexed(entry.symbol), (number * 1e6).round() / 1e6).trim_end().to_owned()
-    };
+    let entry = family.key.entry();
     let mut figures: Vec<Figure> = ["overall", "speed", "torque"]
         .map(|which| {
             let column = format!("efficiency.{which}");
             let line = |(value, rows): (f64, std::ops::Range<usize>)| {
-                Series::line(curve(value), points(&family.table, rows, "drive.ratio", &column, 100.0)).marked()
+                Series::line(entry.label_at(value), points(&family.table, rows, "drive.ratio", &column, 100.0)).marked()
             };
             let series = family.curves().into_iter().map(line).collect();
             let mut start = which.to_owned();
@@ -173,11 +166,6 @@ fn family(family: &Family) -> Vec<Figure> {
         figures.extend(["primary", "secondary"].map(|pulley| forces(family, pulley)));
     }
     figures
-}
-
-/// A symbol with what follows its underscore as a subscript.
-fn indexed(symbol: &str) -> String {
-    symbol.split_once('_').map_or_else(|| symbol.to_owned(), |(letter, index)| format!("{letter}_{{{index}}}"))
 }
 
 fn forces(family: &Family, pulley: &str) -> Figure {
