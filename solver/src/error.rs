@@ -27,8 +27,13 @@ impl fmt::Display for Place<'_> {
         if let Some(region) = self.0 {
             write!(f, " in region {region}")?;
         }
-        self.1.map_or(Ok(()), |position| write!(f, " at {position}"))
+        self.1.map_or(Ok(()), |position| write!(f, " at {}", shown(position)))
     }
+}
+
+/// A position as people read it: to eight digits, without the noise of the mesh's arithmetic beyond them.
+pub(crate) fn shown(position: f64) -> f64 {
+    format!("{position:.7e}").parse().unwrap_or(position)
 }
 
 impl NonFinite {
@@ -246,8 +251,8 @@ pub enum SolveError {
     },
     /// The tolerance would need a finer mesh than allowed.
     #[error(
-        "the defect is {defect:.1e} for a tolerance of {tolerance:.1e} in region {region} at {position}, \
-         most in {state}: the mesh of {intervals} intervals may not grow further"
+        "the defect is {defect:.1e} for a tolerance of {tolerance:.1e} in region {region} at {}, \
+         most in {state}: the mesh of {intervals} intervals may not grow further", shown(*.position)
     )]
     MeshLimit {
         /// Region of the largest defect.
@@ -335,6 +340,24 @@ impl NewtonError {
                 "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier parameter."
             }
             Self::Cancelled => "Nothing: the observer asked for it.",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+
+    #[test]
+    fn positions_are_shown_without_noise() {
+        let wanted = [
+            (3.0 * 0.0125 + f64::EPSILON, "0.0375"),
+            (1.0 - 1e-7, "0.9999999"),
+            (0.0, "0"),
+            (-1e-12, "-0.000000000001"),
+        ];
+        for (position, text) in wanted {
+            assert_eq!(shown(position).to_string(), text);
         }
     }
 }

@@ -8,7 +8,7 @@
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
-use crate::error::{Component, NewtonError, NonFinite};
+use crate::error::{Component, NewtonError, NonFinite, shown};
 use crate::observer::{Event, Observer};
 use crate::problem::Problem;
 use crate::stats::Stats;
@@ -335,7 +335,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 };
                 let nodes = 0..grid.mesh.len();
                 let Some(j) = nodes.max_by(|&a, &b| at(a).abs().total_cmp(&at(b).abs())) else { continue };
-                let name = format!("{} at {} of {}", state.name, grid.mesh[j], region.name);
+                let name = format!("{} at {} of {}", state.name, shown(grid.mesh[j]), region.name);
                 components.push(Component { name, value: at(j) });
             }
         }
