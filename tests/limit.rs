@@ -53,6 +53,29 @@ fn the_slip_limit_of_the_thesis_is_the_collapse_of_the_speed_ratio() {
 }
 
 #[test]
+fn a_clamp_below_the_limit_does_not_hide_it() {
+    // A stiff belt on a small primary carries little torque, but wants more tension than its torque suggests.
+    let at = |tension: &str| {
+        case(&[
+            ("edition", "thesis"),
+            ("drive.ratio", "1.9289"),
+            ("operating_point.slack_tension", tension),
+            ("operating_point.primary_torque", "2.7514"),
+            ("operating_point.primary_speed", "588.47"),
+            ("belt.bending_stiffness", "0.49951"),
+            ("sheave.friction_coefficient", "0.37205"),
+        ])
+    };
+    assert!(solve(&at("20"), &to(1e-4)).is_err());
+    let [below, above] = ["20", "150"].map(|tension| smallest_clamps(&at(tension), &limits(1e-5)).unwrap().0);
+    assert!(below.slack_tension.value > 20.0, "{}", below.slack_tension.value);
+    assert_eq!(below.slack_tension.kind, above.slack_tension.kind);
+    assert!((below.slack_tension.value / above.slack_tension.value - 1.0).abs() < 1e-4);
+    let [below, above] = ["20", "150"].map(|tension| optimum(&at(tension), &to(1e-5)).unwrap());
+    assert!((below.state.slack_tension / above.state.slack_tension - 1.0).abs() < 1e-3);
+}
+
+#[test]
 fn continuous_shear_carries_the_torque_without_slack_tension() {
     let (limit, _) = smallest_clamps(&case(&[]), &limits(1e-5)).unwrap();
     assert_eq!(limit.slack_tension.kind, Kind::Collapse);

@@ -11,6 +11,9 @@ use crate::result::Outputs;
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
+/// Factor on the slack tension of the start where the torque is not carried, and how often it is applied.
+const TIGHTER: f64 = 2.0;
+const TIGHTENED: usize = 4;
 /// A fold counts if it differs from the end of the curve by this many times the tolerance.
 const TOLD_APART: f64 = 30.0;
 /// Evaluations that locate an extremum, and the relative bracket at which it counts as located.
@@ -103,17 +106,16 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
 /// See [`DesignError`].
 pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
     primary_speed(case)?;
-    let start = clamped(case)?;
-    let solved = solve(&start, &options.solve)?;
-    let smallest = |path: &str| limit(&start.model, &solved, (Constant::SlackTension, path), false, options);
+    let (_, solved) = clamped(case, &options.solve)?;
+    let smallest = |path: &str| limit(&case.model, &solved, (Constant::SlackTension, path), false, options);
     let (slack_tension, branch) = smallest("primary.exit_tension")?;
     let (primary_axial_force, _) = smallest("primary.axial_force")?;
     let (secondary_axial_force, _) = smallest("secondary.axial_force")?;
     Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
 }
 
-/// The case with a slack tension at which its torque is carried well.
-pub(super) fn clamped(case: &Resolved) -> Result<Resolved, DesignError> {
+/// The case with a slack tension at which its torque is carried, and the drive there.
+pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolved, Solved), DesignError> {
     let point = &case.operating_point;
     if let Load::SpeedRatio(_) | Load::SecondarySpeed(_) = point.load {
         let (key, _) = point.load.setting();
@@ -126,8 +128,19 @@ pub(super) fn clamped(case: &Resolved) -> Result<Resolved, DesignError> {
     let guess = Question::of(case).constants;
     let least = TIGHT * guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
     let mut start = case.clone();
-    start.operating_point.clamp = Clamp::SlackTension(guess[Constant::SlackTension].max(least));
-    Ok(start)
+    let mut tension = guess[Constant::SlackTension].max(least);
+    let mut first = None;
+    for _ in 0..=TIGHTENED {
+        start.operating_point.clamp = Clamp::SlackTension(tension);
+        match solve(&start, options) {
+            Ok(solved) => return Ok((start, solved)),
+            // The case's own clamp may be below the limit that is sought.
+            Err(failure @ (Failure::Lost { .. } | Failure::Unreached { .. })) => _ = first.get_or_insert(failure),
+            Err(failure) => return Err(failure.into()),
+        }
+        tension *= TIGHTER;
+    }
+    Err(first.unwrap_or(Failure::NoStart).into())
 }
 
 /// A secondary that stands still has no speed to be given.

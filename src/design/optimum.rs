@@ -11,7 +11,7 @@ use super::error::DesignError;
 use super::limit::clamped;
 use super::state::State;
 use crate::case::{Clamp, Resolved};
-use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve, solve_from};
+use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve_from};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -74,8 +74,8 @@ struct Trial {
 /// # Errors
 /// See [`DesignError`].
 pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, DesignError> {
-    let mut search = Search { case: clamped(case)?, options: *options, evaluations: 0 };
-    let start = solve(&search.case, options)?;
+    let (case, start) = clamped(case, options)?;
+    let mut search = Search { case, options: *options, evaluations: 0 };
     let start = search.trial(start)?;
     let mut trials = search.march(&start, 1.0)?;
     trials.reverse();
