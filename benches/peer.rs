@@ -37,7 +37,9 @@ fn time(mut run: impl FnMut()) -> (f64, f64) {
 
 fn peer(command: &[String]) -> Value {
     let Some((program, arguments)) = command.split_first() else { return Value::Null };
-    let output = Command::new(program).args(arguments).output().expect("the peer runs");
+    // Its matrices are small: more threads of BLAS cost it time on two cores.
+    let output =
+        Command::new(program).args(arguments).env("OPENBLAS_NUM_THREADS", "1").output().expect("the peer runs");
     serde_json::from_slice(&output.stdout).unwrap_or_else(|error| {
         eprintln!("the peer: {error}; {}", String::from_utf8_lossy(&output.stderr));
         Value::Null
