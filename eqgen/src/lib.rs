@@ -30,7 +30,7 @@ pub use error::Error;
 pub fn generate() -> Result<Vec<SourceFile>, Error> {
     symbolic(|| {
         let kernels = physics::edition::kernels()?;
-        let emitted = |kernels: &[physics::edition::Model]| {
+        let emitted = |kernels: &[physics::model::Model]| {
             kernels.iter().map(|kernel| emit::file(kernel, emit::BELT)).collect::<Result<Vec<_>, _>>()
         };
         let mut files = emitted(&kernels)?;

@@ -2,9 +2,9 @@
 
 use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
+use super::exchange::{self, Exchange};
 use super::keys::{Key, Kind};
 use super::raw::{Raw, in_order, kind, raw};
-use super::swap::Exchange;
 use crate::quantity::{self, Quantity, QuantityError};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -241,6 +241,27 @@ impl Case {
         match self.given(key) {
             Some(given) => given.place.given().to_owned(),
             None => key.entry().example(),
+        }
+    }
+
+    /// Makes a constant unknown and prescribes an output, from a text such as
+    /// `belt.bending_stiffness for efficiency.overall = 0.96`. The constant's own key says where the search starts.
+    ///
+    /// # Errors
+    /// [`Problem::Swap`].
+    pub fn swap(&mut self, text: &str) -> Result<(), CaseError> {
+        let source = Arc::new(Source { name: "--swap".into(), text: text.into() });
+        let whole = 0..text.len();
+        self.add_swap(text, Place { source, key: whole.clone(), value: whole })
+    }
+
+    pub(super) fn add_swap(&mut self, text: &str, place: Place) -> Result<(), CaseError> {
+        match exchange::read(text) {
+            Ok(exchange) => {
+                self.swaps.push((exchange, place));
+                Ok(())
+            }
+            Err(reason) => Err(CaseError::new(Problem::Swap { text: text.into(), reason }, [place])),
         }
     }
 }

@@ -27,6 +27,7 @@
 
 mod choice;
 mod error;
+mod exchange;
 mod file;
 pub mod geometry;
 mod keys;
@@ -35,13 +36,12 @@ mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
-mod swap;
 
 pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};
+pub use exchange::Exchange;
 pub use file::Case;
 pub use keys::{Entry, Key, Kind, TABLE, sections};
 pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
 pub use range::{Bound, Range};
 pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};
-pub use swap::Exchange;

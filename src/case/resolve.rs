@@ -2,11 +2,11 @@
 
 use super::choice::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use super::error::{CaseError, Problem};
+use super::exchange::Exchange;
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
 use super::operating::OperatingPoint;
-use super::swap::Exchange;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

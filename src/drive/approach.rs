@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::inputs::inputs;
 use super::polish::{lenient, polished};
 use super::question::{Known, Output, Question, Swap};
-use super::solve::{Solved, accepted};
+use super::solved::{Solved, accepted};
 use crate::case::Model;
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those

@@ -12,7 +12,8 @@ use super::failure::Failure;
 use super::inputs::inputs;
 use super::polish::lenient;
 use super::question::Output;
-use super::solve::{SolveOptions, Solved};
+use super::solve::SolveOptions;
+use super::solved::Solved;
 use crate::case::Model;
 
 /// Intervals at most: a curve that needs more is lost.

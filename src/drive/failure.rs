@@ -5,7 +5,8 @@ use thiserror::Error;
 
 use super::belt::Belt;
 use super::constants::Constant;
-use super::question::{IllPosed, Known, Question};
+use super::posedness::IllPosed;
+use super::question::{Known, Question};
 
 /// Why there is no solution.
 #[derive(Debug, Error)]

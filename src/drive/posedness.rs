@@ -7,18 +7,90 @@
 
 use generated::BoundaryKernel;
 use nalgebra::DMatrix;
+use thiserror::Error;
 
 use super::constants::Constant;
 use super::model::Kernels;
 use super::question::{Known, Question};
+use crate::case::Model;
 
 /// Singular values below this count as zero; rows have length 1.
 const ZERO: f64 = 1e-10;
 /// Shares of a row in a dependence below this do not count.
 const SHARE: f64 = 1e-6;
 
+/// Why a question has no answer whatever the numbers.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum IllPosed {
+    /// A constant is to be made unknown that is unknown already.
+    #[error("`{constant}` is unknown already: expected a given constant in its place")]
+    Unknown {
+        /// The constant.
+        constant: String,
+    },
+    /// A constant is prescribed that is given already, or twice.
+    #[error("`{constant}` is given already: expected another output in its place")]
+    Given {
+        /// The constant.
+        constant: String,
+    },
+    /// Not all that is given and prescribed is independent.
+    #[error("{} cannot all be given: each follows from the others, and {} would be left undetermined", listed(.names), listed(.free))]
+    Dependent {
+        /// Keys, or outputs, that depend on each other.
+        names: Vec<String>,
+        /// The constants that were made unknown.
+        free: Vec<String>,
+    },
+    /// A prescribed value is no number.
+    #[error("`{name}` = {value}: expected a finite number")]
+    Value {
+        /// What is prescribed.
+        name: String,
+        /// As given.
+        value: f64,
+    },
+}
+
+/// Names in quotes, with commas.
+fn listed(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+impl Question {
+    /// Refuses a question that has no answer whatever the numbers: two conditions that determine the same thing, or one
+    /// that says what the given constants say already.
+    ///
+    /// # Errors
+    /// [`IllPosed`] names the keys. What depends on the numbers shows only in solving, as a singular system.
+    pub fn check(&self, model: &Model) -> Result<(), IllPosed> {
+        let usual = |constant: Constant| constant.index() < Constant::UNKNOWN;
+        for (at, swap) in self.swaps.iter().enumerate() {
+            let before = self.swaps.get(..at).unwrap_or_default();
+            if usual(swap.free) || before.iter().any(|other| other.free == swap.free) {
+                return Err(IllPosed::Unknown { constant: swap.free.label() });
+            }
+            if let Known::Constant(constant) = swap.known
+                && (!usual(constant) || before.iter().any(|other| other.known == swap.known))
+            {
+                return Err(IllPosed::Given { constant: constant.label() });
+            }
+            if !swap.value.is_finite() {
+                return Err(IllPosed::Value { name: swap.known.name(), value: swap.value });
+            }
+        }
+        let Some(kernels) = Kernels::of(model).filter(|_| !self.swaps.is_empty()) else { return Ok(()) };
+        let free = self.swaps.iter().map(|swap| swap.free.label()).collect();
+        match dependence(&kernels, self) {
+            Some(names) => Err(IllPosed::Dependent { names, free }),
+            None => Ok(()),
+        }
+    }
+}
+
 /// Those of the given constants and prescribed outputs that depend on each other; `None` if all are independent.
-pub(super) fn dependence(kernels: &Kernels, question: &Question) -> Option<Vec<String>> {
+fn dependence(kernels: &Kernels, question: &Question) -> Option<Vec<String>> {
     let point = Point::generic(kernels.boundary);
     let mut rows: Vec<(Option<String>, Vec<f64>)> =
         point.gradients(kernels.boundary).into_iter().map(|gradient| (None, gradient)).collect();

@@ -1,6 +1,6 @@
 //! From a question to a solution, from nothing.
 
-use solver::continuation::{Followed, PathOptions, Ramp, follow};
+use solver::continuation::{PathOptions, Ramp, follow};
 use solver::{Guess, Options, Order, Solution, Stats};
 
 use super::approach::approach;
@@ -9,6 +9,7 @@ use super::constants::{Constant, Constants};
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
+use super::solved::{Solved, accepted};
 use super::start;
 use crate::case::{Model, Resolved};
 
@@ -50,28 +51,6 @@ impl SolveOptions {
     /// For the solver.
     pub(super) fn solver(&self) -> Options {
         Options { tolerance: self.tolerance, order: self.order, ..Options::default() }
-    }
-}
-
-/// A solved drive.
-#[derive(Debug, Clone)]
-pub struct Solved {
-    /// What was asked.
-    pub question: Question,
-    /// The problem.
-    pub belt: Belt,
-    /// Its solution.
-    pub solution: Solution,
-    /// Work over all continuation steps.
-    pub stats: Stats,
-    /// Continuation steps in all.
-    pub continuation_steps: usize,
-}
-
-impl Solved {
-    /// A constant of the drive, given or found; SI.
-    pub fn constant(&self, constant: Constant) -> f64 {
-        self.solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
     }
 }
 
@@ -229,9 +208,4 @@ fn climb(
         found = Some(solution.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?);
     }
     found.map(|solution| (solution, stats, steps)).ok_or(Failure::NoEquations)
-}
-
-/// Steps that were accepted.
-pub(super) fn accepted(followed: &Followed) -> usize {
-    followed.steps.iter().filter(|step| step.accepted).count()
 }

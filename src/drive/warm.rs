@@ -10,7 +10,8 @@ use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::predict::predicted;
 use super::question::Question;
-use super::solve::{ROUGH_TOLERANCE, SolveOptions, Solved};
+use super::solve::{ROUGH_TOLERANCE, SolveOptions};
+use super::solved::Solved;
 use crate::case::{Model, Resolved};
 
 // What a warm start may cost; beyond it, a cold start is the shorter way.

@@ -1,9 +1,11 @@
 //! One direction of the grid: a key, or several that go together, with their values.
 
 use super::error::StudyError;
-use super::plan::MAX_POINTS;
 use crate::case::{Case, CaseError, Key, Kind, Setting};
 use crate::quantity;
+
+/// Points of a grid that is still believed to be meant.
+pub const MAX_POINTS: usize = 1_000_000;
 
 /// Points of a range whose number is not given.
 pub const DEFAULT_POINTS: usize = 11;

@@ -31,12 +31,12 @@ mod run;
 pub mod thesis;
 mod write;
 
-pub use axis::{Axis, DEFAULT_POINTS};
+pub use axis::{Axis, DEFAULT_POINTS, MAX_POINTS};
 pub use error::StudyError;
 pub use file::StudyFile;
 pub use journal::{Journal, JournalError};
 pub use parquet::write_parquet;
-pub use plan::{MAX_POINTS, Point, Study};
+pub use plan::{Point, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
 pub use run::{each, run, table, tables};
 pub use write::{Format, write_csv, write_json};

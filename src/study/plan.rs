@@ -1,13 +1,10 @@
 //! The grid: which case stands at which point.
 
-use super::axis::Axis;
+use super::axis::{Axis, MAX_POINTS};
 use super::error::StudyError;
 use crate::case::{Case, CaseError, Key, Problem, Resolved, Setting};
 use crate::drive::SolveOptions;
 use std::ops::Range;
-
-/// Points of a grid that is still believed to be meant.
-pub const MAX_POINTS: usize = 1_000_000;
 
 /// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
 /// start of the first hardly counts.

@@ -3,8 +3,7 @@
 use eqgen::Error;
 use eqgen::derive::solve_linear;
 use eqgen::emit::{self, Provenance, SourceFile};
-use eqgen::physics::boundary::BoundaryModel;
-use eqgen::physics::edition::{Model, RegionModel};
+use eqgen::physics::model::{BoundaryModel, Model, RegionModel};
 use eqgen::physics::notation::{Row, Symbol};
 use eqgen::plan::{Plan, read};
 

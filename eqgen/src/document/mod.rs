@@ -12,8 +12,8 @@ use crate::derive::{linear_in, linearise};
 use crate::emit::SourceFile;
 use crate::error::Error;
 use crate::physics::beam::{Bending, SMALL, Shear};
-use crate::physics::boundary::BoundaryModel;
-use crate::physics::edition::{EDITIONS, Edition, RegionModel};
+use crate::physics::edition::{EDITIONS, Edition};
+use crate::physics::model::{BoundaryModel, RegionModel};
 use crate::physics::{beam, contact, kinematics, notation, span, string};
 use crate::plan::{Definition, Guard, Origin, Step, read};
 

@@ -8,7 +8,7 @@ use super::import::Import;
 use super::jacobian::{Jacobian, jacobian};
 use super::{Emitted, pairs, symbols};
 use crate::error::Error;
-use crate::physics::boundary::BoundaryModel;
+use crate::physics::model::BoundaryModel;
 
 /// Emits residuals and their derivatives in all ends, integrals and constants.
 ///

@@ -18,7 +18,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::error::Error;
-use crate::physics::edition::Model;
+use crate::physics::model::Model;
 use crate::physics::notation;
 
 /// A kernel as tokens.

@@ -8,7 +8,7 @@ use super::import::Import;
 use super::jacobian::{Jacobian, jacobian};
 use super::{Emitted, pairs, symbols};
 use crate::error::Error;
-use crate::physics::edition::RegionModel;
+use crate::physics::model::RegionModel;
 use crate::physics::notation;
 
 /// Emits value, Jacobian, full Jacobian and fields.

@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomView};
 
 use super::SourceFile;
 use crate::error::Error;
-use crate::physics::edition::Model;
+use crate::physics::model::Model;
 use crate::plan::{Definition, Function, Plan};
 
 /// The file of that name, with the twins of those kernels.

@@ -7,6 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::beam::{Bending, Shear};
 use super::kinematics::SLOPE;
+use super::model::BoundaryModel;
 use super::{contact, notation, span, string};
 use crate::derive::substitute;
 use crate::dimension::{Dimension, Dimensions};
@@ -22,25 +23,6 @@ pub enum Ends {
     Continuous,
     /// Zero as Appendix D prints it: without Φ, and with the entry's x' at the primary's exit.
     AsPrinted,
-}
-
-/// A set of boundary equations, ready to be emitted.
-#[derive(Debug, Clone)]
-pub struct BoundaryModel {
-    /// Name of the kernel.
-    pub name: String,
-    /// What it is.
-    pub doc: String,
-    /// How everything is computed; each equation is a step of its own name.
-    pub plan: Plan,
-    /// Ends: region by region, all entry states, then all exit states.
-    pub ends: Vec<notation::Symbol>,
-    /// Integrals, region by region.
-    pub integrals: Vec<notation::Symbol>,
-    /// Constants of the drive.
-    pub constants: Vec<notation::Symbol>,
-    /// Name and meaning of the equations.
-    pub equations: Vec<(String, String)>,
 }
 
 /// Constants of the drive, in order; the first eight are usually unknown.

@@ -1,10 +1,10 @@
 //! The belt in a pulley's groove: five states along the wrap angle.
 
 use super::beam::{Shear, add_bending};
-use super::edition::RegionModel;
 use super::energy::add_contact_integrands;
 use super::friction::{Law, add_friction, add_loads};
 use super::kinematics::{SLOPE, add_sliding, add_stretch};
+use super::model::RegionModel;
 use symbolica::atom::AtomCore;
 
 use crate::derive::{Linear, linear_in};

@@ -1,55 +1,13 @@
 //! Which choices make an edition, and the kernels that all editions together need.
 
 use super::beam::Shear;
-use super::boundary::{self, Belt, BoundaryModel, Ends};
+use super::boundary::{self, Belt, Ends};
 use super::contact;
 use super::friction::Law;
+use super::model::{BoundaryModel, Model, RegionModel};
 use super::span::{self, Equations};
 use super::{outputs, string};
 use crate::error::Error;
-use crate::plan::Plan;
-
-/// One region, ready to be emitted.
-#[derive(Debug, Clone)]
-pub struct RegionModel {
-    /// Name of the kernel.
-    pub name: String,
-    /// What it is.
-    pub doc: String,
-    /// How everything is computed.
-    pub plan: Plan,
-    /// States.
-    pub states: &'static [&'static str],
-    /// Constants.
-    pub constants: &'static [&'static str],
-    /// How many leading constants are usually unknown.
-    pub usual: usize,
-    /// Integrals.
-    pub integrals: &'static [&'static str],
-    /// Symbols of the plan that are the right-hand side and the integrands.
-    pub rows: &'static [&'static str],
-    /// Symbols of the plan that are derived fields.
-    pub fields: &'static [&'static str],
-}
-
-/// A kernel to emit.
-#[derive(Debug, Clone)]
-pub enum Model {
-    /// A region.
-    Region(RegionModel),
-    /// A set of boundary equations.
-    Boundary(BoundaryModel),
-}
-
-impl Model {
-    /// Name of the kernel.
-    pub fn name(&self) -> &str {
-        match self {
-            Model::Region(model) => &model.name,
-            Model::Boundary(model) => &model.name,
-        }
-    }
-}
 
 /// Choices that together make one model of the drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,6 +8,7 @@ pub mod edition;
 pub mod energy;
 pub mod friction;
 pub mod kinematics;
+pub mod model;
 pub mod notation;
 pub mod outputs;
 pub mod small;

@@ -1,6 +1,7 @@
 //! What a drive is asked for: every output that is a function of ends, integrals and constants, with its derivatives.
 
-use super::boundary::{Belt, BoundaryModel, CONSTANTS, end_symbols, integral_symbols};
+use super::boundary::{Belt, CONSTANTS, end_symbols, integral_symbols};
+use super::model::BoundaryModel;
 use super::notation;
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;

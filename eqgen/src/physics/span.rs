@@ -2,9 +2,9 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::edition::RegionModel;
 use super::energy::add_span_integrands;
 use super::kinematics::add_stretch;
+use super::model::RegionModel;
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
 use crate::plan::{Plan, read};

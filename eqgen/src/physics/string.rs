@@ -4,10 +4,10 @@
 //! without effect, moment and shear vanish.
 
 use super::contact::{self, TANGENTIAL_MOMENTUM, add_fields, add_path};
-use super::edition::RegionModel;
 use super::energy::{add_contact_integrands, add_span_integrands};
 use super::friction::{Law, add_friction, add_loads};
 use super::kinematics::{add_sliding, add_stretch};
+use super::model::RegionModel;
 use super::span;
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;

@@ -1,9 +1,10 @@
 //! Solving what Newton's iteration cannot solve from the guess.
 
-use super::branch::{BranchOptions, PointKind, trace_observed};
+use super::branch::{BranchOptions, PointKind};
 use super::homotopy::Homotopy;
 use super::natural::{PathError, PathOptions, follow_observed};
 use super::path::Ramp;
+use super::trace::trace_observed;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::observer::{Observer, Silent};

@@ -1,13 +1,8 @@
-//! Tracing a branch of solutions through folds, in one constant, by pseudo-arclength; folds and events are located.
+//! A branch of solutions in one constant: what its points are, and how it is traced.
 
-use super::checkpoint::Checkpoint;
 use super::natural::positive;
-use super::tracer::Tracer;
 use crate::error::SolveError;
-use crate::guess::Guess;
-use crate::observer::{Observer, Silent};
 use crate::options::Options;
-use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::stats::Stats;
 use thiserror::Error;
@@ -127,55 +122,3 @@ pub struct BranchError {
 
 /// A function of a solution whose zeros along the branch are located.
 pub type EventFunction<'a> = &'a dyn Fn(&Solution) -> f64;
-
-/// Solves at the start's value of the constant `parameter` and traces the branch from there.
-///
-/// To go on in another constant from any point, call this again with [`Guess::from`] its solution.
-///
-/// # Errors
-/// [`BranchError`] holds the points up to where it was lost.
-pub fn trace<P: Problem + ?Sized>(
-    problem: &P,
-    start: &Guess,
-    parameter: usize,
-    unknowns: &[usize],
-    options: &BranchOptions,
-    events: &[EventFunction<'_>],
-) -> Result<Branch, BranchError> {
-    trace_observed(problem, start, parameter, unknowns, options, events, &mut Silent)
-}
-
-/// As [`trace`], watched by an observer that may cancel it.
-///
-/// # Errors
-/// As [`trace`].
-pub fn trace_observed<P: Problem + ?Sized>(
-    problem: &P,
-    start: &Guess,
-    parameter: usize,
-    unknowns: &[usize],
-    options: &BranchOptions,
-    events: &[EventFunction<'_>],
-    observer: &mut dyn Observer,
-) -> Result<Branch, BranchError> {
-    Tracer::new(&problem, parameter, unknowns, options, events, observer)
-        .run(|tracer| Ok((tracer.first(start)?, 0.0, options.first_step)))
-}
-
-/// Goes on from a checkpoint of an earlier tracing of the same branch, at folds too. The points begin with the
-/// checkpoint's.
-///
-/// # Errors
-/// As [`trace`].
-pub fn resume_trace<P: Problem + ?Sized>(
-    problem: &P,
-    from: &Checkpoint,
-    parameter: usize,
-    unknowns: &[usize],
-    options: &BranchOptions,
-    events: &[EventFunction<'_>],
-    observer: &mut dyn Observer,
-) -> Result<Branch, BranchError> {
-    Tracer::new(&problem, parameter, unknowns, options, events, observer)
-        .run(|tracer| Ok((tracer.resumed(from)?, from.position, from.step)))
-}

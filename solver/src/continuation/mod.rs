@@ -12,13 +12,13 @@ mod checkpoint;
 mod homotopy;
 mod natural;
 mod path;
+mod trace;
 mod tracer;
 
 pub use arclength::Direction;
 pub use automatic::{Automatic, How, Stiffness, solve_automatically, solve_automatically_observed};
-pub use branch::{
-    Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind, resume_trace, trace, trace_observed,
-};
+pub use branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
 pub use checkpoint::{Checkpoint, CheckpointError, Saved};
 pub use natural::{Followed, PathError, PathOptions, StepRecord, follow, follow_observed, resume_follow};
 pub use path::{Path, Ramp};
+pub use trace::{resume_trace, trace, trace_observed};

@@ -10,7 +10,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::{Row, Sheet};
 use crate::derive::{Quadratic, linear_in, quadratic_in, solve_linear, substitute};
 use crate::error::Error;
-use crate::physics::boundary::BoundaryModel;
+use crate::physics::model::BoundaryModel;
 use crate::plan::{Function, read};
 
 /// Speeds, torques, forces, v_0, then the drive.

@@ -4,8 +4,7 @@ pub mod drive;
 pub mod pulley;
 pub mod sizing;
 
-use super::boundary::BoundaryModel;
-use super::edition::Model;
+use super::model::{BoundaryModel, Model};
 use super::notation::Symbol;
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;

@@ -6,7 +6,7 @@ use symbolica::atom::AtomCore;
 use super::{Row, Sheet};
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
-use crate::physics::boundary::BoundaryModel;
+use crate::physics::model::BoundaryModel;
 use crate::plan::{Function, read};
 
 const INPUTS: &[Row] = &[

@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::{Row, Sheet};
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
-use crate::physics::boundary::BoundaryModel;
+use crate::physics::model::BoundaryModel;
 use crate::plan::read;
 
 const INPUTS: &[Row] = &[

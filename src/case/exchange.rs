@@ -1,12 +1,9 @@
 //! Any given constant unknown, and any output prescribed in its place: `belt.bending_stiffness for efficiency.overall = 0.96`.
 
-use super::error::{CaseError, Place, Problem, Source};
-use super::file::Case;
 use super::keys::Key;
 use crate::drive::{Constant, Output};
 use crate::quantity::{self, Dimension};
 use std::fmt;
-use std::sync::Arc;
 
 /// A constant that is found, and the output that is prescribed in its place.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,30 +24,8 @@ impl fmt::Display for Exchange {
     }
 }
 
-impl Case {
-    /// Makes a constant unknown and prescribes an output, from a text such as
-    /// `belt.bending_stiffness for efficiency.overall = 0.96`. The constant's own key says where the search starts.
-    ///
-    /// # Errors
-    /// [`Problem::Swap`].
-    pub fn swap(&mut self, text: &str) -> Result<(), CaseError> {
-        let source = Arc::new(Source { name: "--swap".into(), text: text.into() });
-        let whole = 0..text.len();
-        self.add_swap(text, Place { source, key: whole.clone(), value: whole })
-    }
-
-    pub(super) fn add_swap(&mut self, text: &str, place: Place) -> Result<(), CaseError> {
-        match read(text) {
-            Ok(exchange) => {
-                self.swaps.push((exchange, place));
-                Ok(())
-            }
-            Err(reason) => Err(CaseError::new(Problem::Swap { text: text.into(), reason }, [place])),
-        }
-    }
-}
-
-fn read(text: &str) -> Result<Exchange, String> {
+/// From `KEY for OUTPUT = VALUE`, or what is wrong with it.
+pub(super) fn read(text: &str) -> Result<Exchange, String> {
     let form = || "expected KEY for OUTPUT = VALUE, such as `belt.bending_stiffness for efficiency.overall = 0.96`";
     let (what, value) = text.split_once('=').ok_or_else(form)?;
     let (path, output) = what.split_once(" for ").ok_or_else(form)?;
