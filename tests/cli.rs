@@ -121,6 +121,14 @@ fn a_solved_case_is_one_object() {
 }
 
 #[test]
+fn warnings_go_to_standard_error() {
+    let published = sheave(&["solve", "--json", "--tol", "1e-3", "--edition", "published"]);
+    assert_eq!((status(&published), &object(&published)["converged"]), (0, &Value::Bool(true)));
+    assert!(stderr(&published).contains("Energy is not conserved"), "{}", stderr(&published));
+    assert_eq!(stderr(&sheave(&["solve", "--json", "--tol", "1e-3"])), "");
+}
+
+#[test]
 fn a_solved_case_is_summed_up() {
     let output = sheave(&["solve", "--tol", "1e-3", "--edition", "thesis", "-v"]);
     assert_eq!(status(&output), 0, "{output:?}");

@@ -53,7 +53,7 @@ fn warned(settings: &[(&str, &str)]) -> Vec<String> {
     let mut case = Case::base();
     settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
     let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
-    report::warnings(&run(&case.resolve().unwrap(), &options).unwrap())
+    sheave::result::warnings(&run(&case.resolve().unwrap(), &options).unwrap())
 }
 
 #[test]

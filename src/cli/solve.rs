@@ -7,7 +7,7 @@ use clap::Args;
 use serde::Serialize;
 use sheave::case::{CaseError, Resolved};
 use sheave::drive::{Failure, SolveOptions};
-use sheave::result::{Outcome, SCHEMA, run as solve, summary, write_profile};
+use sheave::result::{Outcome, SCHEMA, run as solve, summary, warnings, write_profile};
 use solver::Order;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -66,6 +66,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 
 impl Arguments {
     fn deliver(&self, outcome: &Outcome) -> Result<(), Stop> {
+        for warning in warnings(outcome) {
+            tracing::warn!("{warning}");
+        }
         if self.json {
             return output::print(&output::json(&outcome.result)?);
         }

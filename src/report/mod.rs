@@ -5,5 +5,5 @@ mod page;
 mod reproduction;
 
 pub use loss::{LossSplit, Mechanisms, losses};
-pub use page::{document, page, warnings};
+pub use page::{document, page};
 pub use reproduction::{REPRODUCED, Reproduction};

@@ -3,15 +3,8 @@
 use super::loss::{LossSplit, Mechanisms, losses};
 use crate::case::Setting;
 use crate::plot::{Figure, PlotError};
-use crate::result::{Outcome, Pulley};
+use crate::result::{Outcome, Pulley, warnings};
 use std::fmt::Write;
-
-/// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
-const LITTLE_ADHESION: f64 = 0.02;
-/// Share of the power that may go missing before it is said.
-const IMBALANCE: f64 = 0.01;
-/// Share of the belt's length by which the drive's may differ before it is said.
-const LENGTH_ERROR: f64 = 0.005;
 
 const STYLE: &str = "\
 :root{color-scheme:light dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}\
@@ -25,55 +18,6 @@ sub{font-size:.72em;line-height:0}ul.warn{padding-left:1.2em}.warn{color:var(--w
 figure{margin:0}figure svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
 figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);gap:1em}\
 .beside b{color:var(--soft)}@media print{body{margin:0}figure{break-inside:avoid}}";
-
-/// What a careful reader of the result would want to know first; nothing for a healthy drive.
-pub fn warnings(outcome: &Outcome) -> Vec<String> {
-    let result = &outcome.result;
-    let mut said = Vec::new();
-    let threshold = result.inputs.sheave.slip_threshold;
-    if result.primary.adhesion_fraction < LITTLE_ADHESION && result.secondary.adhesion_fraction < LITTLE_ADHESION {
-        let slowest = result.primary.min_sliding_speed.min(result.secondary.min_sliding_speed);
-        said.push(format!(
-            "Little slip reserve: the belt adheres on neither pulley (slowest sliding {:.2e} m/s, threshold {threshold:.0e} m/s). \
-             More clamping brings adhesion back.",
-            slowest
-        ));
-    }
-    for (name, region) in
-        [("primary", crate::drive::RegionId::Primary), ("secondary", crate::drive::RegionId::Secondary)]
-    {
-        let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "x");
-        let part = outcome.solved.solution.regions().get(region.index());
-        let x = at.and_then(|at| Some(part?.state(at))).unwrap_or_default();
-        let lowest = x.iter().copied().fold(0.0, f64::min);
-        let deepest = x.iter().copied().fold(0.0, f64::max);
-        if lowest < -1e-3 * deepest {
-            said.push(format!(
-                "Negative penetration on the {name}: down to {:.4} mm, where the groove would have to pull the belt in.",
-                1e3 * lowest
-            ));
-        }
-    }
-    let (belt, length) = (&result.belt, result.inputs.belt.length);
-    if belt.length_error.abs() > LENGTH_ERROR * length {
-        said.push(format!(
-            "The belt does not fit: this drive needs {:.1} mm, the belt has {:.1} mm unstretched.",
-            1e3 * belt.unstretched_length,
-            1e3 * length
-        ));
-    }
-    let imbalance = result.energy.imbalance;
-    if imbalance.abs() > IMBALANCE {
-        said.push(format!(
-            "Energy is not conserved: {:.1} W of {:.1} W in ({:.1} %) go where no friction explains it; this is the \
-             edition's doing.",
-            imbalance * result.energy.power_in,
-            result.energy.power_in,
-            100.0 * imbalance
-        ));
-    }
-    said
-}
 
 /// The report of a solution with its figures: one HTML page that needs nothing else.
 ///

@@ -5,6 +5,7 @@ mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
+mod warnings;
 
 use std::time::Instant;
 
@@ -13,6 +14,7 @@ pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
+pub use warnings::warnings;
 
 use crate::case::Resolved;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};

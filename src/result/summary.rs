@@ -52,7 +52,8 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         energy.friction_loss,
         if energy.stretch_work < 0.0 { '−' } else { '+' },
         energy.stretch_work.abs(),
-        percent(energy.closure),
+        // To four places, without the sign of a zero.
+        (1e4 * percent(energy.closure)).round() / 1e4 + 0.0,
     );
     let _ = writeln!(
         text,
