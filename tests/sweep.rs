@@ -192,6 +192,13 @@ fn interrupted(folder: &Path, grid: &[&str], signal: &str, whole: &[u8]) {
     assert_eq!(other.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&other.stderr).contains("another study"));
 
+    // What has been solved is kept even if it is not asked for.
+    let (copy, torn) = (folder.join("again.csv"), std::fs::read(&journal).unwrap());
+    std::fs::copy(&journal, folder.join("again.csv.journal")).unwrap();
+    let again = sweep(&["--over", "drive.ratio=0.8,1.3", "--out", copy.to_str().unwrap()]);
+    assert!(again.status.success() && String::from_utf8_lossy(&again.stderr).contains("--resume completes"));
+    assert_eq!(std::fs::read(folder.join("again.csv.journal.old")).unwrap(), torn);
+
     assert_eq!(written(&out, &[grid, &["--resume"]].concat()), whole);
     assert!(!journal.exists());
     // Without a journal it is begun anew.

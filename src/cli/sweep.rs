@@ -46,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let jobs = arguments.jobs.map(NonZeroUsize::get);
     match &arguments.out {
         None => {
-            let progress = progress(study.points(), 0);
+            let progress = progress(study.points(), 0, "");
             let rows = Mutex::new(sheave::study::TableBuilder::new(study.points()));
             sheave::study::run(
                 &study,
@@ -84,7 +84,12 @@ impl Arguments {
         let mut name = out.as_os_str().to_owned();
         name.push(".journal");
         let path = PathBuf::from(name);
-        let journal = if self.resume { Journal::resume(&path, study) } else { Journal::begin(&path, study) };
+        let journal = if self.resume {
+            Journal::resume(&path, study)
+        } else {
+            set_aside(&path)?;
+            Journal::begin(&path, study)
+        };
         journal.map_err(|error| match error {
             JournalError::System { path, error } => Stop::Write(path, error),
             other => Stop::Usage(other.to_string()),
@@ -92,10 +97,25 @@ impl Arguments {
     }
 }
 
+/// Keeps the journal of a sweep that was ended before, which would be overwritten.
+fn set_aside(path: &Path) -> Result<(), Stop> {
+    let mut old = path.as_os_str().to_owned();
+    old.push(".old");
+    match std::fs::rename(path, &old) {
+        Ok(()) => {
+            let (path, old) = (path.display(), Path::new(&old).display());
+            tracing::warn!("{path} of a sweep that was ended before is now {old}; --resume completes such a one");
+            Ok(())
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(Stop::Write(path.display().to_string(), error)),
+    }
+}
+
 /// Solves what the journal does not have; gives the table and the journal that is no longer needed.
 fn fill(journal: Journal, study: &Study, jobs: Option<usize>) -> Result<(Table, PathBuf), Stop> {
     let there: Vec<bool> = (0..study.points()).map(|index| journal.rows().has(index)).collect();
-    let progress = progress(study.points(), journal.rows().len());
+    let progress = progress(study.points(), journal.rows().len(), "; Ctrl-C, then --resume");
     let journal = Mutex::new(journal);
     let keep = |row: Row| -> io::Result<()> {
         journal.lock().unwrap_or_else(PoisonError::into_inner).add(row)?;
@@ -126,11 +146,11 @@ fn deliver(table: &Table, out: Option<&Path>) -> Result<(), Stop> {
 }
 
 /// On standard error, and only for people to see.
-fn progress(points: usize, done: usize) -> ProgressBar {
+fn progress(points: usize, done: usize, hint: &str) -> ProgressBar {
     let target = if io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
     let bar = ProgressBar::with_draw_target(Some(points as u64), target).with_position(done as u64);
     bar.reset_eta();
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} points, {per_sec}, {eta} left") {
+    match ProgressStyle::with_template(&format!("{{bar:20}} {{pos}}/{{len}} points, {{per_sec}}, {{eta}} left{hint}")) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
