@@ -5,7 +5,9 @@
 //! directory; who has to wait says so on standard error.
 
 use std::fs::{File, TryLockError};
+use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, mpsc};
 
 use crate::error::Error;
@@ -76,9 +78,9 @@ fn start() -> Result<Mutex<mpsc::Sender<Job>>, String> {
 
 /// The lock that lets one process on the machine at Symbolica; held until the process ends.
 fn machine_lock() -> Result<File, String> {
-    let path = std::env::temp_dir().join(LOCK_FILE);
-    let describe = |error: std::io::Error| format!("lock file {}: {error}", path.display());
-    let file = File::options().create(true).truncate(false).write(true).open(&path).map_err(describe)?;
+    let folder = std::env::temp_dir();
+    let (file, path) = lock_file(&folder).map_err(|error| format!("lock file in {}: {error}", folder.display()))?;
+    let describe = |error: io::Error| format!("lock file {}: {error}", path.display());
     match file.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
@@ -89,4 +91,53 @@ fn machine_lock() -> Result<File, String> {
         Err(TryLockError::Error(error)) => return Err(describe(error)),
     }
     Ok(file)
+}
+
+/// The lock file, which another user may have made: reading it is enough to lock it. If even that is denied, one of this
+/// user's own, as Symbolica counts instances by user.
+fn lock_file(folder: &Path) -> io::Result<(File, PathBuf)> {
+    let shared = folder.join(LOCK_FILE);
+    match open_or_create(&shared) {
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => {
+            let user = ["USER", "LOGNAME"].iter().find_map(|name| std::env::var(name).ok()).unwrap_or_default();
+            let user: String = user.chars().filter(char::is_ascii_alphanumeric).collect();
+            let own = folder.join(format!("{user}-{LOCK_FILE}"));
+            open_or_create(&own).map(|file| (file, own))
+        }
+        opened => opened.map(|file| (file, shared)),
+    }
+}
+
+fn open_or_create(path: &Path) -> io::Result<File> {
+    match File::open(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        opened => return opened,
+    }
+    match File::create_new(path) {
+        // Another process was faster.
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => File::open(path),
+        created => created,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LOCK_FILE, lock_file};
+
+    #[test]
+    fn a_lock_file_that_cannot_be_written_locks() {
+        let folder = std::env::temp_dir().join(format!("sheave-lock-{}", std::process::id()));
+        std::fs::create_dir(&folder).unwrap();
+        let (first, path) = lock_file(&folder).unwrap();
+        assert_eq!(path, folder.join(LOCK_FILE));
+        let mut permissions = std::fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        std::fs::set_permissions(&path, permissions).unwrap();
+        let (second, _) = lock_file(&folder).unwrap();
+        first.try_lock().unwrap();
+        assert!(second.try_lock().is_err());
+        drop(first);
+        second.try_lock().unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 }
