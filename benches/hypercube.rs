@@ -1,4 +1,4 @@
-//! A Latin hypercube of 2,000 designs, every edition, each from a cold start: the share solved, and of the others whether
+//! A Latin hypercube of 2,000 designs, in three editions or those named, each from a cold start: the share solved, and of the others whether
 //! they have a solution at all, which their slip limit tells. `cargo bench --bench hypercube [-- DESIGNS EDITION ...]`.
 
 use sheave::case::{Case, Resolved};

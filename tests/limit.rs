@@ -184,6 +184,7 @@ fn maps_are_tables_with_figures() {
     for figure in limit_figures(&study, &limit).into_iter().chain(optimum_figures(&study, &best)) {
         assert_eq!(figure.series.len(), 2);
         assert!(figure.series.iter().all(|series| series.points.iter().all(|(x, y)| x.is_finite() && y.is_finite())));
+        assert!(figure.series.iter().any(|series| series.label == "M_{in} = 10 N·m"));
         assert!(figure.svg().unwrap().contains(" = 10 N·m"));
     }
 }

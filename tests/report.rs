@@ -16,25 +16,26 @@ fn browser() -> Option<PathBuf> {
 /// Whether the browser opens anything at all here.
 fn runs(browser: &Path) -> bool {
     let profile = tempfile::tempdir().unwrap();
+    let mut command = headless(browser, profile.path());
+    command
+        .args(["--dump-dom", "data:text/html,<p>here</p>"])
+        .output()
+        .is_ok_and(|output| output.status.success() && !output.stdout.is_empty())
+}
+
+/// A browser without a window, with a profile of its own.
+fn headless(browser: &Path, profile: &Path) -> Command {
     let mut command = Command::new(browser);
-    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--dump-dom"]);
-    command.arg(format!("--user-data-dir={}", profile.path().display())).arg("data:text/html,<p>here</p>");
-    command.output().is_ok_and(|output| output.status.success() && !output.stdout.is_empty())
+    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]);
+    command.arg(format!("--user-data-dir={}", profile.display()));
+    command
 }
 
 /// Opens a page without a network; what the browser says, the page's console included, is on standard error.
 fn open(browser: &Path, profile: &Path, page: &Path, arguments: &[String]) -> Output {
-    let mut command = Command::new(browser);
-    command.args([
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--disable-dev-shm-usage",
-        "--hide-scrollbars",
-        "--window-size=1280,3000",
-    ]);
-    command.args(["--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr"]);
-    command.arg(format!("--user-data-dir={}", profile.display())).args(arguments);
+    let mut command = headless(browser, profile);
+    command.args(["--hide-scrollbars", "--window-size=1280,3000"]);
+    command.args(["--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr"]).args(arguments);
     command.arg(format!("file://{}", page.display())).output().unwrap()
 }
 

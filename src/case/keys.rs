@@ -227,10 +227,11 @@ impl Entry {
 
     /// A value in SI as people read it: the number, and its unit as it is printed.
     pub fn readable(&self, si: f64) -> (f64, String) {
-        match self.kind {
-            Kind::Quantity { unit, .. } => (unit.from_si(si), unit.printed()),
-            Kind::Choice { .. } => (si, String::new()),
-        }
+        let number = match self.kind {
+            Kind::Quantity { unit, .. } => unit.from_si(si),
+            Kind::Choice { .. } => si,
+        };
+        (number, self.printed_unit())
     }
 
     /// What a curve at a value in SI is called in a figure: `M_{in} = 18 N·m`.
@@ -242,11 +243,16 @@ impl Entry {
 
     /// What an axis of a figure is called: `slack tension T_{slack} (N)`.
     pub fn axis_label(&self) -> String {
-        let unit = match self.kind {
-            Kind::Quantity { unit, .. } if !unit.symbol.is_empty() => format!(" ({})", unit.printed()),
-            _ => String::new(),
-        };
+        let unit = self.printed_unit();
+        let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
         format!("{} {}{unit}", self.name().replace('_', " "), self.marked_symbol())
+    }
+
+    fn printed_unit(&self) -> String {
+        match self.kind {
+            Kind::Quantity { unit, .. } => unit.printed(),
+            Kind::Choice { .. } => String::new(),
+        }
     }
 
     /// A value that could be written in a case file.

@@ -9,6 +9,7 @@ use sheave::case::Resolved;
 use sheave::design::{
     ClampLimits, Kind, Limit, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
 };
+use sheave::quantity::unsigned_zero;
 use sheave::result::SCHEMA;
 use std::fmt::Write;
 
@@ -90,11 +91,10 @@ fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
             "the limit lies beyond: no solution was found farther on (-v says why)".to_owned()
         }
     };
-    // Adding zero takes the sign from a zero.
-    let efficiency = (1e3 * limit.state.speed_efficiency).round() / 10.0 + 0.0;
+    let efficiency = format!("{:.1}", 100.0 * limit.state.speed_efficiency);
+    let efficiency = unsigned_zero(&efficiency);
     // Writing to a string cannot fail.
-    let _ =
-        writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency:.1} % speed efficiency: {kind}", limit.value);
+    let _ = writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency} % speed efficiency: {kind}", limit.value);
 }
 
 fn share(text: &str) -> Result<f64, String> {

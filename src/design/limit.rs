@@ -114,7 +114,8 @@ pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(Clamp
     Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
 }
 
-/// The case with a slack tension at which its torque is carried, and the drive there.
+/// The case with a slack tension at which its torque is carried, and the drive there. If it is carried at none that is
+/// tried, the failure at the first is told: the case's own clamp, where that is tight enough to begin with.
 pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolved, Solved), DesignError> {
     let point = &case.operating_point;
     if let Load::SpeedRatio(_) | Load::SecondarySpeed(_) = point.load {

@@ -15,6 +15,16 @@ mod unit;
 pub use dimension::Dimension;
 pub use unit::{Scale, Unit, symbols};
 
+/// A number as it is written, without the minus sign if all its digits are zero.
+///
+/// ```
+/// use sheave::quantity::unsigned_zero;
+/// assert_eq!([unsigned_zero("-0.00 W"), unsigned_zero("-0.01 W")], ["0.00 W", "-0.01 W"]);
+/// ```
+pub fn unsigned_zero(text: &str) -> &str {
+    text.strip_prefix('-').filter(|number| !number.chars().any(|c| c.is_ascii_digit() && c != '0')).unwrap_or(text)
+}
+
 /// A number with its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {

@@ -3,6 +3,7 @@
 use super::loss::{LossSplit, Mechanisms, losses};
 use crate::case::Setting;
 use crate::plot::{Figure, PlotError};
+use crate::quantity::unsigned_zero;
 use crate::result::{Outcome, Pulley, warnings};
 use std::fmt::Write;
 
@@ -95,11 +96,8 @@ fn headline(html: &mut String, outcome: &Outcome) {
 
 /// A number with a true minus sign, unless all its digits are zero; any other text as it is.
 pub(super) fn signed(text: &str) -> String {
-    match text.strip_prefix('-') {
-        Some(number) if number.chars().any(|c| c.is_ascii_digit() && c != '0') => format!("\u{2212}{number}"),
-        Some(number) => number.to_owned(),
-        None => text.to_owned(),
-    }
+    let text = unsigned_zero(text);
+    text.strip_prefix('-').map_or_else(|| text.to_owned(), |number| format!("\u{2212}{number}"))
 }
 
 fn row(html: &mut String, name: &str, cells: &[String], unit: &str) {
@@ -174,9 +172,8 @@ fn inputs(html: &mut String, outcome: &Outcome) {
             Setting::Name(name) => (name.to_owned(), String::new()),
         };
         let symbol = entry.marked_symbol().replace("_{", "<sub>").replace('}', "</sub>");
-        let gap = if symbol.is_empty() { "" } else { " " };
         let name = entry.name().replace('_', " ");
-        row(html, &format!("{name}{gap}{symbol}"), &[value], &unit);
+        row(html, format!("{name} {symbol}").trim_end(), &[value], &unit);
     }
     *html += "</table>";
 }

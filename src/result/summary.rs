@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::schema::{DriveResult, Pulley};
+use crate::quantity::unsigned_zero;
 
 fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
     let [primary, secondary] = values;
@@ -46,14 +47,13 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
     );
     let _ = writeln!(
         text,
-        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {:.4} % unaccounted for",
+        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {} % unaccounted for",
         energy.power_in,
         energy.power_out,
         energy.friction_loss,
         if energy.stretch_work < 0.0 { '−' } else { '+' },
         energy.stretch_work.abs(),
-        // To four places, without the sign of a zero.
-        (1e4 * percent(energy.closure)).round() / 1e4 + 0.0,
+        unsigned_zero(&format!("{:.4}", percent(energy.closure))),
     );
     let _ = writeln!(
         text,
