@@ -3,11 +3,14 @@
 //! models stand beside the full one.
 
 pub mod case;
+pub mod clock;
 pub mod design;
 pub mod drive;
 pub mod plot;
 pub mod quantity;
+#[cfg(feature = "figures")]
 pub mod report;
 pub mod result;
 pub mod small;
 pub mod study;
+mod threads;

@@ -4,7 +4,6 @@ use super::geometry::NoRadii;
 use super::keys::Key;
 use crate::drive::IllPosed;
 use crate::quantity::QuantityError;
-use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -205,8 +204,9 @@ fn keys_near(path: &str) -> String {
 
 /// A [`Problem`] with the places it is about.
 ///
-/// Displays as one line that names the key, what was given and what is expected; as a [`Diagnostic`] it underlines the
-/// place in the case file or the argument.
+/// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
+/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the place
+/// in the case file or the argument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseError(Box<Inner>);
 
@@ -233,8 +233,22 @@ impl CaseError {
         &self.0.places
     }
 
+    /// What to do about it, where there is more to say than the message says.
+    pub fn hint(&self) -> Option<String> {
+        match (&self.0.problem, self.places()) {
+            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+                let [one, other] = [one, other].map(|place| &place.source.name);
+                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
+            }
+            (Problem::Conflict { first, second, .. }, _) => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            (problem, _) => problem.advice(),
+        }
+    }
+
     /// What to underline of a place.
-    fn span(&self, place: &Place) -> Range<usize> {
+    pub fn span(&self, place: &Place) -> Range<usize> {
         match self.0.problem {
             Problem::UnknownKey { .. } => place.key.clone(),
             Problem::Conflict { .. } => place.whole(),
@@ -243,8 +257,8 @@ impl CaseError {
         }
     }
 
-    /// What to write beside the underlined text.
-    fn label(&self, index: usize) -> &'static str {
+    /// What to write beside the underlined text of the place with this number.
+    pub fn label(&self, index: usize) -> &'static str {
         match (&self.0.problem, index) {
             (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
             (Problem::UnknownKey { .. }, _) => "no such key",
@@ -277,52 +291,3 @@ impl fmt::Display for CaseError {
 }
 
 impl std::error::Error for CaseError {}
-
-impl Diagnostic for CaseError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        let advice = match (&self.0.problem, self.places()) {
-            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
-                let [one, other] = [one, other].map(|place| &place.source.name);
-                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
-            }
-            (Problem::Conflict { first, second, .. }, _) => {
-                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
-            }
-            (problem, _) => problem.advice(),
-        };
-        Some(Box::new(advice?))
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&*self.0.places.first()?.source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let first = self.0.places.first()?;
-        // One text can be shown: the one at fault.
-        let shown = self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source);
-        Some(Box::new(shown.map(|(index, place)| {
-            let span = self.span(place);
-            LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len()))
-        })))
-    }
-}
-
-impl SourceCode for Source {
-    fn read_span<'a>(
-        &'a self,
-        span: &miette::SourceSpan,
-        context_lines_before: usize,
-        context_lines_after: usize,
-    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        let contents = self.text.read_span(span, context_lines_before, context_lines_after)?;
-        Ok(Box::new(miette::MietteSpanContents::new_named(
-            self.name.clone(),
-            contents.data(),
-            *contents.span(),
-            contents.line(),
-            contents.column(),
-            contents.line_count(),
-        )))
-    }
-}

@@ -26,6 +26,8 @@
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
 
 mod choice;
+#[cfg(feature = "cli")]
+mod diagnostic;
 mod error;
 mod exchange;
 mod file;

@@ -4,13 +4,13 @@ use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
-use rayon::Scope;
+use crate::threads::{self, Scope};
 use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
@@ -164,14 +164,13 @@ struct Work<'a> {
 impl Work<'_> {
     fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
         let threads = jobs.unwrap_or(0);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|_| StudyError::Threads(threads))?;
         let work = &self;
-        pool.scope(|scope| {
+        threads::scope(threads, |scope| {
             for group in groups {
                 scope.spawn(move |scope| work.heads(scope, group));
             }
-        });
+        })
+        .map_err(|_| StudyError::Threads(threads))?;
         self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
     }
 
@@ -260,7 +259,7 @@ fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outc
 
 /// From the solutions nearby, else from nothing; counts how often in a row they were too far away.
 fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mut usize) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
     if !near.is_empty() {
         match solve_along(near, case, options) {
             Ok(solved) => {

@@ -13,6 +13,7 @@ pub enum Format {
     /// An array of objects, one a row.
     Json,
     /// Apache Parquet.
+    #[cfg(feature = "parquet")]
     Parquet,
 }
 
@@ -22,6 +23,7 @@ impl Format {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
+            #[cfg(feature = "parquet")]
             "parquet" => Some(Self::Parquet),
             _ => None,
         }
@@ -35,6 +37,7 @@ impl Format {
         match self {
             Self::Csv => write_csv(table, to),
             Self::Json => write_json(table, to),
+            #[cfg(feature = "parquet")]
             Self::Parquet => super::write_parquet(table, to),
         }
     }
