@@ -13,4 +13,5 @@ pub mod report;
 pub mod result;
 pub mod small;
 pub mod study;
+pub mod text;
 mod threads;

@@ -4,16 +4,16 @@
 mod pool {
     use rayon::prelude::*;
 
-    pub(crate) use rayon::Scope;
+    pub(crate) use rayon::ScopeFifo as Scope;
 
     /// A pool of so many threads (all cores if 0) cannot be had.
     #[derive(Debug)]
     pub(crate) struct NoThreads;
 
-    /// Runs what `begin` spawns, and what that spawns, on so many threads (0: all cores).
+    /// Runs what `begin` spawns, and what that spawns, first come, first served, on so many threads (0: all cores).
     pub(crate) fn scope<'s>(threads: usize, begin: impl FnOnce(&Scope<'s>) + Send) -> Result<(), NoThreads> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| NoThreads)?;
-        pool.scope(begin);
+        pool.scope_fifo(begin);
         Ok(())
     }
 
@@ -46,7 +46,7 @@ mod pool {
 
     impl<'s> Scope<'s> {
         /// Leaves a job for later.
-        pub(crate) fn spawn(&self, job: impl FnOnce(&Scope<'s>) + Send + 's) {
+        pub(crate) fn spawn_fifo(&self, job: impl FnOnce(&Scope<'s>) + Send + 's) {
             self.0.borrow_mut().push_back(Box::new(job));
         }
     }

@@ -1,6 +1,7 @@
 //! What is wrong with a case, shown as a diagnostic: the place underlined, and what to do about it.
 
-use super::error::{CaseError, Source};
+use super::error::{CaseError, Place, Source};
+use crate::text::printable;
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 
@@ -15,11 +16,14 @@ impl Diagnostic for CaseError {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let first = self.places().first()?;
-        // One text can be shown: the one at fault.
-        let shown = self.places().iter().enumerate().filter(|(_, place)| place.source == first.source);
-        Some(Box::new(shown.map(|(index, place)| {
-            let span = self.span(place);
-            LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len()))
+        // One text can be shown: the one at fault. Of a long line, one place in it.
+        let shown: Vec<(usize, &Place)> =
+            self.places().iter().enumerate().filter(|(_, place)| place.source == first.source).collect();
+        let cut = shown.iter().any(|(_, place)| place.source.excerpt(self.span(place).start).is_some());
+        let shown = shown.into_iter().take(if cut { 1 } else { usize::MAX });
+        Some(Box::new(shown.filter_map(|(index, place)| {
+            let span = place.source.shown(self.span(place))?;
+            Some(LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len())))
         })))
     }
 }
@@ -31,13 +35,23 @@ impl SourceCode for Source {
         context_lines_before: usize,
         context_lines_after: usize,
     ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        let contents = self.text.read_span(span, context_lines_before, context_lines_after)?;
+        // Of a text on one endless line a part is shown, and nothing that a terminal would act on.
+        let excerpt = self.excerpt(span.offset()).map(|excerpt| (excerpt.start, excerpt.len()));
+        let (span, before, after) = match &excerpt {
+            Some(excerpt) => (&(*excerpt).into(), 0, 0),
+            None => (span, context_lines_before, context_lines_after),
+        };
+        let contents = self.text.read_span(span, before, after)?;
+        let (start, length) = (contents.span().offset(), contents.span().len());
+        let data = self.shown_text().get(start..start + length).unwrap_or_default().as_bytes();
+        let name = printable(&self.name).into_owned();
+        let (line, column) = (contents.line(), contents.column());
         Ok(Box::new(miette::MietteSpanContents::new_named(
-            self.name.clone(),
-            contents.data(),
+            name,
+            data,
             *contents.span(),
-            contents.line(),
-            contents.column(),
+            line,
+            column,
             contents.line_count(),
         )))
     }

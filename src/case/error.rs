@@ -4,6 +4,7 @@ use super::geometry::NoRadii;
 use super::keys::Key;
 use crate::drive::IllPosed;
 use crate::quantity::QuantityError;
+use crate::text::{printable, printable_in_place};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -15,6 +16,52 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// The same, with nothing in it that a terminal would act on.
+    shown: String,
+}
+
+/// Bytes of a line that are shown whole.
+const WHOLE_LINE: usize = 400;
+/// Bytes that are shown of a longer one, before and from the place that is meant.
+const EXCERPT: (usize, usize) = (60, 180);
+
+impl Source {
+    /// A text with its name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
+    }
+
+    /// The whole text with nothing in it that a terminal would act on, each byte in its place.
+    pub fn shown_text(&self) -> &str {
+        &self.shown
+    }
+
+    /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
+    pub fn excerpt(&self, place: usize) -> Option<Range<usize>> {
+        let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
+        let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
+        let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
+        let after = self.text.get(end..)?.lines().nth(1).map_or(0, str::len);
+        if before.max(after).max(end - start) <= WHOLE_LINE {
+            return None;
+        }
+        let boundary = |at: usize, up: bool| {
+            let mut at = at.clamp(start, end);
+            while !self.text.is_char_boundary(at) {
+                at = if up { at + 1 } else { at - 1 };
+            }
+            at
+        };
+        Some(boundary(place.saturating_sub(EXCERPT.0), true)..boundary(place.saturating_add(EXCERPT.1), false))
+    }
+
+    /// The part of `span` that is shown; nothing if none of it is.
+    pub fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
+        let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
+        let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
+        (start <= end).then_some(start..end)
+    }
 }
 
 /// Where something was said: byte ranges in a source.
@@ -192,7 +239,9 @@ fn keys_near(path: &str) -> String {
     let section = path.split('.').next().unwrap_or_default();
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
-        if let Some(near) = sections().find(|known| strsim::damerau_levenshtein(known, section) <= 2) {
+        // The distance takes time with the length of both.
+        let short = section.len() < 40;
+        if let Some(near) = sections().find(|known| short && strsim::damerau_levenshtein(known, section) <= 2) {
             return format!("did you mean the section [{near}]?");
         }
         let sections: Vec<_> = sections().map(|section| format!("[{section}]")).collect();
@@ -235,7 +284,7 @@ impl CaseError {
 
     /// What to do about it, where there is more to say than the message says.
     pub fn hint(&self) -> Option<String> {
-        match (&self.0.problem, self.places()) {
+        let hint = match (&self.0.problem, self.places()) {
             (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
                 let [one, other] = [one, other].map(|place| &place.source.name);
                 Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
@@ -244,7 +293,8 @@ impl CaseError {
                 Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
             }
             (problem, _) => problem.advice(),
-        }
+        };
+        Some(printable(&hint?).into_owned())
     }
 
     /// What to underline of a place.
@@ -286,7 +336,7 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.problem.fmt(f)
+        f.write_str(&printable(&self.0.problem.to_string()))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::case::Place;
 use crate::quantity::QuantityError;
+use crate::text::printable;
 use std::fmt;
 
 /// What is wrong.
@@ -107,7 +108,7 @@ impl SizeError {
 
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problem().fmt(f)
+        f.write_str(&printable(&self.problem().to_string()))
     }
 }
 
@@ -126,6 +127,7 @@ mod diagnostic {
         fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
             let place = self.place()?;
             let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
+            let span = place.source.shown(span)?;
             Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
         }
     }
