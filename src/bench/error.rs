@@ -138,7 +138,7 @@ impl From<Problem> for BenchError {
 
 impl fmt::Display for BenchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problem().fmt(f)
+        f.write_str(&crate::text::printable(&self.problem().to_string()))
     }
 }
 

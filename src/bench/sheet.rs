@@ -4,6 +4,7 @@ use super::error::{BenchError, Problem};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Range, Source};
 use crate::quantity::{self, Dimension, QuantityError, Unit};
+use crate::text::quoted;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -209,7 +210,7 @@ impl Sheet {
     /// # Errors
     /// The first thing that is wrong: see [`Problem`].
     pub fn parse(name: &str, text: &str, table: &'static [Entry]) -> Result<Self, BenchError> {
-        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        let source = Arc::new(Source::new(name, text));
         let document = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
@@ -257,11 +258,11 @@ impl Sheet {
         let Some(entry) = self.table.iter().find(|entry| entry.path == path) else {
             let place = Place { value: place.key.clone(), ..place };
             return Err(BenchError::new(
-                Problem::UnknownKey { path: path.into(), known: self.near(path) },
+                Problem::UnknownKey { path: quoted(path).into_owned(), known: self.near(path) },
                 Some(place),
             ));
         };
-        let given = place.given().trim().to_owned();
+        let given = quoted(place.given().trim()).into_owned();
         match entry.read(&full, value, &given) {
             Ok(value) => {
                 self.given.insert(full, (value, place));
