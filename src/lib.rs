@@ -1,6 +1,44 @@
-//! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
-//! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it. [`small`]
-//! models stand beside the full one. `bench` (a feature) leads from measurements to what a case needs, and from logs to a comparison.
+//! Rubber V-belt CVTs, computed: axial forces, efficiency and belt path from one boundary value problem.
+//!
+//! # The problem
+//!
+//! A belt with bending stiffness runs around two pulleys, primary `P` and secondary `S`. Along each contact, over the angle φ̂
+//! from its entry, the tractive tension T, the angle of inclination θ with its derivatives and the penetration x satisfy
+//!
+//! ```text
+//! T'   = f_T(T, θ, θ', θ'', x; c)    tangential momentum: friction drives or brakes the belt
+//! θ''' = f_θ(T, θ, θ', θ'', x; c)    radial momentum, with the bending moment M_b = EI dψ/ds, solved for θ'''
+//! x'   = −(R − x) tan θ              geometry (3.24)
+//! ```
+//!
+//! and along each span, where nothing touches the belt, the tension τ and the direction ϑ satisfy the same balances without
+//! contact. Friction follows Coulomb's law against the sliding velocity, and is proportional to it below a threshold. The
+//! constants c are those of belt, pulleys and operating point, which are given, and eight that are found with the states:
+//! speed ratio, mass flow, two wrap and two orientation angles, two lengths of spans. 26 conditions at the ends of the four
+//! regions determine them: tension, direction, curvature and (in the consistent edition) shear are continuous, torque and
+//! tension are what is given, and both spans close the loop. [`solver`] solves this by collocation with Newton's method and
+//! continuation, from nothing. Success means that defects and boundary residuals hold on the final mesh.
+//!
+//! # An example
+//!
+//! ```
+//! use sheave::prelude::*;
+//!
+//! let case = Case::base().with("drive.ratio", "1.2")?.with_si(Key::SlackTension, 120.0)?;
+//! let outcome = sheave::solve(&case)?;
+//! let result = &outcome.result;
+//! assert!(result.efficiency.overall > 0.9 && result.energy.closure.abs() < 1e-4);
+//! println!("{:.0} N clamp the primary", result.primary.axial_force);
+//! # Ok::<(), sheave::Error>(())
+//! ```
+//!
+//! [`sweep`] solves over a grid, [`largest_torque`], [`smallest_clamps`] and [`optimum`] find limits and the best clamp.
+//!
+//! # What is where
+//!
+//! A [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a [`study`] does so over a grid,
+//! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models stand
+//! beside the full one. `bench` (a feature) leads from measurements to what a case needs.
 
 #[cfg(feature = "bench")]
 pub mod bench;
@@ -8,7 +46,9 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+mod facade;
 pub mod plot;
+pub mod prelude;
 pub mod quantity;
 #[cfg(feature = "figures")]
 pub mod report;
@@ -17,3 +57,7 @@ pub mod small;
 pub mod study;
 pub mod text;
 mod threads;
+
+pub use facade::{Error, Sweep, largest_torque, optimum, smallest_clamps, solve, solve_with, sweep, sweep_table};
+/// The boundary value solver, for programs that read the solution itself: meshes, interpolation, statistics.
+pub use solver;

@@ -58,7 +58,6 @@ fn bad_input_is_status_2_with_nothing_on_standard_output() {
         (vec!["solve", "--tol", "1"], vec!["1e-12", "1e-1"]),
         (vec!["solve", "--tol", "nan"], vec!["1e-12", "1e-1"]),
         (vec!["solve", "--order", "5"], vec!["4 or 6"]),
-        (vec!["solve", "--json", "--out", "somewhere"], vec!["cannot be used with"]),
         (vec!["solve", "--frobnicate"], vec!["--frobnicate"]),
         (vec!["frobnicate"], vec!["frobnicate"]),
         (vec![], vec!["Usage"]),
@@ -91,7 +90,7 @@ fn bad_input_with_json_is_one_object() {
     let object = object(&output);
     assert_eq!(object["schema"], 1);
     assert_eq!(object["converged"], false);
-    assert!(object["failure"].as_str().unwrap().contains("`belt.length` = 3 kg"));
+    assert!(object["failure"]["message"].as_str().unwrap().contains("`belt.length` = 3 kg"));
     assert!(stderr(&output).contains("wrong dimension"));
 }
 
@@ -178,7 +177,7 @@ fn no_solution_is_status_3_with_its_reason() {
     assert_eq!(object["converged"], false);
     assert_eq!(object["edition"], "thesis");
     assert_eq!(object["inputs"]["operating_point"]["slack_tension"], 1.0);
-    assert!(stderr(&output).contains(object["failure"].as_str().unwrap()));
+    assert!(stderr(&output).contains(object["failure"]["message"].as_str().unwrap()));
 }
 
 #[test]
@@ -200,4 +199,55 @@ fn derivations_are_printed_in_three_formats() {
         page,
         "mend it with: cargo run -p sheave-eqgen -- write"
     );
+}
+
+#[test]
+fn every_command_fails_with_one_object() {
+    let wrong = "belt.length=3 kg";
+    let slack = "operating_point.slack_tension=1 N";
+    for (arguments, status_expected, kind) in [
+        (vec!["solve", "--json", "--set", wrong], 2, "input"),
+        (vec!["limit", "--json", "--set", wrong], 2, "input"),
+        (vec!["optimum", "--json", "--set", wrong], 2, "input"),
+        (vec!["init", "--json", "--set", wrong], 2, "input"),
+        (vec!["init", "--json"], 2, "input"),
+        (vec!["pulley", "--json", "--set", wrong], 2, "input"),
+        (vec!["size", "--json", "--set", "input.diameter=3 kg"], 2, "input"),
+        (vec!["radii", "--json", "--set", wrong], 2, "input"),
+        (vec!["limit", "no such file", "--json"], 2, "unreadable"),
+        (vec!["optimum", "--json", "--tol", "3"], 2, "usage"),
+        (vec!["solve", "--json", "--edition", "fifth"], 2, "usage"),
+        (vec!["solve", "--json", "--out", "somewhere"], 2, "usage"),
+        (vec!["solve", "--json", "--tol", "1e-3", "--edition", "thesis", "--set", slack], 3, "no_solution"),
+    ] {
+        let output = sheave(&arguments);
+        assert_eq!(status(&output), status_expected, "{arguments:?}: {}", stderr(&output));
+        let object = object(&output);
+        assert_eq!((&object["schema"], &object["command"]), (&1.into(), &arguments[0].into()), "{object}");
+        assert!(object["inputs"].is_object() && object["warnings"].is_array(), "{object}");
+        assert_eq!((&object["converged"], &object["failure"]["kind"]), (&false.into(), &kind.into()), "{object}");
+        let (message, hint) = (&object["failure"]["message"], &object["failure"]["hint"]);
+        assert!(message.as_str().is_some_and(|text| text.len() > 10), "{object}");
+        assert!(hint.is_null() || hint.is_string(), "{object}");
+    }
+}
+
+#[test]
+fn every_result_is_one_object_of_one_family() {
+    for arguments in [
+        vec!["solve", "--json", "--tol", "1e-2"],
+        vec!["limit", "--json", "--tol", "1e-2"],
+        vec!["init", "--json", "--set", "operating_point.secondary_axial_force=550 N"],
+        vec!["pulley", "--json", "--tol", "1e-2"],
+        vec!["size", "--json", "--set", "input.diameter=100 mm"],
+        vec!["radii", "--json", "--ratio", "1.2"],
+        vec!["belt", "examples/belts/cvtech.toml", "--json"],
+    ] {
+        let output = sheave(&arguments);
+        assert_eq!(status(&output), 0, "{arguments:?}: {}", stderr(&output));
+        let object = object(&output);
+        assert_eq!((&object["schema"], &object["command"]), (&1.into(), &arguments[0].into()), "{object}");
+        assert!(object["inputs"].as_object().is_some_and(|inputs| !inputs.is_empty()), "{object}");
+        assert!(object["warnings"].is_array() && object.get("failure").is_none(), "{object}");
+    }
 }

@@ -194,7 +194,7 @@ fn the_command_refuses_with_status_2() {
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
         let json = sheave(&[&arguments[..], &["--json"]].concat());
         let object: Value = serde_json::from_slice(&json.stdout).unwrap();
-        assert!(object["failure"].is_string() && json.status.code() == Some(2));
+        assert!(object["failure"]["kind"] == "input" && json.status.code() == Some(2));
     }
     let message = String::from_utf8(sheave(&["size", "--set=input.diameter=3 kg"]).stderr).unwrap();
     assert!(message.contains("--set:1:16") && message.contains("here"), "{message}");

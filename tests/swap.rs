@@ -367,7 +367,7 @@ fn swaps_that_mean_nothing_are_bad_input() {
     let (status, text) = command(&["belt.bending_stiffness for primary.power = 6 kW"]);
     assert_eq!(status, Some(2), "{text}");
     let object: serde_json::Value = serde_json::from_str(&text).unwrap();
-    assert!(object["failure"].as_str().unwrap().contains("`primary.power`"), "{text}");
+    assert!(object["failure"]["message"].as_str().unwrap().contains("`primary.power`"), "{text}");
     let twice = "belt.bending_stiffness for efficiency.overall = 0.96";
     assert_eq!(command(&[twice, "belt.bending_stiffness for primary.axial_force = 900"]).0, Some(2));
     let (status, text) = command(&[twice]);

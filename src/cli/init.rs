@@ -1,12 +1,11 @@
 //! `sheave init`: the simple belt drive.
 
 use super::case::CaseArguments;
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::{CaseError, Resolved};
-use sheave::result::SCHEMA;
 use sheave::small::init::{InitError, Method, PulleyId, SimpleDrive, Situation, State, solve};
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -45,10 +44,8 @@ So that with the base case's speed and torque: sheave init --set operating_point
 
 /// The result object: keys as those of `solve --json` where they mean the same.
 #[derive(Debug, Serialize)]
-struct Object<'a> {
-    schema: u32,
+struct Object {
     converged: bool,
-    inputs: &'a Resolved,
     situation: u8,
     primary: Pulley,
     secondary: Pulley,
@@ -77,50 +74,25 @@ struct Belt {
     slack_tension: f64,
 }
 
-#[derive(Debug, Serialize)]
-struct Failed {
-    schema: u32,
-    converged: bool,
-    failure: String,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    match arguments.state() {
-        Ok((case, situation, drive, state)) => {
-            let object = object(&case, situation, &drive, &state);
-            output::print(&if arguments.json { output::json(&object)? } else { summary(&object) })
-        }
-        Err((failure, stop)) => {
-            if arguments.json {
-                output::print(&output::json(&Failed { schema: SCHEMA, converged: false, failure })?)?;
-            }
-            Err(stop)
-        }
-    }
+    let case = arguments.case.read().and_then(|case| case.resolve())?;
+    let situation = Situation::of_case(&case, arguments.no_load).map_err(stop)?;
+    let drive = SimpleDrive::of_case(&case);
+    let state = solve(&drive, situation).map_err(stop)?;
+    let object = object(situation, &drive, &state);
+    let json = || envelope::object("init", &case, &[], &object);
+    output::print(&if arguments.json { json()? } else { summary(&object) })
 }
 
-impl Arguments {
-    /// All there is to say; or the reason why not, in words, and how the command ends.
-    fn state(&self) -> Result<(Resolved, Situation, SimpleDrive, State), (String, Stop)> {
-        let refused = |error: CaseError| (error.to_string(), Stop::Input(error));
-        let case = self.case.read().and_then(|case| case.resolve()).map_err(refused)?;
-        let situation = Situation::of_case(&case, self.no_load).map_err(stop)?;
-        let drive = SimpleDrive::of_case(&case);
-        let state = solve(&drive, situation).map_err(stop)?;
-        Ok((case, situation, drive, state))
-    }
-}
-
-fn stop(error: InitError) -> (String, Stop) {
-    let reason = error.to_string();
+fn stop(error: InitError) -> Stop {
     let stop = match error {
         InitError::Given { .. } | InitError::NoSituation | InitError::FreeRadius => Stop::Usage,
         _ => Stop::NoSolution,
     };
-    (reason.clone(), stop(reason))
+    stop(error.to_string())
 }
 
-fn object<'a>(case: &'a Resolved, situation: Situation, drive: &SimpleDrive, state: &State) -> Object<'a> {
+fn object(situation: Situation, drive: &SimpleDrive, state: &State) -> Object {
     let pulley = |id: PulleyId, speed: f64, torque: f64, axial_force: f64| Pulley {
         speed,
         torque,
@@ -130,9 +102,7 @@ fn object<'a>(case: &'a Resolved, situation: Situation, drive: &SimpleDrive, sta
         sliding_angle: state.sliding_angle,
     };
     Object {
-        schema: SCHEMA,
         converged: true,
-        inputs: case,
         situation: situation.number(),
         // The belt brakes the primary: without the sign, and without −0.
         primary: pulley(PulleyId::Input, state.input_speed, 0.0 - state.input_torque, state.input_axial_force),
@@ -152,7 +122,7 @@ fn object<'a>(case: &'a Resolved, situation: Situation, drive: &SimpleDrive, sta
     }
 }
 
-fn summary(object: &Object<'_>) -> String {
+fn summary(object: &Object) -> String {
     let mut text = format!("Simple belt drive, situation {}\n\n", object.situation);
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  {:<26}{:>12}{:>12}", "", "primary", "secondary");

@@ -1,6 +1,7 @@
 //! `sheave limit`: the largest torque for a clamp, the smallest clamp for a torque.
 
 use super::design::{self, GridArguments};
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
@@ -10,7 +11,6 @@ use sheave::design::{
     ClampLimits, Kind, Limit, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
 };
 use sheave::quantity::unsigned_zero;
-use sheave::result::SCHEMA;
 use std::fmt::Write;
 
 /// Find the largest torque for the clamp of a case, and the smallest clamps for its torque
@@ -29,8 +29,8 @@ pub struct Arguments {
 
 #[derive(Debug, Serialize)]
 struct Found<'a> {
-    schema: u32,
     edition: &'static str,
+    #[serde(skip)]
     inputs: &'a Resolved,
     largest_torque: Limit,
     smallest_clamp: Option<ClampLimits>,
@@ -53,8 +53,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         Err(error) => return Err(design::stop(error)),
     };
     let edition = case.edition.name();
-    let found = Found { schema: SCHEMA, edition, inputs: &case, largest_torque, smallest_clamp };
-    if arguments.grid.json() { output::print(&output::json(&found)?) } else { output::print(&summary(&found)) }
+    let found = Found { edition, inputs: &case, largest_torque, smallest_clamp };
+    let json = || envelope::object("limit", &case, &[], &found);
+    output::print(&if arguments.grid.json() { json()? } else { summary(&found) })
 }
 
 fn summary(found: &Found<'_>) -> String {

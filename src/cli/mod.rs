@@ -4,6 +4,7 @@ mod belt;
 mod case;
 mod derive;
 mod design;
+mod envelope;
 mod init;
 mod keys;
 mod limit;
@@ -19,6 +20,7 @@ mod stop;
 mod sweep;
 
 use clap::{ArgAction, Parser, Subcommand};
+use sheave::result::{FailureKind, FailureReport};
 use sheave::text::printable;
 use std::process::ExitCode;
 use tracing_subscriber::filter::{LevelFilter, Targets};
@@ -59,9 +61,16 @@ Results go to standard output, all else to standard error.";
 
 /// Runs the command that the arguments name.
 pub fn run() -> ExitCode {
+    let asked = envelope::Asked::of_arguments();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(stop) => return misunderstood(&stop),
+        Err(stop) => {
+            if stop.use_stderr() {
+                let message = printable(&stop.render().to_string()).into_owned();
+                asked.tell(&FailureReport { kind: FailureKind::Usage, message, hint: None });
+            }
+            return misunderstood(&stop);
+        }
     };
     log_to_stderr(arguments.verbose);
     // A panic is a defect of this program; its message is on standard error by then.
@@ -81,8 +90,15 @@ pub fn run() -> ExitCode {
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,
-        Ok(Err(stop)) => stop.report(),
-        Err(_) => ExitCode::from(1),
+        Ok(Err(stop)) => {
+            asked.tell(&stop.failure());
+            stop.report()
+        }
+        Err(_) => {
+            let message = "a defect of the program; its message is on standard error".to_owned();
+            asked.tell(&FailureReport { kind: FailureKind::Internal, message, hint: None });
+            ExitCode::from(1)
+        }
     }
 }
 

@@ -1,13 +1,12 @@
 //! `sheave optimum`: the clamp of best overall efficiency.
 
 use super::design::{self, GridArguments};
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::Resolved;
 use sheave::design::{Bound, State, optimum, optimum_figures, optimum_map};
-use sheave::result::SCHEMA;
 
 /// Find the clamp of best overall efficiency for the torque of a case
 ///
@@ -21,10 +20,8 @@ pub struct Arguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Found<'a> {
-    schema: u32,
+struct Found {
     edition: &'static str,
-    inputs: &'a Resolved,
     #[serde(flatten)]
     state: State,
     bound: Bound,
@@ -42,18 +39,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.grid.case().resolve()?;
     let best = optimum(&case, &options).map_err(design::stop)?;
     let found = Found {
-        schema: SCHEMA,
         edition: case.edition.name(),
-        inputs: &case,
         state: best.state,
         bound: best.bound,
         gradient: best.gradient,
         evaluations: best.evaluations,
     };
-    if arguments.grid.json() { output::print(&output::json(&found)?) } else { output::print(&summary(&found)) }
+    let json = || envelope::object("optimum", &case, &[], &found);
+    output::print(&if arguments.grid.json() { json()? } else { summary(&found) })
 }
 
-fn summary(found: &Found<'_>) -> String {
+fn summary(found: &Found) -> String {
     let state = &found.state;
     let what = match found.bound {
         Bound::Inner => "the best clamp",

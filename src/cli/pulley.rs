@@ -1,14 +1,14 @@
 //! `sheave pulley`: Euler's relation beside the full model.
 
 use super::case::CaseArguments;
+use super::envelope;
 use super::output;
 use super::solve::tolerance;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use sheave::case::{CaseError, Resolved};
 use sheave::drive::SolveOptions;
-use sheave::result::{SCHEMA, run as solve};
+use sheave::result::{run as solve, warnings};
 use sheave::small::pulley::{Comparison, Grip, PulleyComparison, compare};
 use std::fmt::Write;
 
@@ -57,47 +57,25 @@ impl Belt {
 
 #[derive(Debug, Serialize)]
 struct Object<'a> {
-    schema: u32,
     edition: &'static str,
     converged: bool,
-    inputs: &'a Resolved,
     belt: Belt,
     #[serde(flatten)]
     comparison: &'a Comparison,
 }
 
-#[derive(Debug, Serialize)]
-struct Failed<'a> {
-    schema: u32,
-    converged: bool,
-    failure: &'a str,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.resolve().map_err(|error: CaseError| {
-        let failure = error.to_string();
-        arguments.failed(&failure, Stop::Input(error))
-    })?;
+    let case = arguments.case.resolve()?;
     let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
     let outcome = solve(&case, &options).map_err(|failure| {
-        let failure = failure.to_string();
-        arguments.failed(&failure, Stop::NoSolution(failure.clone()))
+        let stop = if failure.is_bad_input() { Stop::Usage } else { Stop::NoSolution };
+        stop(failure.to_string())
     })?;
     let comparison = compare(&outcome, arguments.belt.grip());
     let (edition, belt) = (case.edition.name(), arguments.belt);
-    let object = Object { schema: SCHEMA, edition, converged: true, inputs: &case, belt, comparison: &comparison };
-    output::print(&if arguments.json { output::json(&object)? } else { summary(&object) })
-}
-
-impl Arguments {
-    /// Whoever asked for JSON gets an object, too.
-    fn failed(&self, failure: &str, stop: Stop) -> Stop {
-        if !self.json {
-            return stop;
-        }
-        let object = Failed { schema: SCHEMA, converged: false, failure };
-        output::json(&object).and_then(|text| output::print(&text)).err().unwrap_or(stop)
-    }
+    let object = Object { edition, converged: true, belt, comparison: &comparison };
+    let json = || envelope::object("pulley", &case, &warnings(&outcome), &object);
+    output::print(&if arguments.json { json()? } else { summary(&object) })
 }
 
 fn summary(object: &Object<'_>) -> String {

@@ -1,7 +1,7 @@
 //! `sheave radii`: where a belt runs on its two pulleys.
 
 use super::case::CaseArguments;
-use super::measured::{failure, object, refused};
+use super::measured::{object, refused};
 use super::output;
 use super::stop::Stop;
 use clap::Args;
@@ -82,11 +82,7 @@ fn limits(text: &str) -> Result<(f64, f64), String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read().and_then(|case| case.resolve()).map_err(|error| {
-        let text = error.to_string();
-        let told = if arguments.json { failure("radii", "input", &text, None) } else { Ok(()) };
-        told.err().unwrap_or(Stop::Input(error))
-    })?;
+    let case = arguments.case.read().and_then(|case| case.resolve())?;
     let geometry = Geometry {
         pitch_length: case.belt.length,
         center_distance: case.drive.center_distance,

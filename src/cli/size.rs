@@ -1,10 +1,9 @@
 //! `sheave size`: what the motor of a belt drive has to deal with.
 
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use serde::Serialize;
-use sheave::result::SCHEMA;
 use sheave::small::size::{BeltDrive, Entry, IDLER, SizeError, Sizing, TABLE, size};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -31,37 +30,12 @@ pub struct Arguments {
     json: bool,
 }
 
-#[derive(Debug, Serialize)]
-struct Object<'a> {
-    schema: u32,
-    inputs: &'a BeltDrive,
-    #[serde(flatten)]
-    sizing: &'a Sizing,
-}
-
-#[derive(Debug, Serialize)]
-struct Failed {
-    schema: u32,
-    failure: String,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let read = BeltDrive::read(arguments.file.as_deref(), &arguments.set, &arguments.idlers);
-    let sized = read.and_then(|drive| size(&drive).map(|sizing| (drive, sizing)));
-    match sized {
-        Ok((drive, sizing)) if arguments.json => {
-            output::print(&output::json(&Object { schema: SCHEMA, inputs: &drive, sizing: &sizing })?)
-        }
-        Ok((_, sizing)) => output::print(&summary(&sizing)),
-        Err(error) => Err(refused(error, arguments.json)),
-    }
-}
-
-/// Whoever asked for JSON gets an object, too.
-fn refused(error: SizeError, json: bool) -> Stop {
-    let object = Failed { schema: SCHEMA, failure: error.to_string() };
-    let told = if json { output::json(&object).and_then(|text| output::print(&text)) } else { Ok(()) };
-    told.err().unwrap_or_else(|| Stop::Refused(miette::Report::new(error)))
+    let refused = |error: SizeError| Stop::Refused(miette::Report::new(error));
+    let drive = BeltDrive::read(arguments.file.as_deref(), &arguments.set, &arguments.idlers).map_err(refused)?;
+    let sizing = size(&drive).map_err(refused)?;
+    let json = || envelope::object("size", &drive, &[], &sizing);
+    output::print(&if arguments.json { json()? } else { summary(&sizing) })
 }
 
 /// The keys of a drive, for people to read.

@@ -1,13 +1,14 @@
 //! `sheave solve`: one case, one result.
 
 use super::case::CaseArguments;
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::{CaseError, Resolved};
+use sheave::case::Resolved;
 use sheave::drive::{Failure, SolveOptions};
-use sheave::result::{Outcome, SCHEMA, run as solve, summary, warnings, write_profile};
+use sheave::result::{FailureKind, FailureReport, Outcome, run as solve, summary, warnings, write_profile};
 use solver::Order;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -38,20 +39,15 @@ pub struct Arguments {
     sensitivities: bool,
 }
 
-/// What stands in the place of a result that could not be had.
+/// What is known of a case that could not be solved.
 #[derive(Debug, Serialize)]
-struct Failed<'a> {
-    schema: u32,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    edition: Option<&'static str>,
-    converged: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inputs: Option<&'a Resolved>,
-    failure: &'a str,
+struct Unsolved<'a> {
+    edition: &'static str,
+    inputs: &'a Resolved,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.resolve().map_err(|error| arguments.refused(error))?;
+    let case = arguments.case.resolve()?;
     if let Some(folder) = &arguments.out {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
@@ -66,14 +62,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 
 impl Arguments {
     fn deliver(&self, outcome: &Outcome) -> Result<(), Stop> {
-        for warning in warnings(outcome) {
+        let warnings = warnings(outcome);
+        for warning in &warnings {
             tracing::warn!("{warning}");
         }
+        let json = || envelope::object("solve", &outcome.result.inputs, &warnings, &outcome.result);
         if self.json {
-            return output::print(&output::json(&outcome.result)?);
+            return output::print(&json()?);
         }
         if let Some(folder) = &self.out {
-            write_result(folder, &output::json(&outcome.result)?)?;
+            write_result(folder, &json()?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
             let figures = sheave::plot::drive(outcome);
             output::write_figures(folder, &figures)?;
@@ -83,27 +81,22 @@ impl Arguments {
         output::print(&summary(&outcome.result))
     }
 
-    /// Bad input: whoever asked for JSON gets an object, too.
-    fn refused(&self, error: CaseError) -> Stop {
-        let failure = error.to_string();
-        let failed = Failed { schema: SCHEMA, edition: None, converged: false, inputs: None, failure: &failure };
-        let printed = if self.json { output::json(&failed).and_then(|text| output::print(&text)) } else { Ok(()) };
-        printed.err().unwrap_or(Stop::Input(error))
-    }
-
     /// No solution: the object says so where the result would have stood.
     fn failed(&self, case: &Resolved, failure: &Failure) -> Stop {
-        let (reason, bad_input) = (failure.to_string(), failure.is_bad_input());
-        let failure = reason.as_str();
-        let edition = Some(case.edition.name());
-        let failed = Failed { schema: SCHEMA, edition, converged: false, inputs: Some(case), failure };
-        let told = output::json(&failed).and_then(|text| match &self.out {
-            Some(folder) => write_result(folder, &text),
-            None if self.json => output::print(&text),
+        let reason = failure.to_string();
+        let (kind, stop): (_, fn(String) -> Stop) = if failure.is_bad_input() {
+            (FailureKind::Input, Stop::Usage)
+        } else {
+            (FailureKind::NoSolution, Stop::NoSolution)
+        };
+        let report = FailureReport { kind, message: reason.clone(), hint: failure.hint().map(str::to_owned) };
+        let known = Unsolved { edition: case.edition.name(), inputs: case };
+        let told = match &self.out {
+            Some(folder) => envelope::failure("solve", &known, &report).and_then(|text| write_result(folder, &text)),
+            None if self.json => envelope::tell("solve", &known, &report),
             None => Ok(()),
-        });
-        let stop = if bad_input { Stop::Usage } else { Stop::NoSolution };
-        told.err().unwrap_or_else(|| stop(reason.clone()))
+        };
+        told.err().unwrap_or_else(|| stop(reason))
     }
 }
 

@@ -1,12 +1,12 @@
 //! A solved drive in a few numbers.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::drive::Solved;
 use crate::result::Outputs;
 
 /// Where a drive stands: torque, clamp, speeds and efficiency. SI, ratios as fractions.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Torque into the primary, N·m.
     pub primary_torque: f64,

@@ -92,6 +92,21 @@ impl Failure {
         matches!(self, Self::IllPosed(_))
     }
 
+    /// What to try, where there is more to say than the message says.
+    pub const fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::NoEquations | Self::NoStart | Self::IllPosed(_) | Self::Sensitivities(_) => None,
+            Self::Start(_) => Some("look for a value in the wrong unit: `inputs` has what was understood, in SI"),
+            Self::Lost { .. } | Self::Unreached { .. } => Some(
+                "the belt may slip grossly: `sheave limit` finds the largest torque for a clamp and the smallest clamp for \
+                 a torque",
+            ),
+            Self::Reversed { .. } => {
+                Some("prescribe a larger axial force on the primary or a smaller one on the secondary")
+            }
+        }
+    }
+
     /// That of two failures which came closer to the case: with the case's own friction if possible, then with less
     /// tension, for it is loose belts that are lost.
     pub(super) fn farther(first: Option<Self>, second: Self) -> Self {

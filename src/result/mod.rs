@@ -1,6 +1,7 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
 mod compute;
+mod envelope;
 mod profile;
 mod schema;
 mod sensitivity;
@@ -8,6 +9,7 @@ mod summary;
 mod warnings;
 
 pub use compute::{Outputs, Sampled};
+pub use envelope::{FailureKind, FailureReport, envelope, failed};
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
 pub use sensitivity::{Sensitivities, sensitivities};

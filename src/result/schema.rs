@@ -1,6 +1,6 @@
 //! The result object: what `solve --json` prints and what a row of a sweep flattens. SI units, ratios as fractions.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::sensitivity::Sensitivities;
 
@@ -8,7 +8,7 @@ use super::sensitivity::Sensitivities;
 pub const SCHEMA: u32 = 1;
 
 /// Everything a solved drive tells. Torques, powers and speeds are positive numbers.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DriveResult<I> {
     /// [`SCHEMA`].
     pub schema: u32,
@@ -39,12 +39,12 @@ pub struct DriveResult<I> {
     /// How the solution was found.
     pub solver: SolverReport,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }
 
 /// One pulley and its contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Pulley {
     /// Speed of rotation, rad/s.
     pub speed: f64,
@@ -90,7 +90,7 @@ pub struct Pulley {
 }
 
 /// One span.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Span {
     /// Arc length, m.
     pub arc_length: f64,
@@ -103,7 +103,7 @@ pub struct Span {
 }
 
 /// Efficiencies as fractions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Efficiency {
     /// ω_S R_S/(ω_P R_P) (6.7).
     pub speed: f64,
@@ -114,7 +114,7 @@ pub struct Efficiency {
 }
 
 /// The belt as a whole.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BeltResult {
     /// Mass flow G, kg/s (3.5).
     pub mass_flow: f64,
@@ -125,7 +125,7 @@ pub struct BeltResult {
 }
 
 /// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// Power into the primary, W.
     pub power_in: f64,
@@ -143,7 +143,7 @@ pub struct Energy {
 }
 
 /// How the solution was found, and how well it holds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SolverReport {
     /// Order of the collocation.
     pub order: usize,
@@ -164,7 +164,7 @@ pub struct SolverReport {
 }
 
 /// Mesh intervals by region.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MeshIntervals {
     /// Primary contact.
     pub primary: usize,

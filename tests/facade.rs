@@ -1,0 +1,66 @@
+//! The library as a program uses it: solve, sweep, limits, and results that are read back.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use serde_json::Value;
+use sheave::prelude::*;
+
+fn rough() -> SolveOptions {
+    SolveOptions { tolerance: 1e-3, ..SolveOptions::default() }
+}
+
+#[test]
+fn a_case_is_built_with_units_or_in_si_and_solved() {
+    let text = Case::base().with("operating_point.slack_tension", "120 N").unwrap();
+    let typed = Case::base().with_si(Key::SlackTension, 120.0).unwrap();
+    let (text, typed) = (sheave::solve_with(&text, &rough()).unwrap(), sheave::solve_with(&typed, &rough()).unwrap());
+    assert_eq!(text.result.primary, typed.result.primary);
+    assert!((text.result.primary.exit_tension - 120.0).abs() < 1e-6);
+    let error = Case::base().with("operating_point.slack_tension", "3 kg").unwrap_err();
+    assert!(error.to_string().contains("`operating_point.slack_tension` = 3 kg"), "{error}");
+}
+
+#[test]
+fn what_is_wrong_is_an_error_with_its_place_and_hint() {
+    let case = Case::from_toml("my.toml", "[drive]\nprimary_radius = 68").unwrap_err();
+    assert_eq!((case.places()[0].source.name.as_str(), case.places()[0].given()), ("my.toml", "68"));
+    let hint = sheave::Error::from(case).hint().unwrap();
+    assert!(hint.contains("mm"), "{hint}");
+}
+
+#[test]
+fn a_sweep_as_iterator_and_as_table_say_the_same() {
+    let axes = || [Axis::parse("operating_point.slack_tension=100 N..200 N:3").unwrap()];
+    let table = sheave::sweep_table(Case::base(), axes(), rough()).unwrap();
+    let sweep = sheave::sweep(Case::base(), axes(), rough()).unwrap();
+    assert_eq!(sweep.size_hint(), (3, Some(3)));
+    let mut count = 0;
+    for (row, item) in sweep.enumerate() {
+        let (point, outcome) = item.unwrap();
+        assert_eq!(point.varied.len(), 1);
+        let (force, listed) = (outcome.unwrap().result.primary.axial_force, table.number(row, "primary.axial_force"));
+        assert!((force - listed).abs() < 1e-3 * listed, "{row}: {force} {listed}");
+        count += 1;
+    }
+    assert_eq!(count, table.rows.len());
+}
+
+#[test]
+fn a_result_is_read_back_as_it_was_written() {
+    let options = SolveOptions { sensitivities: true, ..rough() };
+    let result = sheave::solve_with(&Case::base(), &options).unwrap().result;
+    let text = serde_json::to_string(&result).unwrap();
+    let read: DriveResult<Value> = serde_json::from_str(&text).unwrap();
+    assert_eq!(serde_json::to_value(&read).unwrap(), serde_json::to_value(&result).unwrap());
+    assert_eq!(read.primary, result.primary);
+    assert_eq!(read.sensitivities, result.sensitivities);
+}
+
+#[test]
+fn limits_and_the_best_clamp_of_a_case() {
+    let options = LimitOptions { solve: rough(), ..LimitOptions::default() };
+    let limit = sheave::largest_torque(&Case::base(), &options).unwrap();
+    assert!(limit.value > 18.0, "the base case carries 18 N·m: {limit:?}");
+    let best = sheave::optimum(&Case::base(), &rough()).unwrap();
+    let here = sheave::solve_with(&Case::base(), &rough()).unwrap().result.efficiency.overall;
+    assert!(best.state.overall_efficiency >= here - 1e-4, "{} {here}", best.state.overall_efficiency);
+}
