@@ -3,7 +3,7 @@
 use super::geometry::NoRadii;
 use super::keys::Key;
 use crate::drive::IllPosed;
-use crate::quantity::QuantityError;
+use crate::quantity::{Dimension, QuantityError};
 use crate::text::{printable, printable_in_place};
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
@@ -144,6 +144,14 @@ pub enum Problem {
         /// The bare number would be in range if it had this unit.
         unit_missing: Option<&'static str>,
     },
+    /// A bare number for a speed that is surely in rpm.
+    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected {}", key.path(), key.entry().expected())]
+    BareSpeed {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+    },
     /// A name that cannot be chosen.
     #[error("`{}` = {given}: expected {}", key.path(), key.entry().expected())]
     UnknownChoice {
@@ -185,6 +193,20 @@ pub enum Problem {
         /// L_c, m.
         center_distance: f64,
     },
+    /// The belt and both radii contradict each other.
+    #[error(
+        "`belt.length` = {given} contradicts the radii: at a centre distance of {center_distance} m a belt around both is \
+         {pitch:.4} m long (6.12); expected a length within {} % of that, one radius left to `drive.free`, or `drive.ratio` \
+         in place of both", 100.0 * super::fits::PITCH_TOLERANCE
+    )]
+    Contradiction {
+        /// The belt's length as given.
+        given: String,
+        /// L_P (6.12), m.
+        pitch: f64,
+        /// L_c, m.
+        center_distance: f64,
+    },
     /// No radii satisfy (6.12).
     #[error("`{}` = {given}: with `belt.length` = {length} m and `drive.center_distance` = {center_distance} m {reason}", key.path())]
     NoRadii {
@@ -213,13 +235,25 @@ pub enum Problem {
 }
 
 impl Problem {
+    /// Whether belt and pulleys do not fit: a drive with other numbers might.
+    pub const fn is_of_geometry(&self) -> bool {
+        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. } | Self::Contradiction { .. })
+    }
+
     /// What to do about it, if there is more to say than the message says.
     fn advice(&self) -> Option<String> {
         match self {
+            Self::UnknownKey { path, .. } if path == "sweep" => {
+                Some("this is a study file: `sheave sweep FILE` solves it at every point".into())
+            }
             Self::UnknownKey { path, .. } => Some(keys_near(path)),
+            Self::BareSpeed { given, .. } => {
+                Some(format!("did you mean \"{given} rpm\"? If not, write \"{given} rad/s\""))
+            }
             Self::OutOfRange { given, unit_missing: Some(unit), .. } => {
                 Some(format!("a bare number is in SI units; did you mean \"{given} {unit}\"?"))
             }
+            Self::Quantity { reason: QuantityError::Dimension { given, expected }, .. } => pounds(*given, *expected),
             Self::Quantity { reason: QuantityError::UnknownUnit { .. }, .. } => {
                 let units: Vec<_> = crate::quantity::symbols().collect();
                 Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
@@ -227,6 +261,13 @@ impl Problem {
             _ => None,
         }
     }
+}
+
+/// Pounds of mass where pounds of force were meant.
+fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
+    let acceleration = Dimension::new(1, 0, -2, 0);
+    (given.times(acceleration, 1) == Some(expected))
+        .then(|| "\"lb\" and \"kg\" are masses; a force is in \"lbf\", \"kgf\" or \"N\"".to_owned())
 }
 
 /// The keys among which the one written was probably meant to be.
@@ -267,6 +308,11 @@ impl CaseError {
         Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
     }
 
+    /// A text that cannot be read.
+    pub fn unreadable(name: &str, error: &std::io::Error) -> Self {
+        Self::new(Problem::Read { path: name.into(), reason: error.to_string() }, [])
+    }
+
     /// What is wrong.
     pub fn problem(&self) -> &Problem {
         &self.0.problem
@@ -300,11 +346,14 @@ impl CaseError {
                 _ => "not a quantity",
             },
             (Problem::OutOfRange { .. }, _) => "out of range",
+            (Problem::BareSpeed { .. }, _) => "rad/s",
             (Problem::UnknownChoice { .. }, _) => "no such choice",
             (Problem::Conflict { .. }, 0) => "this",
             (Problem::Conflict { .. }, _) => "and this",
             (Problem::Missing { .. }, _) => "asks for more",
             (Problem::Overlap { .. }, _) => "does not fit",
+            (Problem::Contradiction { .. }, 0) => "this length",
+            (Problem::Contradiction { .. }, _) => "and this",
             (Problem::NoRadii { .. }, 0) => "no radii exist",
             (Problem::NoRadii { .. }, _) => "with this",
             (Problem::Swap { .. }, _) => "here",

@@ -1,14 +1,18 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
+mod answers;
 mod compute;
+mod margin;
 mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
 mod warnings;
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
+pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
 pub use compute::{Outputs, Sampled};
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
@@ -16,7 +20,7 @@ pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
 
-use crate::case::Resolved;
+use crate::case::{Key, Resolved};
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
 
 /// A solved case: the result object, and the solution it was read from.
@@ -28,11 +32,15 @@ pub struct Outcome {
     pub solved: Solved,
 }
 
-/// Solves a case from nothing and reads the solution.
+/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
+/// tension at which that margin holds.
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
+    if let Some(margin) = case.operating_point.margin {
+        return margin::run(case, margin, options);
+    }
     let start = Instant::now();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
@@ -56,18 +64,20 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
     let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
-    let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
-    DriveResult {
+    let friction_utilization = primary.friction_utilization.max(secondary.friction_utilization);
+    let mut result = DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
+        found: BTreeMap::new(),
         primary,
         secondary,
         tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
         slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
         efficiency: compute::efficiency(&outputs),
-        slip_reserve,
+        slip_reserve: 1.0 - friction_utilization,
+        friction_utilization,
         belt: compute::belt(&outputs, case.belt.length),
         energy: compute::energy(&outputs),
         solver: SolverReport {
@@ -86,5 +96,20 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             wall_time: start.elapsed().as_secs_f64(),
         },
         sensitivities: None,
+    };
+    for constant in solved.question.swaps.iter().map(|swap| swap.free) {
+        if let Some(key) = constant.key() {
+            result.add_found(key, solved.constant(constant));
+        }
+    }
+    result
+}
+
+impl DriveResult<Resolved> {
+    /// Notes what was found for a key that was solved for, among the inputs too.
+    fn add_found(&mut self, key: Key, value: f64) {
+        self.found.insert(key.path().to_owned(), value);
+        self.inputs.found.retain(|(other, _)| *other != key);
+        self.inputs.found.push((key, value));
     }
 }
