@@ -39,9 +39,7 @@ fn transcript(commands: &[(&[&str], &str)]) -> String {
 
 #[test]
 fn inputs_that_do_not_mean_what_they_say() {
-    let fits_not = "[belt]\nlength = \"857.2 mm\"\n[drive]\nprimary_radius = \"90 mm\"\nsecondary_radius = \"90 mm\"\n";
     let all: &[(&[&str], &str)] = &[
-        (&["solve", "-"], fits_not),
         (&["solve", "--set", "operating_point.primary_speed=3400"], ""),
         (&["solve", "--set", "operating_point.slack_tension=60 lb"], ""),
         (&["solve", "--set", "operating_point.primary_torque=60 lb*ft"], ""),
@@ -60,7 +58,10 @@ fn inputs_that_do_not_mean_what_they_say() {
 fn nothing_of_a_text_reaches_the_terminal_raw() {
     let long = format!("[belt]\nlength = \"{} kg\"\n", "1".repeat(70_000));
     let far = format!("a = [{}]\n[belt]\nlength = 3\n", "1,".repeat(40_000));
+    let column = format!("belt = {{ {} length = \"3 kg\" }}\n", " ".repeat(70_000));
     let all: &[(&[&str], &str)] = &[
+        (&["solve", "-"], &column),
+        (&["init", "-"], &column),
         (&["solve", "--set", "belt.length=\u{1b}[31mred"], ""),
         (&["solve", "--set", "\u{1b}]0;title\u{7}=1"], ""),
         (&["solve", "--edition", "\u{1b}[2Jthesis"], ""),
@@ -90,6 +91,8 @@ fn results_that_need_a_warning_have_it() {
     };
     assert_eq!(set(&[]), "");
     assert!(set(&["drive.primary_radius=68 mm"]).contains("Only `drive.primary_radius` is given"));
+    let contradicts = set(&["belt.length=950 mm", "drive.primary_radius=68.3 mm", "drive.secondary_radius=68.3 mm"]);
+    assert!(contradicts.contains("`belt.length` = 950.0 mm contradicts the radii"), "{contradicts}");
     assert!(set(&["edition=published"]).contains("the doing of the equations of edition `published`"));
     let stiff = set(&["belt.bending_stiffness=5", "operating_point.primary_torque=5"]);
     assert!(stiff.contains("in compression"), "{stiff}");

@@ -193,20 +193,6 @@ pub enum Problem {
         /// L_c, m.
         center_distance: f64,
     },
-    /// The belt and both radii contradict each other.
-    #[error(
-        "`belt.length` = {given} contradicts the radii: at a centre distance of {center_distance} m a belt around both is \
-         {pitch:.4} m long (6.12); expected a length within {} % of that, one radius left to `drive.free`, or `drive.ratio` \
-         in place of both", 100.0 * super::fits::PITCH_TOLERANCE
-    )]
-    Contradiction {
-        /// The belt's length as given.
-        given: String,
-        /// L_P (6.12), m.
-        pitch: f64,
-        /// L_c, m.
-        center_distance: f64,
-    },
     /// No radii satisfy (6.12).
     #[error("`{}` = {given}: with `belt.length` = {length} m and `drive.center_distance` = {center_distance} m {reason}", key.path())]
     NoRadii {
@@ -237,7 +223,7 @@ pub enum Problem {
 impl Problem {
     /// Whether belt and pulleys do not fit: a drive with other numbers might.
     pub const fn is_of_geometry(&self) -> bool {
-        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. } | Self::Contradiction { .. })
+        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. })
     }
 
     /// What to do about it, if there is more to say than the message says.
@@ -352,8 +338,6 @@ impl CaseError {
             (Problem::Conflict { .. }, _) => "and this",
             (Problem::Missing { .. }, _) => "asks for more",
             (Problem::Overlap { .. }, _) => "does not fit",
-            (Problem::Contradiction { .. }, 0) => "this length",
-            (Problem::Contradiction { .. }, _) => "and this",
             (Problem::NoRadii { .. }, 0) => "no radii exist",
             (Problem::NoRadii { .. }, _) => "with this",
             (Problem::Swap { .. }, _) => "here",

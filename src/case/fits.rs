@@ -1,33 +1,37 @@
 //! Whether belt, radii and centre distance that are given go together, and what is only partly given.
 
 use super::choice::Free;
-use super::error::{CaseError, Problem};
 use super::file::Case;
 use super::geometry::pitch_length;
 use super::keys::Key;
 
-/// Share of the pitch length by which `belt.length` may differ from that of both radii before the case is refused. Less is
-/// reported with the result: a belt that bends is not as long as arcs and tangents, and the radii of a drive are seldom known
-/// better.
-pub const PITCH_TOLERANCE: f64 = 0.1;
+/// Share of the pitch length (6.12) by which `belt.length` may differ from that of both radii before it is said. A belt that
+/// bends is not as long as arcs and tangents, and the radii of a drive are seldom known better.
+pub const PITCH_TOLERANCE: f64 = 0.02;
 
 impl Case {
-    /// Refuses a belt that cannot lie in a drive of which everything is given.
-    pub(super) fn check_pitch(&self, primary: f64, secondary: f64, center_distance: f64) -> Result<(), CaseError> {
+    /// A belt that cannot lie around both radii that are given beside it.
+    fn contradiction(&self) -> Option<String> {
         let all = [Key::BeltLength, Key::PrimaryRadius, Key::SecondaryRadius];
         if !all.into_iter().all(|key| self.has(key)) {
-            return Ok(());
+            return None;
         }
-        let (length, pitch) = (self.value(Key::BeltLength), pitch_length(primary, secondary, center_distance));
-        if (length - pitch).abs() <= PITCH_TOLERANCE * pitch {
-            return Ok(());
-        }
-        let places = self.places(all.into_iter().chain([Key::CenterDistance]));
-        let given = self.written(Key::BeltLength);
-        Err(CaseError::new(Problem::Contradiction { given, pitch, center_distance }, places))
+        let [length, primary, secondary] = all.map(|key| self.value(key));
+        let pitch = pitch_length(primary, secondary, self.value(Key::CenterDistance));
+        // Written so that no number, of pulleys that overlap, is none.
+        ((length - pitch).abs() > PITCH_TOLERANCE * pitch).then(|| {
+            format!(
+                "`belt.length` = {:.1} mm contradicts the radii, around which a belt is {:.1} mm long (6.12). The radii hold, \
+                 and the length is only compared with; to hold the length, give `drive.free` in place of one radius, or \
+                 `drive.ratio` in place of both.",
+                1e3 * length,
+                1e3 * pitch
+            )
+        })
     }
 
-    /// What a case leaves to the base case although it gives what goes with it: worth knowing before a result is used.
+    /// What a case leaves to the base case although it gives what goes with it, and what it gives twice and differently: worth
+    /// knowing before a result is used.
     pub fn remarks(&self) -> Vec<String> {
         let free = self.choice(Key::Free).and_then(Free::from_name);
         let one = |given: Key, other: Key, free_other: Free| {
@@ -47,6 +51,6 @@ impl Case {
             one(Key::PrimaryRadius, Key::SecondaryRadius, Free::SecondaryRadius),
             one(Key::SecondaryRadius, Key::PrimaryRadius, Free::PrimaryRadius),
         ];
-        radii.into_iter().flatten().collect()
+        radii.into_iter().flatten().chain(self.contradiction()).collect()
     }
 }

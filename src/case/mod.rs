@@ -26,7 +26,7 @@
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] and
 //!   [`Case::make_room`] do that.
 //! - `belt.length` beside both radii: the radii hold. A belt that differs from their pitch length (6.12) by more than
-//!   [`PITCH_TOLERANCE`] of it is refused.
+//!   [`PITCH_TOLERANCE`] of it is remarked upon, see [`Case::remarks`].
 
 mod choice;
 mod error;

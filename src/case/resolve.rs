@@ -180,7 +180,6 @@ impl Case {
             let places = self.places([Key::PrimaryRadius, Key::SecondaryRadius, Key::CenterDistance]);
             return Err(CaseError::new(Problem::Overlap { primary, secondary, center_distance }, places));
         }
-        self.check_pitch(primary_radius, secondary_radius, center_distance)?;
         Ok(Drive { center_distance, primary_radius, secondary_radius, free })
     }
 

@@ -202,6 +202,8 @@ mod tests {
         #[test]
         fn a_number_in_a_unit_comes_back(value in prop::num::f64::NORMAL, index in 0..symbols().count()) {
             let symbol = symbols().nth(index).unwrap();
+            // Which is a unit only where something is divided by: "1/s".
+            prop_assume!(symbol != "1");
             prop_assume!(value.abs() > 1e-250 && value.abs() < 1e250);
             let scale = unit::find(symbol).unwrap();
             let read = parse(&format!("{value:e} {symbol}")).unwrap();

@@ -88,7 +88,7 @@ fn clamp(result: &DriveResult<Resolved>) -> String {
         primary.axial_force, secondary.axial_force, primary.exit_tension
     );
     if let Some(tension) = tension_for(result, WANTED_RESERVE) {
-        let percent = 100.0 * WANTED_RESERVE;
+        let (percent, tension) = (100.0 * WANTED_RESERVE, rounded(tension));
         let _ = write!(
             text,
             "; for {percent:.0} % reserve about {tension:.0} N slack (--reserve {percent:.0}% solves for it)"
@@ -108,6 +108,12 @@ pub fn tension_for(result: &DriveResult<Resolved>, reserve: f64) -> Option<f64> 
     let pressing = 0.5 * (primary.entry_tension + primary.exit_tension) - centrifugal;
     let tension = pressing * used / wanted + centrifugal - 0.5 * carried;
     (used > wanted && carried != 0.0 && tension.is_finite() && tension > primary.exit_tension).then_some(tension)
+}
+
+/// To two digits: an estimate is not better.
+fn rounded(value: f64) -> f64 {
+    let unit = 10_f64.powf(value.log10().floor() - 1.0);
+    (value / unit).round() * unit
 }
 
 fn radii(result: &DriveResult<Resolved>) -> String {
