@@ -29,6 +29,8 @@
 //!   [`PITCH_TOLERANCE`] of it is remarked upon, see [`Case::remarks`].
 
 mod choice;
+#[cfg(feature = "cli")]
+mod diagnostic;
 mod error;
 mod exchange;
 mod file;

@@ -1,10 +1,9 @@
 //! The clamp that leaves a given margin against slip.
 
-use std::time::Instant;
-
 use super::compute::{Outputs, pulley};
 use super::{Outcome, interpret};
 use crate::case::{Clamp, Key, Margin, Resolved};
+use crate::clock::Stopwatch;
 use crate::drive::{Constant, Failure, Question, RegionId, SolveOptions, Solved, solve, solve_along};
 
 /// Slack tension of the start over M/R_P: a belt as tight as this does not slip much.
@@ -32,7 +31,7 @@ pub fn utilization(solved: &Solved) -> f64 {
 /// # Errors
 /// [`Failure::Margin`] if no clamp that was tried leaves that margin, with the nearest; else see [`Failure`].
 pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let target = margin.utilization();
     let mut inner = case.clone();
     inner.operating_point.margin = None;

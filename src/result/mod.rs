@@ -10,7 +10,6 @@ mod summary;
 mod warnings;
 
 use std::collections::BTreeMap;
-use std::time::Instant;
 
 pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
 pub use compute::{Outputs, Sampled};
@@ -21,6 +20,7 @@ pub use summary::summary;
 pub use warnings::warnings;
 
 use crate::case::{Key, Resolved};
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
 
 /// A solved case: the result object, and the solution it was read from.
@@ -41,7 +41,7 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     if let Some(margin) = case.operating_point.margin {
         return margin::run(case, margin, options);
     }
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
 }
@@ -50,7 +50,12 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
-pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
+pub fn interpret(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: Solved,
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
     let mut result = read(case, options, &solved, start);
     if options.sensitivities {
         result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
@@ -58,7 +63,7 @@ pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start:
     Ok(Outcome { result, solved })
 }
 
-fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
+fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Stopwatch) -> DriveResult<Resolved> {
     let (belt, solution) = (&solved.belt, &solved.solution);
     let outputs = Outputs::new(belt, solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
@@ -93,7 +98,7 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             max_boundary_residual: solved.solution.max_boundary_residual(),
             newton_iterations: solved.stats.newton_iterations,
             continuation_steps: solved.continuation_steps,
-            wall_time: start.elapsed().as_secs_f64(),
+            wall_time: start.seconds(),
         },
         sensitivities: None,
     };

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::answers::answers;
-use super::schema::{DriveResult, Pulley};
+use super::schema::{DriveResult, Pulley, SolverReport};
 use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 
@@ -70,8 +70,8 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(
         text,
-        "  solved                    {:>11.1} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
-        solver.wall_time * 1e3,
+        "  solved                    {:>11} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
+        solver.milliseconds(),
         solver.order,
         solver.max_residual,
         solver.tolerance,
@@ -80,4 +80,11 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
         solver.newton_iterations,
     );
     text
+}
+
+impl SolverReport {
+    /// The time that the solution took in milliseconds, or a dash where the target has no clock.
+    pub(crate) fn milliseconds(&self) -> String {
+        self.wall_time.map_or_else(|| "-".to_owned(), |seconds| format!("{:.1}", seconds * 1e3))
+    }
 }
