@@ -25,23 +25,24 @@
 //!   prescribes any output in its place; the constant's own key says where the search starts.
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
 
-mod choice;
 mod error;
 mod exchange;
 mod file;
 pub mod geometry;
 mod keys;
+mod names;
 mod operating;
 mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
 
-pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
+pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};
 pub use exchange::Exchange;
 pub use file::Case;
 pub use keys::{Entry, Key, Kind, TABLE, sections};
+pub use names::{constant_label, output_label};
 pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
 pub use range::{Bound, Range};
 pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};

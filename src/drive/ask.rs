@@ -1,11 +1,11 @@
 //! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
 
-use super::constants::{Constant, Constants};
 use super::estimate::{EFFICIENCY, estimate};
-use super::question::{Known, Output, Question, Swap};
+use super::question::{Known, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
+use crate::model::{Constant, Constants};
 
 impl Question {
     /// What a case asks. Where a given constant is unknown, its value is an estimate.
@@ -41,7 +41,7 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
         // A key that gives a constant as it stands needs no swap.
         let known = match key {
             Key::SpeedRatio => Known::Constant(Constant::SpeedRatio),
-            key => match Output::of_key(key) {
+            key => match key.output() {
                 Some(output) => Known::Output(output),
                 None => return,
             },

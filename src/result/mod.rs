@@ -9,7 +9,7 @@ mod warnings;
 
 use std::time::Instant;
 
-pub use compute::{Outputs, Sampled};
+pub use compute::Sampled;
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
 pub use sensitivity::{Sensitivities, sensitivities};
@@ -18,6 +18,7 @@ pub use warnings::warnings;
 
 use crate::case::Resolved;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::model::InternalError;
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -43,33 +44,37 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 /// # Errors
 /// [`Failure::Sensitivities`].
 pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
-    let mut result = read(case, options, &solved, start);
+    let mut result = read(case, options, &solved, start)?;
     if options.sensitivities {
-        result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
+        result.sensitivities = Some(sensitivities(&solved)?);
     }
     Ok(Outcome { result, solved })
 }
 
-fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
-    let (belt, solution) = (&solved.belt, &solved.solution);
-    let outputs = Outputs::new(belt, solution);
+fn read(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: &Solved,
+    start: Instant,
+) -> Result<DriveResult<Resolved>, InternalError> {
+    let reading = compute::Reading::new(solved)?;
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
-    let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
-    let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
+    let primary = reading.primary()?;
+    let secondary = reading.secondary()?;
     let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
-    DriveResult {
+    Ok(DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
         primary,
         secondary,
-        tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
-        slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
-        efficiency: compute::efficiency(&outputs),
+        tight_span: reading.tight_span()?,
+        slack_span: reading.slack_span()?,
+        efficiency: reading.efficiency()?,
         slip_reserve,
-        belt: compute::belt(&outputs, case.belt.length),
-        energy: compute::energy(&outputs),
+        belt: reading.belt(case.belt.length)?,
+        energy: reading.energy()?,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,
@@ -86,5 +91,5 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             wall_time: start.elapsed().as_secs_f64(),
         },
         sensitivities: None,
-    }
+    })
 }

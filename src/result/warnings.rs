@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use crate::drive::RegionId;
+use crate::model::State;
 
 /// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
 const LITTLE_ADHESION: f64 = 0.02;
@@ -26,7 +27,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
         ));
     }
     for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
-        let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "x");
+        let at = outcome.solved.belt.kernel(region).state(State::Penetration);
         let part = outcome.solved.solution.regions().get(region.index());
         let x = at.and_then(|at| Some(part?.state(at))).unwrap_or_default();
         said.extend(pulled(name, x));

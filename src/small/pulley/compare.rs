@@ -4,7 +4,7 @@ use super::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
 use crate::drive::Constant;
 use crate::result::{Outcome, Pulley};
 use crate::small::formula::Inputs;
-use generated::BELT_PULLEY_LIMITS;
+use generated::{BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput};
 use serde::Serialize;
 
 /// Force below which the component counts a branch as slack, N: far below any tension of a drive.
@@ -110,15 +110,15 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
         false => (full.exit_tension, full.entry_tension),
     };
     let limits = Inputs::new(&BELT_PULLEY_LIMITS).with(&[
-        ("f", coefficient),
-        ("wrap", full.wrap_angle),
-        ("T_tight", tight_tension),
-        ("T_slack", slack_tension),
-        ("V_thr", component.velocity_threshold),
+        (BeltPulleyLimitInput::FrictionCoefficient, coefficient),
+        (BeltPulleyLimitInput::WrapAngle, full.wrap_angle),
+        (BeltPulleyLimitInput::TightTension, tight_tension),
+        (BeltPulleyLimitInput::SlackTension, slack_tension),
+        (BeltPulleyLimitInput::VelocityThreshold, component.velocity_threshold),
     ]);
     let outputs = limits.outputs();
-    let share = outputs.get("share");
-    let creep = (share < 1.0).then(|| outputs.get("creep"));
+    let share = outputs.get(BeltPulleyLimit::Share);
+    let creep = (share < 1.0).then(|| outputs.get(BeltPulleyLimit::Creep));
     // Branch A is where the belt enters; on the driving pulley the belt is slower than the rim.
     let ports = ports(&component, full, creep.unwrap_or(0.0) * if driving { -1.0 } else { 1.0 });
     let behaviour = component.behaviour(&ports);
@@ -126,10 +126,10 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
     PulleyComparison {
         tight_tension,
         slack_tension,
-        tension_ratio: outputs.get("tension_ratio"),
+        tension_ratio: outputs.get(BeltPulleyLimit::TensionRatio),
         wrap_angle: full.wrap_angle,
         effective_coefficient: (!ideal).then_some(coefficient),
-        largest_ratio: (!ideal).then(|| outputs.get("largest_ratio")),
+        largest_ratio: (!ideal).then(|| outputs.get(BeltPulleyLimit::LargestRatio)),
         share,
         sliding_speed: creep,
         full_min_sliding_speed: full.min_sliding_speed,
