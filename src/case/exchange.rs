@@ -40,7 +40,8 @@ pub(super) fn read(text: &str) -> Result<Exchange, String> {
     let constant =
         given.ok_or_else(|| format!("`{path}` gives no constant that could be found: expected one that does"))?;
     let output = output.parse::<Output>().map_err(|unknown| {
-        let distance = |other: &Output| strsim::damerau_levenshtein(other.name(), output);
+        let start: String = output.chars().take(60).collect();
+        let distance = |other: &Output| strsim::damerau_levenshtein(other.name(), &start);
         let near = Output::ALL.into_iter().min_by_key(distance).map(|near| format!(", such as `{}`", near.name()));
         format!("unknown output `{}`: expected one of a result{}", unknown.name, near.unwrap_or_default())
     })?;

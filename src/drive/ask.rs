@@ -4,7 +4,7 @@ use super::estimate::{EFFICIENCY, estimate};
 use super::question::{Known, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
-use crate::case::{Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
+use crate::case::{Case, CaseError, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
 use crate::model::{Constant, Constants};
 
 impl Question {
@@ -30,6 +30,16 @@ impl Question {
         let mut constants = start::constants(&constants);
         estimate(&mut constants, case);
         Self { constants, swaps }
+    }
+}
+
+impl Case {
+    /// Refuses a question that has no answer whatever the numbers, at the places that ask it.
+    ///
+    /// # Errors
+    /// [`Problem::IllPosed`](crate::case::Problem::IllPosed).
+    pub fn check_posed(&self, resolved: &Resolved) -> Result<(), CaseError> {
+        Question::of(resolved).check(&resolved.model).map_err(|reason| self.ill_posed(resolved, reason))
     }
 }
 

@@ -4,9 +4,8 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::Belt;
-use super::posedness::IllPosed;
 use super::question::{Known, Question};
-use crate::model::{Constant, Constants, InternalError};
+use crate::model::{Constant, Constants, IllPosed, InternalError};
 
 /// Why there is no solution.
 #[derive(Debug, Error)]

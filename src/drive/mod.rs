@@ -19,13 +19,12 @@ mod solved;
 mod start;
 mod warm;
 
-pub use crate::model::{Constant, Constants, Output};
+pub use crate::model::{Constant, Constants, IllPosed, Output};
 pub use belt::Belt;
 pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};
 pub use inputs::inputs;
 pub use outputs::{OutputGradients, OutputValues};
-pub use posedness::IllPosed;
 pub use question::{Known, Question, Swap};
 pub use region::RegionId;
 pub use solve::{SolveOptions, solve, solve_question};

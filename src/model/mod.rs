@@ -4,8 +4,10 @@
 mod choice;
 mod constants;
 mod error;
+mod posed;
 
 pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use constants::Constants;
 pub use error::InternalError;
 pub use generated::{BeltTheory, Constant, Field, Integral, Output, RegionConstant, State, UnknownOutput};
+pub use posed::IllPosed;

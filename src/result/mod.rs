@@ -1,5 +1,6 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
+mod component;
 mod compute;
 mod profile;
 mod schema;
@@ -9,6 +10,7 @@ mod warnings;
 
 use std::time::Instant;
 
+pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};

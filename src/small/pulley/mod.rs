@@ -12,10 +12,8 @@
 //! [`BeltPulley::residuals`] and [`BeltPulley::jacobian`] state the component's three equations for a system's solver;
 //! [`BeltPulley::balance`] solves them for one pulley whose motion and one of whose tensions are known.
 
-mod compare;
 mod error;
 
-pub use compare::{Comparison, Grip, PulleyComparison, compare};
 pub use error::PulleyError;
 
 use super::formula::Inputs;

@@ -1,9 +1,9 @@
-//! The component beside the full model: what Euler's relation makes of the tensions that the full model finds.
+//! The belt pulley of [`small::pulley`](crate::small::pulley), a component, beside the full model: what Euler's relation makes of the tensions that the full model finds.
 
-use super::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
-use crate::drive::Constant;
-use crate::result::{Outcome, Pulley};
+use super::{Outcome, Pulley};
+use crate::model::{Constant, Constants, InternalError};
 use crate::small::formula::Inputs;
+use crate::small::pulley::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
 use generated::{BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput};
 use serde::Serialize;
 
@@ -78,16 +78,18 @@ impl Grip {
 
 /// Compares both pulleys of a solved drive with the component, whose friction velocity threshold is the case's: with
 /// `viscous-coulomb` friction the speed at which that reaches its coefficient, with `tanh` the same law.
-pub fn compare(outcome: &Outcome, grip: Grip) -> Comparison {
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn compare(outcome: &Outcome, grip: Grip) -> Result<Comparison, InternalError> {
     let result = &outcome.result;
     let belt = grip.belt(outcome);
     // From the solution: a radius may have been solved for.
-    let constants = outcome.solved.solution.constants();
-    let radius = |radius: Constant| constants.get(radius.index()).copied().unwrap_or(f64::NAN);
-    Comparison {
-        primary: pulley(outcome, belt, &result.primary, radius(Constant::PrimaryRadius), true),
-        secondary: pulley(outcome, belt, &result.secondary, radius(Constant::SecondaryRadius), false),
-    }
+    let constants = Constants::try_from(outcome.solved.solution.constants())?;
+    Ok(Comparison {
+        primary: pulley(outcome, belt, &result.primary, constants[Constant::PrimaryRadius], true),
+        secondary: pulley(outcome, belt, &result.secondary, constants[Constant::SecondaryRadius], false),
+    })
 }
 
 fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving: bool) -> PulleyComparison {
