@@ -5,7 +5,6 @@ use super::keys::Key;
 use crate::model::IllPosed;
 use crate::quantity::QuantityError;
 use crate::text::{printable, printable_in_place};
-use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -33,8 +32,13 @@ impl Source {
         Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
     }
 
+    /// The whole text with nothing in it that a terminal would act on, each byte in its place.
+    pub fn shown_text(&self) -> &str {
+        &self.shown
+    }
+
     /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
-    fn excerpt(&self, place: usize) -> Option<Range<usize>> {
+    pub fn excerpt(&self, place: usize) -> Option<Range<usize>> {
         let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
         let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
         let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
@@ -53,7 +57,7 @@ impl Source {
     }
 
     /// The part of `span` that is shown; nothing if none of it is.
-    pub(crate) fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
+    pub fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
         let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
         let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
         (start <= end).then_some(start..end)
@@ -249,8 +253,9 @@ fn keys_near(path: &str) -> String {
 
 /// A [`Problem`] with the places it is about.
 ///
-/// Displays as one line that names the key, what was given and what is expected; as a [`Diagnostic`] it underlines the
-/// place in the case file or the argument.
+/// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
+/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the place
+/// in the case file or the argument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseError(Box<Inner>);
 
@@ -277,8 +282,23 @@ impl CaseError {
         &self.0.places
     }
 
+    /// What to do about it, where there is more to say than the message says.
+    pub fn hint(&self) -> Option<String> {
+        let hint = match (&self.0.problem, self.places()) {
+            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+                let [one, other] = [one, other].map(|place| &place.source.name);
+                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
+            }
+            (Problem::Conflict { first, second, .. }, _) => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            (problem, _) => problem.advice(),
+        };
+        Some(printable(&hint?).into_owned())
+    }
+
     /// What to underline of a place.
-    fn span(&self, place: &Place) -> Range<usize> {
+    pub fn span(&self, place: &Place) -> Range<usize> {
         match self.0.problem {
             Problem::UnknownKey { .. } => place.key.clone(),
             Problem::Conflict { .. } => place.whole(),
@@ -287,8 +307,8 @@ impl CaseError {
         }
     }
 
-    /// What to write beside the underlined text.
-    fn label(&self, index: usize) -> &'static str {
+    /// What to write beside the underlined text of the place with this number.
+    pub fn label(&self, index: usize) -> &'static str {
         match (&self.0.problem, index) {
             (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
             (Problem::UnknownKey { .. }, _) => "no such key",
@@ -321,65 +341,3 @@ impl fmt::Display for CaseError {
 }
 
 impl std::error::Error for CaseError {}
-
-impl Diagnostic for CaseError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        let advice = match (&self.0.problem, self.places()) {
-            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
-                let [one, other] = [one, other].map(|place| &place.source.name);
-                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
-            }
-            (Problem::Conflict { first, second, .. }, _) => {
-                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
-            }
-            (problem, _) => problem.advice(),
-        };
-        Some(Box::new(printable(&advice?).into_owned()))
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&*self.0.places.first()?.source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let first = self.0.places.first()?;
-        // One text can be shown: the one at fault. Of a long line, one place in it.
-        let shown: Vec<(usize, &Place)> =
-            self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source).collect();
-        let cut = shown.iter().any(|(_, place)| place.source.excerpt(self.span(place).start).is_some());
-        let shown = shown.into_iter().take(if cut { 1 } else { usize::MAX });
-        Some(Box::new(shown.filter_map(|(index, place)| {
-            let span = place.source.shown(self.span(place))?;
-            Some(LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len())))
-        })))
-    }
-}
-
-impl SourceCode for Source {
-    fn read_span<'a>(
-        &'a self,
-        span: &miette::SourceSpan,
-        context_lines_before: usize,
-        context_lines_after: usize,
-    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        // Of a text on one endless line a part is shown, and nothing that a terminal would act on.
-        let excerpt = self.excerpt(span.offset()).map(|excerpt| (excerpt.start, excerpt.len()));
-        let (span, before, after) = match &excerpt {
-            Some(excerpt) => (&(*excerpt).into(), 0, 0),
-            None => (span, context_lines_before, context_lines_after),
-        };
-        let contents = self.text.read_span(span, before, after)?;
-        let (start, length) = (contents.span().offset(), contents.span().len());
-        let data = self.shown.get(start..start + length).unwrap_or_default().as_bytes();
-        let name = printable(&self.name).into_owned();
-        let (line, column) = (contents.line(), contents.column());
-        Ok(Box::new(miette::MietteSpanContents::new_named(
-            name,
-            data,
-            *contents.span(),
-            line,
-            column,
-            contents.line_count(),
-        )))
-    }
-}

@@ -25,6 +25,8 @@
 //!   prescribes any output in its place; the constant's own key says where the search starts.
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
 
+#[cfg(feature = "cli")]
+mod diagnostic;
 mod error;
 mod exchange;
 mod file;

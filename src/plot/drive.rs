@@ -1,7 +1,6 @@
 //! The figures of one solution.
 
 use super::figure::{Axis, Figure, Look, Mark, Series};
-use super::render::PlotError;
 use crate::drive::RegionId;
 use crate::model::{Constant, Constants, Field, Integral, InternalError, State};
 use crate::result::{Outcome, Sampled};
@@ -25,7 +24,7 @@ struct View<'a> {
 ///
 /// # Errors
 /// None, unless this program is broken.
-pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, PlotError> {
+pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     let solved = &outcome.solved;
     let sample = |region: RegionId| {
         let mesh = solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());

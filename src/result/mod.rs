@@ -8,8 +8,6 @@ mod sensitivity;
 mod summary;
 mod warnings;
 
-use std::time::Instant;
-
 pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
 pub use profile::write_profile;
@@ -19,6 +17,7 @@ pub use summary::summary;
 pub use warnings::warnings;
 
 use crate::case::Resolved;
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
 use crate::model::InternalError;
 
@@ -36,7 +35,7 @@ pub struct Outcome {
 /// # Errors
 /// See [`Failure`].
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
 }
@@ -45,7 +44,12 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
-pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
+pub fn interpret(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: Solved,
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
     let mut result = read(case, options, &solved, start)?;
     if options.sensitivities {
         result.sensitivities = Some(sensitivities(&solved)?);
@@ -57,7 +61,7 @@ fn read(
     case: &Resolved,
     options: &SolveOptions,
     solved: &Solved,
-    start: Instant,
+    start: Stopwatch,
 ) -> Result<DriveResult<Resolved>, InternalError> {
     let reading = compute::Reading::new(solved)?;
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
@@ -90,7 +94,7 @@ fn read(
             max_boundary_residual: solved.solution.max_boundary_residual(),
             newton_iterations: solved.stats.newton_iterations,
             continuation_steps: solved.continuation_steps,
-            wall_time: start.elapsed().as_secs_f64(),
+            wall_time: start.seconds(),
         },
         sensitivities: None,
     })

@@ -159,8 +159,8 @@ pub struct SolverReport {
     pub newton_iterations: usize,
     /// Continuation steps in all.
     pub continuation_steps: usize,
-    /// Seconds from the resolved case to the result, inside the process.
-    pub wall_time: f64,
+    /// Seconds from the resolved case to the result, inside the process; nothing where the target has no clock.
+    pub wall_time: Option<f64>,
 }
 
 /// Mesh intervals by region.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::schema::{DriveResult, Pulley};
+use super::schema::{DriveResult, Pulley, SolverReport};
 use crate::quantity::unsigned_zero;
 
 fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
@@ -69,8 +69,8 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(
         text,
-        "  solved                    {:>11.1} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
-        solver.wall_time * 1e3,
+        "  solved                    {:>11} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
+        solver.milliseconds(),
         solver.order,
         solver.max_residual,
         solver.tolerance,
@@ -79,4 +79,11 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         solver.newton_iterations,
     );
     text
+}
+
+impl SolverReport {
+    /// The time that the solution took in milliseconds, or a dash where the target has no clock.
+    pub(crate) fn milliseconds(&self) -> String {
+        self.wall_time.map_or_else(|| "-".to_owned(), |seconds| format!("{:.1}", seconds * 1e3))
+    }
 }

@@ -2,7 +2,8 @@
 
 use super::{Chapters, Ends, Family};
 use crate::case::Key;
-use crate::plot::{self, Axis, Figure, Look, PlotError, Series};
+use crate::model::InternalError;
+use crate::plot::{self, Axis, Figure, Look, Series};
 use crate::result::Outcome;
 use crate::study::Table;
 
@@ -12,7 +13,7 @@ pub(super) const RATIO: &str = "ratio R_{S}/R_{P}";
 ///
 /// # Errors
 /// None, unless this program is broken.
-pub fn figures(chapters: &Chapters) -> Result<Vec<Figure>, PlotError> {
+pub fn figures(chapters: &Chapters) -> Result<Vec<Figure>, InternalError> {
     let mut figures = plot::drive(&chapters.base)?;
     for figure in &mut figures {
         figure.name = format!("base_{}", figure.name);
@@ -67,7 +68,7 @@ fn range(table: &Table) -> Vec<Figure> {
 }
 
 /// The pulleys' nominal radii and the belt at both ends of the range.
-fn radii(ends: &Ends) -> Result<Option<Figure>, PlotError> {
+fn radii(ends: &Ends) -> Result<Option<Figure>, InternalError> {
     let (Some(low), Some(high)) = (&ends.low, &ends.high) else { return Ok(None) };
     let mut both: Option<Figure> = None;
     for (outcome, label) in [(low, "low range, 1.74"), (high, "high range, 0.72")] {
@@ -94,7 +95,7 @@ fn radii(ends: &Ends) -> Result<Option<Figure>, PlotError> {
 }
 
 /// Both ends of the range side by side: the fields of the base belt, the penetration of belts of other stiffness.
-fn ends(chapters: &Chapters) -> Result<Vec<Figure>, PlotError> {
+fn ends(chapters: &Chapters) -> Result<Vec<Figure>, InternalError> {
     let mut figures = Vec::new();
     if let Ends { low: Some(low), high: Some(high), .. } = &chapters.ends {
         let cases = [(low, "low range, 1.74".to_owned()), (high, "high range, 0.72".to_owned())];
@@ -123,7 +124,12 @@ fn ends(chapters: &Chapters) -> Result<Vec<Figure>, PlotError> {
 }
 
 /// One field of one pulley, of several solutions.
-fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, String)]) -> Result<Option<Figure>, PlotError> {
+fn beside(
+    field: &str,
+    pulley: usize,
+    name: &str,
+    cases: &[(&Outcome, String)],
+) -> Result<Option<Figure>, InternalError> {
     let mut together: Option<Figure> = None;
     for (outcome, label) in cases {
         let Some(figure) = plot::drive(outcome)?.into_iter().find(|figure| figure.name == field) else {
