@@ -1,13 +1,18 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
+mod answers;
 mod component;
 mod compute;
+mod margin;
 mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
 mod warnings;
 
+use std::collections::BTreeMap;
+
+pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
 pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
 pub use profile::write_profile;
@@ -16,7 +21,7 @@ pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
 
-use crate::case::Resolved;
+use crate::case::{Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
 use crate::model::InternalError;
@@ -30,11 +35,15 @@ pub struct Outcome {
     pub solved: Solved,
 }
 
-/// Solves a case from nothing and reads the solution.
+/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
+/// tension at which that margin holds.
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
+    if let Some(margin) = case.operating_point.margin {
+        return margin::run(case, margin, options);
+    }
     let start = Stopwatch::start();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
@@ -67,18 +76,20 @@ fn read(
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     let primary = reading.primary()?;
     let secondary = reading.secondary()?;
-    let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
-    Ok(DriveResult {
+    let friction_utilization = primary.friction_utilization.max(secondary.friction_utilization);
+    let mut result = DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
+        found: BTreeMap::new(),
         primary,
         secondary,
         tight_span: reading.tight_span()?,
         slack_span: reading.slack_span()?,
         efficiency: reading.efficiency()?,
-        slip_reserve,
+        slip_reserve: 1.0 - friction_utilization,
+        friction_utilization,
         belt: reading.belt(case.belt.length)?,
         energy: reading.energy()?,
         solver: SolverReport {
@@ -97,5 +108,20 @@ fn read(
             wall_time: start.seconds(),
         },
         sensitivities: None,
-    })
+    };
+    for constant in solved.question.swaps.iter().map(|swap| swap.free) {
+        if let Some(key) = Key::of_constant(constant) {
+            result.add_found(key, solved.constant(constant));
+        }
+    }
+    Ok(result)
+}
+
+impl DriveResult<Resolved> {
+    /// Notes what was found for a key that was solved for, among the inputs too.
+    fn add_found(&mut self, key: Key, value: f64) {
+        self.found.insert(key.path().to_owned(), value);
+        self.inputs.found.retain(|(other, _)| *other != key);
+        self.inputs.found.push((key, value));
+    }
 }

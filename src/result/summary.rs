@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
+use super::answers::answers;
 use super::schema::{DriveResult, Pulley, SolverReport};
+use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 
 fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
@@ -31,11 +33,15 @@ fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
     row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
 }
 
-/// Axial forces, efficiencies, the energy audit and how well the solution holds.
-pub fn summary<I>(result: &DriveResult<I>) -> String {
+/// What an engineer asks first, then axial forces, efficiencies, the energy audit and how well the solution holds.
+pub fn summary(result: &DriveResult<Resolved>) -> String {
     let mut text = String::new();
     let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
     let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
+    for answer in answers(result) {
+        let _ = writeln!(text, "  {:<24}{}", answer.question, answer.answer);
+    }
+    text.push('\n');
     pulleys(&mut text, &result.primary, &result.secondary);
     let percent = |fraction: f64| 100.0 * fraction;
     let _ = writeln!(
@@ -60,11 +66,6 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
         belt.unstretched_length * 1e3,
         belt.length_error * 1e3,
-    );
-    let _ = writeln!(
-        text,
-        "  slip reserve              {:>11.1} % of the friction at hand is not used",
-        percent(result.slip_reserve),
     );
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(

@@ -157,7 +157,7 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
             (DriveSizingInput::Acceleration, drive.acceleration),
         ])
         .outputs();
-    Ok(Sizing {
+    let sizing = Sizing {
         ratio: outputs.get(DriveSizingOutput::Ratio),
         inertia: Inertia {
             load: outputs.get(DriveSizingOutput::LoadInertia),
@@ -173,5 +173,8 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
             acceleration: outputs.get(DriveSizingOutput::AccelerationTorque),
             drive: outputs.get(DriveSizingOutput::DriveTorque),
         },
-    })
+    };
+    let (inertia, torque) = (&sizing.inertia, &sizing.torque);
+    let all = [inertia.rotating, inertia.total, torque.steady, torque.drive, sizing.ratio];
+    if all.iter().all(|value| value.is_finite()) { Ok(sizing) } else { Err(SizeError::new(Problem::Overflow, None)) }
 }
