@@ -2,6 +2,7 @@
 
 mod approach;
 mod ask;
+mod budget;
 mod belt;
 mod constants;
 mod curve;
@@ -14,9 +15,11 @@ mod posedness;
 mod predict;
 mod question;
 mod region;
+mod route;
 mod solve;
 mod solved;
 mod start;
+mod tuning;
 mod warm;
 
 pub use belt::Belt;
@@ -27,6 +30,7 @@ pub use inputs::inputs;
 pub use posedness::IllPosed;
 pub use question::{Known, Output, Question, SEPARATOR, Swap};
 pub use region::RegionId;
+pub use route::Route;
 pub use solve::{SolveOptions, solve, solve_question};
 pub use solved::Solved;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};
