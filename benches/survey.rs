@@ -11,6 +11,7 @@ use sheave::drive::{Route, SolveOptions, solve};
 use std::collections::BTreeMap;
 
 const SLACK_TENSION: &str = "operating_point.slack_tension";
+const TORQUE: &str = "operating_point.primary_torque";
 const EDITIONS: [&str; 4] = ["consistent", "thesis", "published", "string"];
 const TOLERANCE: f64 = 1e-3;
 /// Least radius of a design, m: that of a scooter's primary.
@@ -26,7 +27,7 @@ const AXES: [(&str, f64, f64, bool); 11] = [
     ("sheave.friction_coefficient", 0.2, 0.7, false),
     ("sheave.slip_threshold", 1e-5, 1e-2, true),
     ("operating_point.primary_speed", 31.4159, 942.478, false),
-    ("operating_point.primary_torque", -40.0, 60.0, false),
+    (TORQUE, -40.0, 60.0, false),
     (SLACK_TENSION, 20.0, 1500.0, true),
     ("drive.center_distance", 0.15, 0.35, false),
 ];
@@ -52,6 +53,10 @@ impl Stream {
 /// A design: keys and values in SI.
 type Design = Vec<(&'static str, f64)>;
 
+fn value(design: &Design, key: &str) -> f64 {
+    design.iter().find(|(other, _)| *other == key).map_or(f64::NAN, |(_, value)| *value)
+}
+
 /// The design `index` of a seed: radii of a ratio from 0.4 to 3.5 that stand apart.
 fn design(seed: u64, index: u64) -> Design {
     let mut stream = Stream(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ index);
@@ -67,6 +72,11 @@ fn design(seed: u64, index: u64) -> Design {
     };
     design.push(("drive.primary_radius", primary));
     design.push(("drive.secondary_radius", secondary));
+    // The tension of the axis is that of the looser strand, which in engine braking is not the one that leaves the primary.
+    let torque = value(&design, TORQUE);
+    if let Some((_, tension)) = design.iter_mut().find(|(key, _)| *key == SLACK_TENSION) {
+        *tension += (-torque / primary).max(0.0);
+    }
     // The belt that closes.
     let slope = ((secondary - primary) / center).asin();
     let spans = 2.0 * center * slope.cos();
@@ -109,7 +119,7 @@ fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
     if !prove {
         return Fate::Failed(failure.to_string());
     }
-    let given = design.iter().find(|(key, _)| *key == SLACK_TENSION).map_or(f64::NAN, |(_, value)| *value);
+    let given = value(design, SLACK_TENSION);
     match smallest_clamps(&resolved, &LimitOptions { solve: options, least_speed_efficiency: 0.0 }) {
         Ok((limits, _)) => {
             let limit = limits.slack_tension;

@@ -59,7 +59,7 @@ fn torque_and_force_balance_on_the_whole_drive() {
 
 #[test]
 fn sensitivities_agree_with_differences_of_whole_solves() {
-    let options = SolveOptions { tolerance: 1e-10, order: Order::Six, sensitivities: true };
+    let options = SolveOptions { tolerance: 1e-10, order: Order::Six, sensitivities: true, ..SolveOptions::default() };
     // The smooth law with a wide threshold: sliding speeds are small differences of large ones, and at 1e-4 m/s their
     // rounding alone limits differences of whole solves to about 1e-5.
     let base = [("edition", "consistent"), ("model.friction", "tanh"), ("sheave.slip_threshold", "1e-2")];

@@ -23,7 +23,7 @@ fn set(key: &'static str, value: f64) -> (&'static str, String) {
 }
 
 fn accurate() -> SolveOptions {
-    SolveOptions { tolerance: 1e-9, order: Order::Six, sensitivities: false }
+    SolveOptions { tolerance: 1e-9, order: Order::Six, sensitivities: false, ..SolveOptions::default() }
 }
 
 fn rough() -> SolveOptions {

@@ -127,7 +127,9 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         return Err(DesignError::Given { key: Key::Free, expected });
     }
     let guess = Question::of(case).constants;
-    let least = TIGHT * guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    // Where the secondary drives, the strand that leaves the primary is the tight one.
+    let pull = guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    let least = TIGHT * pull.abs() + (-pull).max(0.0);
     let mut start = case.clone();
     let mut tension = guess[Constant::SlackTension].max(least);
     let mut first = None;

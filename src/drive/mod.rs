@@ -2,8 +2,8 @@
 
 mod approach;
 mod ask;
-mod budget;
 mod belt;
+mod budget;
 mod constants;
 mod curve;
 mod estimate;

@@ -173,12 +173,12 @@ fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Resul
         budget.take(&given, &left);
         match climbed {
             Ok((solution, stats, continuation_steps)) => {
-                return Ok(Solved { question: question.clone(), belt, solution, stats, continuation_steps, route: Some(route) });
+                let (question, route) = (question.clone(), Some(route));
+                return Ok(Solved { question, belt, solution, stats, continuation_steps, route });
             }
             Err(next) => {
-                if std::env::var("TRACE").is_ok() {
-                    eprintln!("  {} spent {}: {next}", route.name(), given.left() - left.left());
-                }
+                let spent = given.left() - left.left();
+                tracing::debug!("the route by {} was lost after {spent} Newton iterations: {next}", route.name());
                 failure = Some(Failure::farther(failure, next));
             }
         }
