@@ -75,7 +75,7 @@ impl fmt::Display for Words<'_> {
             Bound::Closed(low) => bound("", "from", low).map(|()| " and ")?,
         };
         match self.range.high {
-            Bound::None if self.range.low == Bound::None => write!(f, "above, at or below zero"),
+            Bound::None if self.range.low == Bound::None => write!(f, "of either sign"),
             Bound::None => Ok(()),
             Bound::Open(high) => bound(and, "below", high),
             Bound::Closed(high) => bound(and, "up to", high),

@@ -93,7 +93,7 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
     start.operating_point.load = Load::SpeedRatio(1.0);
     let easy = Question::of(&start).constants[Constant::PrimaryTorque];
     start.operating_point.load = Load::PrimaryTorque(match case.operating_point.load {
-        Load::PrimaryTorque(torque) => torque.min(easy),
+        Load::PrimaryTorque(torque) if torque > 0.0 => torque.min(easy),
         _ => easy,
     });
     let solved = solve(&start, &options.solve)?;

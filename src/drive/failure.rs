@@ -57,14 +57,6 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
-    /// What is prescribed holds only if the secondary drives.
-    #[error(
-        "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
-    )]
-    Reversed {
-        /// Primary torque, N·m.
-        torque: f64,
-    },
 }
 
 /// How far a prescribed value was approached, SI.
@@ -96,7 +88,6 @@ impl Failure {
     /// tension, for it is loose belts that are lost.
     pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
         let key = |failure: &Self| match failure {
-            Self::Reversed { .. } => (-2.0, 0.0),
             Self::Unreached { .. } => (-1.0, 0.0),
             Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
             _ => (f64::INFINITY, f64::INFINITY),

@@ -91,9 +91,8 @@ pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions
             }
         };
         for order in [together, one_by_one] {
-            match order(model, &near, question, options).and_then(driven) {
+            match order(model, &near, question, options) {
                 Ok(solved) => return Ok(solved),
-                Err(reversed @ Failure::Reversed { .. }) => return Err(reversed),
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
@@ -130,12 +129,6 @@ fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &Solve
     }
     here.question = question.clone();
     Ok(here)
-}
-
-/// The drive must be driven by its primary.
-fn driven(solved: Solved) -> Result<Solved, Failure> {
-    let torque = solved.constant(Constant::PrimaryTorque);
-    if torque > 0.0 { Ok(solved) } else { Err(Failure::Reversed { torque }) }
 }
 
 fn rough(options: &SolveOptions) -> Options {

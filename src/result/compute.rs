@@ -189,10 +189,39 @@ pub fn span(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionI
     }
 }
 
-/// Efficiencies.
+/// Efficiencies, of the driven pulley over the driving one.
 pub fn efficiency(outputs: &Outputs) -> Efficiency {
-    let output = |key: &str| outputs.get("efficiency", key);
-    Efficiency { speed: output("speed"), torque: output("torque"), overall: output("overall") }
+    let primary_over_secondary = |key: &str| outputs.get("efficiency", key);
+    let driven_over_driving = |key: &str| match Driving::of(outputs)? {
+        Driving::Primary => Some(primary_over_secondary(key)),
+        Driving::Secondary => Some(1.0 / primary_over_secondary(key)),
+    };
+    Efficiency {
+        speed: driven_over_driving("speed"),
+        torque: driven_over_driving("torque"),
+        overall: driven_over_driving("overall"),
+    }
+}
+
+/// The pulley that drives the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Driving {
+    Primary,
+    Secondary,
+}
+
+impl Driving {
+    /// By the powers; neither where one of them is zero or both pulleys feed the belt's losses.
+    fn of(outputs: &Outputs) -> Option<Self> {
+        let (power_in, power_out) = (outputs.get("energy", "power_in"), outputs.get("energy", "power_out"));
+        if power_in > 0.0 && power_out > 0.0 {
+            Some(Self::Primary)
+        } else if power_in < 0.0 && power_out < 0.0 {
+            Some(Self::Secondary)
+        } else {
+            None
+        }
+    }
 }
 
 /// The belt as a whole, `length` being what it measures unstretched, m.
