@@ -2,11 +2,11 @@
 
 use solver::continuation::Ramp;
 
-use super::constants::{Constant, Constants};
 use super::start;
 use super::tuning::{
     DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER, TORQUE,
 };
+use crate::model::{Constant, Constants};
 
 /// A way from the start to a case. Those tried first are those that solve most drives for the least work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,9 +4,9 @@ use solver::continuation::Followed;
 use solver::{Solution, Stats};
 
 use super::belt::Belt;
-use super::constants::Constant;
 use super::question::Question;
 use super::route::Route;
+use crate::model::Constant;
 
 /// A solved drive.
 #[derive(Debug, Clone)]

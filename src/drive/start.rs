@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use solver::{Guess, Problem};
 
 use super::belt::Belt;
-use super::constants::{Constant, Constants};
 use super::region::RegionId;
 use super::tuning::{DEEPEST_GUESS, INTERVALS, PENETRATION_SHARE, RISE};
+use crate::model::{Constant, Constants, State};
 
 /// Fills the unknown constants of the drive with those of a tight, inextensible belt on tangent lines.
 pub(super) fn constants(given: &Constants) -> Constants {
@@ -66,23 +66,31 @@ pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
     Guess::uniform(belt.layout(), INTERVALS, &constants.0, |region, s, y| {
         if let Some(region) = RegionId::ALL.get(region) {
             let kernel = belt.kernel(*region);
-            for (value, symbol) in y.iter_mut().zip(kernel.states) {
-                *value = state(*region, symbol.name, s, constants);
+            for (value, of) in y.iter_mut().zip(kernel.states) {
+                *value = state(*region, *of, s, constants);
             }
         }
     })
 }
 
 /// The start's value of a state in a region at `s` in `[0, 1]`; derivatives of angles vanish.
-fn state(region: RegionId, name: &str, s: f64, constants: &Constants) -> f64 {
+fn state(region: RegionId, state: State, s: f64, constants: &Constants) -> f64 {
+    let tension = constants[Constant::SlackTension];
     let slope = constants[Constant::PrimaryOrientation] - FRAC_PI_2;
     let penetration = |radius: Constant| depth(constants, radius) * (s.min(1.0 - s) / RISE).min(1.0);
-    match (name, region) {
-        ("T" | "tau", _) => constants[Constant::SlackTension],
-        ("x", RegionId::Primary) => penetration(Constant::PrimaryRadius),
-        ("x", _) => penetration(Constant::SecondaryRadius),
-        ("vartheta", RegionId::SlackSpan) => -slope,
-        ("vartheta", _) => PI + slope,
-        _ => 0.0,
+    match (state, region) {
+        (State::Tension | State::SpanTension, _) => tension,
+        (State::Penetration, RegionId::Primary) => penetration(Constant::PrimaryRadius),
+        (State::Penetration, _) => penetration(Constant::SecondaryRadius),
+        (State::Direction, RegionId::SlackSpan) => -slope,
+        (State::Direction, _) => PI + slope,
+        (
+            State::Inclination
+            | State::InclinationDerivative
+            | State::InclinationSecondDerivative
+            | State::DirectionDerivative
+            | State::DirectionSecondDerivative,
+            _,
+        ) => 0.0,
     }
 }
