@@ -1,5 +1,5 @@
 // simple_drive_closed: What follows without iteration in a drive whose belt adheres, then slides.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 141 operations
 //   jacobian: 632 operations
@@ -121,184 +121,16 @@ const PATTERN: &[(usize, usize)] = &[
     (18, 14),
 ];
 ///What follows without iteration in a drive whose belt adheres, then slides.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<SimpleDriveInput, SimpleDriveOutput> = FormulaKernel::new(BoundaryKernel {
     name: "simple_drive_closed",
-    equations: &[
-        Equation {
-            name: "v_0_O",
-            doc: "v_0 at no torque, from F_CO and r ω (2.220), m/s",
-        },
-        Equation {
-            name: "v_0_I",
-            doc: "v_0 at no torque, from F_CI and r ω (15), m/s",
-        },
-        Equation {
-            name: "omega_O_of_M_O",
-            doc: "ω_O from ω_I, M_O and v_0 (21), rad/s",
-        },
-        Equation {
-            name: "omega_I_of_M_O",
-            doc: "ω_I from ω_O, M_O and v_0 (2), rad/s",
-        },
-        Equation {
-            name: "M_O_of_speeds",
-            doc: "M_O from both speeds and v_0 (17), N·m",
-        },
-        Equation {
-            name: "M_I_of_speeds",
-            doc: "M_I from both speeds and v_0 (19), N·m",
-        },
-        Equation {
-            name: "M_O_of_M_I",
-            doc: "M_O from M_I (11), N·m",
-        },
-        Equation {
-            name: "M_I_of_M_O",
-            doc: "M_I from M_O (20), N·m",
-        },
-        Equation {
-            name: "lift_off",
-            doc: "longitudinal force at which the belt lifts off, K, N",
-        },
-        Equation {
-            name: "slack_force",
-            doc: "longitudinal force where the belt enters the output pulley (2.218), N",
-        },
-        Equation {
-            name: "tight_force",
-            doc: "longitudinal force where the belt enters the input pulley (7), N",
-        },
-        Equation {
-            name: "slack_tension",
-            doc: "tractive tension where the belt enters the output pulley, N",
-        },
-        Equation {
-            name: "tight_tension",
-            doc: "tractive tension where the belt enters the input pulley, N",
-        },
-        Equation {
-            name: "sliding_O",
-            doc: "Φ_O from both speeds and v_0 (22), rad",
-        },
-        Equation {
-            name: "sliding_I",
-            doc: "Φ_I from both speeds and v_0 (25), rad",
-        },
-        Equation {
-            name: "F_CO_of_speeds",
-            doc: "F_CO from both speeds and v_0 (23), N",
-        },
-        Equation {
-            name: "F_CI_of_speeds",
-            doc: "F_CI from both speeds and v_0 (26), N",
-        },
-        Equation {
-            name: "F_slip_O",
-            doc: "F_CO at which the belt slides on all of the output pulley, from M_O and v_0, N",
-        },
-        Equation {
-            name: "F_slip_I",
-            doc: "F_CI at which the belt slides on all of the input pulley, from M_I and v_0, N",
-        },
-    ],
+    equations: SimpleDriveOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "omega_I",
-            symbol: "ω_I",
-            unit: "rad/s",
-            doc: "speed of the input pulley",
-        },
-        Symbol {
-            name: "omega_O",
-            symbol: "ω_O",
-            unit: "rad/s",
-            doc: "speed of the output pulley",
-        },
-        Symbol {
-            name: "M_I",
-            symbol: "M_I",
-            unit: "N·m",
-            doc: "torque of the belt on the input pulley, negative where it drives",
-        },
-        Symbol {
-            name: "M_O",
-            symbol: "M_O",
-            unit: "N·m",
-            doc: "torque of the belt on the output pulley, positive where it is driven",
-        },
-        Symbol {
-            name: "F_CI",
-            symbol: "F_CI",
-            unit: "N",
-            doc: "axial force on the input pulley",
-        },
-        Symbol {
-            name: "F_CO",
-            symbol: "F_CO",
-            unit: "N",
-            doc: "axial force on the output pulley",
-        },
-        Symbol {
-            name: "v_0",
-            symbol: "v_0",
-            unit: "m/s",
-            doc: "speed of the unstretched belt",
-        },
-        Symbol {
-            name: "u",
-            symbol: "r ω",
-            unit: "m/s",
-            doc: "speed of both rims at no torque (2.219)",
-        },
-        Symbol {
-            name: "r_I",
-            symbol: "r_I",
-            unit: "m",
-            doc: "radius of the input pulley",
-        },
-        Symbol {
-            name: "r_O",
-            symbol: "r_O",
-            unit: "m",
-            doc: "radius of the output pulley",
-        },
-        Symbol {
-            name: "phi_O",
-            symbol: "φ",
-            unit: "rad",
-            doc: "half the contact angle on the output pulley; on the input pulley it is π − φ",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness of the belt",
-        },
-        Symbol {
-            name: "m_star",
-            symbol: "m*",
-            unit: "kg/m",
-            doc: "mass per length of the unstretched belt",
-        },
-        Symbol {
-            name: "mu_star",
-            symbol: "μ*",
-            unit: "",
-            doc: "coefficient of friction in the groove; negative where the output drives",
-        },
-        Symbol {
-            name: "delta_0",
-            symbol: "δ_0",
-            unit: "rad",
-            doc: "half angle of the groove",
-        },
-    ],
+    constants: SimpleDriveInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

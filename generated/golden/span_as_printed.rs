@@ -1,5 +1,5 @@
 // span_as_printed: The free belt as Appendix C prints it: L² on the wrong side.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once
 //   jacobian: 17 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 58 once
@@ -10,127 +10,27 @@
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
     name: "span_as_printed",
     states: &[
-        Symbol {
-            name: "tau",
-            symbol: "τ",
-            unit: "N",
-            doc: "tractive tension in a span",
-        },
-        Symbol {
-            name: "vartheta",
-            symbol: "ϑ",
-            unit: "rad",
-            doc: "direction of the belt in a span against the line of centres",
-        },
-        Symbol {
-            name: "vartheta1",
-            symbol: "ϑ\u{302}'",
-            unit: "rad",
-            doc: "first derivative of ϑ along the span",
-        },
-        Symbol {
-            name: "vartheta2",
-            symbol: "ϑ\u{302}''",
-            unit: "rad",
-            doc: "second derivative of ϑ along the span",
-        },
+        State::SpanTension,
+        State::Direction,
+        State::DirectionDerivative,
+        State::DirectionSecondDerivative,
     ],
     constants: &[
-        Symbol {
-            name: "L",
-            symbol: "L",
-            unit: "m",
-            doc: "arc length of the span",
-        },
-        Symbol {
-            name: "flow",
-            symbol: "g",
-            unit: "",
-            doc: "mass flow over that of an unstretched belt at the primary's nominal speed, G/(m_o R_P ω_P)",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness",
-        },
-        Symbol {
-            name: "EI",
-            symbol: "EI",
-            unit: "N·m²",
-            doc: "bending stiffness",
-        },
-        Symbol {
-            name: "m_o",
-            symbol: "m_o",
-            unit: "kg/m",
-            doc: "mass per length, unloaded",
-        },
-        Symbol {
-            name: "R_P",
-            symbol: "R_P",
-            unit: "m",
-            doc: "nominal radius of the primary",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "angular speed of the primary",
-        },
+        RegionConstant::SpanLength,
+        RegionConstant::Flow,
+        RegionConstant::LongitudinalStiffness,
+        RegionConstant::BendingStiffness,
+        RegionConstant::MassPerLength,
+        RegionConstant::PrimaryRadius,
+        RegionConstant::PrimarySpeed,
     ],
     integrals: &[
-        Symbol {
-            name: "X",
-            symbol: "X\u{302}",
-            unit: "",
-            doc: "progress along the line of centres over L",
-        },
-        Symbol {
-            name: "Y",
-            symbol: "Ŷ",
-            unit: "",
-            doc: "progress across the line of centres over L",
-        },
-        Symbol {
-            name: "L_o",
-            symbol: "L_o",
-            unit: "m",
-            doc: "unstretched length of the belt in the region",
-        },
-        Symbol {
-            name: "E",
-            symbol: "E",
-            unit: "W",
-            doc: "power that changes of speed take from the energy stored in bending and squeezing",
-        },
+        Integral::PositionAlong,
+        Integral::PositionAcross,
+        Integral::UnstretchedLength,
+        Integral::StrainEnergyFlux,
     ],
-    fields: &[
-        Symbol {
-            name: "F",
-            symbol: "F",
-            unit: "N",
-            doc: "belt tension",
-        },
-        Symbol {
-            name: "V",
-            symbol: "V",
-            unit: "m/s",
-            doc: "belt speed",
-        },
-        Symbol {
-            name: "M_b",
-            symbol: "M_b",
-            unit: "N·m",
-            doc: "bending moment",
-        },
-        Symbol {
-            name: "Q",
-            symbol: "Q",
-            unit: "N",
-            doc: "transverse shear force",
-        },
-    ],
+    fields: &[Field::BeltTension, Field::BeltSpeed, Field::BendingMoment, Field::Shear],
     usual: 2,
     state_pattern: &[
         (0, 2),

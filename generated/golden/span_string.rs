@@ -1,5 +1,5 @@
 // span_string: The free belt without bending stiffness: a straight line.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 2 add, 3 mul, 1 div, 0 sqrt, 1 fn a point; 9 once
 //   jacobian: 6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once
@@ -9,116 +9,23 @@
 ///The free belt without bending stiffness: a straight line.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
     name: "span_string",
-    states: &[
-        Symbol {
-            name: "tau",
-            symbol: "τ",
-            unit: "N",
-            doc: "tractive tension in a span",
-        },
-        Symbol {
-            name: "vartheta",
-            symbol: "ϑ",
-            unit: "rad",
-            doc: "direction of the belt in a span against the line of centres",
-        },
-    ],
+    states: &[State::SpanTension, State::Direction],
     constants: &[
-        Symbol {
-            name: "L",
-            symbol: "L",
-            unit: "m",
-            doc: "arc length of the span",
-        },
-        Symbol {
-            name: "flow",
-            symbol: "g",
-            unit: "",
-            doc: "mass flow over that of an unstretched belt at the primary's nominal speed, G/(m_o R_P ω_P)",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness",
-        },
-        Symbol {
-            name: "EI",
-            symbol: "EI",
-            unit: "N·m²",
-            doc: "bending stiffness",
-        },
-        Symbol {
-            name: "m_o",
-            symbol: "m_o",
-            unit: "kg/m",
-            doc: "mass per length, unloaded",
-        },
-        Symbol {
-            name: "R_P",
-            symbol: "R_P",
-            unit: "m",
-            doc: "nominal radius of the primary",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "angular speed of the primary",
-        },
+        RegionConstant::SpanLength,
+        RegionConstant::Flow,
+        RegionConstant::LongitudinalStiffness,
+        RegionConstant::BendingStiffness,
+        RegionConstant::MassPerLength,
+        RegionConstant::PrimaryRadius,
+        RegionConstant::PrimarySpeed,
     ],
     integrals: &[
-        Symbol {
-            name: "X",
-            symbol: "X\u{302}",
-            unit: "",
-            doc: "progress along the line of centres over L",
-        },
-        Symbol {
-            name: "Y",
-            symbol: "Ŷ",
-            unit: "",
-            doc: "progress across the line of centres over L",
-        },
-        Symbol {
-            name: "L_o",
-            symbol: "L_o",
-            unit: "m",
-            doc: "unstretched length of the belt in the region",
-        },
-        Symbol {
-            name: "E",
-            symbol: "E",
-            unit: "W",
-            doc: "power that changes of speed take from the energy stored in bending and squeezing",
-        },
+        Integral::PositionAlong,
+        Integral::PositionAcross,
+        Integral::UnstretchedLength,
+        Integral::StrainEnergyFlux,
     ],
-    fields: &[
-        Symbol {
-            name: "F",
-            symbol: "F",
-            unit: "N",
-            doc: "belt tension",
-        },
-        Symbol {
-            name: "V",
-            symbol: "V",
-            unit: "m/s",
-            doc: "belt speed",
-        },
-        Symbol {
-            name: "M_b",
-            symbol: "M_b",
-            unit: "N·m",
-            doc: "bending moment",
-        },
-        Symbol {
-            name: "Q",
-            symbol: "Q",
-            unit: "N",
-            doc: "transverse shear force",
-        },
-    ],
+    fields: &[Field::BeltTension, Field::BeltSpeed, Field::BendingMoment, Field::Shear],
     usual: 2,
     state_pattern: &[(2, 1), (3, 1), (4, 0)],
     constant_pattern: &[(4, 0), (4, 1), (4, 2), (4, 4), (4, 5), (4, 6)],
