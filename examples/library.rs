@@ -21,7 +21,7 @@ fn main() -> Result<(), sheave::Error> {
     for point in sheave::sweep(case.clone(), [axis], SolveOptions::default())? {
         let (point, outcome) = point?;
         match outcome {
-            Ok(outcome) => println!("{:?}: {:.4}", point.varied, outcome.result.efficiency.overall),
+            Ok(outcome) => println!("{:?}: {:.4?}", point.varied, outcome.result.efficiency.overall),
             Err(error) => println!("{:?}: {error}", point.varied),
         }
     }

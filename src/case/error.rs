@@ -2,8 +2,8 @@
 
 use super::geometry::NoRadii;
 use super::keys::Key;
-use crate::drive::IllPosed;
-use crate::quantity::QuantityError;
+use crate::model::IllPosed;
+use crate::quantity::{Dimension, QuantityError};
 use crate::text::{printable, printable_in_place};
 use std::fmt;
 use std::ops::Range;
@@ -148,6 +148,14 @@ pub enum Problem {
         /// The bare number would be in range if it had this unit.
         unit_missing: Option<&'static str>,
     },
+    /// A bare number for a speed that is surely in rpm.
+    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected {}", key.path(), key.entry().expected())]
+    BareSpeed {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+    },
     /// A name that cannot be chosen.
     #[error("`{}` = {given}: expected {}", key.path(), key.entry().expected())]
     UnknownChoice {
@@ -217,13 +225,25 @@ pub enum Problem {
 }
 
 impl Problem {
+    /// Whether belt and pulleys do not fit: a drive with other numbers might.
+    pub const fn is_of_geometry(&self) -> bool {
+        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. })
+    }
+
     /// What to do about it, if there is more to say than the message says.
     fn advice(&self) -> Option<String> {
         match self {
+            Self::UnknownKey { path, .. } if path == "sweep" => {
+                Some("this is a study file: `sheave sweep FILE` solves it at every point".into())
+            }
             Self::UnknownKey { path, .. } => Some(keys_near(path)),
+            Self::BareSpeed { given, .. } => {
+                Some(format!("did you mean \"{given} rpm\"? If not, write \"{given} rad/s\""))
+            }
             Self::OutOfRange { given, unit_missing: Some(unit), .. } => {
                 Some(format!("a bare number is in SI units; did you mean \"{given} {unit}\"?"))
             }
+            Self::Quantity { reason: QuantityError::Dimension { given, expected }, .. } => pounds(*given, *expected),
             Self::Quantity { reason: QuantityError::UnknownUnit { .. }, .. } => {
                 let units: Vec<_> = crate::quantity::symbols().collect();
                 Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
@@ -231,6 +251,13 @@ impl Problem {
             _ => None,
         }
     }
+}
+
+/// Pounds of mass where pounds of force were meant.
+fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
+    let acceleration = Dimension::new(1, 0, -2, 0);
+    (given.times(acceleration, 1) == Some(expected))
+        .then(|| "\"lb\" and \"kg\" are masses; a force is in \"lbf\", \"kgf\" or \"N\"".to_owned())
 }
 
 /// The keys among which the one written was probably meant to be.
@@ -264,12 +291,41 @@ struct Inner {
     problem: Problem,
     /// The first is the one at fault.
     places: Vec<Place>,
+    /// What else is wrong with the same text.
+    others: Vec<CaseError>,
 }
+
+/// Other mistakes of one text that are kept: more help nobody.
+const MOST_OTHERS: usize = 19;
 
 impl CaseError {
     /// A problem, the place at fault, then others that have to do with it.
     pub(crate) fn new(problem: Problem, places: impl IntoIterator<Item = Place>) -> Self {
-        Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
+        Self(Box::new(Inner { problem, places: places.into_iter().collect(), others: Vec::new() }))
+    }
+
+    /// One error for all that is wrong with a text, the first with the others behind it; none if nothing is.
+    pub(crate) fn all(errors: Vec<Self>) -> Option<Self> {
+        let mut errors = errors.into_iter();
+        let mut first = errors.next()?;
+        first.0.others.extend(errors.take(MOST_OTHERS));
+        Some(first)
+    }
+
+    /// Each mistake of the text as an error of its own, this one first.
+    pub fn into_each(mut self) -> Vec<Self> {
+        let others = std::mem::take(&mut self.0.others);
+        [self].into_iter().chain(others).collect()
+    }
+
+    /// What else is wrong with the same text.
+    pub fn others(&self) -> &[Self] {
+        &self.0.others
+    }
+
+    /// A text that cannot be read.
+    pub fn unreadable(name: &str, error: &std::io::Error) -> Self {
+        Self::new(Problem::Read { path: name.into(), reason: error.to_string() }, [])
     }
 
     /// What is wrong.
@@ -320,6 +376,7 @@ impl CaseError {
                 _ => "not a quantity",
             },
             (Problem::OutOfRange { .. }, _) => "out of range",
+            (Problem::BareSpeed { .. }, _) => "rad/s",
             (Problem::UnknownChoice { .. }, _) => "no such choice",
             (Problem::Conflict { .. }, 0) => "this",
             (Problem::Conflict { .. }, _) => "and this",
@@ -336,7 +393,8 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.0.problem.to_string()))
+        f.write_str(&printable(&self.0.problem.to_string()))?;
+        self.0.others.iter().try_for_each(|other| write!(f, "; {other}"))
     }
 }
 

@@ -1,11 +1,11 @@
 //! A case as it was written: sparse, with the places where things stand.
 
-use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
 use super::exchange::{self, Exchange};
 use super::keys::{Key, Kind};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
+use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
 use crate::text::quoted;
 use std::borrow::Cow;
@@ -15,6 +15,9 @@ use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// A bare number above this is a speed in rpm, not in rad/s: 2000 rad/s are 19,100 rpm.
+const FASTEST_BARE: f64 = 2000.0;
 
 /// The key at the top of a file under which constants are made unknown for outputs.
 pub(super) const SWAP: &str = "swap";
@@ -57,17 +60,20 @@ impl Case {
         let name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::from_toml(&name, &text),
-            Err(error) => Err(CaseError::new(Problem::Read { path: name, reason: error.to_string() }, [])),
+            Err(error) => Err(CaseError::unreadable(&name, &error)),
         }
     }
 
     /// Reads a case from the text of a case file; `name` is shown in errors.
     ///
     /// # Errors
-    /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
+    /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`Problem`] and
+    /// [`CaseError::others`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Arc::new(Source::new(name, text));
         let mut case = Self::base();
+        // What some editors put at the front of a file.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
@@ -76,10 +82,11 @@ impl Case {
                 [Place { source: source.clone(), key: span.clone(), value: span }],
             )
         })?;
+        let mut errors = Vec::new();
         for (key, value) in in_order(table.get_ref()) {
-            case.read_top(&source, key, value)?;
+            case.read_top(&source, key, value, &mut errors);
         }
-        Ok(case)
+        CaseError::all(errors).map_or(Ok(case), Err)
     }
 
     /// A key at the top of a file: `edition`, or a section with its keys.
@@ -88,24 +95,27 @@ impl Case {
         source: &Arc<Source>,
         key: &Spanned<Cow<'_, str>>,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), CaseError> {
+        errors: &mut Vec<CaseError>,
+    ) {
         let name = key.get_ref();
         let place = Place { source: source.clone(), key: key.span(), value: value.span() };
         if name == SWAP {
-            return self.read_swaps(source, value, place);
+            errors.extend(self.read_swaps(source, value, place).err());
+            return;
         }
         if !super::keys::sections().any(|section| section == name) {
-            return self.insert(name, raw(value.get_ref()), place);
+            errors.extend(self.insert(name, raw(value.get_ref()), place).err());
+            return;
         }
         let DeValue::Table(table) = value.get_ref() else {
             let (path, given) = (name.to_string(), kind(value.get_ref()));
-            return Err(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+            errors.push(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+            return;
         };
         for (key, value) in in_order(table) {
             let place = Place { source: source.clone(), key: key.span(), value: value.span() };
-            self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place)?;
+            errors.extend(self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place).err());
         }
-        Ok(())
     }
 
     /// The key `swap`: a list of texts.
@@ -157,7 +167,12 @@ impl Case {
     /// # Errors
     /// As [`Case::set`].
     pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
-        self.set(key.path(), &format!("{value:e}"))
+        // In words: a bare number that is surely in rpm is refused.
+        let unit = match key.entry().kind {
+            Kind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
+            _ => "",
+        };
+        self.set(key.path(), &format!("{value:e}{unit}"))
     }
 
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
@@ -170,6 +185,11 @@ impl Case {
         let known = known(key, &Place { source, key: whole.clone(), value: whole })?;
         self.given.remove(&known);
         Ok(())
+    }
+
+    /// Takes a key out of the case.
+    pub(super) fn remove(&mut self, key: Key) {
+        self.given.remove(&key);
     }
 
     /// Whether the key was given.
@@ -305,6 +325,10 @@ fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {
     };
     let si = quantity.expect(unit.scale.dimension).map_err(invalid)?;
     let allowed = |si| range.contains(si, |bound| unit.to_si(bound));
+    let rpm = unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED;
+    if rpm && quantity.bare && si.abs() > FASTEST_BARE && allowed(unit.to_si(si)) {
+        return Err(Problem::BareSpeed { key, given: given.into() });
+    }
     if allowed(si) {
         return Ok(si);
     }

@@ -1,7 +1,7 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::choice::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use super::range::Range;
+use crate::model::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
@@ -36,6 +36,8 @@ pub enum Key {
     TightTension,
     PrimaryAxialForce,
     SecondaryAxialForce,
+    SlipReserve,
+    FrictionUtilization,
 }
 
 /// What is known of a key.
@@ -77,6 +79,7 @@ pub enum Kind {
 }
 
 const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
+const PERCENT: Unit = Unit::decimal("%", -2, Dimension::NONE);
 const MM: Unit = Unit::decimal("mm", -3, Dimension::LENGTH);
 const KG_PER_M: Unit = Unit::decimal("kg/m", 0, Dimension::MASS_PER_LENGTH);
 const N: Unit = Unit::decimal("N", 0, Dimension::FORCE);
@@ -109,7 +112,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, d
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 27] = [
+pub static TABLE: [Entry; 29] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -150,10 +153,10 @@ pub static TABLE: [Entry; 27] = [
         "speed of the primary"),
     entry(Key::SecondarySpeed, "operating_point.secondary_speed", "ω_S", other(RPM, Range::POSITIVE, 3380.0),
         "speed of the secondary: the speed, or beside primary_speed the load"),
-    entry(Key::PrimaryTorque, "operating_point.primary_torque", "M_in", base(NM, Range::POSITIVE, 18.0),
-        "torque into the primary"),
-    entry(Key::SecondaryTorque, "operating_point.secondary_torque", "M_out", other(NM, Range::POSITIVE, 17.0),
-        "torque out of the secondary"),
+    entry(Key::PrimaryTorque, "operating_point.primary_torque", "M_in", base(NM, Range::ANY, 18.0),
+        "torque into the primary; negative in engine braking"),
+    entry(Key::SecondaryTorque, "operating_point.secondary_torque", "M_out", other(NM, Range::ANY, 17.0),
+        "torque out of the secondary; negative in engine braking"),
     entry(Key::SpeedRatio, "operating_point.speed_ratio", "ω_S/ω_P", other(NUMBER, Range::positive_to(100.0), 0.99),
         "speed of the secondary over that of the primary"),
     entry(Key::SlackTension, "operating_point.slack_tension", "T_slack", base(N, Range::POSITIVE, 100.0),
@@ -164,6 +167,10 @@ pub static TABLE: [Entry; 27] = [
         "force that pushes the sheaves of the primary together"),
     entry(Key::SecondaryAxialForce, "operating_point.secondary_axial_force", "A_S", other(N, Range::POSITIVE, 550.0),
         "force that pushes the sheaves of the secondary together"),
+    entry(Key::SlipReserve, "operating_point.slip_reserve", "", other(PERCENT, Range::positive_below(100.0), 20.0),
+        "share of the friction at hand that is to be left over: the clamp that does it is found"),
+    entry(Key::FrictionUtilization, "operating_point.friction_utilization", "", other(PERCENT, Range::positive_below(100.0), 80.0),
+        "share of the friction at hand that is to be used, 1 less the slip reserve"),
 ];
 
 /// No key is longer.

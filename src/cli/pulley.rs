@@ -8,8 +8,7 @@ use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use sheave::drive::SolveOptions;
-use sheave::result::{run as solve, warnings};
-use sheave::small::pulley::{Comparison, Grip, PulleyComparison, compare};
+use sheave::result::{Comparison, Grip, PulleyComparison, compare, run as solve, warnings};
 use std::fmt::Write;
 
 /// Compare the belt pulley of a drive line with the full model
@@ -71,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         let stop = if failure.is_bad_input() { Stop::Usage } else { Stop::NoSolution };
         stop(failure.to_string())
     })?;
-    let comparison = compare(&outcome, arguments.belt.grip());
+    let comparison = compare(&outcome, arguments.belt.grip()).map_err(|error| Stop::NoSolution(error.to_string()))?;
     let (edition, belt) = (case.edition.name(), arguments.belt);
     let object = Object { edition, converged: true, belt, comparison: &comparison };
     let json = || envelope::object("pulley", &case, &warnings(&outcome), &object);

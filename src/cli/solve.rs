@@ -6,7 +6,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::Resolved;
+use sheave::case::{CaseError, Key, Resolved};
 use sheave::drive::{Failure, SolveOptions};
 use sheave::result::{FailureKind, FailureReport, Outcome, run as solve, summary, warnings, write_profile};
 use solver::Order;
@@ -28,6 +28,9 @@ pub struct Arguments {
     /// Order of the collocation: 4 or 6
     #[arg(long, value_name = "4|6", default_value = "4", value_parser = order)]
     order: Order,
+    /// Find the clamp that leaves this share of the friction at hand in reserve, in place of the case's clamp: 20%
+    #[arg(long, value_name = "R")]
+    reserve: Option<String>,
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "out")]
     json: bool,
@@ -47,13 +50,22 @@ struct Unsolved<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.resolve()?;
+    let case = arguments.resolve()?;
+    if arguments.sensitivities && !arguments.json && arguments.out.is_none() {
+        tracing::warn!(
+            "--sensitivities adds to the object that --json prints and --out writes: without either it shows nothing"
+        );
+    }
     if let Some(folder) = &arguments.out {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
     }
-    let options =
-        SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
+    let options = SolveOptions {
+        tolerance: arguments.tol,
+        order: arguments.order,
+        sensitivities: arguments.sensitivities,
+        ..SolveOptions::default()
+    };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
         Err(failure) => Err(arguments.failed(&case, &failure)),
@@ -61,6 +73,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 }
 
 impl Arguments {
+    fn resolve(&self) -> Result<Resolved, CaseError> {
+        let mut case = self.case.read()?;
+        if let Some(reserve) = &self.reserve {
+            case.make_room(&[Key::SlipReserve]);
+            case.set(Key::SlipReserve.path(), reserve)?;
+        }
+        CaseArguments::check(&case)
+    }
+
     fn deliver(&self, outcome: &Outcome) -> Result<(), Stop> {
         let warnings = warnings(outcome);
         for warning in &warnings {
@@ -73,7 +94,7 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &json()?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
-            let figures = sheave::plot::drive(outcome);
+            let figures = sheave::plot::drive(outcome)?;
             output::write_figures(folder, &figures)?;
             let page = sheave::report::page(outcome, &figures)?;
             output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;

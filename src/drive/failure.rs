@@ -4,9 +4,8 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::Belt;
-use super::constants::Constant;
-use super::posedness::IllPosed;
 use super::question::{Known, Question};
+use crate::model::{Constant, Constants, IllPosed, InternalError};
 
 /// Why there is no solution.
 #[derive(Debug, Error)]
@@ -15,6 +14,9 @@ pub enum Failure {
     /// The equations of this model are not known.
     #[error("there are no equations for this choice of model")]
     NoEquations,
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// A warm start without a solution to start from.
     #[error("there is no solution to start from")]
     NoStart,
@@ -57,14 +59,24 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
-    /// What is prescribed holds only if the secondary drives.
+    /// No clamp that was tried leaves the margin against slip that is asked for.
     #[error(
-        "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
+        "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \
+         {:.1} %, and nearer no solution was found", 100.0 * asked, 100.0 * used
     )]
-    Reversed {
-        /// Primary torque, N·m.
-        torque: f64,
+    Margin {
+        /// Share asked for.
+        asked: f64,
+        /// Nearest share that was found.
+        used: f64,
+        /// Slack tension there, N.
+        slack_tension: f64,
+        /// Why there is none nearer.
+        cause: Box<Failure>,
     },
+    /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
+    #[error("a margin against slip is prescribed: a single boundary value problem has none")]
+    MarginGiven,
 }
 
 /// How far a prescribed value was approached, SI.
@@ -87,6 +99,11 @@ fn had(reached: &[Reached]) -> String {
 }
 
 impl Failure {
+    /// Of a margin that was not met.
+    pub(crate) fn margin(asked: f64, used: f64, slack_tension: f64, cause: Self) -> Self {
+        Self::Margin { asked, used, slack_tension, cause: Box::new(cause) }
+    }
+
     /// Whether the case is at fault rather than the search.
     pub const fn is_bad_input(&self) -> bool {
         matches!(self, Self::IllPosed(_))
@@ -95,15 +112,18 @@ impl Failure {
     /// What to try, where there is more to say than the message says.
     pub const fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::NoEquations | Self::NoStart | Self::IllPosed(_) | Self::Sensitivities(_) => None,
+            Self::NoEquations
+            | Self::Internal(_)
+            | Self::NoStart
+            | Self::IllPosed(_)
+            | Self::Sensitivities(_)
+            | Self::MarginGiven => None,
             Self::Start(_) => Some("look for a value in the wrong unit: `inputs` has what was understood, in SI"),
             Self::Lost { .. } | Self::Unreached { .. } => Some(
                 "the belt may slip grossly: `sheave limit` finds the largest torque for a clamp and the smallest clamp for \
                  a torque",
             ),
-            Self::Reversed { .. } => {
-                Some("prescribe a larger axial force on the primary or a smaller one on the secondary")
-            }
+            Self::Margin { .. } => Some("`sheave limit` finds the smallest clamp that carries the torque"),
         }
     }
 
@@ -111,7 +131,6 @@ impl Failure {
     /// tension, for it is loose belts that are lost.
     pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
         let key = |failure: &Self| match failure {
-            Self::Reversed { .. } => (-2.0, 0.0),
             Self::Unreached { .. } => (-1.0, 0.0),
             Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
             _ => (f64::INFINITY, f64::INFINITY),
@@ -125,12 +144,14 @@ impl Failure {
     /// Of a way that was lost at the solution `last`.
     pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
         let Some(last) = last else { return Self::Start(cause) };
-        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-        Self::Lost {
-            torque: value(Constant::PrimaryTorque),
-            slip_threshold: value(Constant::SlipThreshold),
-            slack_tension: value(Constant::SlackTension),
-            cause,
+        match Constants::try_from(last.constants()) {
+            Err(error) => error.into(),
+            Ok(constants) => Self::Lost {
+                torque: constants[Constant::PrimaryTorque],
+                slip_threshold: constants[Constant::SlipThreshold],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 
@@ -142,22 +163,30 @@ impl Failure {
         cause: Box<SolveError>,
     ) -> Self {
         let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
-        let value = |at: usize| last.constants().get(at).copied().unwrap_or(f64::NAN);
+        let constants = match Constants::try_from(last.constants()) {
+            Ok(constants) => constants,
+            Err(error) => return error.into(),
+        };
+        let targets = last.constants().get(Constant::ALL.len()..).unwrap_or_default();
         let target = |known: Known| match known {
-            Known::Constant(constant) => value(constant.index()),
+            Known::Constant(constant) => Ok(constants[constant]),
             Known::Output(output) => {
-                let at = belt.prescribed().iter().position(|other| *other == output);
-                at.map_or(f64::NAN, |at| value(Constant::ALL.len() + at))
+                let at = belt.prescribed().position(|other| other == output);
+                at.and_then(|at| targets.get(at)).copied().ok_or(InternalError::Output(output))
             }
         };
-        let swaps = question.swaps.iter();
-        Self::Unreached {
-            reached: swaps
-                .map(|swap| Reached { name: swap.known.name(), value: target(swap.known), asked: swap.value })
-                .collect(),
-            torque: value(Constant::PrimaryTorque.index()),
-            slack_tension: value(Constant::SlackTension.index()),
-            cause,
+        let reached = question
+            .swaps
+            .iter()
+            .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
+        match reached.collect::<Result<_, InternalError>>() {
+            Err(error) => error.into(),
+            Ok(reached) => Self::Unreached {
+                reached,
+                torque: constants[Constant::PrimaryTorque],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 }

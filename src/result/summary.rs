@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
+use super::answers::answers;
 use super::schema::{DriveResult, Pulley, SolverReport};
+use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 
 fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
@@ -31,20 +33,35 @@ fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
     row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
 }
 
-/// Axial forces, efficiencies, the energy audit and how well the solution holds.
-pub fn summary<I>(result: &DriveResult<I>) -> String {
+/// What an engineer asks first, then axial forces, efficiencies, the energy audit and how well the solution holds.
+pub fn summary(result: &DriveResult<Resolved>) -> String {
     let mut text = String::new();
     let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
     let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
+    for answer in answers(result) {
+        let _ = writeln!(text, "  {:<24}{}", answer.question, answer.answer);
+    }
+    text.push('\n');
     pulleys(&mut text, &result.primary, &result.secondary);
     let percent = |fraction: f64| 100.0 * fraction;
-    let _ = writeln!(
-        text,
-        "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque",
-        percent(efficiency.overall),
-        percent(efficiency.speed),
-        percent(efficiency.torque),
-    );
+    match (efficiency.overall, efficiency.speed, efficiency.torque) {
+        (Some(overall), Some(speed), Some(torque)) => {
+            let driving = if result.primary.power < 0.0 { ", the secondary driving" } else { "" };
+            let _ = writeln!(
+                text,
+                "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque{driving}",
+                percent(overall),
+                percent(speed),
+                percent(torque),
+            );
+        }
+        _ => {
+            let _ = writeln!(text, "\n  efficiency                       none: neither pulley drives the other");
+        }
+    }
+    // Of the larger power: without torque, the secondary alone covers the losses.
+    let rest = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
+    let unaccounted = percent(rest / energy.power_in.abs().max(energy.power_out.abs()));
     let _ = writeln!(
         text,
         "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {} % unaccounted for",
@@ -53,18 +70,13 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         energy.friction_loss,
         if energy.stretch_work < 0.0 { '−' } else { '+' },
         energy.stretch_work.abs(),
-        unsigned_zero(&format!("{:.4}", percent(energy.closure))),
+        unsigned_zero(&format!("{unaccounted:.4}")),
     );
     let _ = writeln!(
         text,
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
         belt.unstretched_length * 1e3,
         belt.length_error * 1e3,
-    );
-    let _ = writeln!(
-        text,
-        "  slip reserve              {:>11.1} % of the friction at hand is not used",
-        percent(result.slip_reserve),
     );
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(

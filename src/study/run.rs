@@ -269,6 +269,8 @@ fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outc
 /// From the solutions nearby, else from nothing; counts how often in a row they were too far away.
 fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mut usize) -> Result<Outcome, Failure> {
     let start = Stopwatch::start();
+    // A clamp that is found for a margin takes several solutions, each from the one before it.
+    let near = if case.operating_point.margin.is_some() { &[] } else { near };
     if !near.is_empty() {
         match solve_along(near, case, options) {
             Ok(solved) => {
