@@ -125,4 +125,12 @@ formulae! {
         "Torques and inertia at the input of a belt drive (3.21) to (3.27); each equation's residual is an output.",
     drive_sizing_idler DRIVE_SIZING_IDLER
         "Inertia of an idler at the input of a belt drive; each equation's residual is an output.",
+    hysteresis_contact HYSTERESIS_CONTACT
+        "What hysteresis follows along the belt in a groove; each equation's residual is an output.",
+    hysteresis_span HYSTERESIS_SPAN
+        "What hysteresis follows along the free belt; each equation's residual is an output.",
+    hysteresis HYSTERESIS
+        "Power that a harmonic of what runs around with the belt loses; each equation's residual is an output.",
+    loss_balance LOSS_BALANCE
+        "What arrives once hysteresis, drag and gears have had their share; each equation's residual is an output.",
 }

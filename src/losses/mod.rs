@@ -1,0 +1,163 @@
+//! Where power goes besides friction: hysteresis of the belt, drag, gears.
+//!
+//! The belt's hysteresis is what its material dissipates when curvature, penetration and cord strain change as it runs around,
+//! evaluated on the elastic solution: first order in the loss tangent. Derivation and assumptions: `docs/losses.md`.
+
+mod series;
+mod tracks;
+
+use generated::{HYSTERESIS, LOSS_BALANCE};
+use serde::Serialize;
+
+pub use series::{MAX_HARMONICS, Series, Track, series};
+
+use crate::case::{LossTangent, Resolved};
+use crate::drive::{Belt, Constant, Output, RegionId, Solved, inputs};
+use tracks::Tracks;
+
+/// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of the
+/// thesis's measurements (4.1), 60 °C.
+pub const REFERENCE_TEMPERATURE: f64 = 333.15;
+
+/// Why there are no losses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum NoLosses {
+    /// The belt does not resist bending.
+    #[error(
+        "edition \"string\" has no hysteresis: without bending stiffness the belt's curvature jumps where it meets a pulley, and \
+         the sum over its harmonics diverges"
+    )]
+    String,
+    /// A sum does not end.
+    #[error(
+        "the sum over the harmonics of the {field} did not end within {MAX_HARMONICS} of them: what is followed along the belt \
+         jumps, or the solution's tolerance is too large"
+    )]
+    Endless {
+        /// What was summed.
+        field: &'static str,
+    },
+}
+
+/// Power that hysteresis takes in one region, W.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Hysteresis {
+    /// Of bending the belt.
+    pub bending: f64,
+    /// Of squeezing it in the groove.
+    pub groove: f64,
+    /// Of stretching its cord.
+    pub cord: f64,
+}
+
+/// How many harmonics were summed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Harmonics {
+    /// Of the curvature.
+    pub bending: usize,
+    /// Of the penetration.
+    pub groove: usize,
+    /// Of the strain.
+    pub cord: usize,
+}
+
+/// Power that is lost besides friction, W. What hysteresis takes in a region is the power of the stress that leads the strain by
+/// a quarter of a cycle over the rate of strain there: it may be negative, where the belt gives back more than it takes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Losses {
+    /// Of bending the belt.
+    pub bending: f64,
+    /// Of squeezing it in the groove.
+    pub groove: f64,
+    /// Of stretching its cord.
+    pub cord: f64,
+    /// Of drag at both pulleys.
+    pub drag: f64,
+    /// Of gears behind the secondary.
+    pub gears: f64,
+    /// All of these.
+    pub total: f64,
+    /// Hysteresis in the primary's contact.
+    pub primary: Hysteresis,
+    /// Hysteresis in the span from the primary to the secondary.
+    pub slack_span: Hysteresis,
+    /// Hysteresis in the secondary's contact.
+    pub secondary: Hysteresis,
+    /// Hysteresis in the span from the secondary to the primary.
+    pub tight_span: Hysteresis,
+    /// Power that drags at the primary.
+    pub primary_drag: f64,
+    /// Power that drags at the secondary.
+    pub secondary_drag: f64,
+    /// Power that arrives.
+    pub power_out: f64,
+    /// How many harmonics were summed.
+    pub harmonics: Harmonics,
+    /// Overall efficiency with all of it.
+    #[serde(skip)]
+    pub efficiency: f64,
+}
+
+/// A sum by what it is of.
+struct Sums {
+    bending: Series,
+    groove: Series,
+    cord: Series,
+}
+
+/// The losses of a solved case besides friction, sums to `tolerance` times the power that the drive takes in.
+///
+/// # Errors
+/// [`NoLosses`], if what the case asks for cannot be told of this solution.
+pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses, NoLosses> {
+    let (ends, integrals) = inputs(&solved.solution);
+    let outputs = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
+    let output = |path: &str| {
+        Output::named(path).and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN)
+    };
+    let driving = output("energy.power_in").max(-output("energy.power_out"));
+    let sums = hysteresis(case, &solved.belt, solved, tolerance * driving)?;
+    let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
+    let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
+    let given = &case.losses;
+    let balance = [
+        driving,
+        output("efficiency.overall"),
+        total.bending + total.groove + total.cord,
+        solved.constant(Constant::PrimarySpeed),
+        solved.constant(Constant::PrimarySpeed) * solved.constant(Constant::SpeedRatio),
+        given.primary_drag,
+        given.secondary_drag,
+        given.primary_drag_per_speed,
+        given.secondary_drag_per_speed,
+        given.gear_efficiency,
+    ];
+    let [primary_drag, secondary_drag, gears, all, power_out, efficiency] = evaluate(&LOSS_BALANCE, &balance);
+    let region = |region: RegionId| {
+        sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()])
+    };
+    Ok(Losses {
+        bending: total.bending,
+        groove: total.groove,
+        cord: total.cord,
+        drag: primary_drag + secondary_drag,
+        gears,
+        total: all,
+        primary: region(RegionId::Primary),
+        slack_span: region(RegionId::SlackSpan),
+        secondary: region(RegionId::Secondary),
+        tight_span: region(RegionId::TightSpan),
+        primary_drag,
+        secondary_drag,
+        power_out,
+        harmonics: sums.as_ref().map_or(Harmonics::default(), |(.., harmonics)| *harmonics),
+        efficiency,
+    })
+}
+
+/// Values of generated formulae.
+fn evaluate<const N: usize>(kernel: &generated::BoundaryKernel, inputs: &[f64]) -> [f64; N] {
+    let mut values = [0.0; N];
+    (kernel.value)(&[], &[], inputs, &mut values);
+    values
+}
