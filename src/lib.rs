@@ -5,6 +5,7 @@
 pub mod case;
 pub mod design;
 pub mod drive;
+pub mod losses;
 pub mod plot;
 pub mod quantity;
 pub mod report;

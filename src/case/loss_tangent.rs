@@ -37,7 +37,9 @@ impl Grid {
     /// `None` if these are not so many, not in order, or not finite, or if a frequency is not positive.
     pub fn new(frequencies: Vec<f64>, temperatures: Vec<f64>, values: Vec<Vec<f64>>) -> Option<Self> {
         let in_order = |places: &[f64]| {
-            !places.is_empty() && places.windows(2).all(|pair| pair[0] < pair[1]) && places.iter().all(|p| p.is_finite())
+            !places.is_empty()
+                && places.windows(2).all(|pair| pair[0] < pair[1])
+                && places.iter().all(|p| p.is_finite())
         };
         let full = values.len() == frequencies.len()
             && values.iter().all(|row| row.len() == temperatures.len() && row.iter().all(|value| *value >= 0.0));

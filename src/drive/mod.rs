@@ -27,6 +27,7 @@ pub use inputs::inputs;
 pub use posedness::IllPosed;
 pub use question::{Known, Output, Question, SEPARATOR, Swap};
 pub use region::RegionId;
+pub(crate) use region::Source;
 pub use solve::{SolveOptions, solve, solve_question};
 pub use solved::Solved;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

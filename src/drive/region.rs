@@ -43,7 +43,7 @@ impl RegionId {
     }
 
     /// What stands for a kernel's local constant in this region.
-    pub(super) fn source(self, local: &str) -> Option<Source> {
+    pub(crate) fn source(self, local: &str) -> Option<Source> {
         let constant = match (local, self) {
             ("sigma", Self::Primary) => return Some(Source::One),
             ("sigma", _) => Constant::SpeedRatio,
@@ -61,7 +61,7 @@ impl RegionId {
 
 /// What a local constant of a kernel stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Source {
+pub(crate) enum Source {
     /// This constant of the drive.
     Constant(usize),
     /// The number one (the primary's own speed ratio).

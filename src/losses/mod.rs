@@ -3,12 +3,16 @@
 //! The belt's hysteresis is what its material dissipates when curvature, penetration and cord strain change as it runs around,
 //! evaluated on the elastic solution: first order in the loss tangent. Derivation and assumptions: `docs/losses.md`.
 
+#[cfg(test)]
+mod checks;
+mod gradient;
 mod series;
 mod tracks;
 
 use generated::{HYSTERESIS, LOSS_BALANCE};
 use serde::Serialize;
 
+pub use gradient::TrackGradient;
 pub use series::{MAX_HARMONICS, Series, Track, series};
 
 use crate::case::{LossTangent, Resolved};
@@ -112,9 +116,8 @@ struct Sums {
 pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses, NoLosses> {
     let (ends, integrals) = inputs(&solved.solution);
     let outputs = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
-    let output = |path: &str| {
-        Output::named(path).and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN)
-    };
+    let output =
+        |path: &str| Output::named(path).and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN);
     let driving = output("energy.power_in").max(-output("energy.power_out"));
     let sums = hysteresis(case, &solved.belt, solved, tolerance * driving)?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
@@ -133,9 +136,8 @@ pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses
         given.gear_efficiency,
     ];
     let [primary_drag, secondary_drag, gears, all, power_out, efficiency] = evaluate(&LOSS_BALANCE, &balance);
-    let region = |region: RegionId| {
-        sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()])
-    };
+    let region =
+        |region: RegionId| sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()]);
     Ok(Losses {
         bending: total.bending,
         groove: total.groove,
@@ -160,4 +162,72 @@ fn evaluate<const N: usize>(kernel: &generated::BoundaryKernel, inputs: &[f64]) 
     let mut values = [0.0; N];
     (kernel.value)(&[], &[], inputs, &mut values);
     values
+}
+
+/// What hysteresis takes: in all, region by region, and with how many harmonics; nothing where no loss tangent is given.
+type Dissipated = Option<(Hysteresis, [Hysteresis; 4], Harmonics)>;
+
+fn hysteresis(case: &Resolved, belt: &Belt, solved: &Solved, tolerance: f64) -> Result<Dissipated, NoLosses> {
+    let given = &case.losses;
+    if given.loss_tangent.is_zero() && given.cord_loss_tangent.is_zero() {
+        return Ok(None);
+    }
+    let tracks = Tracks::new(belt, &solved.solution).ok_or(NoLosses::String)?;
+    let sums = sums(&tracks, &weights(solved, tracks.length), case, REFERENCE_TEMPERATURE, tolerance)?;
+    let of = |part: &dyn Fn(&Series) -> f64| Hysteresis {
+        bending: part(&sums.bending),
+        groove: part(&sums.groove),
+        cord: part(&sums.cord),
+    };
+    let regions = RegionId::ALL.map(|region| of(&|sum| sum.regions.get(region.index()).copied().unwrap_or(f64::NAN)));
+    let harmonics =
+        Harmonics { bending: sums.bending.harmonics, groove: sums.groove.harmonics, cord: sums.cord.harmonics };
+    Ok(Some((of(&|sum| sum.total), regions, harmonics)))
+}
+
+/// Revolutions of the belt a second, and what multiplies tan δ_n |B_n|²/n of each field.
+struct Weights {
+    revolutions: f64,
+    bending: f64,
+    groove: f64,
+    cord: f64,
+}
+
+fn weights(solved: &Solved, length: f64) -> Weights {
+    let constant = |constant: Constant| solved.constant(constant);
+    let inputs = [
+        constant(Constant::Flow),
+        constant(Constant::LongitudinalStiffness),
+        constant(Constant::MassPerLength),
+        constant(Constant::PrimaryRadius),
+        constant(Constant::PrimarySpeed),
+        constant(Constant::BendingStiffness),
+        constant(Constant::RadialStiffness),
+        constant(Constant::HalfAngle),
+        length,
+    ];
+    let [revolutions, bending, groove, cord] = evaluate(&HYSTERESIS, &inputs);
+    Weights { revolutions, bending, groove, cord }
+}
+
+fn sums(
+    tracks: &Tracks,
+    weights: &Weights,
+    case: &Resolved,
+    temperature: f64,
+    tolerance: f64,
+) -> Result<Sums, NoLosses> {
+    let sum = |field: &'static str, tracks: &[Track], weight: f64, tangent: &LossTangent| {
+        if tangent.is_zero() {
+            return Ok(Series::nothing(tracks.len()));
+        }
+        let at = |n: usize| weight * tangent.at(n as f64 * weights.revolutions, temperature).value;
+        series(tracks, at, tolerance).ok_or(NoLosses::Endless { field })
+    };
+    let (rubber, cord) = (&case.losses.loss_tangent, &case.losses.cord_loss_tangent);
+    Ok(Sums {
+        bending: sum("curvature", &tracks.curvature, weights.bending, rubber)?,
+        groove: sum("penetration", &tracks.penetration, weights.groove, rubber)?,
+        cord: sum("cord's strain", &tracks.strain, weights.cord, cord)?,
+    })
 }

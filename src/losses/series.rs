@@ -273,6 +273,13 @@ pub struct Series {
     pub(super) integrals: Vec<Complex>,
 }
 
+impl Series {
+    /// Of what loses nothing.
+    pub(super) fn nothing(regions: usize) -> Self {
+        Self { total: 0.0, regions: vec![0.0; regions], harmonics: 0, rest: 0.0, integrals: Vec::new() }
+    }
+}
+
 /// Σ_n weight(n) |B_n|²/n for a field that is given region by region around the loop, until what is missing is below
 /// `tolerance`, absolute. `None` if it does not end within [`MAX_HARMONICS`], as that of a field with jumps does not.
 pub fn series(tracks: &[Track], weight: impl Fn(usize) -> f64, tolerance: f64) -> Option<Series> {

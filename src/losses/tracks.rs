@@ -88,8 +88,10 @@ pub(super) struct Tracks {
 impl Tracks {
     /// Of a solution; `None` for a belt without bending stiffness.
     pub fn new(belt: &Belt, solution: &Solution) -> Option<Self> {
-        let followed =
-            RegionId::ALL.into_iter().map(|region| Followed::new(region, belt.kernel(region))).collect::<Option<Vec<_>>>()?;
+        let followed = RegionId::ALL
+            .into_iter()
+            .map(|region| Followed::new(region, belt.kernel(region)))
+            .collect::<Option<Vec<_>>>()?;
         let parts = || followed.iter().zip(solution.regions());
         let length = parts().filter_map(|(followed, part)| part.integrals().get(followed.length)).sum();
         let mut tracks = Self { length, curvature: Vec::new(), penetration: Vec::new(), strain: Vec::new() };

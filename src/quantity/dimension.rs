@@ -19,7 +19,7 @@ pub struct Dimension {
 }
 
 /// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 14] = [
+const NAMED: [(Dimension, &str); 15] = [
     (Dimension::NONE, "a plain number"),
     (Dimension::LENGTH, "a length"),
     (Dimension::MASS, "a mass"),
@@ -34,6 +34,7 @@ const NAMED: [(Dimension, &str); 14] = [
     (Dimension::POWER, "a power"),
     (Dimension::MASS_PER_LENGTH, "a mass per length"),
     (Dimension::BENDING_STIFFNESS, "a bending stiffness"),
+    (Dimension::DRAG_PER_SPEED, "a torque over a speed"),
 ];
 
 impl Dimension {
@@ -65,6 +66,9 @@ impl Dimension {
     pub const MASS_PER_LENGTH: Self = Self::new(-1, 1, 0, 0);
     /// Newton metre squared.
     pub const BENDING_STIFFNESS: Self = Self::new(3, 1, -2, 0);
+
+    /// Newton metre second per radian: a torque over a speed of rotation, written N*m*s.
+    pub const DRAG_PER_SPEED: Self = Self::new(2, 1, -1, 0);
 
     /// From the exponents of length, mass, time and angle.
     pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {

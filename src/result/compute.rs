@@ -192,7 +192,12 @@ pub fn span(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionI
 /// Efficiencies.
 pub fn efficiency(outputs: &Outputs) -> Efficiency {
     let output = |key: &str| outputs.get("efficiency", key);
-    Efficiency { speed: output("speed"), torque: output("torque"), overall: output("overall") }
+    Efficiency {
+        speed: output("speed"),
+        torque: output("torque"),
+        overall: output("overall"),
+        overall_with_losses: None,
+    }
 }
 
 /// The belt as a whole, `length` being what it measures unstretched, m.

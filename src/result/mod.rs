@@ -18,6 +18,7 @@ pub use warnings::warnings;
 
 use crate::case::Resolved;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::losses::{NoLosses, losses};
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -26,6 +27,8 @@ pub struct Outcome {
     pub result: DriveResult<Resolved>,
     /// The solution.
     pub solved: Solved,
+    /// Why losses are not told although nobody declined them.
+    pub no_losses: Option<NoLosses>,
 }
 
 /// Solves a case from nothing and reads the solution.
@@ -47,7 +50,17 @@ pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start:
     if options.sensitivities {
         result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
     }
-    Ok(Outcome { result, solved })
+    let told = case.losses.wanted().then(|| losses(case, &solved, options.tolerance));
+    let no_losses = match told {
+        None => None,
+        Some(Err(reason)) => Some(reason),
+        Some(Ok(losses)) => {
+            result.efficiency.overall_with_losses = Some(losses.efficiency);
+            result.losses = Some(losses);
+            None
+        }
+    };
+    Ok(Outcome { result, solved, no_losses })
 }
 
 fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
@@ -70,6 +83,7 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
         slip_reserve,
         belt: compute::belt(&outputs, case.belt.length),
         energy: compute::energy(&outputs),
+        losses: None,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::sensitivity::Sensitivities;
+use crate::losses::Losses;
 
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
@@ -36,6 +37,9 @@ pub struct DriveResult<I> {
     pub belt: BeltResult,
     /// The energy audit.
     pub energy: Energy,
+    /// Power that is lost besides friction, where it is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub losses: Option<Losses>,
     /// How the solution was found.
     pub solver: SolverReport,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
@@ -111,6 +115,9 @@ pub struct Efficiency {
     pub torque: f64,
     /// Power out over power in (6.9).
     pub overall: f64,
+    /// The same with hysteresis, drag and gears taken off what arrives, where they are told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overall_with_losses: Option<f64>,
 }
 
 /// The belt as a whole.

@@ -55,6 +55,20 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         energy.stretch_work.abs(),
         unsigned_zero(&format!("{:.4}", percent(energy.closure))),
     );
+    if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
+        let _ = writeln!(
+            text,
+            "  with all losses           {:>11.2} % overall: hysteresis {:.1} W (bending {:.1}, groove {:.1}, cord {:.1}), drag {:.1} W, \
+             gears {:.1} W",
+            percent(overall),
+            losses.bending + losses.groove + losses.cord,
+            losses.bending,
+            losses.groove,
+            losses.cord,
+            losses.drag,
+            losses.gears,
+        );
+    }
     let _ = writeln!(
         text,
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
