@@ -12,3 +12,4 @@ pub mod report;
 pub mod result;
 pub mod small;
 pub mod study;
+pub mod text;

@@ -4,6 +4,7 @@ use super::geometry::NoRadii;
 use super::keys::Key;
 use crate::drive::IllPosed;
 use crate::quantity::QuantityError;
+use crate::text::{printable, printable_in_place};
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 use std::ops::Range;
@@ -16,6 +17,47 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// The same, with nothing in it that a terminal would act on.
+    shown: String,
+}
+
+/// Bytes of a line that are shown whole.
+const WHOLE_LINE: usize = 400;
+/// Bytes that are shown of a longer one, before and from the place that is meant.
+const EXCERPT: (usize, usize) = (60, 180);
+
+impl Source {
+    /// A text with its name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
+    }
+
+    /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
+    fn excerpt(&self, place: usize) -> Option<Range<usize>> {
+        let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
+        let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
+        let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
+        let after = self.text.get(end..)?.lines().nth(1).map_or(0, str::len);
+        if before.max(after).max(end - start) <= WHOLE_LINE {
+            return None;
+        }
+        let boundary = |at: usize, up: bool| {
+            let mut at = at.clamp(start, end);
+            while !self.text.is_char_boundary(at) {
+                at = if up { at + 1 } else { at - 1 };
+            }
+            at
+        };
+        Some(boundary(place.saturating_sub(EXCERPT.0), true)..boundary(place.saturating_add(EXCERPT.1), false))
+    }
+
+    /// The part of `span` that is shown; nothing if none of it is.
+    pub(crate) fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
+        let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
+        let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
+        (start <= end).then_some(start..end)
+    }
 }
 
 /// Where something was said: byte ranges in a source.
@@ -193,7 +235,9 @@ fn keys_near(path: &str) -> String {
     let section = path.split('.').next().unwrap_or_default();
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
-        if let Some(near) = sections().find(|known| strsim::damerau_levenshtein(known, section) <= 2) {
+        // The distance takes time with the length of both.
+        let short = section.len() < 40;
+        if let Some(near) = sections().find(|known| short && strsim::damerau_levenshtein(known, section) <= 2) {
             return format!("did you mean the section [{near}]?");
         }
         let sections: Vec<_> = sections().map(|section| format!("[{section}]")).collect();
@@ -272,7 +316,7 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.problem.fmt(f)
+        f.write_str(&printable(&self.0.problem.to_string()))
     }
 }
 
@@ -290,7 +334,7 @@ impl Diagnostic for CaseError {
             }
             (problem, _) => problem.advice(),
         };
-        Some(Box::new(advice?))
+        Some(Box::new(printable(&advice?).into_owned()))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -299,11 +343,14 @@ impl Diagnostic for CaseError {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let first = self.0.places.first()?;
-        // One text can be shown: the one at fault.
-        let shown = self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source);
-        Some(Box::new(shown.map(|(index, place)| {
-            let span = self.span(place);
-            LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len()))
+        // One text can be shown: the one at fault. Of a long line, one place in it.
+        let shown: Vec<(usize, &Place)> =
+            self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source).collect();
+        let cut = shown.iter().any(|(_, place)| place.source.excerpt(self.span(place).start).is_some());
+        let shown = shown.into_iter().take(if cut { 1 } else { usize::MAX });
+        Some(Box::new(shown.filter_map(|(index, place)| {
+            let span = place.source.shown(self.span(place))?;
+            Some(LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len())))
         })))
     }
 }
@@ -315,13 +362,23 @@ impl SourceCode for Source {
         context_lines_before: usize,
         context_lines_after: usize,
     ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        let contents = self.text.read_span(span, context_lines_before, context_lines_after)?;
+        // Of a text on one endless line a part is shown, and nothing that a terminal would act on.
+        let excerpt = self.excerpt(span.offset()).map(|excerpt| (excerpt.start, excerpt.len()));
+        let (span, before, after) = match &excerpt {
+            Some(excerpt) => (&(*excerpt).into(), 0, 0),
+            None => (span, context_lines_before, context_lines_after),
+        };
+        let contents = self.text.read_span(span, before, after)?;
+        let (start, length) = (contents.span().offset(), contents.span().len());
+        let data = self.shown.get(start..start + length).unwrap_or_default().as_bytes();
+        let name = printable(&self.name).into_owned();
+        let (line, column) = (contents.line(), contents.column());
         Ok(Box::new(miette::MietteSpanContents::new_named(
-            self.name.clone(),
-            contents.data(),
+            name,
+            data,
             *contents.span(),
-            contents.line(),
-            contents.column(),
+            line,
+            column,
             contents.line_count(),
         )))
     }

@@ -39,7 +39,8 @@ pub(super) fn read(text: &str) -> Result<Exchange, String> {
     let constant =
         given.ok_or_else(|| format!("`{path}` gives no constant that could be found: expected one that does"))?;
     let output = Output::named(output).ok_or_else(|| {
-        let near = Output::all().min_by_key(|other| strsim::damerau_levenshtein(&other.path(), output));
+        let start: String = output.chars().take(60).collect();
+        let near = Output::all().min_by_key(|other| strsim::damerau_levenshtein(&other.path(), &start));
         let near = near.map(|near| format!(", such as `{}`", near.path())).unwrap_or_default();
         format!("unknown output `{output}`: expected one of a result{near}")
     })?;

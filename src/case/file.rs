@@ -5,7 +5,9 @@ use super::error::{CaseError, Place, Problem, Source};
 use super::exchange::{self, Exchange};
 use super::keys::{Key, Kind};
 use super::raw::{Raw, in_order, kind, raw};
+use super::resolve::Setting;
 use crate::quantity::{self, Quantity, QuantityError};
+use crate::text::quoted;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -64,7 +66,7 @@ impl Case {
     /// # Errors
     /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        let source = Arc::new(Source::new(name, text));
         let mut case = Self::base();
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
@@ -144,8 +146,8 @@ impl Case {
         if let Some(equals) = equals {
             return self.argument("--set", assignment.into(), equals);
         }
-        let source = Arc::new(Source { name: "--set".into(), text: assignment.into() });
-        let (whole, text) = (0..assignment.len(), assignment.into());
+        let source = Arc::new(Source::new("--set", assignment));
+        let (whole, text) = (0..assignment.len(), quoted(assignment).into_owned());
         let place = Place { source, key: whole.clone(), value: whole };
         Err(CaseError::new(Problem::Assignment { text }, [place]))
     }
@@ -163,7 +165,7 @@ impl Case {
     /// # Errors
     /// [`Problem::UnknownKey`].
     pub fn unset(&mut self, key: &str) -> Result<(), CaseError> {
-        let source = Arc::new(Source { name: "--unset".into(), text: key.into() });
+        let source = Arc::new(Source::new("--unset", key));
         let whole = 0..key.len();
         let known = known(key, &Place { source, key: whole.clone(), value: whole })?;
         self.given.remove(&known);
@@ -180,6 +182,19 @@ impl Case {
         self.given.keys().copied()
     }
 
+    /// Constants that are to be found for outputs, in the order in which they were given.
+    pub fn exchanges(&self) -> impl Iterator<Item = &Exchange> {
+        self.swaps.iter().map(|(exchange, _)| exchange)
+    }
+
+    /// The keys that were given, with their values, in the order of the table.
+    pub fn settings(&self) -> impl Iterator<Item = (Key, Setting)> + '_ {
+        self.given.iter().map(|(key, given)| match given.value {
+            Value::Quantity(si) => (*key, Setting::Number(si)),
+            Value::Choice(name) => (*key, Setting::Name(name)),
+        })
+    }
+
     /// One `KEY=VALUE` text, with `equals` the place of its `=`.
     fn argument(&mut self, option: &str, text: String, equals: usize) -> Result<(), CaseError> {
         let value_start = (equals + 1).min(text.len());
@@ -189,7 +204,7 @@ impl Case {
         let place = Place {
             key: range,
             value: trimmed(&text, value_start..text.len()),
-            source: Arc::new(Source { name: option.into(), text }),
+            source: Arc::new(Source::new(option, text)),
         };
         self.insert(&key, Raw::Text(value.into()), place)
     }
@@ -197,7 +212,8 @@ impl Case {
     /// Checks one key and its value, and keeps it.
     fn insert(&mut self, path: &str, raw: Raw<'_>, place: Place) -> Result<(), CaseError> {
         let key = known(path, &place)?;
-        let given = if place.given().is_empty() { "nothing" } else { place.given() };
+        let given = if place.given().is_empty() { "nothing".into() } else { quoted(place.given()) };
+        let given = given.as_ref();
         let value = match key.entry().kind {
             Kind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
             Kind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
@@ -250,7 +266,7 @@ impl Case {
     /// # Errors
     /// [`Problem::Swap`].
     pub fn swap(&mut self, text: &str) -> Result<(), CaseError> {
-        let source = Arc::new(Source { name: "--swap".into(), text: text.into() });
+        let source = Arc::new(Source::new("--swap", text));
         let whole = 0..text.len();
         self.add_swap(text, Place { source, key: whole.clone(), value: whole })
     }
@@ -261,14 +277,15 @@ impl Case {
                 self.swaps.push((exchange, place));
                 Ok(())
             }
-            Err(reason) => Err(CaseError::new(Problem::Swap { text: text.into(), reason }, [place])),
+            Err(reason) => Err(CaseError::new(Problem::Swap { text: quoted(text).into_owned(), reason }, [place])),
         }
     }
 }
 
 fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     Key::from_path(path).ok_or_else(|| {
-        CaseError::new(Problem::UnknownKey { path: path.into(), nearest: Key::nearest(path) }, [place.clone()])
+        let (path, nearest) = (quoted(path).into_owned(), Key::nearest(path));
+        CaseError::new(Problem::UnknownKey { path, nearest }, [place.clone()])
     })
 }
 

@@ -191,6 +191,9 @@ pub static TABLE: [Entry; 35] = [
         "efficiency of gears between the secondary and the shaft of interest"),
 ];
 
+/// No key is longer.
+const LONGEST_KEY: usize = 50;
+
 impl Key {
     /// What is known of the key.
     pub fn entry(self) -> &'static Entry {
@@ -209,6 +212,10 @@ impl Key {
 
     /// The known key whose name looks most like `path`, if one does.
     pub fn nearest(path: &str) -> Option<Self> {
+        // No slip of the pen is as long as that; the distance takes time with the length of both.
+        if path.len() > 2 * LONGEST_KEY {
+            return None;
+        }
         let distance = |entry: &Entry| {
             let whole = strsim::damerau_levenshtein(entry.path, path);
             // A name without its section, or in the wrong one.

@@ -16,6 +16,7 @@ mod stop;
 mod sweep;
 
 use clap::{ArgAction, Parser, Subcommand};
+use sheave::text::printable;
 use std::process::ExitCode;
 use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
@@ -53,7 +54,10 @@ Results go to standard output, all else to standard error.";
 
 /// Runs the command that the arguments name.
 pub fn run() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(stop) => return misunderstood(&stop),
+    };
     log_to_stderr(arguments.verbose);
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
@@ -75,6 +79,21 @@ pub fn run() -> ExitCode {
     }
 }
 
+/// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act on.
+fn misunderstood(stop: &clap::Error) -> ExitCode {
+    let acts = |argument: std::ffi::OsString| {
+        let argument = argument.to_string_lossy();
+        argument.contains('\n') || matches!(printable(&argument), std::borrow::Cow::Owned(_))
+    };
+    if stop.use_stderr() && std::env::args_os().any(acts) {
+        stop::tell(&printable(&stop.render().to_string()));
+    } else {
+        // Where it goes is full or closed: the exit status has to do.
+        let _ = stop.print();
+    }
+    ExitCode::from(u8::try_from(stop.exit_code()).unwrap_or(1))
+}
+
 /// Warnings always; more with `-v`, or as the environment variable RUST_LOG says.
 fn log_to_stderr(verbose: u8) {
     let level = match verbose {
@@ -86,7 +105,7 @@ fn log_to_stderr(verbose: u8) {
     let asked = std::env::var("RUST_LOG").ok().and_then(|text| text.parse::<Targets>().ok());
     let filter = asked.unwrap_or_else(|| Targets::new().with_default(level));
     let lines = tracing_subscriber::fmt::layer()
-        .with_writer(std::io::stderr)
+        .with_writer(|| stop::Diagnostics)
         .with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr()))
         .without_time()
         .with_target(verbose > 1);

@@ -12,6 +12,7 @@ mod dimension;
 mod parse;
 mod unit;
 
+use crate::text::quoted;
 pub use dimension::Dimension;
 pub use unit::{Scale, Unit, symbols};
 
@@ -100,13 +101,13 @@ pub enum QuantityError {
 
 impl QuantityError {
     fn unknown_unit(unit: &str) -> Self {
-        let lowercase = unit.to_lowercase();
+        let (unit, lowercase) = (quoted(unit), quoted(unit).to_lowercase());
         let distance = |known: &str| strsim::damerau_levenshtein(known, &lowercase);
         let nearest = match unit::find(&lowercase) {
             Some(_) => Some(lowercase),
             None => symbols().find(|known| distance(&known.to_lowercase()) <= 1).map(str::to_owned),
         };
-        Self::UnknownUnit { unit: unit.into(), nearest }
+        Self::UnknownUnit { unit: unit.into_owned(), nearest }
     }
 }
 

@@ -120,19 +120,53 @@ impl Study {
             .collect()
     }
 
-    /// Everything the rows depend on, as one line of text.
+    /// Everything the rows depend on, as one line of text; of each axis, keys, ends, number and checksum of its points.
     pub(super) fn fingerprint(&self) -> String {
-        let axis = |axis: &Axis| {
-            let points: Vec<Vec<(&str, Setting)>> = (0..axis.points())
-                .map(|point| axis.at(point).map(|(key, setting)| (key.path(), setting)).collect())
-                .collect();
-            serde_json::to_value(points).unwrap_or_default()
+        let point = |axis: &Axis, at: usize| {
+            axis.at(at).map(|(key, setting)| serde_json::json!([key.path(), setting])).collect::<Vec<_>>()
         };
-        let base = self.point(0).ok().and_then(|point| point.case.ok());
-        let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
+        let axis = |axis: &Axis| {
+            let mut checksum = crc32fast::Hasher::new();
+            for (_, setting) in (0..axis.points()).flat_map(|at| axis.at(at)) {
+                match setting {
+                    Setting::Number(value) => checksum.update(&value.to_le_bytes()),
+                    Setting::Name(name) => checksum.update(name.as_bytes()),
+                }
+            }
+            let ends = [point(axis, 0), point(axis, axis.points().saturating_sub(1))];
+            serde_json::json!({ "points": axis.points(), "ends": ends, "checksum": checksum.finalize() })
+        };
+        let case = self.point(0).ok().and_then(|point| point.case.ok());
+        let settings = self.case.settings().map(|(key, setting)| serde_json::json!([key.path(), setting]));
+        let exchanges = self.case.exchanges().map(|exchange| serde_json::json!(exchange.to_string()));
+        let given: Vec<serde_json::Value> = settings.chain(exchanges).collect();
         let axes: Vec<serde_json::Value> = self.axes.iter().map(axis).collect();
-        serde_json::json!({ "version": env!("CARGO_PKG_VERSION"), "case": base, "axes": axes, "options": options })
+        let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
+        let version = env!("CARGO_PKG_VERSION");
+        serde_json::json!({ "version": version, "case": case, "given": given, "axes": axes, "options": options })
             .to_string()
+    }
+
+    /// Whether the rows of all points that have a solution have the same columns: what is varied decides on values only.
+    pub fn is_uniform(&self) -> bool {
+        let mut columns: Option<Vec<String>> = None;
+        for place in 0..self.axes.iter().filter(|axis| !axis.is_continuous()).map(Axis::points).product() {
+            let (mut index, mut rest, mut stride) = (0, place, 1);
+            for axis in self.axes.iter().rev() {
+                if !axis.is_continuous() {
+                    index += stride * (rest % axis.points());
+                    rest /= axis.points();
+                }
+                stride *= axis.points();
+            }
+            let Ok(Point { case: Ok(case), .. }) = self.point(index) else { continue };
+            let here = case.settings().iter().map(|(key, _)| key.path().to_owned()).collect();
+            match &columns {
+                Some(columns) if *columns != here => return false,
+                _ => columns = Some(here),
+            }
+        }
+        true
     }
 }
 

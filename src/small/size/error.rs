@@ -2,6 +2,7 @@
 
 use crate::case::Place;
 use crate::quantity::QuantityError;
+use crate::text::printable;
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 
@@ -108,7 +109,7 @@ impl SizeError {
 
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problem().fmt(f)
+        f.write_str(&printable(&self.problem().to_string()))
     }
 }
 
@@ -122,6 +123,7 @@ impl Diagnostic for SizeError {
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let place = self.place()?;
         let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
+        let span = place.source.shown(span)?;
         Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
     }
 }
