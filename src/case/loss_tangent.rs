@@ -88,12 +88,17 @@ impl LossTangent {
         }
     }
 
+    /// The largest of all frequencies and temperatures.
+    pub fn largest(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Table(grid) => grid.values.iter().flatten().copied().fold(0.0, f64::max),
+        }
+    }
+
     /// Whether nothing is lost at any frequency and temperature.
     pub fn is_zero(&self) -> bool {
-        match self {
-            Self::Constant(value) => *value == 0.0,
-            Self::Table(grid) => grid.values.iter().flatten().all(|value| *value == 0.0),
-        }
+        self.largest() == 0.0
     }
 }
 

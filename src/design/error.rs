@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::case::Key;
 use crate::drive::Failure;
+use crate::losses::NoLosses;
 use solver::SolveError;
 
 /// Why a limit or an optimum could not be had.
@@ -24,6 +25,9 @@ pub enum DesignError {
     /// The equations are singular where a derivative is needed.
     #[error("a solution on the way has no derivatives: {0}")]
     Singular(#[from] SolveError),
+    /// The efficiency sought has losses in it that cannot be told.
+    #[error("the efficiency with losses has no optimum: {0}")]
+    Losses(#[from] NoLosses),
 }
 
 impl DesignError {
@@ -32,7 +36,7 @@ impl DesignError {
         match self {
             Self::Given { .. } => true,
             Self::Start(failure) => failure.is_bad_input(),
-            Self::Singular(_) => false,
+            Self::Singular(_) | Self::Losses(_) => false,
         }
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping. The
 //! efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That derivative comes
-//! of the factorisation that Newton's method holds, by one transposed solve.
+//! of the factorisation that Newton's method holds, by one transposed solve. A case that asks for losses besides friction
+//! (`losses.include = "on"`) has the efficiency with these maximised.
 
 use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};
@@ -10,8 +11,9 @@ use solver::{Functional, Linearisation};
 use super::error::DesignError;
 use super::limit::clamped;
 use super::state::State;
-use crate::case::{Clamp, Resolved};
+use crate::case::{Clamp, Include, Resolved};
 use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve_from};
+use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients, losses};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -83,8 +85,9 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     trials.extend(search.march(&start, -1.0)?);
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
     let mut best: Option<(f64, Trial, Bound)> = None;
+    let told = search.case.clone();
     let mut offer = |trial: Trial, bound: Bound| {
-        let efficiency = State::of(&trial.solved).overall_efficiency;
+        let efficiency = efficiency(&told, &trial.solved, options);
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
         }
@@ -119,7 +122,7 @@ impl Search {
     fn trial(&mut self, solved: Solved) -> Result<Trial, DesignError> {
         self.evaluations += 1;
         let tension = solved.constant(Constant::SlackTension);
-        let slope = tension * gradient(&solved)?;
+        let slope = tension * gradient(&self.case, &solved, &self.options)?;
         Ok(Trial { solved, place: tension.ln(), slope })
     }
 
@@ -181,13 +184,34 @@ impl Search {
     }
 }
 
-/// d(overall efficiency)/d(slack tension), 1/N.
-fn gradient(solved: &Solved) -> Result<f64, DesignError> {
+/// Whether the efficiency sought is that with losses besides friction: if the case asks for them.
+fn with_losses(case: &Resolved) -> bool {
+    case.losses.include == Some(Include::On)
+}
+
+/// The efficiency sought.
+fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> f64 {
+    let told = with_losses(case).then(|| losses(case, solved, options.tolerance).ok()).flatten();
+    told.map_or_else(|| State::of(solved).overall_efficiency, |losses| losses.efficiency)
+}
+
+/// d(efficiency sought)/d(slack tension), 1/N.
+fn gradient(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+    let at = |gradient: &[f64]| gradient.get(Constant::SlackTension.index()).copied().unwrap_or(f64::NAN);
+    if with_losses(case) {
+        return match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
+            Ok(gradients) => {
+                let gradient = gradients.by_constant.get("efficiency.overall_with_losses");
+                Ok(gradient.map_or(f64::NAN, |gradient| at(gradient)))
+            }
+            Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
+            Err(NoDerivatives::Solve(error)) => Err(error.into()),
+        };
+    }
     let Some(output) = Output::named("efficiency.overall") else { return Err(Failure::NoEquations.into()) };
     let (ends, integrals) = inputs(&solved.solution);
     let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
     let functional =
-        Functional { inputs: gradients.get(output.index()).cloned().unwrap_or_default(), nodes: Vec::new() };
-    let gradient = Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional);
-    Ok(gradient.get(Constant::SlackTension.index()).copied().unwrap_or(f64::NAN))
+        Functional { inputs: gradients.get(output.index()).cloned().unwrap_or_default(), ..Functional::default() };
+    Ok(at(&Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional)))
 }

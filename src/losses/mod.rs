@@ -6,6 +6,7 @@
 #[cfg(test)]
 mod checks;
 mod gradient;
+mod sensitivity;
 mod series;
 mod tracks;
 
@@ -13,6 +14,7 @@ use generated::{HYSTERESIS, LOSS_BALANCE};
 use serde::Serialize;
 
 pub use gradient::TrackGradient;
+pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};
 
 use crate::case::{LossTangent, Resolved};
@@ -22,6 +24,10 @@ use tracks::Tracks;
 /// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of the
 /// thesis's measurements (4.1), 60 °C.
 pub const REFERENCE_TEMPERATURE: f64 = 333.15;
+
+/// Loss tangent of the rubber that the thesis measured (4.1). Sums end where what is missing, were this the loss tangent, is below
+/// the tolerance: as many harmonics at any loss tangent, so that losses are exactly linear in it.
+const TYPICAL_TANGENT: f64 = 1.0 / 8.2;
 
 /// Why there are no losses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -122,19 +128,8 @@ pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses
     let sums = hysteresis(case, &solved.belt, solved, tolerance * driving)?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
     let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
-    let given = &case.losses;
-    let balance = [
-        driving,
-        output("efficiency.overall"),
-        total.bending + total.groove + total.cord,
-        solved.constant(Constant::PrimarySpeed),
-        solved.constant(Constant::PrimarySpeed) * solved.constant(Constant::SpeedRatio),
-        given.primary_drag,
-        given.secondary_drag,
-        given.primary_drag_per_speed,
-        given.secondary_drag_per_speed,
-        given.gear_efficiency,
-    ];
+    let taken = total.bending + total.groove + total.cord;
+    let balance = balance_inputs(case, solved, driving, output("efficiency.overall"), taken);
     let [primary_drag, secondary_drag, gears, all, power_out, efficiency] = evaluate(&LOSS_BALANCE, &balance);
     let region =
         |region: RegionId| sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()]);
@@ -155,6 +150,24 @@ pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses
         harmonics: sums.as_ref().map_or(Harmonics::default(), |(.., harmonics)| *harmonics),
         efficiency,
     })
+}
+
+/// The inputs of the balance's formulae.
+fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, hysteresis: f64) -> [f64; 10] {
+    let given = &case.losses;
+    let speed = solved.constant(Constant::PrimarySpeed);
+    [
+        driving,
+        overall,
+        hysteresis,
+        speed,
+        speed * solved.constant(Constant::SpeedRatio),
+        given.primary_drag,
+        given.secondary_drag,
+        given.primary_drag_per_speed,
+        given.secondary_drag_per_speed,
+        given.gear_efficiency,
+    ]
 }
 
 /// Values of generated formulae.
@@ -193,20 +206,25 @@ struct Weights {
     cord: f64,
 }
 
+/// The constants on which the weights depend, in the order of the formulae's inputs; the loop's length follows.
+const WEIGHT_CONSTANTS: [Constant; 8] = [
+    Constant::Flow,
+    Constant::LongitudinalStiffness,
+    Constant::MassPerLength,
+    Constant::PrimaryRadius,
+    Constant::PrimarySpeed,
+    Constant::BendingStiffness,
+    Constant::RadialStiffness,
+    Constant::HalfAngle,
+];
+
+/// The inputs of the weights' formulae.
+fn weight_inputs(solved: &Solved, length: f64) -> Vec<f64> {
+    WEIGHT_CONSTANTS.into_iter().map(|constant| solved.constant(constant)).chain([length]).collect()
+}
+
 fn weights(solved: &Solved, length: f64) -> Weights {
-    let constant = |constant: Constant| solved.constant(constant);
-    let inputs = [
-        constant(Constant::Flow),
-        constant(Constant::LongitudinalStiffness),
-        constant(Constant::MassPerLength),
-        constant(Constant::PrimaryRadius),
-        constant(Constant::PrimarySpeed),
-        constant(Constant::BendingStiffness),
-        constant(Constant::RadialStiffness),
-        constant(Constant::HalfAngle),
-        length,
-    ];
-    let [revolutions, bending, groove, cord] = evaluate(&HYSTERESIS, &inputs);
+    let [revolutions, bending, groove, cord] = evaluate(&HYSTERESIS, &weight_inputs(solved, length));
     Weights { revolutions, bending, groove, cord }
 }
 
@@ -222,7 +240,7 @@ fn sums(
             return Ok(Series::nothing(tracks.len()));
         }
         let at = |n: usize| weight * tangent.at(n as f64 * weights.revolutions, temperature).value;
-        series(tracks, at, tolerance).ok_or(NoLosses::Endless { field })
+        series(tracks, at, tolerance * tangent.largest() / TYPICAL_TANGENT).ok_or(NoLosses::Endless { field })
     };
     let (rubber, cord) = (&case.losses.loss_tangent, &case.losses.cord_loss_tangent);
     Ok(Sums {

@@ -12,6 +12,7 @@ use std::time::Instant;
 pub use compute::{Outputs, Sampled};
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
+use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
@@ -48,7 +49,11 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
     let mut result = read(case, options, &solved, start);
     if options.sensitivities {
-        result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
+        let mut derivatives = sensitivities(&solved).map_err(Failure::Sensitivities)?;
+        if case.losses.wanted() {
+            add_losses(&mut derivatives, case, options, &solved)?;
+        }
+        result.sensitivities = Some(derivatives);
     }
     let told = case.losses.wanted().then(|| losses(case, &solved, options.tolerance));
     let no_losses = match told {

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use solver::{Condensation, SolveError};
 
-use crate::drive::{Constant, Known, Output, Solved, inputs};
+use crate::case::Resolved;
+use crate::drive::{Constant, Failure, Known, Output, SolveOptions, Solved, inputs};
+use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients};
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
 pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
@@ -28,6 +30,29 @@ pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, SolveError> {
         (output.path(), given.iter().map(|(rates, name)| (name.clone(), derivative(rates))).collect())
     });
     Ok(rows.collect())
+}
+
+/// Adds the derivatives of the losses besides friction; nothing where there are none to tell.
+///
+/// # Errors
+/// [`Failure::Sensitivities`].
+pub fn add_losses(
+    to: &mut Sensitivities,
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: &Solved,
+) -> Result<(), Failure> {
+    let gradients = match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
+        Ok(gradients) => gradients,
+        Err(NoDerivatives::Losses(_)) => return Ok(()),
+        Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
+    };
+    let given = given(solved);
+    for (name, gradient) in gradients.by_constant {
+        let value = |at: usize| gradient.get(at).copied().unwrap_or(f64::NAN);
+        to.insert(name.to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
+    }
+    Ok(())
 }
 
 /// Places of what is given among the problem's constants, with their names.

@@ -39,6 +39,9 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
             1e3 * length
         ));
     }
+    if let Some(reason) = outcome.no_losses {
+        said.push(format!("No losses besides friction are told: {reason}."));
+    }
     let imbalance = result.energy.imbalance;
     if imbalance.abs() > IMBALANCE {
         said.push(format!(
