@@ -1,7 +1,8 @@
 //! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
 //! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it. [`small`]
-//! models stand beside the full one.
+//! models stand beside the full one. [`bench`] leads from measurements to what a case needs, and from logs to a comparison.
 
+pub mod bench;
 pub mod case;
 pub mod design;
 pub mod drive;

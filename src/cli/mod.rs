@@ -1,14 +1,17 @@
 //! What the commands share; each command has a file of its own.
 
+mod belt;
 mod case;
 mod derive;
 mod design;
 mod init;
 mod keys;
 mod limit;
+mod measured;
 mod optimum;
 mod output;
 mod pulley;
+mod radii;
 mod reproduce;
 mod size;
 mod solve;
@@ -44,6 +47,8 @@ enum Command {
     Init(init::Arguments),
     Pulley(pulley::Arguments),
     Size(size::Arguments),
+    Belt(belt::Arguments),
+    Radii(radii::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -70,6 +75,8 @@ pub fn run() -> ExitCode {
         Command::Init(arguments) => init::run(arguments),
         Command::Pulley(arguments) => pulley::run(arguments),
         Command::Size(arguments) => size::run(arguments),
+        Command::Belt(arguments) => belt::run(arguments),
+        Command::Radii(arguments) => radii::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
