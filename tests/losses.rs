@@ -159,3 +159,76 @@ fn derivatives_are_those_of_finite_differences() {
         }
     }
 }
+
+/// h (T − T_a) is the heat, the stiffnesses are those at T, and all of it has its derivatives.
+#[test]
+fn the_belt_is_as_warm_as_what_it_loses_makes_it() {
+    let settings = [
+        ("thermal.ambient", "25 degC"),
+        ("thermal.heat_transfer", "12 W/K"),
+        ("thermal.friction_share", "0.4"),
+        ("sheave.slip_threshold", "1e-2 m/s"),
+    ];
+    let options = SolveOptions { tolerance: 1e-7, ..SolveOptions::default() };
+    let mut case = Case::base();
+    settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+    let at = run(&case.resolve().unwrap(), &SolveOptions { sensitivities: true, ..options }).unwrap();
+    let (result, losses) = (&at.result, told(&at));
+    let (temperature, heat) = (result.belt.temperature.unwrap(), result.thermal.unwrap());
+    let into = 0.4 * result.energy.friction_loss + losses.bending + losses.groove;
+    assert!((into - heat.belt).abs() < 1e-6 * into);
+    assert!((12.0 * (temperature - 298.15) - into).abs() < 1e-5 * into, "{temperature} K, {into} W");
+    let factor = (-0.0125 * (temperature - 333.15)).exp();
+    assert!((heat.bending_stiffness / (0.2602 * factor) - 1.0).abs() < 1e-12);
+    assert!((heat.primary + heat.secondary - 0.6 * result.energy.friction_loss).abs() < 1e-6);
+    assert_eq!(heat.hotter == sheave::losses::Hotter::Primary, heat.primary > heat.secondary);
+    // The same belt, given at its temperature, is the same drive.
+    let stiffness = |value: f64| format!("{value:e}");
+    let cold = solve(
+        &[
+            ("belt.bending_stiffness", &stiffness(heat.bending_stiffness)),
+            ("belt.radial_stiffness", &stiffness(heat.radial_stiffness)),
+            ("sheave.slip_threshold", "1e-2 m/s"),
+        ],
+        &options,
+    );
+    assert!((cold.result.primary.axial_force / result.primary.axial_force - 1.0).abs() < 1e-6);
+    let sensitivities = result.sensitivities.as_ref().unwrap();
+    for (key, value, step) in [
+        ("thermal.ambient", 298.15, 1e-3),
+        ("thermal.heat_transfer", 12.0, 2e-3),
+        ("belt.bending_stiffness", 0.2602, 2e-3),
+        ("operating_point.slack_tension", 100.0, 2e-3),
+    ] {
+        let moved = |by: f64| {
+            let mut case = case.clone();
+            let unit = if key == "thermal.ambient" { " K" } else { "" };
+            case.set(key, &format!("{:e}{unit}", value * (1.0 + by))).unwrap();
+            run(&case.resolve().unwrap(), &options).unwrap().result
+        };
+        let (plus, minus) = (moved(step), moved(-step));
+        let read: [(&str, fn(&sheave::result::DriveResult<sheave::case::Resolved>) -> f64); 4] = [
+            ("belt.temperature", |result| result.belt.temperature.unwrap()),
+            ("primary.axial_force", |result| result.primary.axial_force),
+            ("losses.total", |result| result.losses.as_ref().unwrap().total),
+            ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
+        ];
+        for (name, read) in read {
+            let difference = (read(&plus) - read(&minus)) / (2.0 * step * value);
+            let found = sensitivities[name][key];
+            let size = difference.abs().max(0.01 * read(result).abs() / value);
+            println!("{name} by {key}: {found:.6e} and {difference:.6e}");
+            assert!((found - difference).abs() < 5e-3 * size, "{name} by {key}: {found} and {difference}");
+        }
+    }
+}
+
+#[test]
+fn a_hot_belt_is_warned_of() {
+    let outcome = base(&[("thermal.ambient", "40 degC"), ("thermal.heat_transfer", "8 W/K")]);
+    assert!(outcome.result.belt.temperature.unwrap() > 344.15);
+    assert!(sheave::result::warnings(&outcome).iter().any(|said| said.contains("71 °C")));
+    let mut case = Case::base();
+    case.set("thermal.ambient", "25 degC").unwrap();
+    assert!(case.resolve().unwrap_err().to_string().contains("thermal.heat_transfer"));
+}

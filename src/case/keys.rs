@@ -44,6 +44,12 @@ pub enum Key {
     PrimaryDragPerSpeed,
     SecondaryDragPerSpeed,
     GearEfficiency,
+    Ambient,
+    HeatTransfer,
+    FrictionShare,
+    ReferenceTemperature,
+    BendingSoftening,
+    RadialSoftening,
 }
 
 /// What is known of a key.
@@ -95,6 +101,9 @@ const MPA: Unit = Unit::decimal("MPa", 6, Dimension::PRESSURE);
 const DEG: Unit = Unit::new("deg", 0, PI, 180.0, Dimension::ANGLE);
 const M_PER_S: Unit = Unit::decimal("m/s", 0, Dimension::SPEED);
 const NM_S: Unit = Unit::decimal("N*m*s", 0, Dimension::DRAG_PER_SPEED);
+const K: Unit = Unit::decimal("K", 0, Dimension::TEMPERATURE);
+const PER_K: Unit = Unit::decimal("1/K", 0, Dimension::PER_TEMPERATURE);
+const W_PER_K: Unit = Unit::decimal("W/K", 0, Dimension::HEAT_TRANSFER);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
 /// A quantity of the base case.
@@ -118,7 +127,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, d
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 35] = [
+pub static TABLE: [Entry; 41] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -189,6 +198,18 @@ pub static TABLE: [Entry; 35] = [
         "torque that drags at the secondary, over its speed"),
     entry(Key::GearEfficiency, "losses.gear_efficiency", "η_g", base(NUMBER, Range::positive_to(1.0), 1.0),
         "efficiency of gears between the secondary and the shaft of interest"),
+    entry(Key::Ambient, "thermal.ambient", "T_a", other(K, Range::positive_to(2000.0), 298.15),
+        "temperature of the air around the belt; degC and degF are understood"),
+    entry(Key::HeatTransfer, "thermal.heat_transfer", "h", other(W_PER_K, Range::positive_to(1e5), 10.0),
+        "heat that the belt gives off over its excess of temperature"),
+    entry(Key::FrictionShare, "thermal.friction_share", "", base(NUMBER, Range::up_to(1.0), 0.5),
+        "share of the friction loss that heats the belt; the rest heats the sheaves"),
+    entry(Key::ReferenceTemperature, "thermal.reference", "T_0", base(K, Range::positive_to(2000.0), 333.15),
+        "temperature at which the belt's stiffnesses are given"),
+    entry(Key::BendingSoftening, "thermal.bending_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
+        "share by which the bending stiffness falls per kelvin"),
+    entry(Key::RadialSoftening, "thermal.radial_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
+        "share by which the radial stiffness falls per kelvin"),
 ];
 
 /// No key is longer.
@@ -331,7 +352,10 @@ mod tests {
             assert_eq!(entry.key as usize, index, "{}", entry.path);
             assert_eq!(Key::from_path(entry.path), Some(entry.key));
         }
-        assert_eq!(sections().collect::<Vec<_>>(), ["model", "belt", "sheave", "drive", "operating_point", "losses"]);
+        assert_eq!(
+            sections().collect::<Vec<_>>(),
+            ["model", "belt", "sheave", "drive", "operating_point", "losses", "thermal"]
+        );
     }
 
     #[test]

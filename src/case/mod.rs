@@ -38,6 +38,7 @@ mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
+mod thermal;
 
 pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Include, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};
@@ -49,3 +50,4 @@ pub use losses::Losses;
 pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
 pub use range::{Bound, Range};
 pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};
+pub use thermal::Thermal;

@@ -191,7 +191,7 @@ fn with_losses(case: &Resolved) -> bool {
 
 /// The efficiency sought.
 fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> f64 {
-    let told = with_losses(case).then(|| losses(case, solved, options.tolerance).ok()).flatten();
+    let told = with_losses(case).then(|| losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance).ok()).flatten();
     told.map_or_else(|| State::of(solved).overall_efficiency, |losses| losses.efficiency)
 }
 

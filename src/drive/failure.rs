@@ -57,6 +57,15 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// The belt's temperature does not settle.
+    #[error(
+        "the balance of the belt's heat has no end: at {temperature:.1} K it is still warming or cooling; give a larger \
+         `thermal.heat_transfer`, or smaller softenings"
+    )]
+    Temperature {
+        /// Temperature reached, K.
+        temperature: f64,
+    },
     /// What is prescribed holds only if the secondary drives.
     #[error(
         "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"

@@ -6,6 +6,7 @@
 #[cfg(test)]
 mod checks;
 mod gradient;
+mod heat;
 mod sensitivity;
 mod series;
 mod tracks;
@@ -14,11 +15,12 @@ use generated::{HYSTERESIS, LOSS_BALANCE};
 use serde::Serialize;
 
 pub use gradient::TrackGradient;
+pub use heat::{Heat, Hotter, at_temperature, close, settle};
 pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};
 
 use crate::case::{LossTangent, Resolved};
-use crate::drive::{Belt, Constant, Output, RegionId, Solved, inputs};
+use crate::drive::{Constant, Output, RegionId, Solved, inputs};
 use tracks::Tracks;
 
 /// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of the
@@ -115,17 +117,17 @@ struct Sums {
     cord: Series,
 }
 
-/// The losses of a solved case besides friction, sums to `tolerance` times the power that the drive takes in.
+/// The losses of a solved case besides friction, loss tangents taken at a temperature in K, sums to `tolerance` times the power that the drive takes in.
 ///
 /// # Errors
 /// [`NoLosses`], if what the case asks for cannot be told of this solution.
-pub fn losses(case: &Resolved, solved: &Solved, tolerance: f64) -> Result<Losses, NoLosses> {
+pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Losses, NoLosses> {
     let (ends, integrals) = inputs(&solved.solution);
     let outputs = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
     let output =
         |path: &str| Output::named(path).and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN);
     let driving = output("energy.power_in").max(-output("energy.power_out"));
-    let sums = hysteresis(case, &solved.belt, solved, tolerance * driving)?;
+    let sums = hysteresis(case, solved, temperature, tolerance * driving)?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
     let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
     let taken = total.bending + total.groove + total.cord;
@@ -180,13 +182,13 @@ fn evaluate<const N: usize>(kernel: &generated::BoundaryKernel, inputs: &[f64]) 
 /// What hysteresis takes: in all, region by region, and with how many harmonics; nothing where no loss tangent is given.
 type Dissipated = Option<(Hysteresis, [Hysteresis; 4], Harmonics)>;
 
-fn hysteresis(case: &Resolved, belt: &Belt, solved: &Solved, tolerance: f64) -> Result<Dissipated, NoLosses> {
+fn hysteresis(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Dissipated, NoLosses> {
     let given = &case.losses;
     if given.loss_tangent.is_zero() && given.cord_loss_tangent.is_zero() {
         return Ok(None);
     }
-    let tracks = Tracks::new(belt, &solved.solution).ok_or(NoLosses::String)?;
-    let sums = sums(&tracks, &weights(solved, tracks.length), case, REFERENCE_TEMPERATURE, tolerance)?;
+    let tracks = Tracks::new(&solved.belt, &solved.solution).ok_or(NoLosses::String)?;
+    let sums = sums(&tracks, &weights(solved, tracks.length), case, temperature, tolerance)?;
     let of = |part: &dyn Fn(&Series) -> f64| Hysteresis {
         bending: part(&sums.bending),
         groove: part(&sums.groove),

@@ -204,7 +204,12 @@ pub fn efficiency(outputs: &Outputs) -> Efficiency {
 pub fn belt(outputs: &Outputs, length: f64) -> BeltResult {
     let output = |key: &str| outputs.get("belt", key);
     let unstretched_length = output("unstretched_length");
-    BeltResult { mass_flow: output("mass_flow"), unstretched_length, length_error: unstretched_length - length }
+    BeltResult {
+        mass_flow: output("mass_flow"),
+        unstretched_length,
+        length_error: unstretched_length - length,
+        temperature: None,
+    }
 }
 
 /// The energy audit.

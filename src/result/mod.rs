@@ -19,7 +19,7 @@ pub use warnings::warnings;
 
 use crate::case::Resolved;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
-use crate::losses::{NoLosses, losses};
+use crate::losses::{NoLosses, REFERENCE_TEMPERATURE, close, losses, settle};
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -42,20 +42,30 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     interpret(case, options, solved, start)
 }
 
-/// Reads a solution of a case, found since `start`.
+/// Reads a solution of a case, found since `start`; where the case asks for the belt's temperature, the solution at that.
 ///
 /// # Errors
-/// [`Failure::Sensitivities`].
+/// [`Failure::Sensitivities`]; with heat, as [`run`].
 pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
+    let (solved, heat) = match &case.thermal {
+        Some(thermal) => settle(case, thermal, solved, options).map(|(solved, heat)| (solved, Some(heat)))?,
+        None => (solved, None),
+    };
+    let temperature = heat.map_or(REFERENCE_TEMPERATURE, |heat| heat.temperature);
     let mut result = read(case, options, &solved, start);
+    result.belt.temperature = heat.map(|heat| heat.temperature);
+    result.thermal = heat;
     if options.sensitivities {
         let mut derivatives = sensitivities(&solved).map_err(Failure::Sensitivities)?;
         if case.losses.wanted() {
-            add_losses(&mut derivatives, case, options, &solved)?;
+            add_losses(&mut derivatives, case, options, temperature, &solved)?;
+        }
+        if let (Some(thermal), Some(heat)) = (&case.thermal, &heat) {
+            close(&mut derivatives, thermal, heat);
         }
         result.sensitivities = Some(derivatives);
     }
-    let told = case.losses.wanted().then(|| losses(case, &solved, options.tolerance));
+    let told = case.losses.wanted().then(|| losses(case, &solved, temperature, options.tolerance));
     let no_losses = match told {
         None => None,
         Some(Err(reason)) => Some(reason),
@@ -89,6 +99,7 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
         belt: compute::belt(&outputs, case.belt.length),
         energy: compute::energy(&outputs),
         losses: None,
+        thermal: None,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::sensitivity::Sensitivities;
-use crate::losses::Losses;
+use crate::losses::{Heat, Losses};
 
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
@@ -40,6 +40,9 @@ pub struct DriveResult<I> {
     /// Power that is lost besides friction, where it is told.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub losses: Option<Losses>,
+    /// Heat, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thermal: Option<Heat>,
     /// How the solution was found.
     pub solver: SolverReport,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
@@ -129,6 +132,9 @@ pub struct BeltResult {
     pub unstretched_length: f64,
     /// What the drive needs less what the belt has, m.
     pub length_error: f64,
+    /// Temperature, K, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<f64>,
 }
 
 /// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.

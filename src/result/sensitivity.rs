@@ -6,7 +6,7 @@ use solver::{Condensation, SolveError};
 
 use crate::case::Resolved;
 use crate::drive::{Constant, Failure, Known, Output, SolveOptions, Solved, inputs};
-use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients};
+use crate::losses::{NoDerivatives, gradients};
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
 pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
@@ -40,9 +40,10 @@ pub fn add_losses(
     to: &mut Sensitivities,
     case: &Resolved,
     options: &SolveOptions,
+    temperature: f64,
     solved: &Solved,
 ) -> Result<(), Failure> {
-    let gradients = match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
+    let gradients = match gradients(case, solved, temperature, options.tolerance) {
         Ok(gradients) => gradients,
         Err(NoDerivatives::Losses(_)) => return Ok(()),
         Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),

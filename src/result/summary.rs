@@ -69,6 +69,16 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
             losses.gears,
         );
     }
+    if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
+        let _ = writeln!(
+            text,
+            "  belt temperature          {:>11.1} °C: {:.1} W into the belt, {:.1} W into the primary's sheaves, {:.1} W into the secondary's",
+            temperature - 273.15,
+            heat.belt,
+            heat.primary,
+            heat.secondary,
+        );
+    }
     let _ = writeln!(
         text,
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",

@@ -12,6 +12,11 @@ const IMBALANCE: f64 = 0.01;
 /// Share of the belt's length by which the drive's may differ before it is said.
 const LENGTH_ERROR: f64 = 0.005;
 
+/// Zero of the Celsius scale, K.
+const CELSIUS: f64 = 273.15;
+/// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
+const HOT: f64 = 71.0 + CELSIUS;
+
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
     let result = &outcome.result;
@@ -41,6 +46,12 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     }
     if let Some(reason) = outcome.no_losses {
         said.push(format!("No losses besides friction are told: {reason}."));
+    }
+    if let Some(temperature) = result.belt.temperature.filter(|temperature| *temperature > HOT) {
+        said.push(format!(
+            "The belt is hot: {:.1} °C, above the 71 °C up to which it lasts long.",
+            temperature - CELSIUS
+        ));
     }
     let imbalance = result.energy.imbalance;
     if imbalance.abs() > IMBALANCE {
