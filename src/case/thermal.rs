@@ -25,8 +25,14 @@ pub struct Thermal {
 /// What a case says of heat; nothing unless both the air and the heat transfer are given.
 ///
 /// # Errors
-/// [`Problem::Missing`](super::Problem::Missing) if one is given without the other.
+/// [`Problem::Missing`](super::Problem::Missing) if one is given without the other; [`Problem::Conflict`](super::Problem::Conflict)
+/// beside a margin against slip.
 pub(super) fn thermal(case: &Case) -> Result<Option<Thermal>, CaseError> {
+    let margin = [Key::SlipReserve, Key::FrictionUtilization].into_iter().find(|key| case.has(*key));
+    if let Some(margin) = margin.filter(|_| case.has(Key::Ambient)) {
+        let reason = "a margin against slip is found at the stiffnesses that are given, not at those of a warm belt";
+        return Err(case.conflict(margin, Key::Ambient, reason));
+    }
     match (case.quantity(Key::Ambient), case.quantity(Key::HeatTransfer)) {
         (None, None) => Ok(None),
         (Some(_), None) => {
