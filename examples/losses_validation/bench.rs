@@ -26,11 +26,11 @@ pub struct Step {
     /// Speeds, rpm.
     pub primary: f64,
     pub secondary: f64,
-    /// Torque behind the secondary, N·m, and the standard error of its mean.
+    /// Torque behind the secondary, N·m.
     pub torque: f64,
-    pub torque_error: f64,
-    /// Power out over the power that the engine's curve gives at this speed, and its standard error.
+    /// Power out over the power that the engine's curve gives at this speed.
     pub measured: f64,
+    /// Standard error of `measured`, from that of the torque's mean.
     pub error: f64,
 }
 
@@ -106,9 +106,9 @@ fn steps() -> Result<Vec<Step>, Box<dyn Error>> {
         let value = |column: usize| record[column].parse::<f64>();
         let (primary, secondary, torque, spread, count) = (value(2)?, value(4)?, value(6)?, value(7)?, value(8)?);
         let engine = interpolated(&engine, primary).ok_or("a speed beyond the engine's curve")?;
-        let (measured, torque_error) = (torque * secondary * PI / 30.0 / engine, spread / count.sqrt());
-        let error = measured * torque_error / torque;
-        steps.push(Step { number, primary, secondary, torque, torque_error, measured, error });
+        let measured = torque * secondary * PI / 30.0 / engine;
+        let error = measured * spread / count.sqrt() / torque;
+        steps.push(Step { number, primary, secondary, torque, measured, error });
     }
     Ok(steps)
 }

@@ -115,7 +115,7 @@ fn figures(bench: &Bench, trends: &Trends) -> Option<Vec<Figure>> {
     let efficiency = Figure::new(
         "validation_efficiency",
         "Overall efficiency over the ratio of speeds: the dynamometer's, with the engine's curve scaled once, beside edition consistent.",
-        Axis::new("ratio of speeds ω_{P}/ω_{S}"),
+        Axis::new("ratio of speeds ω_{P}/ω_{S}").over(0.5, 2.4),
         Axis::new("overall efficiency (%)").over(68.0, 100.0),
         vec![
             Series::line("friction alone", curve(steps, shown, ELASTIC, same)).color(0).look(Look::Dashed),
@@ -194,6 +194,12 @@ fn best_table(trends: &Trends) -> String {
     text
 }
 
+/// Ratio of the radii at the step at which a model has its largest efficiency.
+fn peak(model: &Model, pick: Pick) -> f64 {
+    let said = model.said.iter().flatten().filter_map(|said| Some((said.ratio, pick(said)?)));
+    said.fold((f64::NAN, f64::NEG_INFINITY), |best, next| if next.1 > best.1 { next } else { best }).0
+}
+
 /// Writes the page and its figures.
 pub fn write(folder: &Path, bench: &Bench, trends: &Trends) -> Result<(), Box<dyn Error>> {
     let figures = figures(bench, trends).ok_or("no solution to show")?;
@@ -210,6 +216,8 @@ pub fn write(folder: &Path, bench: &Bench, trends: &Trends) -> Result<(), Box<dy
         .replace("{scale}", &format!("{:.3}", fitted.scale))
         .replace("{after}", &format!("{:.2}", 100.0 * fitted.rms_after))
         .replace("{missing}", &format!("{:.1}", 100.0 * (1.0 - fitted.scale)))
+        .replace("{peak_elastic}", &format!("{:.2}", peak(shown, ELASTIC)))
+        .replace("{peak}", &format!("{:.2}", peak(shown, WITH_LOSSES)))
         .replace("{scaling}", &scaling_table(&trends.scaling))
         .replace("{best}", &best_table(trends));
     put(&folder.join("validation.md"), page.as_bytes())
