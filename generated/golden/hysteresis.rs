@@ -1,5 +1,5 @@
 // hysteresis: Power that a harmonic of what runs around with the belt loses.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 20 operations
 //   jacobian: 77 operations
@@ -32,88 +32,16 @@ const PATTERN: &[(usize, usize)] = &[
     (3, 8),
 ];
 ///Power that a harmonic of what runs around with the belt loses.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<HysteresisInput, HysteresisOutput> = FormulaKernel::new(BoundaryKernel {
     name: "hysteresis",
-    equations: &[
-        Equation {
-            name: "revolutions",
-            doc: "revolutions of the belt a second, G/(m_o L_0), 1/s",
-        },
-        Equation {
-            name: "bending",
-            doc: "power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature, W·m^2",
-        },
-        Equation {
-            name: "groove",
-            doc: "power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration, W/m^2",
-        },
-        Equation {
-            name: "cord",
-            doc: "power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain, W",
-        },
-    ],
+    equations: HysteresisOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "flow",
-            symbol: "g",
-            unit: "",
-            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness",
-        },
-        Symbol {
-            name: "m_o",
-            symbol: "m_o",
-            unit: "kg/m",
-            doc: "mass per length, unloaded",
-        },
-        Symbol {
-            name: "R_P",
-            symbol: "R_P",
-            unit: "m",
-            doc: "nominal radius of the primary",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "angular speed of the primary",
-        },
-        Symbol {
-            name: "EI",
-            symbol: "EI",
-            unit: "N·m²",
-            doc: "bending stiffness",
-        },
-        Symbol {
-            name: "k",
-            symbol: "k",
-            unit: "N/m²",
-            doc: "radial stiffness",
-        },
-        Symbol {
-            name: "beta",
-            symbol: "β",
-            unit: "rad",
-            doc: "half angle of the sheave's groove",
-        },
-        Symbol {
-            name: "L_0",
-            symbol: "L_0",
-            unit: "m",
-            doc: "unstretched length of the loop",
-        },
-    ],
+    constants: HysteresisInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -1,5 +1,5 @@
 // hysteresis_contact: What hysteresis follows along the belt in a groove.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 49 operations
 //   jacobian: 229 operations
@@ -59,120 +59,19 @@ const PATTERN: &[(usize, usize)] = &[
     (5, 12),
 ];
 ///What hysteresis follows along the belt in a groove.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<
+    HysteresisContactInput,
+    HysteresisContactOutput,
+> = FormulaKernel::new(BoundaryKernel {
     name: "hysteresis_contact",
-    equations: &[
-        Equation {
-            name: "material",
-            doc: "unstretched length passed along the region, m",
-        },
-        Equation {
-            name: "curvature",
-            doc: "curvature of the belt, M_b/EI, rad/m",
-        },
-        Equation {
-            name: "curvature_slope",
-            doc: "its slope along the unstretched belt, rad/m^2",
-        },
-        Equation {
-            name: "strain",
-            doc: "strain of the cord, F/EA",
-        },
-        Equation {
-            name: "strain_slope",
-            doc: "its slope along the unstretched belt, 1/m",
-        },
-        Equation {
-            name: "penetration_slope",
-            doc: "slope of the penetration along the unstretched belt",
-        },
-    ],
+    equations: HysteresisContactOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "T",
-            symbol: "T",
-            unit: "N",
-            doc: "tractive tension",
-        },
-        Symbol {
-            name: "theta",
-            symbol: "θ",
-            unit: "rad",
-            doc: "inclination of the belt",
-        },
-        Symbol {
-            name: "theta1",
-            symbol: "θ\u{302}'",
-            unit: "rad",
-            doc: "first derivative of θ along the region",
-        },
-        Symbol {
-            name: "theta2",
-            symbol: "θ\u{302}''",
-            unit: "rad",
-            doc: "second derivative of θ along the region",
-        },
-        Symbol {
-            name: "x",
-            symbol: "x",
-            unit: "m",
-            doc: "radial penetration",
-        },
-        Symbol {
-            name: "T_hat_1",
-            symbol: "T\u{302}'",
-            unit: "N",
-            doc: "derivative of T along the region",
-        },
-        Symbol {
-            name: "Phi",
-            symbol: "Φ",
-            unit: "rad",
-            doc: "wrap angle",
-        },
-        Symbol {
-            name: "R",
-            symbol: "R",
-            unit: "m",
-            doc: "nominal radius of the pulley",
-        },
-        Symbol {
-            name: "flow",
-            symbol: "g",
-            unit: "",
-            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness",
-        },
-        Symbol {
-            name: "m_o",
-            symbol: "m_o",
-            unit: "kg/m",
-            doc: "mass per length, unloaded",
-        },
-        Symbol {
-            name: "R_P",
-            symbol: "R_P",
-            unit: "m",
-            doc: "nominal radius of the primary",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "angular speed of the primary",
-        },
-    ],
+    constants: HysteresisContactInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -1,5 +1,5 @@
 // hysteresis_span: What hysteresis follows along the free belt.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 27 operations
 //   jacobian: 141 operations
@@ -39,98 +39,16 @@ const PATTERN: &[(usize, usize)] = &[
     (4, 9),
 ];
 ///What hysteresis follows along the free belt.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<HysteresisSpanInput, HysteresisSpanOutput> = FormulaKernel::new(BoundaryKernel {
     name: "hysteresis_span",
-    equations: &[
-        Equation {
-            name: "material",
-            doc: "unstretched length passed along the region, m",
-        },
-        Equation {
-            name: "curvature",
-            doc: "curvature of the belt, M_b/EI, rad/m",
-        },
-        Equation {
-            name: "curvature_slope",
-            doc: "its slope along the unstretched belt, rad/m^2",
-        },
-        Equation {
-            name: "strain",
-            doc: "strain of the cord, F/EA",
-        },
-        Equation {
-            name: "strain_slope",
-            doc: "its slope along the unstretched belt, 1/m",
-        },
-    ],
+    equations: HysteresisSpanOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "tau",
-            symbol: "τ",
-            unit: "N",
-            doc: "tractive tension",
-        },
-        Symbol {
-            name: "vartheta1",
-            symbol: "ϑ\u{302}'",
-            unit: "rad",
-            doc: "first derivative of ϑ along the span",
-        },
-        Symbol {
-            name: "vartheta2",
-            symbol: "ϑ\u{302}''",
-            unit: "rad",
-            doc: "second derivative of ϑ along the span",
-        },
-        Symbol {
-            name: "tau_hat_1",
-            symbol: "τ\u{302}'",
-            unit: "N",
-            doc: "derivative of τ along the span",
-        },
-        Symbol {
-            name: "L",
-            symbol: "L",
-            unit: "m",
-            doc: "arc length of the span",
-        },
-        Symbol {
-            name: "flow",
-            symbol: "g",
-            unit: "",
-            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness",
-        },
-        Symbol {
-            name: "m_o",
-            symbol: "m_o",
-            unit: "kg/m",
-            doc: "mass per length, unloaded",
-        },
-        Symbol {
-            name: "R_P",
-            symbol: "R_P",
-            unit: "m",
-            doc: "nominal radius of the primary",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "angular speed of the primary",
-        },
-    ],
+    constants: HysteresisSpanInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -1,5 +1,5 @@
 // loss_balance: What arrives once hysteresis, drag and gears have had their share.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 19 operations
 //   jacobian: 78 operations
@@ -54,102 +54,16 @@ const PATTERN: &[(usize, usize)] = &[
     (5, 9),
 ];
 ///What arrives once hysteresis, drag and gears have had their share.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<LossBalanceInput, LossBalanceOutput> = FormulaKernel::new(BoundaryKernel {
     name: "loss_balance",
-    equations: &[
-        Equation {
-            name: "primary_drag",
-            doc: "power that drags at the primary, W",
-        },
-        Equation {
-            name: "secondary_drag",
-            doc: "power that drags at the secondary, W",
-        },
-        Equation {
-            name: "gears",
-            doc: "power lost between the secondary and the shaft of interest, W",
-        },
-        Equation {
-            name: "total",
-            doc: "power that hysteresis, drag and gears take, W",
-        },
-        Equation {
-            name: "delivered",
-            doc: "power that arrives, W",
-        },
-        Equation {
-            name: "efficiency",
-            doc: "power that arrives over power that goes in",
-        },
-    ],
+    equations: LossBalanceOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "driving",
-            symbol: "P_1",
-            unit: "W",
-            doc: "power that the driving pulley takes in",
-        },
-        Symbol {
-            name: "overall",
-            symbol: "η",
-            unit: "",
-            doc: "power that the driven pulley gives, but for the losses here, over that which the driving one takes",
-        },
-        Symbol {
-            name: "hysteresis",
-            symbol: "P_h",
-            unit: "W",
-            doc: "power that hysteresis takes",
-        },
-        Symbol {
-            name: "omega_P",
-            symbol: "ω_P",
-            unit: "rad/s",
-            doc: "speed of the primary",
-        },
-        Symbol {
-            name: "omega_S",
-            symbol: "ω_S",
-            unit: "rad/s",
-            doc: "speed of the secondary",
-        },
-        Symbol {
-            name: "drag_P",
-            symbol: "M_dP",
-            unit: "N·m",
-            doc: "torque that drags at the primary at every speed",
-        },
-        Symbol {
-            name: "drag_S",
-            symbol: "M_dS",
-            unit: "N·m",
-            doc: "torque that drags at the secondary at every speed",
-        },
-        Symbol {
-            name: "viscous_P",
-            symbol: "c_P",
-            unit: "N·m·s",
-            doc: "torque that drags at the primary, per speed",
-        },
-        Symbol {
-            name: "viscous_S",
-            symbol: "c_S",
-            unit: "N·m·s",
-            doc: "torque that drags at the secondary, per speed",
-        },
-        Symbol {
-            name: "gear_efficiency",
-            symbol: "η_g",
-            unit: "",
-            doc: "efficiency of what stands between the secondary and the shaft of interest",
-        },
-    ],
+    constants: LossBalanceInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -9,8 +9,10 @@ mod kernels;
 mod lane;
 #[cfg(target_arch = "x86_64")]
 mod lane_x86;
+mod sets;
 mod sweep;
 mod types;
+mod vocabulary;
 
 pub use derivation::{DerivationFormat, derivation};
 pub use kernels::{
@@ -18,8 +20,17 @@ pub use kernels::{
     BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING, BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, CONTACT_FULL_TANH,
     CONTACT_FULL_VISCOUS_COULOMB, CONTACT_LINEARISED_TANH, CONTACT_LINEARISED_VISCOUS_COULOMB, CONTACT_STRING_TANH,
     CONTACT_STRING_VISCOUS_COULOMB, DRIVE_SIZING, DRIVE_SIZING_IDLER, FORMULAE, HYSTERESIS, HYSTERESIS_CONTACT,
-    HYSTERESIS_SPAN, LOSS_BALANCE, OUTPUTS, OUTPUTS_STRING, REGIONS, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED,
+    HYSTERESIS_SPAN, LOSS_BALANCE, OUTPUT_SETS, OUTPUTS, OUTPUTS_STRING, REGIONS, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED,
     SPAN_AS_PRINTED, SPAN_DERIVED, SPAN_STRING,
 };
+pub use sets::{BeltTheory, FormulaKernel, OutputKernel};
 pub use sweep::Simd;
-pub use types::{BoundaryFn, BoundaryJacobianFn, BoundaryKernel, Equation, RegionFn, RegionKernel, RegionOut, Symbol};
+pub use types::{
+    BoundaryFn, BoundaryJacobianFn, BoundaryKernel, Dimension, Identity, RegionFn, RegionKernel, RegionOut, Symbol,
+};
+pub use vocabulary::{
+    BeltPulleyInput, BeltPulleyLimit, BeltPulleyLimitInput, BeltPulleyOutput, Constant, DriveSizingIdlerOutput,
+    DriveSizingInput, DriveSizingOutput, Field, HysteresisContactInput, HysteresisContactOutput, HysteresisInput,
+    HysteresisOutput, HysteresisSpanInput, HysteresisSpanOutput, Integral, LossBalanceInput, LossBalanceOutput, Output,
+    RegionConstant, SimpleDriveInput, SimpleDriveOutput, SimpleDriveResidual, State, UnknownOutput,
+};

@@ -2,7 +2,7 @@
 
 use super::geometry::NoRadii;
 use super::keys::Key;
-use crate::drive::IllPosed;
+use crate::model::IllPosed;
 use crate::quantity::{Dimension, QuantityError};
 use crate::text::{printable, printable_in_place};
 use std::fmt;

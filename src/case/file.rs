@@ -1,11 +1,11 @@
 //! A case as it was written: sparse, with the places where things stand.
 
-use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
 use super::exchange::{self, Exchange};
 use super::keys::{Key, Kind};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
+use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
 use crate::text::quoted;
 use std::borrow::Cow;

@@ -1,7 +1,7 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::choice::{Choice, Edition, Ends, Free, Friction, Include, Shear, Spans};
 use super::range::Range;
+use crate::model::{Choice, Edition, Ends, Free, Friction, Include, Shear, Spans};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 

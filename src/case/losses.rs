@@ -1,11 +1,11 @@
 //! What a case says of losses besides friction.
 
-use super::choice::{Edition, Include};
 use super::error::CaseError;
 use super::file::Case;
 use super::keys::Key;
 use super::loss_tangent::LossTangent;
 use super::resolve::Setting;
+use crate::model::{Edition, Include};
 
 /// Losses besides friction.
 #[derive(Debug, Clone, PartialEq)]

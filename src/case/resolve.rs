@@ -1,6 +1,5 @@
 //! From what was written to a case in which everything is decided, in SI.
 
-use super::choice::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use super::error::{CaseError, Problem};
 use super::exchange::Exchange;
 use super::file::{Case, SWAP};
@@ -9,6 +8,7 @@ use super::keys::Key;
 use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
 use super::thermal::{Thermal, thermal};
+use crate::model::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

@@ -92,7 +92,7 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &output::json(&outcome.result)?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
-            let figures = sheave::plot::drive(outcome);
+            let figures = sheave::plot::drive(outcome)?;
             output::write_figures(folder, &figures)?;
             let page = sheave::report::page(outcome, &figures)?;
             output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;

@@ -11,9 +11,10 @@ use solver::{Functional, Linearisation};
 use super::error::DesignError;
 use super::limit::clamped;
 use super::state::State;
-use crate::case::{Clamp, Include, Resolved};
-use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve_from};
+use crate::case::{Clamp, Resolved};
+use crate::drive::{Failure, SolveOptions, Solved, solve_from};
 use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients, losses};
+use crate::model::{Constant, Constants, Include, Output};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -86,28 +87,29 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
     let mut best: Option<(f64, Trial, Bound)> = None;
     let told = search.case.clone();
-    let mut offer = |trial: Trial, bound: Bound| {
-        let efficiency = efficiency(&told, &trial.solved, options);
+    let mut offer = |trial: Trial, bound: Bound| -> Result<(), DesignError> {
+        let efficiency = efficiency(&told, &trial.solved, options)?;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
         }
+        Ok(())
     };
     for pair in trials.windows(2) {
         if let [tight, loose] = pair
             && tight.slope <= 0.0
             && loose.slope > 0.0
         {
-            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner);
+            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner)?;
         }
     }
     if let Some(loosest) = trials.last().filter(|trial| trial.slope < 0.0) {
-        offer(loosest.clone(), Bound::Loosest);
+        offer(loosest.clone(), Bound::Loosest)?;
     }
     if let Some(tightest) = trials.first().filter(|trial| trial.slope > 0.0) {
-        offer(tightest.clone(), Bound::Tightest);
+        offer(tightest.clone(), Bound::Tightest)?;
     }
     match best {
-        Some((_, trial, bound)) => Ok(search.finish(trial, bound)),
+        Some((_, trial, bound)) => search.finish(trial, bound),
         None => Err(Failure::NoEquations.into()),
     }
 }
@@ -173,14 +175,14 @@ impl Search {
         Ok(b)
     }
 
-    fn finish(&self, best: Trial, bound: Bound) -> Optimum {
-        Optimum {
-            state: State::of(&best.solved),
+    fn finish(&self, best: Trial, bound: Bound) -> Result<Optimum, DesignError> {
+        Ok(Optimum {
+            state: State::of(&best.solved)?,
             bound,
             gradient: best.slope / best.solved.constant(Constant::SlackTension),
             evaluations: self.evaluations,
             solved: best.solved,
-        }
+        })
     }
 }
 
@@ -190,28 +192,26 @@ fn with_losses(case: &Resolved) -> bool {
 }
 
 /// The efficiency sought.
-fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> f64 {
-    let told = with_losses(case).then(|| losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance).ok()).flatten();
-    told.map_or_else(|| State::of(solved).overall_efficiency, |losses| losses.efficiency)
+fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+    if with_losses(case) {
+        return Ok(losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance)?.efficiency);
+    }
+    Ok(State::of(solved)?.overall_efficiency)
 }
 
 /// d(efficiency sought)/d(slack tension), 1/N.
 fn gradient(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
-    let at = |gradient: &[f64]| gradient.get(Constant::SlackTension.index()).copied().unwrap_or(f64::NAN);
     if with_losses(case) {
         return match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
-            Ok(gradients) => {
-                let gradient = gradients.by_constant.get("efficiency.overall_with_losses");
-                Ok(gradient.map_or(f64::NAN, |gradient| at(gradient)))
-            }
+            Ok(gradients) => Ok(Constants::try_from(gradients.efficiency.as_slice())?[Constant::SlackTension]),
             Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
+            Err(NoDerivatives::Internal(error)) => Err(error.into()),
             Err(NoDerivatives::Solve(error)) => Err(error.into()),
         };
     }
-    let Some(output) = Output::named("efficiency.overall") else { return Err(Failure::NoEquations.into()) };
-    let (ends, integrals) = inputs(&solved.solution);
-    let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let functional =
-        Functional { inputs: gradients.get(output.index()).cloned().unwrap_or_default(), ..Functional::default() };
-    Ok(at(&Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional)))
+    let (_, gradients) = solved.belt.output_gradients(&solved.solution)?;
+    let inputs = gradients.get(Output::EfficiencyOverall)?.to_vec();
+    let functional = Functional { inputs, ..Functional::default() };
+    let gradient = Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional);
+    Ok(Constants::try_from(gradient.as_slice())?[Constant::SlackTension])
 }

@@ -16,7 +16,8 @@ use solver::{Functional, Linearisation};
 
 use super::{NoDerivatives, gradients, losses};
 use crate::case::{Resolved, Thermal};
-use crate::drive::{Constant, Failure, Output, RegionId, SolveOptions, Solved, inputs, solve, solve_from};
+use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
+use crate::model::{Constant, InternalError, Output};
 
 /// Newton iterations at most.
 const MAX_ITERATIONS: usize = 30;
@@ -98,7 +99,8 @@ pub fn settle(
             - by(Constant::RadialStiffness) * thermal.radial_softening * solved.constant(Constant::RadialStiffness);
         let missing = rate.heat - thermal.heat_transfer * (temperature - thermal.ambient);
         if missing.abs() <= balanced * rate.heat.abs() {
-            return Ok((solved.clone(), told(thermal, &solved, temperature, rate.heat, slope)));
+            let heat = told(thermal, &solved, temperature, rate.heat, slope)?;
+            return Ok((solved, heat));
         }
         let step = missing / (thermal.heat_transfer - slope);
         if !step.is_finite() {
@@ -115,16 +117,11 @@ pub fn settle(
     Err(Failure::Temperature { temperature })
 }
 
-fn told(thermal: &Thermal, solved: &Solved, temperature: f64, heat: f64, slope: f64) -> Heat {
-    let (ends, integrals) = inputs(&solved.solution);
-    let outputs = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
-    let sheaves = |region: RegionId| {
-        let output = Output::named(&format!("{}.friction_loss", region.name()));
-        let loss = output.and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN);
-        (1.0 - thermal.friction_share) * loss
-    };
-    let (primary, secondary) = (sheaves(RegionId::Primary), sheaves(RegionId::Secondary));
-    Heat {
+fn told(thermal: &Thermal, solved: &Solved, temperature: f64, heat: f64, slope: f64) -> Result<Heat, InternalError> {
+    let outputs = solved.belt.output_values(&solved.solution)?;
+    let sheaves = |loss: Output| outputs.get(loss).map(|loss| (1.0 - thermal.friction_share) * loss);
+    let (primary, secondary) = (sheaves(Output::PrimaryFrictionLoss)?, sheaves(Output::SecondaryFrictionLoss)?);
+    Ok(Heat {
         temperature,
         belt: heat,
         primary,
@@ -133,7 +130,7 @@ fn told(thermal: &Thermal, solved: &Solved, temperature: f64, heat: f64, slope: 
         bending_stiffness: solved.constant(Constant::BendingStiffness),
         radial_stiffness: solved.constant(Constant::RadialStiffness),
         slope,
-    }
+    })
 }
 
 /// Heat into the belt at a solution.
@@ -144,15 +141,12 @@ fn rate(
     temperature: f64,
     options: &SolveOptions,
 ) -> Result<Rate, Failure> {
-    let (ends, integrals) = inputs(&solved.solution);
-    let (values, outputs) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let Some(friction) = Output::named("energy.friction_loss") else { return Err(Failure::NoEquations) };
-    let functional =
-        Functional { inputs: outputs.get(friction.index()).cloned().unwrap_or_default(), ..Functional::default() };
+    let (values, outputs) = solved.belt.output_gradients(&solved.solution)?;
+    let functional = Functional { inputs: outputs.get(Output::EnergyFrictionLoss)?.to_vec(), ..Functional::default() };
     let linearisation = Linearisation::new(&solved.belt, &solved.solution).map_err(Failure::Sensitivities)?;
     let mut by_constant = linearisation.gradient(&functional);
     by_constant.iter_mut().for_each(|by| *by *= thermal.friction_share);
-    let mut heat = thermal.friction_share * values.get(friction.index()).copied().unwrap_or(f64::NAN);
+    let mut heat = thermal.friction_share * values.get(Output::EnergyFrictionLoss)?;
     let mut by_temperature = 0.0;
     if case.losses.wanted()
         && let Ok(losses) = losses(case, solved, temperature, options.tolerance)
@@ -161,6 +155,7 @@ fn rate(
         let gradients = match gradients(case, solved, temperature, options.tolerance) {
             Ok(gradients) => gradients,
             Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
+            Err(NoDerivatives::Internal(error)) => return Err(error.into()),
             Err(NoDerivatives::Losses(_)) => Default::default(),
         };
         by_temperature = gradients.by_temperature;

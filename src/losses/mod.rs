@@ -11,7 +11,7 @@ mod sensitivity;
 mod series;
 mod tracks;
 
-use generated::{HYSTERESIS, LOSS_BALANCE};
+use generated::{FormulaKernel, HYSTERESIS, Identity, LOSS_BALANCE};
 use serde::Serialize;
 
 pub use gradient::TrackGradient;
@@ -20,7 +20,8 @@ pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};
 
 use crate::case::{LossTangent, Resolved};
-use crate::drive::{Constant, Output, RegionId, Solved, inputs};
+use crate::drive::{RegionId, Solved};
+use crate::model::{Constant, InternalError, Output};
 use tracks::Tracks;
 
 /// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of the
@@ -49,6 +50,9 @@ pub enum NoLosses {
         /// What was summed.
         field: &'static str,
     },
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
 }
 
 /// Power that hysteresis takes in one region, W.
@@ -122,16 +126,13 @@ struct Sums {
 /// # Errors
 /// [`NoLosses`], if what the case asks for cannot be told of this solution.
 pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Losses, NoLosses> {
-    let (ends, integrals) = inputs(&solved.solution);
-    let outputs = solved.belt.outputs(&ends, &integrals, solved.solution.constants());
-    let output =
-        |path: &str| Output::named(path).and_then(|output| outputs.get(output.index()).copied()).unwrap_or(f64::NAN);
-    let driving = output("energy.power_in").max(-output("energy.power_out"));
+    let outputs = solved.belt.output_values(&solved.solution)?;
+    let driving = outputs.get(Output::EnergyPowerIn)?.max(-outputs.get(Output::EnergyPowerOut)?);
     let sums = hysteresis(case, solved, temperature, tolerance * driving)?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
     let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
     let taken = total.bending + total.groove + total.cord;
-    let balance = balance_inputs(case, solved, driving, output("efficiency.overall"), taken);
+    let balance = balance_inputs(case, solved, driving, outputs.get(Output::EfficiencyOverall)?, taken);
     let [primary_drag, secondary_drag, gears, all, power_out, efficiency] = evaluate(&LOSS_BALANCE, &balance);
     let region =
         |region: RegionId| sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()]);
@@ -173,9 +174,10 @@ fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, 
 }
 
 /// Values of generated formulae.
-fn evaluate<const N: usize>(kernel: &generated::BoundaryKernel, inputs: &[f64]) -> [f64; N] {
+fn evaluate<I, O: Identity, const N: usize>(kernel: &FormulaKernel<I, O>, inputs: &[f64]) -> [f64; N] {
+    const { assert!(N == O::COUNT, "as many values as outputs") };
     let mut values = [0.0; N];
-    (kernel.value)(&[], &[], inputs, &mut values);
+    (kernel.set.value)(&[], &[], inputs, &mut values);
     values
 }
 

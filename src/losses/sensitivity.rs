@@ -10,7 +10,8 @@ use super::series::{Series, Track};
 use super::tracks::{CURVATURE, CURVATURE_SLOPE, Followed, Input, PENETRATION_SLOPE, STRAIN, STRAIN_SLOPE, Tracks};
 use super::{NoLosses, Sums, TrackGradient, WEIGHT_CONSTANTS, Weights, balance_inputs, sums, weight_inputs, weights};
 use crate::case::{LossTangent, Rated, Resolved};
-use crate::drive::{Constant, Output, RegionId, Solved, inputs};
+use crate::drive::{RegionId, Solved};
+use crate::model::{Constant, InternalError, Output};
 
 /// Why there are no derivatives.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +19,9 @@ pub enum NoDerivatives {
     /// There are no losses.
     #[error(transparent)]
     Losses(#[from] NoLosses),
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// The equations are singular at the solution.
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -36,6 +40,8 @@ struct Adjoint {
 pub struct Gradients {
     /// By name, by constant.
     pub by_constant: BTreeMap<&'static str, Vec<f64>>,
+    /// That of the efficiency with losses, by constant.
+    pub efficiency: Vec<f64>,
     /// d(hysteresis)/d(temperature), W/K.
     pub by_temperature: f64,
 }
@@ -50,28 +56,21 @@ pub fn gradients(
     temperature: f64,
     tolerance: f64,
 ) -> Result<Gradients, NoDerivatives> {
-    let (ends, integrals) = inputs(&solved.solution);
-    let (values, outputs) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let value = |path: &str| {
-        let output = Output::named(path);
-        output.and_then(|output| values.get(output.index()).copied()).unwrap_or(f64::NAN)
-    };
-    let output = |path: &str| {
-        let inputs = Output::named(path).and_then(|output| outputs.get(output.index()).cloned()).unwrap_or_default();
-        Functional { inputs, ..Functional::default() }
+    let (values, outputs) = solved.belt.output_gradients(&solved.solution)?;
+    let output = |output: Output| -> Result<Functional, InternalError> {
+        Ok(Functional { inputs: outputs.get(output)?.to_vec(), ..Functional::default() })
     };
     let linearisation = Linearisation::new(&solved.belt, &solved.solution)?;
-    let (power_in, power_out) = (value("energy.power_in"), value("energy.power_out"));
+    let (power_in, power_out) = (values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?);
     let driving = power_in.max(-power_out);
     let tolerance = tolerance * driving;
     let (dissipated, adjoints) = adjoints(case, solved, temperature, tolerance)?;
     let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| linearisation.gradient(&adjoint.functional));
     let hysteresis: Vec<f64> = bending.iter().zip(&groove).zip(&cord).map(|((a, b), c)| a + b + c).collect();
-    let mut driving_gradient =
-        linearisation.gradient(&output(if power_in >= -power_out { "energy.power_in" } else { "energy.power_out" }));
-    if power_in < -power_out {
-        driving_gradient.iter_mut().for_each(|d| *d = -*d);
-    }
+    let (side, sign) =
+        if power_in >= -power_out { (Output::EnergyPowerIn, 1.0) } else { (Output::EnergyPowerOut, -1.0) };
+    let mut driving_gradient = linearisation.gradient(&output(side)?);
+    driving_gradient.iter_mut().for_each(|by| *by *= sign);
     let unit = |constant: Constant| {
         let given = !solved.question.unknowns().contains(&constant);
         let mut row = vec![0.0; hysteresis.len()];
@@ -87,9 +86,9 @@ pub fn gradients(
     let (omega, sigma) = (solved.constant(Constant::PrimarySpeed), solved.constant(Constant::SpeedRatio));
     let secondary: Vec<f64> = speed.iter().zip(&ratio).map(|(speed, ratio)| sigma * speed + omega * ratio).collect();
     let leading =
-        [driving_gradient, linearisation.gradient(&output("efficiency.overall")), hysteresis, speed, secondary];
-    let balance = balance_inputs(case, solved, driving, value("efficiency.overall"), dissipated);
-    let partial = Partials::of(&LOSS_BALANCE, &balance);
+        [driving_gradient, linearisation.gradient(&output(Output::EfficiencyOverall)?), hysteresis, speed, secondary];
+    let balance = balance_inputs(case, solved, driving, values.get(Output::EfficiencyOverall)?, dissipated);
+    let partial = Partials::of(&LOSS_BALANCE.set, &balance);
     let row = |name: &str| -> Vec<f64> {
         let size = leading.first().map_or(0, Vec::len);
         let term = |at: usize| leading.iter().enumerate().map(|(i, row)| partial.at(name, i) * row[at]).sum();
@@ -104,9 +103,9 @@ pub fn gradients(
         ("losses.drag", drag),
         ("losses.gears", gears),
         ("losses.total", all),
-        ("efficiency.overall_with_losses", efficiency),
+        ("efficiency.overall_with_losses", efficiency.clone()),
     ]);
-    Ok(Gradients { by_constant, by_temperature: adjoints.iter().map(|adjoint| adjoint.temperature).sum() })
+    Ok(Gradients { by_constant, efficiency, by_temperature: adjoints.iter().map(|adjoint| adjoint.temperature).sum() })
 }
 
 /// The functional that is an unknown constant itself.
@@ -253,7 +252,7 @@ impl Chain<'_> {
     ) -> f64 {
         let by_weight = sum.total / weight;
         let by_revolutions = weight * sum.by_weight(|n| n as f64 * at(n).by_frequency);
-        let partial = Partials::of(&HYSTERESIS, &weight_inputs(self.solved, self.tracks.length));
+        let partial = Partials::of(&HYSTERESIS.set, &weight_inputs(self.solved, self.tracks.length));
         let by = |input: usize| {
             by_weight * partial.at(what.weight(), input) + by_revolutions * partial.at("revolutions", input)
         };

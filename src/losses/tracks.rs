@@ -1,11 +1,14 @@
 //! What hysteresis follows along the belt, read from a solution: curvature, penetration and strain over the unstretched
 //! coordinate, with their slopes, at the nodes of the solution's own meshes.
 
-use generated::{BoundaryKernel, HYSTERESIS_CONTACT, HYSTERESIS_SPAN, RegionKernel};
+use generated::{
+    BoundaryKernel, HYSTERESIS_CONTACT, HYSTERESIS_SPAN, HysteresisContactInput, HysteresisSpanInput, RegionKernel,
+};
 use solver::Solution;
 
 use super::series::Track;
 use crate::drive::{Belt, RegionId, Source};
+use crate::model::{Integral, RegionConstant, State};
 
 /// Places of what the generated formulae give; the penetration's slope is a groove's alone.
 pub(super) const CURVATURE: usize = 1;
@@ -41,22 +44,66 @@ pub(super) struct Followed {
     pub length: usize,
 }
 
+/// What an input of the formulae is, before it is bound to a region.
+enum Meaning {
+    State(State),
+    Slope(State),
+    Constant(RegionConstant),
+}
+
+fn in_contact(input: HysteresisContactInput) -> Meaning {
+    match input {
+        HysteresisContactInput::T => Meaning::State(State::Tension),
+        HysteresisContactInput::Theta => Meaning::State(State::Inclination),
+        HysteresisContactInput::Theta1 => Meaning::State(State::InclinationDerivative),
+        HysteresisContactInput::Theta2 => Meaning::State(State::InclinationSecondDerivative),
+        HysteresisContactInput::X => Meaning::State(State::Penetration),
+        HysteresisContactInput::THat1 => Meaning::Slope(State::Tension),
+        HysteresisContactInput::Phi => Meaning::Constant(RegionConstant::WrapAngle),
+        HysteresisContactInput::R => Meaning::Constant(RegionConstant::PulleyRadius),
+        HysteresisContactInput::Flow => Meaning::Constant(RegionConstant::Flow),
+        HysteresisContactInput::EA => Meaning::Constant(RegionConstant::LongitudinalStiffness),
+        HysteresisContactInput::MO => Meaning::Constant(RegionConstant::MassPerLength),
+        HysteresisContactInput::RP => Meaning::Constant(RegionConstant::PrimaryRadius),
+        HysteresisContactInput::OmegaP => Meaning::Constant(RegionConstant::PrimarySpeed),
+    }
+}
+
+fn in_span(input: HysteresisSpanInput) -> Meaning {
+    match input {
+        HysteresisSpanInput::Tau => Meaning::State(State::SpanTension),
+        HysteresisSpanInput::Vartheta1 => Meaning::State(State::DirectionDerivative),
+        HysteresisSpanInput::Vartheta2 => Meaning::State(State::DirectionSecondDerivative),
+        HysteresisSpanInput::TauHat1 => Meaning::Slope(State::SpanTension),
+        HysteresisSpanInput::L => Meaning::Constant(RegionConstant::SpanLength),
+        HysteresisSpanInput::Flow => Meaning::Constant(RegionConstant::Flow),
+        HysteresisSpanInput::EA => Meaning::Constant(RegionConstant::LongitudinalStiffness),
+        HysteresisSpanInput::MO => Meaning::Constant(RegionConstant::MassPerLength),
+        HysteresisSpanInput::RP => Meaning::Constant(RegionConstant::PrimaryRadius),
+        HysteresisSpanInput::OmegaP => Meaning::Constant(RegionConstant::PrimarySpeed),
+    }
+}
+
 impl Followed {
     /// Of a region; `None` for a region whose states are not those of a belt that resists bending.
     pub fn new(region: RegionId, states: &RegionKernel) -> Option<Self> {
-        let kernel = if region.is_contact() { &HYSTERESIS_CONTACT } else { &HYSTERESIS_SPAN };
-        let state = |name: &str| states.states.iter().position(|symbol| symbol.name == name);
-        let input = |name: &str| {
-            let rate = name.strip_suffix("_hat_1").and_then(state).map(Input::Slope);
-            let constant = || match region.source(name)? {
+        let (kernel, meanings): (_, Vec<Meaning>) = if region.is_contact() {
+            (&HYSTERESIS_CONTACT.set, HysteresisContactInput::ALL.into_iter().map(in_contact).collect())
+        } else {
+            (&HYSTERESIS_SPAN.set, HysteresisSpanInput::ALL.into_iter().map(in_span).collect())
+        };
+        let state = |state: State| states.states.iter().position(|other| *other == state);
+        let input = |meaning: Meaning| match meaning {
+            Meaning::State(of) => state(of).map(Input::State),
+            Meaning::Slope(of) => state(of).map(Input::Slope),
+            Meaning::Constant(constant) => match region.source(constant)? {
                 Source::Constant(constant) => Some(Input::Constant(constant)),
                 Source::One => Some(Input::One),
-            };
-            state(name).map(Input::State).or(rate).or_else(constant)
+            },
         };
-        let inputs = kernel.constants.iter().map(|symbol| input(symbol.name)).collect::<Option<_>>()?;
-        let length = states.integrals.iter().position(|symbol| symbol.name == "L_o")?;
-        Some(Self { kernel, inputs, penetration: region.is_contact().then(|| state("x")).flatten(), length })
+        let inputs = meanings.into_iter().map(input).collect::<Option<_>>()?;
+        let length = states.integrals.iter().position(|integral| *integral == Integral::UnstretchedLength)?;
+        Some(Self { kernel, inputs, penetration: state(State::Penetration), length })
     }
 
     /// Values of the inputs at a node.
@@ -128,7 +175,7 @@ mod tests {
 
     #[test]
     fn the_formulae_give_what_is_read_here() {
-        for (kernel, count) in [(&HYSTERESIS_CONTACT, NAMES.len()), (&HYSTERESIS_SPAN, NAMES.len() - 1)] {
+        for (kernel, count) in [(&HYSTERESIS_CONTACT.set, NAMES.len()), (&HYSTERESIS_SPAN.set, NAMES.len() - 1)] {
             let names: Vec<&str> = kernel.equations.iter().map(|equation| equation.name).collect();
             assert_eq!(names, NAMES[..count]);
         }

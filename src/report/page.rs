@@ -47,7 +47,7 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     html += "<div class=\"two\"><div><h2>Pulleys</h2>";
     pulleys(&mut html, &result.primary, &result.secondary);
     html += "</div><div><h2>Energy</h2>";
-    energy(&mut html, outcome, &losses(outcome));
+    energy(&mut html, outcome, &losses(outcome)?);
     html += "</div><div><h2>Given</h2>";
     inputs(&mut html, outcome);
     html += "</div></div>\n<h2>Figures</h2><div class=\"figures\">";

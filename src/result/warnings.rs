@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::schema::Pulley;
 use crate::drive::RegionId;
+use crate::model::State;
 
 /// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
 const LITTLE_ADHESION: f64 = 0.02;
@@ -29,7 +30,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(powers(outcome));
     said.extend(compression(outcome));
     for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
-        said.extend(pulled(name, &states(outcome, region, "x")));
+        said.extend(pulled(name, &states(outcome, region, State::Penetration)));
     }
     let result = &outcome.result;
     said.extend(deep("primary", &result.primary));
@@ -49,8 +50,8 @@ fn hot(outcome: &Outcome) -> Option<String> {
 }
 
 /// A state at the nodes of a region.
-fn states(outcome: &Outcome, region: RegionId, name: &str) -> Vec<f64> {
-    let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == name);
+fn states(outcome: &Outcome, region: RegionId, state: State) -> Vec<f64> {
+    let at = outcome.solved.belt.kernel(region).state(state);
     let part = outcome.solved.solution.regions().get(region.index());
     at.and_then(|at| Some(part?.state(at).to_vec())).unwrap_or_default()
 }
@@ -93,10 +94,10 @@ fn powers(outcome: &Outcome) -> Option<String> {
 /// A belt that is pushed somewhere, which a belt does not bear.
 fn compression(outcome: &Outcome) -> Option<String> {
     let places = [
-        (RegionId::Primary, "T", "on the primary"),
-        (RegionId::SlackSpan, "tau", "in the slack span"),
-        (RegionId::Secondary, "T", "on the secondary"),
-        (RegionId::TightSpan, "tau", "in the tight span"),
+        (RegionId::Primary, State::Tension, "on the primary"),
+        (RegionId::SlackSpan, State::SpanTension, "in the slack span"),
+        (RegionId::Secondary, State::Tension, "on the secondary"),
+        (RegionId::TightSpan, State::SpanTension, "in the tight span"),
     ];
     let tensions = places.map(|(region, state, place)| (states(outcome, region, state), place));
     let largest = tensions.iter().flat_map(|(values, _)| values).fold(0.0_f64, |largest, value| largest.max(*value));

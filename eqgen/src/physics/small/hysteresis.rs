@@ -7,7 +7,7 @@
 use symbolica::atom::{Atom, AtomCore};
 use symbolica::symbol;
 
-use super::{Row, Sheet};
+use super::{Row, Sheet, row};
 use crate::derive::{on_path, substitute, total_derivative};
 use crate::error::Error;
 use crate::physics::beam::Bending;
@@ -16,22 +16,22 @@ use crate::physics::model::BoundaryModel;
 use crate::plan::{Plan, read};
 
 const SHARED: [Row; 5] = [
-    ("flow", "g", "", "mass flow over that of an unstretched belt at the primary's nominal speed"),
-    ("EA", "EA", "N", "longitudinal stiffness"),
-    ("m_o", "m_o", "kg/m", "mass per length, unloaded"),
-    ("R_P", "R_P", "m", "nominal radius of the primary"),
-    ("omega_P", "ω_P", "rad/s", "angular speed of the primary"),
+    row("flow", "g", "", "mass flow over that of an unstretched belt at the primary's nominal speed"),
+    row("EA", "EA", "N", "longitudinal stiffness"),
+    row("m_o", "m_o", "kg/m", "mass per length, unloaded"),
+    row("R_P", "R_P", "m", "nominal radius of the primary"),
+    row("omega_P", "ω_P", "rad/s", "angular speed of the primary"),
 ];
 
 const CONTACT_INPUTS: &[Row] = &[
-    ("T", "T", "N", "tractive tension"),
-    ("theta", "θ", "rad", "inclination of the belt"),
-    ("theta1", "θ̂'", "rad", "first derivative of θ along the region"),
-    ("theta2", "θ̂''", "rad", "second derivative of θ along the region"),
-    ("x", "x", "m", "radial penetration"),
-    ("T_hat_1", "T̂'", "N", "derivative of T along the region"),
-    ("Phi", "Φ", "rad", "wrap angle"),
-    ("R", "R", "m", "nominal radius of the pulley"),
+    row("T", "T", "N", "tractive tension"),
+    row("theta", "θ", "rad", "inclination of the belt"),
+    row("theta1", "θ̂'", "rad", "first derivative of θ along the region"),
+    row("theta2", "θ̂''", "rad", "second derivative of θ along the region"),
+    row("x", "x", "m", "radial penetration"),
+    row("T_hat_1", "T̂'", "N", "derivative of T along the region"),
+    row("Phi", "Φ", "rad", "wrap angle"),
+    row("R", "R", "m", "nominal radius of the pulley"),
     SHARED[0],
     SHARED[1],
     SHARED[2],
@@ -40,11 +40,11 @@ const CONTACT_INPUTS: &[Row] = &[
 ];
 
 const SPAN_INPUTS: &[Row] = &[
-    ("tau", "τ", "N", "tractive tension"),
-    ("vartheta1", "ϑ̂'", "rad", "first derivative of ϑ along the span"),
-    ("vartheta2", "ϑ̂''", "rad", "second derivative of ϑ along the span"),
-    ("tau_hat_1", "τ̂'", "N", "derivative of τ along the span"),
-    ("L", "L", "m", "arc length of the span"),
+    row("tau", "τ", "N", "tractive tension"),
+    row("vartheta1", "ϑ̂'", "rad", "first derivative of ϑ along the span"),
+    row("vartheta2", "ϑ̂''", "rad", "second derivative of ϑ along the span"),
+    row("tau_hat_1", "τ̂'", "N", "derivative of τ along the span"),
+    row("L", "L", "m", "arc length of the span"),
     SHARED[0],
     SHARED[1],
     SHARED[2],
@@ -54,12 +54,12 @@ const SPAN_INPUTS: &[Row] = &[
 
 /// What is followed in a groove; a span has all but the penetration's slope.
 const CONTACT_OUTPUTS: &[Row] = &[
-    ("material", "dS/dŝ", "m", "unstretched length passed along the region"),
-    ("curvature", "κ", "rad/m", "curvature of the belt, M_b/EI"),
-    ("curvature_slope", "dκ/dS", "rad/m^2", "its slope along the unstretched belt"),
-    ("strain", "ε", "", "strain of the cord, F/EA"),
-    ("strain_slope", "dε/dS", "1/m", "its slope along the unstretched belt"),
-    ("penetration_slope", "dx/dS", "", "slope of the penetration along the unstretched belt"),
+    row("material", "dS/dŝ", "m", "unstretched length passed along the region"),
+    row("curvature", "κ", "rad/m", "curvature of the belt, M_b/EI"),
+    row("curvature_slope", "dκ/dS", "rad/m^2", "its slope along the unstretched belt"),
+    row("strain", "ε", "", "strain of the cord, F/EA"),
+    row("strain_slope", "dε/dS", "1/m", "its slope along the unstretched belt"),
+    row("penetration_slope", "dx/dS", "", "slope of the penetration along the unstretched belt"),
 ];
 
 const WEIGHT_INPUTS: &[Row] = &[
@@ -68,46 +68,52 @@ const WEIGHT_INPUTS: &[Row] = &[
     SHARED[2],
     SHARED[3],
     SHARED[4],
-    ("EI", "EI", "N m^2", "bending stiffness"),
-    ("k", "k", "N/m^2", "radial stiffness"),
-    ("beta", "β", "rad", "half angle of the sheave's groove"),
-    ("L_0", "L_0", "m", "unstretched length of the loop"),
+    row("EI", "EI", "N m^2", "bending stiffness"),
+    row("k", "k", "N/m^2", "radial stiffness"),
+    row("beta", "β", "rad", "half angle of the sheave's groove"),
+    row("L_0", "L_0", "m", "unstretched length of the loop"),
 ];
 
 const WEIGHT_OUTPUTS: &[Row] = &[
-    ("revolutions", "f_1", "1/s", "revolutions of the belt a second, G/(m_o L_0)"),
-    ("bending", "", "W m^2", "power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature"),
-    ("groove", "", "W/m^2", "power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration"),
-    ("cord", "", "W", "power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain"),
+    row("revolutions", "f_1", "1/s", "revolutions of the belt a second, G/(m_o L_0)"),
+    row("bending", "", "W m^2", "power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature"),
+    row(
+        "groove",
+        "",
+        "W/m^2",
+        "power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration",
+    ),
+    row("cord", "", "W", "power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain"),
 ];
 
 const BALANCE_INPUTS: &[Row] = &[
-    ("driving", "P_1", "W", "power that the driving pulley takes in"),
-    (
+    row("driving", "P_1", "W", "power that the driving pulley takes in"),
+    row(
         "overall",
         "η",
         "",
         "power that the driven pulley gives, but for the losses here, over that which the driving one takes",
     ),
-    ("hysteresis", "P_h", "W", "power that hysteresis takes"),
-    ("omega_P", "ω_P", "rad/s", "speed of the primary"),
-    ("omega_S", "ω_S", "rad/s", "speed of the secondary"),
-    ("drag_P", "M_dP", "N m", "torque that drags at the primary at every speed"),
-    ("drag_S", "M_dS", "N m", "torque that drags at the secondary at every speed"),
-    ("viscous_P", "c_P", "N m s", "torque that drags at the primary, per speed"),
-    ("viscous_S", "c_S", "N m s", "torque that drags at the secondary, per speed"),
-    ("gear_efficiency", "η_g", "", "efficiency of what stands between the secondary and the shaft of interest"),
+    row("hysteresis", "P_h", "W", "power that hysteresis takes"),
+    row("omega_P", "ω_P", "rad/s", "speed of the primary"),
+    row("omega_S", "ω_S", "rad/s", "speed of the secondary"),
+    row("drag_P", "M_dP", "N m", "torque that drags at the primary at every speed"),
+    row("drag_S", "M_dS", "N m", "torque that drags at the secondary at every speed"),
+    row("viscous_P", "c_P", "N m s", "torque that drags at the primary, per speed"),
+    row("viscous_S", "c_S", "N m s", "torque that drags at the secondary, per speed"),
+    row("gear_efficiency", "η_g", "", "efficiency of what stands between the secondary and the shaft of interest"),
 ];
 
-const BALANCE_STEPS: &[Row] = &[("driven", "P_2", "W", "power that the driven pulley gives, but for the losses here")];
+const BALANCE_STEPS: &[Row] =
+    &[row("driven", "P_2", "W", "power that the driven pulley gives, but for the losses here")];
 
 const BALANCE_OUTPUTS: &[Row] = &[
-    ("primary_drag", "", "W", "power that drags at the primary"),
-    ("secondary_drag", "", "W", "power that drags at the secondary"),
-    ("gears", "", "W", "power lost between the secondary and the shaft of interest"),
-    ("total", "", "W", "power that hysteresis, drag and gears take"),
-    ("delivered", "", "W", "power that arrives"),
-    ("efficiency", "", "", "power that arrives over power that goes in"),
+    row("primary_drag", "", "W", "power that drags at the primary"),
+    row("secondary_drag", "", "W", "power that drags at the secondary"),
+    row("gears", "", "W", "power lost between the secondary and the shaft of interest"),
+    row("total", "", "W", "power that hysteresis, drag and gears take"),
+    row("delivered", "", "W", "power that arrives"),
+    row("efficiency", "", "", "power that arrives over power that goes in"),
 ];
 
 /// All of it, in the order in which it is emitted.
@@ -127,7 +133,8 @@ fn add_strain(plan: &mut Plan, tractive: &str, rate: &str) -> Result<(), Error> 
 }
 
 fn contact() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(CONTACT_INPUTS, &[], CONTACT_OUTPUTS)?;
+    let mut sheet =
+        Sheet::new(("HysteresisContactInput", CONTACT_INPUTS), &[], ("HysteresisContactOutput", CONTACT_OUTPUTS))?;
     let plan = &mut sheet.plan;
     for (text, reason) in [
         ("Phi", "the belt wraps around the pulley"),
@@ -158,7 +165,7 @@ fn contact() -> Result<BoundaryModel, Error> {
 
 fn span() -> Result<BoundaryModel, Error> {
     let outputs = CONTACT_OUTPUTS.split_last().map_or(CONTACT_OUTPUTS, |(_, rest)| rest);
-    let mut sheet = Sheet::new(SPAN_INPUTS, &[], outputs)?;
+    let mut sheet = Sheet::new(("HysteresisSpanInput", SPAN_INPUTS), &[], ("HysteresisSpanOutput", outputs))?;
     let plan = &mut sheet.plan;
     plan.nonzero("L", "a span has a length")?;
     plan.nonzero("stretch", "the belt is not compressed to nothing")?;
@@ -187,7 +194,7 @@ fn weight(energy: &str, field: &str) -> Result<Atom, Error> {
 }
 
 fn weights() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(WEIGHT_INPUTS, &[], WEIGHT_OUTPUTS)?;
+    let mut sheet = Sheet::new(("HysteresisInput", WEIGHT_INPUTS), &[], ("HysteresisOutput", WEIGHT_OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("m_o", "a belt has mass")?;
     plan.nonzero("L_0", "a belt has a length")?;
@@ -201,7 +208,8 @@ fn weights() -> Result<BoundaryModel, Error> {
 }
 
 fn balance() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(BALANCE_INPUTS, BALANCE_STEPS, BALANCE_OUTPUTS)?;
+    let mut sheet =
+        Sheet::new(("LossBalanceInput", BALANCE_INPUTS), BALANCE_STEPS, ("LossBalanceOutput", BALANCE_OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("driving", "the drive is driven")?;
     plan.primitive("driven", "overall*driving", "(6.9)")?;
