@@ -34,7 +34,7 @@ fn elastic_figures_stay_as_they_are_bit_for_bit() {
         assert_eq!(off.efficiency.overall, other.efficiency.overall);
     }
     // Without anything to lose, the efficiency with losses is the elastic one to the last bit.
-    assert_eq!(none.efficiency.overall_with_losses, Some(none.efficiency.overall));
+    assert_eq!(none.efficiency.overall_with_losses, none.efficiency.overall);
     assert_eq!(none.losses.map(|losses| losses.total), Some(0.0));
 }
 

@@ -136,7 +136,7 @@ fn solve(step: &Step, edition: &str, threshold: Option<&str>, tension: &str) -> 
     let losses = result.losses.as_ref();
     Ok(Some(Said {
         ratio: result.secondary.radius / result.primary.radius,
-        elastic: result.efficiency.overall,
+        elastic: result.efficiency.overall.unwrap_or(f64::NAN),
         with_losses: result.efficiency.overall_with_losses,
         friction: result.energy.friction_loss,
         bending: losses.map_or(f64::NAN, |losses| losses.bending),

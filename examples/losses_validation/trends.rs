@@ -57,7 +57,11 @@ fn scaling(stiffness: f64) -> Result<Scaling, Box<dyn Error>> {
         let result = run(&case.resolve()?, &options())?.result;
         let elastic = result.primary.torque - result.secondary.torque;
         let hysteresis = result.losses.as_ref().map_or(f64::NAN, |losses| losses.total);
-        lost.push([1.0 - result.efficiency.speed, elastic, elastic + hysteresis / result.secondary.speed]);
+        lost.push([
+            1.0 - result.efficiency.speed.unwrap_or(f64::NAN),
+            elastic,
+            elastic + hysteresis / result.secondary.speed,
+        ]);
     }
     let exponent = |at: usize| {
         let points: Vec<(f64, f64)> = RADII
@@ -86,7 +90,11 @@ fn over_ratio(edition: &'static str) -> Result<(&'static str, Vec<(f64, f64, f64
         case.set("edition", edition)?;
         case.set("drive.ratio", &ratio.to_string())?;
         let efficiency = run(&case.resolve()?, &options())?.result.efficiency;
-        points.push((ratio, efficiency.overall, efficiency.overall_with_losses.unwrap_or(f64::NAN)));
+        points.push((
+            ratio,
+            efficiency.overall.unwrap_or(f64::NAN),
+            efficiency.overall_with_losses.unwrap_or(f64::NAN),
+        ));
     }
     Ok((edition, points))
 }

@@ -127,12 +127,15 @@ struct Sums {
 /// [`NoLosses`], if what the case asks for cannot be told of this solution.
 pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Losses, NoLosses> {
     let outputs = solved.belt.output_values(&solved.solution)?;
-    let driving = outputs.get(Output::EnergyPowerIn)?.max(-outputs.get(Output::EnergyPowerOut)?);
+    let (power_in, power_out) = (outputs.get(Output::EnergyPowerIn)?, outputs.get(Output::EnergyPowerOut)?);
+    let driving = power_in.max(-power_out);
+    let overall = outputs.get(Output::EfficiencyOverall)?;
+    let overall = if power_in >= -power_out { overall } else { 1.0 / overall };
     let sums = hysteresis(case, solved, temperature, tolerance * driving)?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
     let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
     let taken = total.bending + total.groove + total.cord;
-    let balance = balance_inputs(case, solved, driving, outputs.get(Output::EfficiencyOverall)?, taken);
+    let balance = balance_inputs(case, solved, driving, overall, taken);
     let [primary_drag, secondary_drag, gears, all, power_out, efficiency] = evaluate(&LOSS_BALANCE, &balance);
     let region =
         |region: RegionId| sums.as_ref().map_or(Hysteresis::default(), |(_, regions, _)| regions[region.index()]);

@@ -71,6 +71,11 @@ pub fn gradients(
         if power_in >= -power_out { (Output::EnergyPowerIn, 1.0) } else { (Output::EnergyPowerOut, -1.0) };
     let mut driving_gradient = linearisation.gradient(&output(side)?);
     driving_gradient.iter_mut().for_each(|by| *by *= sign);
+    // Driven over driving: the output is the secondary's over the primary's.
+    let overall = values.get(Output::EfficiencyOverall)?;
+    let (overall, turned) = if sign > 0.0 { (overall, 1.0) } else { (1.0 / overall, -1.0 / (overall * overall)) };
+    let mut overall_gradient = linearisation.gradient(&output(Output::EfficiencyOverall)?);
+    overall_gradient.iter_mut().for_each(|by| *by *= turned);
     let unit = |constant: Constant| {
         let given = !solved.question.unknowns().contains(&constant);
         let mut row = vec![0.0; hysteresis.len()];
@@ -85,9 +90,8 @@ pub fn gradients(
     let ratio = unit(Constant::SpeedRatio);
     let (omega, sigma) = (solved.constant(Constant::PrimarySpeed), solved.constant(Constant::SpeedRatio));
     let secondary: Vec<f64> = speed.iter().zip(&ratio).map(|(speed, ratio)| sigma * speed + omega * ratio).collect();
-    let leading =
-        [driving_gradient, linearisation.gradient(&output(Output::EfficiencyOverall)?), hysteresis, speed, secondary];
-    let balance = balance_inputs(case, solved, driving, values.get(Output::EfficiencyOverall)?, dissipated);
+    let leading = [driving_gradient, overall_gradient, hysteresis, speed, secondary];
+    let balance = balance_inputs(case, solved, driving, overall, dissipated);
     let partial = Partials::of(&LOSS_BALANCE.set, &balance);
     let row = |name: &str| -> Vec<f64> {
         let size = leading.first().map_or(0, Vec::len);

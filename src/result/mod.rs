@@ -87,7 +87,7 @@ pub fn interpret(
         Some(Err(NoLosses::Internal(error))) => return Err(error.into()),
         Some(Err(reason)) => Some(reason),
         Some(Ok(losses)) => {
-            result.efficiency.overall_with_losses = Some(losses.efficiency);
+            result.efficiency.overall_with_losses = result.efficiency.overall.map(|_| losses.efficiency);
             result.losses = Some(losses);
             None
         }
