@@ -2,7 +2,6 @@
 
 use crate::case::Place;
 use crate::quantity::QuantityError;
-use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 
 /// What is wrong.
@@ -99,7 +98,8 @@ pub enum Problem {
     },
 }
 
-/// A [`Problem`] with its place in a file if it has one. Displays as one line; as a [`Diagnostic`] it underlines the place.
+/// A [`Problem`] with its place in a file if it has one. Displays as one line; with the feature `cli` it is a
+/// `miette::Diagnostic`, which underlines the place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BenchError(Box<(Problem, Option<Place>, Option<String>)>);
 
@@ -124,6 +124,11 @@ impl BenchError {
         &self.0.0
     }
 
+    /// Where, if a text says it.
+    pub fn place(&self) -> Option<&Place> {
+        self.0.1.as_ref()
+    }
+
     /// What to try, if there is more to say than the message says.
     pub fn advice(&self) -> Option<&str> {
         self.0.2.as_deref()
@@ -144,18 +149,25 @@ impl fmt::Display for BenchError {
 
 impl std::error::Error for BenchError {}
 
-impl Diagnostic for BenchError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(self.advice()?))
-    }
+#[cfg(feature = "cli")]
+mod diagnostic {
+    use super::BenchError;
+    use miette::{Diagnostic, LabeledSpan, SourceCode};
+    use std::fmt;
 
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.0.1.as_ref().map(|place| place.source.as_ref() as &dyn SourceCode)
-    }
+    impl Diagnostic for BenchError {
+        fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+            Some(Box::new(self.advice()?))
+        }
 
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let place = self.0.1.as_ref()?;
-        let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
+        fn source_code(&self) -> Option<&dyn SourceCode> {
+            self.place().map(|place| place.source.as_ref() as &dyn SourceCode)
+        }
+
+        fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+            let place = self.place()?;
+            let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
+            Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
+        }
     }
 }

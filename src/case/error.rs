@@ -3,9 +3,8 @@
 use super::geometry::NoRadii;
 use super::keys::Key;
 use crate::drive::IllPosed;
-use crate::quantity::QuantityError;
+use crate::quantity::{Dimension, QuantityError};
 use crate::text::{printable, printable_in_place};
-use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -33,8 +32,13 @@ impl Source {
         Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
     }
 
+    /// The whole text with nothing in it that a terminal would act on, each byte in its place.
+    pub fn shown_text(&self) -> &str {
+        &self.shown
+    }
+
     /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
-    fn excerpt(&self, place: usize) -> Option<Range<usize>> {
+    pub fn excerpt(&self, place: usize) -> Option<Range<usize>> {
         let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
         let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
         let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
@@ -53,7 +57,7 @@ impl Source {
     }
 
     /// The part of `span` that is shown; nothing if none of it is.
-    pub(crate) fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
+    pub fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
         let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
         let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
         (start <= end).then_some(start..end)
@@ -144,6 +148,14 @@ pub enum Problem {
         /// The bare number would be in range if it had this unit.
         unit_missing: Option<&'static str>,
     },
+    /// A bare number for a speed that is surely in rpm.
+    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected {}", key.path(), key.entry().expected())]
+    BareSpeed {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+    },
     /// A name that cannot be chosen.
     #[error("`{}` = {given}: expected {}", key.path(), key.entry().expected())]
     UnknownChoice {
@@ -213,13 +225,25 @@ pub enum Problem {
 }
 
 impl Problem {
+    /// Whether belt and pulleys do not fit: a drive with other numbers might.
+    pub const fn is_of_geometry(&self) -> bool {
+        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. })
+    }
+
     /// What to do about it, if there is more to say than the message says.
     fn advice(&self) -> Option<String> {
         match self {
+            Self::UnknownKey { path, .. } if path == "sweep" => {
+                Some("this is a study file: `sheave sweep FILE` solves it at every point".into())
+            }
             Self::UnknownKey { path, .. } => Some(keys_near(path)),
+            Self::BareSpeed { given, .. } => {
+                Some(format!("did you mean \"{given} rpm\"? If not, write \"{given} rad/s\""))
+            }
             Self::OutOfRange { given, unit_missing: Some(unit), .. } => {
                 Some(format!("a bare number is in SI units; did you mean \"{given} {unit}\"?"))
             }
+            Self::Quantity { reason: QuantityError::Dimension { given, expected }, .. } => pounds(*given, *expected),
             Self::Quantity { reason: QuantityError::UnknownUnit { .. }, .. } => {
                 let units: Vec<_> = crate::quantity::symbols().collect();
                 Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
@@ -227,6 +251,13 @@ impl Problem {
             _ => None,
         }
     }
+}
+
+/// Pounds of mass where pounds of force were meant.
+fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
+    let acceleration = Dimension::new(1, 0, -2, 0);
+    (given.times(acceleration, 1) == Some(expected))
+        .then(|| "\"lb\" and \"kg\" are masses; a force is in \"lbf\", \"kgf\" or \"N\"".to_owned())
 }
 
 /// The keys among which the one written was probably meant to be.
@@ -249,8 +280,9 @@ fn keys_near(path: &str) -> String {
 
 /// A [`Problem`] with the places it is about.
 ///
-/// Displays as one line that names the key, what was given and what is expected; as a [`Diagnostic`] it underlines the
-/// place in the case file or the argument.
+/// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
+/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the place
+/// in the case file or the argument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseError(Box<Inner>);
 
@@ -267,6 +299,11 @@ impl CaseError {
         Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
     }
 
+    /// A text that cannot be read.
+    pub fn unreadable(name: &str, error: &std::io::Error) -> Self {
+        Self::new(Problem::Read { path: name.into(), reason: error.to_string() }, [])
+    }
+
     /// What is wrong.
     pub fn problem(&self) -> &Problem {
         &self.0.problem
@@ -277,8 +314,23 @@ impl CaseError {
         &self.0.places
     }
 
+    /// What to do about it, where there is more to say than the message says.
+    pub fn hint(&self) -> Option<String> {
+        let hint = match (&self.0.problem, self.places()) {
+            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+                let [one, other] = [one, other].map(|place| &place.source.name);
+                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
+            }
+            (Problem::Conflict { first, second, .. }, _) => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            (problem, _) => problem.advice(),
+        };
+        Some(printable(&hint?).into_owned())
+    }
+
     /// What to underline of a place.
-    fn span(&self, place: &Place) -> Range<usize> {
+    pub fn span(&self, place: &Place) -> Range<usize> {
         match self.0.problem {
             Problem::UnknownKey { .. } => place.key.clone(),
             Problem::Conflict { .. } => place.whole(),
@@ -287,8 +339,8 @@ impl CaseError {
         }
     }
 
-    /// What to write beside the underlined text.
-    fn label(&self, index: usize) -> &'static str {
+    /// What to write beside the underlined text of the place with this number.
+    pub fn label(&self, index: usize) -> &'static str {
         match (&self.0.problem, index) {
             (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
             (Problem::UnknownKey { .. }, _) => "no such key",
@@ -300,6 +352,7 @@ impl CaseError {
                 _ => "not a quantity",
             },
             (Problem::OutOfRange { .. }, _) => "out of range",
+            (Problem::BareSpeed { .. }, _) => "rad/s",
             (Problem::UnknownChoice { .. }, _) => "no such choice",
             (Problem::Conflict { .. }, 0) => "this",
             (Problem::Conflict { .. }, _) => "and this",
@@ -321,65 +374,3 @@ impl fmt::Display for CaseError {
 }
 
 impl std::error::Error for CaseError {}
-
-impl Diagnostic for CaseError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        let advice = match (&self.0.problem, self.places()) {
-            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
-                let [one, other] = [one, other].map(|place| &place.source.name);
-                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
-            }
-            (Problem::Conflict { first, second, .. }, _) => {
-                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
-            }
-            (problem, _) => problem.advice(),
-        };
-        Some(Box::new(printable(&advice?).into_owned()))
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&*self.0.places.first()?.source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let first = self.0.places.first()?;
-        // One text can be shown: the one at fault. Of a long line, one place in it.
-        let shown: Vec<(usize, &Place)> =
-            self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source).collect();
-        let cut = shown.iter().any(|(_, place)| place.source.excerpt(self.span(place).start).is_some());
-        let shown = shown.into_iter().take(if cut { 1 } else { usize::MAX });
-        Some(Box::new(shown.filter_map(|(index, place)| {
-            let span = place.source.shown(self.span(place))?;
-            Some(LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len())))
-        })))
-    }
-}
-
-impl SourceCode for Source {
-    fn read_span<'a>(
-        &'a self,
-        span: &miette::SourceSpan,
-        context_lines_before: usize,
-        context_lines_after: usize,
-    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        // Of a text on one endless line a part is shown, and nothing that a terminal would act on.
-        let excerpt = self.excerpt(span.offset()).map(|excerpt| (excerpt.start, excerpt.len()));
-        let (span, before, after) = match &excerpt {
-            Some(excerpt) => (&(*excerpt).into(), 0, 0),
-            None => (span, context_lines_before, context_lines_after),
-        };
-        let contents = self.text.read_span(span, before, after)?;
-        let (start, length) = (contents.span().offset(), contents.span().len());
-        let data = self.shown.get(start..start + length).unwrap_or_default().as_bytes();
-        let name = printable(&self.name).into_owned();
-        let (line, column) = (contents.line(), contents.column());
-        Ok(Box::new(miette::MietteSpanContents::new_named(
-            name,
-            data,
-            *contents.span(),
-            line,
-            column,
-            contents.line_count(),
-        )))
-    }
-}

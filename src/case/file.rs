@@ -16,6 +16,9 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// A bare number above this is a speed in rpm, not in rad/s: 2000 rad/s are 19,100 rpm.
+const FASTEST_BARE: f64 = 2000.0;
+
 /// The key at the top of a file under which constants are made unknown for outputs.
 pub(super) const SWAP: &str = "swap";
 
@@ -57,7 +60,7 @@ impl Case {
         let name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::from_toml(&name, &text),
-            Err(error) => Err(CaseError::new(Problem::Read { path: name, reason: error.to_string() }, [])),
+            Err(error) => Err(CaseError::unreadable(&name, &error)),
         }
     }
 
@@ -66,8 +69,10 @@ impl Case {
     /// # Errors
     /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Arc::new(Source::new(name, text));
         let mut case = Self::base();
+        // What some editors put at the front of a file.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
@@ -157,7 +162,12 @@ impl Case {
     /// # Errors
     /// As [`Case::set`].
     pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
-        self.set(key.path(), &format!("{value:e}"))
+        // In words: a bare number that is surely in rpm is refused.
+        let unit = match key.entry().kind {
+            Kind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
+            _ => "",
+        };
+        self.set(key.path(), &format!("{value:e}{unit}"))
     }
 
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
@@ -170,6 +180,11 @@ impl Case {
         let known = known(key, &Place { source, key: whole.clone(), value: whole })?;
         self.given.remove(&known);
         Ok(())
+    }
+
+    /// Takes a key out of the case.
+    pub(super) fn remove(&mut self, key: Key) {
+        self.given.remove(&key);
     }
 
     /// Whether the key was given.
@@ -305,6 +320,10 @@ fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {
     };
     let si = quantity.expect(unit.scale.dimension).map_err(invalid)?;
     let allowed = |si| range.contains(si, |bound| unit.to_si(bound));
+    let rpm = unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED;
+    if rpm && quantity.bare && si.abs() > FASTEST_BARE && allowed(unit.to_si(si)) {
+        return Err(Problem::BareSpeed { key, given: given.into() });
+    }
     if allowed(si) {
         return Ok(si);
     }

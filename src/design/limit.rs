@@ -88,6 +88,7 @@ pub struct LimitOptions {
 /// See [`DesignError`].
 pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
     primary_speed(case)?;
+    no_margin(case)?;
     let mut start = case.clone();
     // What the clamp suggests when nothing is known of the torque.
     start.operating_point.load = Load::SpeedRatio(1.0);
@@ -106,6 +107,9 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
 /// See [`DesignError`].
 pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
     primary_speed(case)?;
+    let mut case = case.clone();
+    case.operating_point.margin = None;
+    let case = &case;
     let (_, solved) = clamped(case, &options.solve)?;
     let smallest = |path: &str| limit(&case.model, &solved, (Constant::SlackTension, path), false, options);
     let (slack_tension, branch) = smallest("primary.exit_tension")?;
@@ -142,6 +146,18 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         tension *= TIGHTER;
     }
     Err(first.unwrap_or(Failure::NoStart).into())
+}
+
+/// The largest torque of a margin is that at which there is none left.
+fn no_margin(case: &Resolved) -> Result<(), DesignError> {
+    match case.operating_point.margin {
+        None => Ok(()),
+        Some(margin) => {
+            let expected =
+                "the largest torque is sought for a clamp; expected a tension or an axial force in its place";
+            Err(DesignError::Given { key: margin.setting().0, expected })
+        }
+    }
 }
 
 /// A secondary that stands still has no speed to be given.

@@ -57,6 +57,24 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// No clamp that was tried leaves the margin against slip that is asked for.
+    #[error(
+        "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \
+         {:.1} %, and nearer no solution was found", 100.0 * asked, 100.0 * used
+    )]
+    Margin {
+        /// Share asked for.
+        asked: f64,
+        /// Nearest share that was found.
+        used: f64,
+        /// Slack tension there, N.
+        slack_tension: f64,
+        /// Why there is none nearer.
+        cause: Box<Failure>,
+    },
+    /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
+    #[error("a margin against slip is prescribed: a single boundary value problem has none")]
+    MarginGiven,
     /// What is prescribed holds only if the secondary drives.
     #[error(
         "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
@@ -87,6 +105,11 @@ fn had(reached: &[Reached]) -> String {
 }
 
 impl Failure {
+    /// Of a margin that was not met.
+    pub(crate) fn margin(asked: f64, used: f64, slack_tension: f64, cause: Self) -> Self {
+        Self::Margin { asked, used, slack_tension, cause: Box::new(cause) }
+    }
+
     /// Whether the case is at fault rather than the search.
     pub const fn is_bad_input(&self) -> bool {
         matches!(self, Self::IllPosed(_))

@@ -59,6 +59,9 @@ impl SolveOptions {
 /// # Errors
 /// See [`Failure`].
 pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
+    if case.operating_point.margin.is_some() {
+        return Err(Failure::MarginGiven);
+    }
     solve_question(&case.model, &Question::of(case), options)
 }
 

@@ -116,7 +116,7 @@ const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
 /// 1 lbf = 44482216152605e-13 N.
 const LBF: f64 = 44_482_216_152_605.0;
 
-static SYMBOLS: [Symbol; 32] = [
+static SYMBOLS: [Symbol; 33] = [
     si("m", 0, Dimension::LENGTH),
     plain("in", -4, 254.0, 1.0, Dimension::LENGTH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
@@ -148,8 +148,27 @@ static SYMBOLS: [Symbol; 32] = [
     plain("ksi", -2, LBF, 64_516.0, Dimension::PRESSURE),
     si("W", 0, Dimension::POWER),
     plain("hp", -17, 550.0 * 3048.0 * LBF, 1.0, Dimension::POWER),
+    plain("%", -2, 1.0, 1.0, Dimension::NONE),
     plain("1", 0, 1.0, 1.0, Dimension::NONE),
 ];
+
+/// What workshops write, as they write it: pounds are pounds-force here, and Nm² is N·m², not (N·m)².
+static WORKSHOP: [Unit; 9] = [
+    Unit::new("lbf-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("lb-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("ft-lbf", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("ft-lb", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("lbf-in", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("in-lbf", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("in-lb", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::decimal("Nm²", 0, Dimension::BENDING_STIFFNESS),
+    Unit::decimal("Nm^2", 0, Dimension::BENDING_STIFFNESS),
+];
+
+/// The unit that a workshop writes like this, and nothing else.
+pub(super) fn workshop(text: &str) -> Option<Scale> {
+    WORKSHOP.iter().find(|unit| unit.symbol == text).map(|unit| unit.scale)
+}
 
 /// Prefixes and their powers of ten.
 const PREFIXES: [(char, i32); 9] = [

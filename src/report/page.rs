@@ -190,9 +190,9 @@ fn footer(html: &mut String, outcome: &Outcome) {
     let mesh = &solver.mesh_intervals;
     let _ = write!(
         html,
-        "<p class=\"lead\">Solved in {:.1} ms: order {}, largest relative residual {:.1e} of {:.0e}, boundary residual {:.1e}, \
+        "<p class=\"lead\">Solved in {} ms: order {}, largest relative residual {:.1e} of {:.0e}, boundary residual {:.1e}, \
          {} intervals, {} continuation steps, {} Newton iterations. sheave {}.</p>",
-        1e3 * solver.wall_time,
+        solver.milliseconds(),
         solver.order,
         solver.max_residual,
         solver.tolerance,

@@ -1,14 +1,17 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
+mod answers;
 mod compute;
+mod margin;
 mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
 mod warnings;
 
-use std::time::Instant;
+use std::collections::BTreeMap;
 
+pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
 pub use compute::{Outputs, Sampled};
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
@@ -16,7 +19,8 @@ pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
 
-use crate::case::Resolved;
+use crate::case::{Key, Resolved};
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
 
 /// A solved case: the result object, and the solution it was read from.
@@ -28,12 +32,16 @@ pub struct Outcome {
     pub solved: Solved,
 }
 
-/// Solves a case from nothing and reads the solution.
+/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
+/// tension at which that margin holds.
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    if let Some(margin) = case.operating_point.margin {
+        return margin::run(case, margin, options);
+    }
+    let start = Stopwatch::start();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
 }
@@ -42,7 +50,12 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
-pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
+pub fn interpret(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: Solved,
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
     let mut result = read(case, options, &solved, start);
     if options.sensitivities {
         result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
@@ -50,24 +63,26 @@ pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start:
     Ok(Outcome { result, solved })
 }
 
-fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
+fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Stopwatch) -> DriveResult<Resolved> {
     let (belt, solution) = (&solved.belt, &solved.solution);
     let outputs = Outputs::new(belt, solution);
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
     let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
     let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
-    let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
-    DriveResult {
+    let friction_utilization = primary.friction_utilization.max(secondary.friction_utilization);
+    let mut result = DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
+        found: BTreeMap::new(),
         primary,
         secondary,
         tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
         slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
         efficiency: compute::efficiency(&outputs),
-        slip_reserve,
+        slip_reserve: 1.0 - friction_utilization,
+        friction_utilization,
         belt: compute::belt(&outputs, case.belt.length),
         energy: compute::energy(&outputs),
         solver: SolverReport {
@@ -83,8 +98,23 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             max_boundary_residual: solved.solution.max_boundary_residual(),
             newton_iterations: solved.stats.newton_iterations,
             continuation_steps: solved.continuation_steps,
-            wall_time: start.elapsed().as_secs_f64(),
+            wall_time: start.seconds(),
         },
         sensitivities: None,
+    };
+    for constant in solved.question.swaps.iter().map(|swap| swap.free) {
+        if let Some(key) = constant.key() {
+            result.add_found(key, solved.constant(constant));
+        }
+    }
+    result
+}
+
+impl DriveResult<Resolved> {
+    /// Notes what was found for a key that was solved for, among the inputs too.
+    fn add_found(&mut self, key: Key, value: f64) {
+        self.found.insert(key.path().to_owned(), value);
+        self.inputs.found.retain(|(other, _)| *other != key);
+        self.inputs.found.push((key, value));
     }
 }

@@ -24,6 +24,7 @@ mod axis;
 mod error;
 mod file;
 mod journal;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod plan;
 mod row;
@@ -37,6 +38,7 @@ pub use axis::{Axis, DEFAULT_POINTS, MAX_POINTS};
 pub use error::StudyError;
 pub use file::StudyFile;
 pub use journal::{Journal, JournalError, set_aside, sync_folder};
+#[cfg(feature = "parquet")]
 pub use parquet::write_parquet;
 pub use plan::{Point, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};

@@ -2,19 +2,13 @@
 
 use super::axis::{Axis, MAX_POINTS};
 use super::error::StudyError;
-use crate::case::{Case, CaseError, Key, Problem, Resolved, Setting};
+use crate::case::{Case, CaseError, Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use std::ops::Range;
 
 /// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
 /// start of the first hardly counts.
 const CHAIN: usize = 16;
-
-/// Keys of which one stands in place of the others: a key that is varied takes out the others of the case.
-const SLOTS: [&[Key]; 2] = [
-    &[Key::PrimaryTorque, Key::SecondaryTorque, Key::SpeedRatio],
-    &[Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce],
-];
 
 /// A case, what is varied in it, and how accurately it is solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +34,11 @@ impl Study {
     ///
     /// # Errors
     /// What is wrong with the grid, or with the case at some point of it: see [`StudyError`].
-    pub fn new(case: Case, axes: impl IntoIterator<Item = Axis>, options: SolveOptions) -> Result<Self, StudyError> {
+    pub fn new(
+        mut case: Case,
+        axes: impl IntoIterator<Item = Axis>,
+        options: SolveOptions,
+    ) -> Result<Self, StudyError> {
         let axes: Vec<Axis> = axes.into_iter().collect();
         let mut varied: Vec<Key> = Vec::new();
         for key in axes.iter().flat_map(Axis::keys) {
@@ -56,7 +54,7 @@ impl Study {
         if points.is_none_or(|points| points > MAX_POINTS) {
             return Err(StudyError::TooMany);
         }
-        let case = make_room(case, &varied)?;
+        case.make_room(&varied);
         let study = Self { case, axes, options };
         (0..study.points()).try_for_each(|index| study.point(index).map(|_| ()))?;
         Ok(study)
@@ -102,7 +100,7 @@ impl Study {
                 case.check_posed(&resolved)?;
                 Ok(resolved)
             }
-            Err(error) if matches!(error.problem(), Problem::Overlap { .. } | Problem::NoRadii { .. }) => Err(error),
+            Err(error) if error.problem().is_of_geometry() => Err(error),
             Err(error) => return Err(error),
         };
         Ok(Point { varied, case: resolved })
@@ -168,26 +166,4 @@ impl Study {
         }
         true
     }
-}
-
-/// Takes out of the case what the varied keys stand in place of.
-fn make_room(mut case: Case, varied: &[Key]) -> Result<Case, CaseError> {
-    let radii = [Key::PrimaryRadius, Key::SecondaryRadius];
-    let mut out: Vec<Key> = Vec::new();
-    if varied.contains(&Key::Ratio) {
-        out.extend(radii);
-    } else if radii.iter().any(|key| varied.contains(key)) {
-        out.push(Key::Ratio);
-    }
-    // With both radii free, two keys of one slot may stand side by side.
-    if !case.has(Key::Free) {
-        for slot in SLOTS {
-            if slot.iter().any(|key| varied.contains(key)) {
-                out.extend(slot);
-            }
-        }
-    }
-    out.retain(|key| !varied.contains(key));
-    out.iter().try_for_each(|key| case.unset(key.path()))?;
-    Ok(case)
 }

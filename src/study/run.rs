@@ -4,13 +4,13 @@ use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
-use rayon::ScopeFifo;
+use crate::threads::{self, Scope};
 use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
@@ -172,20 +172,19 @@ impl Work<'_> {
     fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
         let chains = groups.iter().map(Vec::len).sum();
         let threads = useful_threads(jobs, chains);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|_| StudyError::Threads(threads))?;
         let work = &self;
         // First come, first served: rows are wanted in the order of the points.
-        pool.scope_fifo(|scope| {
+        threads::scope(threads, |scope| {
             for group in groups {
                 scope.spawn_fifo(move |scope| work.heads(scope, group));
             }
-        });
+        })
+        .map_err(|_| StudyError::Threads(threads))?;
         self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
     }
 
     /// Solves the heads of a group, and has the rest of each chain solved as soon as its head is known.
-    fn heads<'s>(&'s self, scope: &ScopeFifo<'s>, group: Vec<Task>) {
+    fn heads<'s>(&'s self, scope: &Scope<'s>, group: Vec<Task>) {
         let mut heads: Vec<Known> = Vec::new();
         for task in group {
             let Some(study) = task.places.first().and_then(|(study, _)| self.studies.get(*study)) else { continue };
@@ -269,7 +268,9 @@ fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outc
 
 /// From the solutions nearby, else from nothing; counts how often in a row they were too far away.
 fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mut usize) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
+    // A clamp that is found for a margin takes several solutions, each from the one before it.
+    let near = if case.operating_point.margin.is_some() { &[] } else { near };
     if !near.is_empty() {
         match solve_along(near, case, options) {
             Ok(solved) => {

@@ -14,6 +14,7 @@ pub enum Format {
     /// An array of objects, one a row.
     Json,
     /// Apache Parquet.
+    #[cfg(feature = "parquet")]
     Parquet,
 }
 
@@ -23,6 +24,7 @@ impl Format {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
+            #[cfg(feature = "parquet")]
             "parquet" => Some(Self::Parquet),
             _ => None,
         }
@@ -36,6 +38,7 @@ impl Format {
         match self {
             Self::Csv => write_csv(table, to),
             Self::Json => write_json(table, to),
+            #[cfg(feature = "parquet")]
             Self::Parquet => super::write_parquet(table, to),
         }
     }

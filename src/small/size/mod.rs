@@ -153,7 +153,7 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
             ("alpha", drive.acceleration),
         ])
         .outputs();
-    Ok(Sizing {
+    let sizing = Sizing {
         ratio: outputs.get("ratio"),
         inertia: Inertia {
             load: outputs.get("load_inertia"),
@@ -169,5 +169,8 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
             acceleration: outputs.get("acceleration_torque"),
             drive: outputs.get("drive_torque"),
         },
-    })
+    };
+    let (inertia, torque) = (&sizing.inertia, &sizing.torque);
+    let all = [inertia.rotating, inertia.total, torque.steady, torque.drive, sizing.ratio];
+    if all.iter().all(|value| value.is_finite()) { Ok(sizing) } else { Err(SizeError::new(Problem::Overflow, None)) }
 }
