@@ -6,11 +6,10 @@ use super::fit::{self, Linearised, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, Problem};
 use crate::case::{Case, Free, Key, Kind, Resolved};
+use crate::clock::Stopwatch;
 use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
 use crate::result::{interpret, sensitivities};
-use rayon::prelude::*;
 use serde::Serialize;
-use std::time::Instant;
 
 /// What holds the belt tight at the measured points.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,7 +171,14 @@ const REPLACED: [Key; 9] = [
     Key::Free,
 ];
 /// Keys of the clamp.
-const CLAMPS: [Key; 4] = [Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce];
+const CLAMPS: [Key; 6] = [
+    Key::SlackTension,
+    Key::TightTension,
+    Key::PrimaryAxialForce,
+    Key::SecondaryAxialForce,
+    Key::SlipReserve,
+    Key::FrictionUtilization,
+];
 /// The output that is compared.
 const EFFICIENCY: &str = "efficiency.overall";
 /// Correlation from which on two constants can hardly be told from each other.
@@ -359,7 +365,7 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
             gradient.push(derivative.ok_or_else(|| format!("nothing is known of the derivative by {}", key.path()))?);
         }
     }
-    let outcome = interpret(&resolved, &options, solved, Instant::now()).map_err(|failure| failure.to_string())?;
+    let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(|failure| failure.to_string())?;
     let (efficiency, axial_force) = (outcome.result.efficiency.overall, outcome.result.primary.axial_force);
     let primary_radius = outcome.solved.constant(Constant::PrimaryRadius);
     Ok(Said { efficiency, gradient, axial_force, primary_radius, solved: outcome.solved })
@@ -447,15 +453,14 @@ fn fitted(
 
 /// The model at all points with other values of the fitted keys.
 fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> Result<Vec<Said>, String> {
-    ways.par_iter()
-        .map(|way| {
-            let mut case = way.case.clone();
-            for ((key, _), value) in keys.iter().zip(values) {
-                case.set_si(*key, *value).map_err(|error| error.to_string())?;
-            }
-            evaluate(&case, way.solved.as_ref(), tolerance, keys)
-        })
-        .collect()
+    let said = crate::threads::collect(ways, |way| {
+        let mut case = way.case.clone();
+        for ((key, _), value) in keys.iter().zip(values) {
+            case.set_si(*key, *value).map_err(|error| error.to_string())?;
+        }
+        evaluate(&case, way.solved.as_ref(), tolerance, keys)
+    });
+    said.into_iter().collect()
 }
 
 /// What the data cannot tell.
