@@ -1,13 +1,15 @@
 //! Time stamps of a counter that wraps, may be reset, and may be garbled.
 
-use super::faults::Fault;
-
 /// A counter of 32 bits wraps after this many ticks.
 pub const WRAP: f64 = 4_294_967_296.0;
-/// Two stamps in a row are no farther apart, s; what is farther is believed when the next stamp confirms it.
+/// A stamp no farther behind the one before is believed as it is, s; so is one within [`STEADY`] of the last steps.
+const NEAR: f64 = 0.5;
+/// Steps of a slow counter that are believed.
+const STEADY: f64 = 20.0;
+/// A stamp that is farther is believed when the next one follows it within this time, s.
 const LEAP: f64 = 10.0;
 
-/// Makes seconds that never fall of the ticks of a counter.
+/// Makes seconds of the ticks of a counter.
 #[derive(Debug, Clone)]
 pub struct Clock {
     /// Seconds per tick.
@@ -16,7 +18,9 @@ pub struct Clock {
     offset: f64,
     /// The last time, in ticks with the offset.
     last: Option<f64>,
-    /// A time, with the counter's own ticks, that the next has to confirm.
+    /// The step to it, in ticks.
+    step: f64,
+    /// A time, in the counter's own ticks, that the next has to confirm: the first of all, or one far from the last.
     held: Option<f64>,
     /// How often the counter has wrapped.
     pub wraps: u64,
@@ -29,10 +33,10 @@ pub struct Clock {
 pub enum Stamp {
     /// Seconds.
     At(f64),
-    /// Seconds, behind a jump that an earlier stamp made and this one confirms.
-    Behind(f64),
-    /// It is not used.
-    Bad(Fault),
+    /// Seconds of the stamp that was held, and of this one, which confirms it.
+    Confirmed(f64, f64),
+    /// It cannot be a time.
+    Bad,
     /// The same as the one before.
     Same,
     /// It will only be used if the next confirms it.
@@ -42,51 +46,64 @@ pub enum Stamp {
 impl Clock {
     /// A counter with that many seconds per tick.
     pub fn new(tick: f64) -> Self {
-        Self { tick, offset: 0.0, last: None, held: None, wraps: 0, jumps: 0 }
+        Self { tick, offset: 0.0, last: None, step: 0.0, held: None, wraps: 0, jumps: 0 }
     }
 
-    /// Reads one stamp. A stamp that is held counts as out of sequence when the next does not confirm it.
-    pub fn read(&mut self, ticks: f64) -> (Stamp, Option<Fault>) {
+    /// Reads one stamp. Says too whether it refutes the one that was held, which is then out of sequence.
+    pub fn read(&mut self, ticks: f64) -> (Stamp, bool) {
         if !(0.0..1e18).contains(&ticks) {
-            return (Stamp::Bad(Fault::OutOfSequence), None);
+            return (Stamp::Bad, false);
         }
-        let Some(last) = self.last else {
-            self.last = Some(ticks);
-            return (Stamp::At(ticks * self.tick), None);
-        };
-        let near = |time: f64, before: f64| time >= before && (time - before) * self.tick <= LEAP;
-        let time = ticks + self.offset;
-        if time == last {
-            return (Stamp::Same, None);
-        }
-        if near(time, last) {
-            return self.accept(time, false);
-        }
-        if ticks < WRAP && last - self.offset < WRAP && near(time + WRAP, last) {
-            self.offset += WRAP;
-            self.wraps += 1;
-            return self.accept(time + WRAP, false);
-        }
-        match self.held.replace(ticks) {
-            Some(held) if near(ticks, held) && ticks > held => {
-                // Two agree: the counter has jumped. Time goes on from the last, so that it never falls.
-                self.held = None;
-                self.jumps += 1;
-                if time < last {
-                    self.offset = last - held;
-                }
-                self.accept(ticks + self.offset, true)
+        if let Some(last) = self.last {
+            let time = ticks + self.offset;
+            if time == last {
+                return (Stamp::Same, false);
             }
-            Some(_) => (Stamp::Held, Some(Fault::OutOfSequence)),
-            None => (Stamp::Held, None),
+            let most = (NEAR / self.tick).max(STEADY * self.step).min(LEAP / self.tick);
+            let near = |time: f64| time > last && time - last <= most;
+            let turned = ticks < WRAP && last - self.offset < WRAP && near(time + WRAP);
+            if near(time) || turned {
+                if turned && !near(time) {
+                    self.offset += WRAP;
+                    self.wraps += 1;
+                }
+                return (Stamp::At(self.go(ticks)), self.held.take().is_some());
+            }
+        }
+        match self.held {
+            Some(held) if held == ticks => (Stamp::Same, false),
+            Some(held) if ticks > held && (ticks - held) * self.tick <= LEAP => self.confirm(held, ticks, 0.0),
+            Some(held) if ticks < WRAP && held < WRAP && (ticks + WRAP - held) * self.tick <= LEAP => {
+                self.wraps += 1;
+                self.confirm(held, ticks, WRAP)
+            }
+            other => {
+                self.held = Some(ticks);
+                (Stamp::Held, other.is_some())
+            }
         }
     }
 
-    fn accept(&mut self, time: f64, jumped: bool) -> (Stamp, Option<Fault>) {
-        let refuted = self.held.take().map(|_| Fault::OutOfSequence);
+    /// Two stamps agree: the counter begins there, or it has jumped.
+    fn confirm(&mut self, held: f64, ticks: f64, turn: f64) -> (Stamp, bool) {
+        self.held = None;
+        if let Some(last) = self.last {
+            self.jumps += 1;
+            // A counter that was set back goes on from the last time. Where it is a little behind only, the last was wrong.
+            if held + self.offset + LEAP / self.tick < last {
+                self.offset = last - held;
+            }
+        }
+        let first = self.go(held);
+        self.offset += turn;
+        (Stamp::Confirmed(first, self.go(ticks)), false)
+    }
+
+    fn go(&mut self, ticks: f64) -> f64 {
+        let time = ticks + self.offset;
+        self.step = self.last.map_or(0.0, |last| (time - last).max(0.0));
         self.last = Some(time);
-        let seconds = time * self.tick;
-        (if jumped { Stamp::Behind(seconds) } else { Stamp::At(seconds) }, refuted)
+        time * self.tick
     }
 
     /// Whether the last stamp is still unconfirmed.
@@ -101,9 +118,10 @@ mod tests {
 
     fn times(stamps: &[f64]) -> (Vec<f64>, Clock) {
         let mut clock = Clock::new(1e-6);
-        let seconds = stamps.iter().filter_map(|ticks| match clock.read(*ticks).0 {
-            Stamp::At(time) | Stamp::Behind(time) => Some(time),
-            Stamp::Bad(_) | Stamp::Same | Stamp::Held => None,
+        let seconds = stamps.iter().flat_map(|ticks| match clock.read(*ticks).0 {
+            Stamp::At(time) => vec![time],
+            Stamp::Confirmed(held, time) => vec![held, time],
+            Stamp::Bad | Stamp::Same | Stamp::Held => vec![],
         });
         (seconds.collect(), clock)
     }
@@ -121,10 +139,16 @@ mod tests {
         let (seconds, clock) = times(&[1000.0, 9000.0, 3_000_000_000.0, 17000.0, 5.0, 25000.0]);
         assert_eq!((seconds.len(), clock.jumps), (4, 0));
         let (seconds, clock) = times(&[1000.0, 9000.0, 500e6, 500.008e6, 500.016e6]);
-        assert_eq!((seconds.len(), clock.jumps), (4, 1));
+        assert_eq!((seconds.len(), clock.jumps), (5, 1));
+        // A flipped bit of the very first, and one of a second in between: nothing is shifted.
+        let (seconds, _) = times(&[9e6, 1000.0, 9000.0, 17000.0 + 1_048_576.0, 25000.0, 33000.0]);
+        assert_eq!(seconds.last(), Some(&(33000.0 * 1e-6)));
+        assert_eq!(seconds.len(), 4);
+        // One row in a second.
+        assert_eq!(times(&[0.0, 1e6, 2e6, 3e6]).0.len(), 4);
         // A counter that was set to zero.
         let (seconds, clock) = times(&[70e6, 70.008e6, 100.0, 8100.0, 16100.0]);
-        assert_eq!((seconds.len(), clock.jumps), (4, 1));
-        assert!(seconds.windows(2).all(|pair| pair[1] > pair[0]), "{seconds:?}");
+        assert_eq!((seconds.len(), clock.jumps), (5, 1));
+        assert!(seconds.windows(2).all(|pair| pair[1] >= pair[0]), "{seconds:?}");
     }
 }

@@ -167,16 +167,24 @@ impl Stream {
 
     fn stamped(&mut self, ticks: f64, values: [Option<f64>; CHANNELS], line: u64) {
         let (stamp, refuted) = self.clock.read(ticks);
-        let held = self.held.take();
-        if let (Some(fault), Some((_, line))) = (refuted, held) {
-            self.faults.add(fault, line);
+        if let (true, Some((_, line))) = (refuted, self.held.take_if(|_| refuted)) {
+            self.faults.add(Fault::OutOfSequence, line);
         }
         match stamp {
-            Stamp::At(time) | Stamp::Behind(time) => self.take(time, values, line),
-            Stamp::Bad(fault) => self.faults.add(fault, line),
+            Stamp::At(time) => self.take(time, values, line),
+            Stamp::Confirmed(first, time) => {
+                if let Some((values, line)) = self.held.take() {
+                    self.take(first, values, line);
+                }
+                self.take(time, values, line);
+            }
+            Stamp::Bad => self.faults.add(Fault::OutOfSequence, line),
             Stamp::Held => self.held = Some((values, line)),
-            Stamp::Same if self.before == Some(values) => self.faults.add(Fault::Duplicate, line),
-            Stamp::Same => self.faults.add(Fault::Contradiction, line),
+            Stamp::Same => {
+                let before = self.held.map(|(values, _)| values).or(self.before);
+                let fault = if before == Some(values) { Fault::Duplicate } else { Fault::Contradiction };
+                self.faults.add(fault, line);
+            }
         }
     }
 
