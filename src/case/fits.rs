@@ -1,9 +1,9 @@
 //! Whether belt, radii and centre distance that are given go together, and what is only partly given.
 
-use super::choice::Free;
 use super::file::Case;
 use super::geometry::pitch_length;
 use super::keys::Key;
+use crate::model::Free;
 
 /// Share of the pitch length (6.12) by which `belt.length` may differ from that of both radii before it is said. A belt that
 /// bends is not as long as arcs and tangents, and the radii of a drive are seldom known better.

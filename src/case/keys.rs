@@ -1,7 +1,7 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::choice::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use super::range::Range;
+use crate::model::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
@@ -153,10 +153,10 @@ pub static TABLE: [Entry; 29] = [
         "speed of the primary"),
     entry(Key::SecondarySpeed, "operating_point.secondary_speed", "ω_S", other(RPM, Range::POSITIVE, 3380.0),
         "speed of the secondary: the speed, or beside primary_speed the load"),
-    entry(Key::PrimaryTorque, "operating_point.primary_torque", "M_in", base(NM, Range::POSITIVE, 18.0),
-        "torque into the primary"),
-    entry(Key::SecondaryTorque, "operating_point.secondary_torque", "M_out", other(NM, Range::POSITIVE, 17.0),
-        "torque out of the secondary"),
+    entry(Key::PrimaryTorque, "operating_point.primary_torque", "M_in", base(NM, Range::ANY, 18.0),
+        "torque into the primary; negative in engine braking"),
+    entry(Key::SecondaryTorque, "operating_point.secondary_torque", "M_out", other(NM, Range::ANY, 17.0),
+        "torque out of the secondary; negative in engine braking"),
     entry(Key::SpeedRatio, "operating_point.speed_ratio", "ω_S/ω_P", other(NUMBER, Range::positive_to(100.0), 0.99),
         "speed of the secondary over that of the primary"),
     entry(Key::SlackTension, "operating_point.slack_tension", "T_slack", base(N, Range::POSITIVE, 100.0),

@@ -1,9 +1,9 @@
 //! The operating point: a speed, a load and a clamp, each given in one of several ways.
 
-use super::choice::Free;
 use super::error::CaseError;
 use super::file::Case;
 use super::keys::Key;
+use crate::model::Free;
 
 /// Keys that give the clamp.
 pub(super) const CLAMPS: &[Key] = &[

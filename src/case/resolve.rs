@@ -1,12 +1,12 @@
 //! From what was written to a case in which everything is decided, in SI.
 
-use super::choice::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use super::error::{CaseError, Problem};
 use super::exchange::Exchange;
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
 use super::operating::OperatingPoint;
+use crate::model::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

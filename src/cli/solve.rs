@@ -64,8 +64,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
     }
-    let options =
-        SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
+    let options = SolveOptions {
+        tolerance: arguments.tol,
+        order: arguments.order,
+        sensitivities: arguments.sensitivities,
+        ..SolveOptions::default()
+    };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
         Err(failure) => Err(arguments.failed(&case, &failure)),
@@ -92,7 +96,7 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &output::json(&outcome.result)?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
-            let figures = sheave::plot::drive(outcome);
+            let figures = sheave::plot::drive(outcome)?;
             output::write_figures(folder, &figures)?;
             let page = sheave::report::page(outcome, &figures)?;
             output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;

@@ -1,6 +1,7 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
 use sheave::case::CaseError;
+use sheave::model::InternalError;
 use sheave::plot::PlotError;
 use sheave::study::StudyError;
 use sheave::text::printable;
@@ -27,7 +28,9 @@ impl Stop {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                tell(&format!("{:?}", miette::Report::new(error)));
+                for error in error.into_each() {
+                    tell(&format!("{:?}", miette::Report::new(error)));
+                }
                 ExitCode::from(2)
             }
             Self::Refused(report) => {
@@ -84,6 +87,12 @@ impl From<StudyError> for Stop {
             StudyError::Keep(error) => Self::Write("the journal".into(), error),
             other => Self::Usage(other.to_string()),
         }
+    }
+}
+
+impl From<InternalError> for Stop {
+    fn from(error: InternalError) -> Self {
+        Self::NoSolution(error.to_string())
     }
 }
 

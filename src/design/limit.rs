@@ -6,8 +6,8 @@ use super::branch::{Branch, BranchEnd, Parameter, Point};
 use super::error::DesignError;
 use super::state::State;
 use crate::case::{Clamp, Key, Load, Model, Resolved, Speed};
-use crate::drive::{Constant, Failure, Output, Question, SolveOptions, Solved, solve};
-use crate::result::Outputs;
+use crate::drive::{Failure, Question, SolveOptions, Solved, solve};
+use crate::model::{Constant, InternalError, Output};
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
@@ -15,7 +15,7 @@ const TIGHT: f64 = 0.5;
 const TIGHTER: f64 = 2.0;
 const TIGHTENED: usize = 4;
 /// A fold counts if it differs from the end of the curve by this many times the tolerance.
-const TOLD_APART: f64 = 30.0;
+const DISTINCT: f64 = 30.0;
 /// Evaluations that locate an extremum, and the relative bracket at which it counts as located.
 const LOCATING: usize = 30;
 const LOCATED: f64 = 1e-9;
@@ -94,11 +94,11 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
     start.operating_point.load = Load::SpeedRatio(1.0);
     let easy = Question::of(&start).constants[Constant::PrimaryTorque];
     start.operating_point.load = Load::PrimaryTorque(match case.operating_point.load {
-        Load::PrimaryTorque(torque) => torque.min(easy),
+        Load::PrimaryTorque(torque) if torque > 0.0 => torque.min(easy),
         _ => easy,
     });
     let solved = solve(&start, &options.solve)?;
-    limit(&start.model, &solved, (Constant::PrimaryTorque, "primary.torque"), true, options)
+    limit(&start.model, &solved, (Constant::PrimaryTorque, Output::PrimaryTorque), true, options)
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
@@ -111,10 +111,10 @@ pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(Clamp
     case.operating_point.margin = None;
     let case = &case;
     let (_, solved) = clamped(case, &options.solve)?;
-    let smallest = |path: &str| limit(&case.model, &solved, (Constant::SlackTension, path), false, options);
-    let (slack_tension, branch) = smallest("primary.exit_tension")?;
-    let (primary_axial_force, _) = smallest("primary.axial_force")?;
-    let (secondary_axial_force, _) = smallest("secondary.axial_force")?;
+    let smallest = |output| limit(&case.model, &solved, (Constant::SlackTension, output), false, options);
+    let (slack_tension, branch) = smallest(Output::PrimaryExitTension)?;
+    let (primary_axial_force, _) = smallest(Output::PrimaryAxialForce)?;
+    let (secondary_axial_force, _) = smallest(Output::SecondaryAxialForce)?;
     Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
 }
 
@@ -131,7 +131,9 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         return Err(DesignError::Given { key: Key::Free, expected });
     }
     let guess = Question::of(case).constants;
-    let least = TIGHT * guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    // Where the secondary drives, the strand that leaves the primary is the tight one.
+    let pull = guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    let least = TIGHT * pull.abs() + (-pull).max(0.0);
     let mut start = case.clone();
     let mut tension = guess[Constant::SlackTension].max(least);
     let mut first = None;
@@ -176,11 +178,10 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
 fn limit(
     model: &Model,
     start: &Solved,
-    (free, path): (Constant, &str),
+    (free, output): (Constant, Output),
     upwards: bool,
     options: &LimitOptions,
 ) -> Result<(Limit, Branch), DesignError> {
-    let Some(output) = Output::named(path) else { return Err(Failure::NoEquations.into()) };
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
@@ -189,18 +190,16 @@ fn limit(
         BranchEnd::Whole => Kind::Collapse,
     };
     let Some(last) = branch.points.last() else { return Err(Failure::NoEquations.into()) };
-    let value = |point: &Point| Outputs::new(&point.solved.belt, &point.solved.solution).value(output);
-    let end = value(last);
+    let end = last.value(output)?;
     // Near the stall curves are flat: a fold there is told from the end by more than the solutions' accuracy.
-    let told_apart = |point: &Point| {
-        let least = TOLD_APART * options.solve.tolerance * end.abs();
-        matches!(kind, Kind::Lost(_)) || (value(point) - end).abs() > least
-    };
+    let least = DISTINCT * options.solve.tolerance * end.abs();
+    let is_distinct = |value: f64| matches!(kind, Kind::Lost(_)) || (value - end).abs() > least;
     let mut folds: Vec<Point> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
     folds.extend(extrema(&branch, output, if upwards { 1.0 } else { -1.0 })?);
-    let limit = match folds.iter().find(|point| told_apart(point)) {
-        Some(fold) => Limit { value: value(fold), kind: Kind::Fold, state: fold.state() },
-        None => Limit { value: end, kind, state: last.state() },
+    let folds = folds.iter().map(|fold| Ok((fold, fold.value(output)?))).collect::<Result<Vec<_>, InternalError>>()?;
+    let limit = match folds.into_iter().find(|(_, value)| is_distinct(*value)) {
+        Some((fold, value)) => Limit { value, kind: Kind::Fold, state: fold.state },
+        None => Limit { value: end, kind, state: last.state },
     };
     Ok((limit, branch))
 }
@@ -225,7 +224,7 @@ fn located(
     branch: &Branch,
     first: (&Point, f64),
     second: (&Point, f64),
-    rate: &dyn Fn(&Point) -> Result<f64, solver::SolveError>,
+    rate: &dyn Fn(&Point) -> Result<f64, DesignError>,
 ) -> Result<Point, DesignError> {
     let (mut a, mut b) = ((first.0.clone(), first.1), (second.0.clone(), second.1));
     for _ in 0..LOCATING {

@@ -4,9 +4,8 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::Belt;
-use super::constants::Constant;
-use super::posedness::IllPosed;
 use super::question::{Known, Question};
+use crate::model::{Constant, Constants, IllPosed, InternalError};
 
 /// Why there is no solution.
 #[derive(Debug, Error)]
@@ -15,6 +14,9 @@ pub enum Failure {
     /// The equations of this model are not known.
     #[error("there are no equations for this choice of model")]
     NoEquations,
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// A warm start without a solution to start from.
     #[error("there is no solution to start from")]
     NoStart,
@@ -75,14 +77,6 @@ pub enum Failure {
     /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
     #[error("a margin against slip is prescribed: a single boundary value problem has none")]
     MarginGiven,
-    /// What is prescribed holds only if the secondary drives.
-    #[error(
-        "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
-    )]
-    Reversed {
-        /// Primary torque, N·m.
-        torque: f64,
-    },
 }
 
 /// How far a prescribed value was approached, SI.
@@ -119,7 +113,6 @@ impl Failure {
     /// tension, for it is loose belts that are lost.
     pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
         let key = |failure: &Self| match failure {
-            Self::Reversed { .. } => (-2.0, 0.0),
             Self::Unreached { .. } => (-1.0, 0.0),
             Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
             _ => (f64::INFINITY, f64::INFINITY),
@@ -133,12 +126,14 @@ impl Failure {
     /// Of a way that was lost at the solution `last`.
     pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
         let Some(last) = last else { return Self::Start(cause) };
-        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-        Self::Lost {
-            torque: value(Constant::PrimaryTorque),
-            slip_threshold: value(Constant::SlipThreshold),
-            slack_tension: value(Constant::SlackTension),
-            cause,
+        match Constants::try_from(last.constants()) {
+            Err(error) => error.into(),
+            Ok(constants) => Self::Lost {
+                torque: constants[Constant::PrimaryTorque],
+                slip_threshold: constants[Constant::SlipThreshold],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 
@@ -150,22 +145,30 @@ impl Failure {
         cause: Box<SolveError>,
     ) -> Self {
         let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
-        let value = |at: usize| last.constants().get(at).copied().unwrap_or(f64::NAN);
+        let constants = match Constants::try_from(last.constants()) {
+            Ok(constants) => constants,
+            Err(error) => return error.into(),
+        };
+        let targets = last.constants().get(Constant::ALL.len()..).unwrap_or_default();
         let target = |known: Known| match known {
-            Known::Constant(constant) => value(constant.index()),
+            Known::Constant(constant) => Ok(constants[constant]),
             Known::Output(output) => {
-                let at = belt.prescribed().iter().position(|other| *other == output);
-                at.map_or(f64::NAN, |at| value(Constant::ALL.len() + at))
+                let at = belt.prescribed().position(|other| other == output);
+                at.and_then(|at| targets.get(at)).copied().ok_or(InternalError::Output(output))
             }
         };
-        let swaps = question.swaps.iter();
-        Self::Unreached {
-            reached: swaps
-                .map(|swap| Reached { name: swap.known.name(), value: target(swap.known), asked: swap.value })
-                .collect(),
-            torque: value(Constant::PrimaryTorque.index()),
-            slack_tension: value(Constant::SlackTension.index()),
-            cause,
+        let reached = question
+            .swaps
+            .iter()
+            .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
+        match reached.collect::<Result<_, InternalError>>() {
+            Err(error) => error.into(),
+            Ok(reached) => Self::Unreached {
+                reached,
+                torque: constants[Constant::PrimaryTorque],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 }

@@ -27,13 +27,17 @@ struct Line<'a> {
 
 impl Reproduction {
     /// Checks the chapters and draws up their figures.
-    pub fn new(chapters: Vec<Chapters>, effort: String) -> Self {
+    ///
+    /// # Errors
+    /// None, unless this program is broken.
+    pub fn new(chapters: Vec<Chapters>, effort: String) -> Result<Self, PlotError> {
         let comparison = comparison(&chapters);
         let with = |chapters: Chapters| {
-            let (checks, figures) = (checks(&chapters), figures(&chapters));
-            (chapters, checks, figures)
+            let (checks, figures) = (checks(&chapters), figures(&chapters)?);
+            Ok((chapters, checks, figures))
         };
-        Self { editions: chapters.into_iter().map(with).collect(), comparison, effort }
+        let editions = chapters.into_iter().map(with).collect::<Result<_, PlotError>>()?;
+        Ok(Self { editions, comparison, effort })
     }
 
     /// Checks of the first edition that are met, and all.

@@ -1,10 +1,11 @@
 //! The clamp that leaves a given margin against slip.
 
-use super::compute::{Outputs, pulley};
+use super::compute::Reading;
 use super::{Outcome, interpret};
 use crate::case::{Clamp, Key, Margin, Resolved};
 use crate::clock::Stopwatch;
-use crate::drive::{Constant, Failure, Question, RegionId, SolveOptions, Solved, solve, solve_along};
+use crate::drive::{Failure, Question, SolveOptions, Solved, solve, solve_along};
+use crate::model::{Constant, InternalError};
 
 /// Slack tension of the start over M/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
@@ -19,10 +20,12 @@ const STRIDE: f64 = 4.0;
 const FINEST: f64 = 1e-9;
 
 /// Share of the friction at hand that the busier pulley uses.
-pub fn utilization(solved: &Solved) -> f64 {
-    let outputs = Outputs::new(&solved.belt, &solved.solution);
-    let of = |region| pulley(&solved.belt, &solved.solution, &outputs, region).friction_utilization;
-    of(RegionId::Primary).max(of(RegionId::Secondary))
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn utilization(solved: &Solved) -> Result<f64, InternalError> {
+    let reading = Reading::new(solved)?;
+    Ok(reading.primary()?.friction_utilization.max(reading.secondary()?.friction_utilization))
 }
 
 /// Solves a case whose clamp is found for a margin: the slack tension at which it holds, by the secant method. The reciprocal
@@ -37,7 +40,7 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
     inner.operating_point.margin = None;
     let mut near = carried(&mut inner, options)?;
     let mut here = near.constant(Constant::SlackTension);
-    let mut used = utilization(&near);
+    let mut used = utilization(&near)?;
     // The tightest belt that uses more than is wanted, and the loosest that uses less.
     let (mut loose, mut tight) = (0.0_f64, f64::INFINITY);
     let mut before: Option<(f64, f64)> = None;
@@ -60,7 +63,7 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
         match solved {
             Ok(solved) => {
                 before = Some((here, used));
-                (here, used, near) = (next, utilization(&solved), solved);
+                (here, used, near) = (next, utilization(&solved)?, solved);
             }
             // Beyond what has a solution: half the way.
             Err(failure) if (next - here).abs() <= 1e-6 * here => {

@@ -1,6 +1,7 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
 mod answers;
+mod component;
 mod compute;
 mod margin;
 mod profile;
@@ -12,7 +13,8 @@ mod warnings;
 use std::collections::BTreeMap;
 
 pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
-pub use compute::{Outputs, Sampled};
+pub use component::{Comparison, Grip, PulleyComparison, compare};
+pub use compute::Sampled;
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
 pub use sensitivity::{Sensitivities, sensitivities};
@@ -22,6 +24,7 @@ pub use warnings::warnings;
 use crate::case::{Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::model::InternalError;
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -56,19 +59,23 @@ pub fn interpret(
     solved: Solved,
     start: Stopwatch,
 ) -> Result<Outcome, Failure> {
-    let mut result = read(case, options, &solved, start);
+    let mut result = read(case, options, &solved, start)?;
     if options.sensitivities {
-        result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
+        result.sensitivities = Some(sensitivities(&solved)?);
     }
     Ok(Outcome { result, solved })
 }
 
-fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Stopwatch) -> DriveResult<Resolved> {
-    let (belt, solution) = (&solved.belt, &solved.solution);
-    let outputs = Outputs::new(belt, solution);
+fn read(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: &Solved,
+    start: Stopwatch,
+) -> Result<DriveResult<Resolved>, InternalError> {
+    let reading = compute::Reading::new(solved)?;
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
-    let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
-    let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
+    let primary = reading.primary()?;
+    let secondary = reading.secondary()?;
     let friction_utilization = primary.friction_utilization.max(secondary.friction_utilization);
     let mut result = DriveResult {
         schema: SCHEMA,
@@ -78,13 +85,13 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Stopwat
         found: BTreeMap::new(),
         primary,
         secondary,
-        tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
-        slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
-        efficiency: compute::efficiency(&outputs),
+        tight_span: reading.tight_span()?,
+        slack_span: reading.slack_span()?,
+        efficiency: reading.efficiency()?,
         slip_reserve: 1.0 - friction_utilization,
         friction_utilization,
-        belt: compute::belt(&outputs, case.belt.length),
-        energy: compute::energy(&outputs),
+        belt: reading.belt(case.belt.length)?,
+        energy: reading.energy()?,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,
@@ -103,11 +110,11 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Stopwat
         sensitivities: None,
     };
     for constant in solved.question.swaps.iter().map(|swap| swap.free) {
-        if let Some(key) = constant.key() {
+        if let Some(key) = Key::of_constant(constant) {
             result.add_found(key, solved.constant(constant));
         }
     }
-    result
+    Ok(result)
 }
 
 impl DriveResult<Resolved> {

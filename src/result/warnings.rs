@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::schema::Pulley;
 use crate::drive::RegionId;
+use crate::model::State;
 
 /// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
 const LITTLE_ADHESION: f64 = 0.02;
@@ -24,7 +25,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(powers(outcome));
     said.extend(compression(outcome));
     for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
-        said.extend(pulled(name, &states(outcome, region, "x")));
+        said.extend(pulled(name, &states(outcome, region, State::Penetration)));
     }
     let result = &outcome.result;
     said.extend(deep("primary", &result.primary));
@@ -35,8 +36,8 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
 }
 
 /// A state at the nodes of a region.
-fn states(outcome: &Outcome, region: RegionId, name: &str) -> Vec<f64> {
-    let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == name);
+fn states(outcome: &Outcome, region: RegionId, state: State) -> Vec<f64> {
+    let at = outcome.solved.belt.kernel(region).state(state);
     let part = outcome.solved.solution.regions().get(region.index());
     at.and_then(|at| Some(part?.state(at).to_vec())).unwrap_or_default()
 }
@@ -76,23 +77,31 @@ fn powers(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// A belt that is pushed somewhere, which a belt does not bear.
+/// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without what the
+/// belt's own inertia adds.
 fn compression(outcome: &Outcome) -> Option<String> {
     let places = [
-        (RegionId::Primary, "T", "on the primary"),
-        (RegionId::SlackSpan, "tau", "in the slack span"),
-        (RegionId::Secondary, "T", "on the secondary"),
-        (RegionId::TightSpan, "tau", "in the tight span"),
+        (RegionId::Primary, State::Tension, "on the primary"),
+        (RegionId::SlackSpan, State::SpanTension, "in the slack span"),
+        (RegionId::Secondary, State::Tension, "on the secondary"),
+        (RegionId::TightSpan, State::SpanTension, "in the tight span"),
     ];
     let tensions = places.map(|(region, state, place)| (states(outcome, region, state), place));
     let largest = tensions.iter().flat_map(|(values, _)| values).fold(0.0_f64, |largest, value| largest.max(*value));
     let least = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
     let (lowest, place) =
         tensions.iter().map(|(values, place)| (least(values), place)).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let centrifugal = outcome.result.belt.mass_flow.powi(2) / outcome.result.inputs.belt.mass_per_length;
+    let whole = lowest + centrifugal;
     (lowest < -COMPRESSION * largest).then(|| {
+        let consequence = if whole < 0.0 {
+            format!("The belt is in compression {place}: its tension falls to {whole:.1} N there, of which")
+        } else {
+            format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
+        };
         format!(
-            "The belt is in compression {place}: the tractive tension falls to {lowest:.1} N there. A belt buckles or \
-             jumps instead; clamp it tighter, or use a belt that bends more easily."
+            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at such a \
+             place; clamp it tighter, or use one that bends more easily."
         )
     })
 }
