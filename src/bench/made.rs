@@ -152,13 +152,15 @@ pub fn truth(
         let outcome = result::run(&resolved, &SolveOptions { tolerance: 1e-5, ..SolveOptions::default() });
         let outcome = outcome.map_err(|failure| fails(failure.to_string()))?;
         let result = outcome.result;
+        let efficiency = result.efficiency.overall;
+        let efficiency = efficiency.ok_or_else(|| fails("the drive takes power from its output".into()))?;
         known.steps.push(Step {
             ratio: outcome.solved.constant(Constant::SecondaryRadius) / primary_radius,
             primary_speed,
             secondary_speed: result.secondary.speed,
             primary_torque: result.primary.torque,
             secondary_torque: result.secondary.torque,
-            efficiency: result.efficiency.overall,
+            efficiency,
         });
     }
     Ok(known)

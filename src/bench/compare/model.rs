@@ -367,6 +367,7 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
     }
     let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(|failure| failure.to_string())?;
     let (efficiency, axial_force) = (outcome.result.efficiency.overall, outcome.result.primary.axial_force);
+    let efficiency = efficiency.ok_or("the drive takes power from its output: it has no efficiency")?;
     let primary_radius = outcome.solved.constant(Constant::PrimaryRadius);
     Ok(Said { efficiency, gradient, axial_force, primary_radius, solved: outcome.solved })
 }
