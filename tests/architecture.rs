@@ -184,7 +184,9 @@ fn no_generated_name_is_matched_as_a_string() {
     let names = generated_names();
     let mut found = Vec::new();
     for (path, lines) in code() {
-        let lines = lines.iter().filter(|line| matches_a_name(line, &names));
+        // A unit of temperature, not the belt's tension.
+        let unit = |line: &str| path == "bench/sheet.rs" && line.contains("\"degF\"");
+        let lines = lines.iter().filter(|line| !unit(line) && matches_a_name(line, &names));
         found.extend(lines.map(|line| format!("{path}: {}", line.trim())));
     }
     assert!(found.is_empty(), "generated names are matched as strings:\n{}", found.join("\n"));
