@@ -11,8 +11,7 @@
 //! ```
 //!
 //! Invariants, held by `tests/interlock.rs` over every state that can be reached, with faults at any moment. *Power*
-//! is an
-//! open throttle together with ignition; what is compared is the truth outside, not what the machine believes.
+//! is an open throttle together with ignition; what is compared is the truth outside, not what the machine believes.
 //!
 //! 1. Power ends within `link_ms` + one step after the link to the measuring device is lost.
 //! 2. Power ends within `brake_ms` + one step after the brake is released.
@@ -21,8 +20,7 @@
 //! 5. Power ends within one step after the emergency stop, an overspeed, or a recording that fails.
 //! 6. Power ends within the run permit of the measuring device (250 ms) + one step after this program dies.
 //! 7. The throttle opens in Running alone, ignition is permitted in Ready and Running alone, and the brake is never
-//! let go
-//!    where the throttle may be open.
+//!    let go where the throttle may be open.
 //! 8. A trip is left only by Acknowledge, after its cause has gone, and leads to Safe.
 //! 9. From every state Safe can be reached again once the faults are gone.
 

@@ -174,7 +174,7 @@ impl SimulatedRig {
     fn pulses(&mut self) {
         let stuck = [self.has(Fault::PrimarySpeedStuck), self.has(Fault::SecondarySpeedStuck)];
         let double = self.has(Fault::DoublePulses);
-        for shaft in 0..2 {
+        for (shaft, stuck) in stuck.into_iter().enumerate() {
             if self.second_pulse[shaft].is_some_and(|time| time <= self.now) {
                 self.second_pulse[shaft] = None;
                 self.pulse(shaft, self.now);
@@ -186,7 +186,7 @@ impl SimulatedRig {
             let late = ((angle - self.passages[shaft]) / speed * 1e6).min(STEP as f64);
             self.passages[shaft] += std::f64::consts::TAU;
             // One in two thousand is missed; the moment is good to 20 µs.
-            if stuck[shaft] || self.noise() > 0.999 {
+            if stuck || self.noise() > 0.999 {
                 continue;
             }
             let at = self.now as f64 - late + 20.0 * self.noise();
