@@ -41,8 +41,21 @@ pub(crate) struct Measure {
     defects: Vec<f64>,
 }
 
-pub(crate) fn measure(defects: &Defects, tolerance: f64) -> Measure {
-    let mut controlled = defects.relative.clone();
+/// Whether defects that rounding explains count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Rounding {
+    Counted,
+    /// Not those up to this size: finer meshes would only raise them.
+    Excused(f64),
+}
+
+pub(crate) fn measure(defects: &Defects, tolerance: f64, rounding: Rounding) -> Measure {
+    let known = |(&defect, &floor): (&f64, &f64)| match rounding {
+        Rounding::Excused(most) if defect <= floor.min(most) => defect.min(tolerance),
+        Rounding::Excused(_) | Rounding::Counted => defect,
+    };
+    let relative: Vec<f64> = defects.relative.iter().zip(&defects.rounding).map(known).collect();
+    let mut controlled = relative.clone();
     let mut failing: Vec<usize> = (0..controlled.len()).filter(|&j| !(controlled[j] <= tolerance)).collect();
     failing.sort_by(|&i, &j| defects.contribution[i].total_cmp(&defects.contribution[j]));
     let mut integral = 0.0;
@@ -54,8 +67,8 @@ pub(crate) fn measure(defects: &Defects, tolerance: f64) -> Measure {
         controlled[j] = tolerance;
     }
     let worst = (0..controlled.len()).max_by(|&i, &j| controlled[i].total_cmp(&controlled[j])).unwrap_or(0);
-    let excused = (0..controlled.len()).any(|j| defects.relative[j] > controlled[j]);
-    let largest = controlled.iter().zip(&defects.relative).filter(|(c, r)| c == r);
+    let excused = (0..controlled.len()).any(|j| relative[j] > controlled[j]);
+    let largest = controlled.iter().zip(&relative).filter(|(c, r)| c == r);
     let largest = largest.fold(0.0_f64, |max, (c, _)| if c.is_nan() { f64::INFINITY } else { max.max(*c) });
     Measure { largest: if excused { largest.max(integral) } else { largest }, worst, defects: controlled }
 }
@@ -77,15 +90,18 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f6
         return if grossly { Verdict::Coarsen(equidistribute(mesh, &wanted, coarse)) } else { Verdict::Keep };
     }
     let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
-    let new = if failing as f64 <= FEW * intervals as f64 || failing <= 2 {
-        let pieces = |&defect: &f64| {
-            if defect <= tolerance {
-                1
-            } else {
-                (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
-            }
-        };
-        split(mesh, &measure.defects.iter().map(pieces).collect::<Vec<_>>())
+    let few = failing as f64 <= FEW * intervals as f64 || failing <= 2;
+    let split_into = |&defect: &f64| {
+        if defect <= tolerance {
+            1
+        } else {
+            (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
+        }
+    };
+    let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();
+    // What would be more intervals than may be is redistributed over as many as may be.
+    let new = if few && (pieces.iter().sum::<usize>() <= max_intervals || intervals >= max_intervals) {
+        split(mesh, &pieces)
     } else {
         // Far from the asymptotic regime the estimate is not to be trusted.
         let growth = if measure.largest > 0.1 { 2.0 } else { 4.0 };
@@ -94,10 +110,26 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f6
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
         equidistribute(mesh, &wanted, target.clamp(least.min(most), most) as usize)
     };
-    let too_fine =
-        new.windows(2).any(|pair| pair[1] - pair[0] <= 8.0 * f64::EPSILON * pair[0].abs().max(pair[1].abs()));
-    if too_fine || new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) {
+    let new = distinct(new);
+    if new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) || new == mesh {
         return Verdict::Exhausted;
     }
     Verdict::Refine(new)
+}
+
+/// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.
+fn distinct(mesh: Vec<f64>) -> Vec<f64> {
+    let close = |a: f64, b: f64| b - a <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+    if !mesh.windows(2).any(|pair| close(pair[0], pair[1])) {
+        return mesh;
+    }
+    let end = mesh[mesh.len() - 1];
+    let mut kept = vec![mesh[0]];
+    for &node in &mesh[1..mesh.len() - 1] {
+        if !close(kept[kept.len() - 1], node) && !close(node, end) {
+            kept.push(node);
+        }
+    }
+    kept.push(end);
+    kept
 }

@@ -6,6 +6,7 @@ use crate::collocation::{Iterate, System};
 use crate::options::Order;
 use crate::problem::{Layout, Problem};
 use crate::stats::Stats;
+use std::fmt;
 
 /// One region of a [`Solution`].
 #[derive(Debug, Clone)]
@@ -162,13 +163,24 @@ pub enum Accuracy {
     },
 }
 
+impl fmt::Display for Shortfall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Uncontrolled => "only the defects were held to the tolerance",
+            Self::WarmStart => "the guess was a solution already, and was kept with its mesh",
+            Self::Mesh => "finer meshes are not allowed, or could not be solved on",
+            Self::Rounding => "smaller defects would be rounding errors",
+        })
+    }
+}
+
 /// Why a solution was not refined until its estimated error met the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shortfall {
     /// Only the defects were to meet the tolerance: [`Control::Defect`](crate::Control::Defect).
     Uncontrolled,
-    /// The guess was a solution already, and was kept with its mesh.
+    /// The guess was a solution already, and was kept with its mesh, since inaccurate solutions are accepted.
     WarmStart,
     /// Finer meshes were not allowed, or could not be solved on.
     Mesh,

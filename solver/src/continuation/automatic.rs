@@ -104,8 +104,11 @@ fn solve_any(
     let budget = Budget::new(options);
     let mut attempt = Attempt { problem, guess, unknowns, options, observer, budget: &budget, stats: Stats::default() };
     let mut outcome = solve_within(problem, guess, unknowns, &direct, attempt.observer, &budget);
-    let short = |solution: &Solution| matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. });
-    if intervals < options.max_intervals && outcome.as_ref().is_ok_and(short) {
+    let short = match &outcome {
+        Ok(solution) => matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. }),
+        Err(error) => matches!(error, SolveError::Inaccurate { because: Shortfall::Mesh, .. }),
+    };
+    if intervals < options.max_intervals && short {
         outcome = solve_within(problem, guess, unknowns, options, attempt.observer, &budget);
     }
     let failure = match outcome {
@@ -180,7 +183,7 @@ impl Attempt<'_> {
         let t = layout.constants.len() - 1;
         let mut start = self.guess.clone();
         start.constants.push(0.0);
-        let way = Options { tolerance: 1e-2, control: Control::Defect, ..self.options.clone() };
+        let way = Options { control: Control::Defect, ..self.options.loosened(1e-2) };
         let options = BranchOptions { solve: way, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
         let (unknowns, budget) = (self.unknowns, self.budget);
         let branch = match trace_within(&homotopy, &start, t, unknowns, &options, &[], self.observer, budget) {

@@ -183,8 +183,7 @@ pub(super) fn follow_within(
     check(layout, start, unknowns, &options.solve).map_err(early)?;
     options.check(from).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
-    let tolerance = options.tolerance.max(options.solve.tolerance);
-    let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
+    let first = Options { control: Control::Defect, ..options.solve.loosened(options.tolerance) };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
     let run = Run::new(problem, plan, &first, observer, budget);
     Follower { run, path, options, way: &way, steps: Vec::new() }.follow(from)
