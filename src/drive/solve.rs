@@ -48,8 +48,8 @@ impl Default for SolveOptions {
 }
 
 impl SolveOptions {
-    /// For the solver. A belt whose estimated error exceeds the tolerance although its defects meet it is a solution all the
-    /// same: the estimate stands beside its outputs.
+    /// For the solver. What is asked of a belt is that its defects meet the tolerance; where a design amplifies them, the
+    /// solver's estimate of the error may exceed it all the same.
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
         Options { tolerance, order, accept_inaccurate: true, ..Options::default() }
