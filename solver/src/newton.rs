@@ -61,6 +61,8 @@ pub(crate) struct Converged {
     pub contraction: f64,
     /// The first correction was already negligible.
     pub at_once: bool,
+    /// No step was damped, and none was taken away from a singular matrix.
+    pub full_steps: bool,
     /// The iteration ended short of its tolerance, at a correction small enough to go on with.
     pub stagnated: Option<NewtonError>,
 }
@@ -77,6 +79,8 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     contraction: Option<f64>,
     /// How often a singular matrix has been stepped away from.
     escapes: usize,
+    /// Whether no step has been damped.
+    full_steps: bool,
 }
 
 /// The step that led to the present iterate.
@@ -134,6 +138,7 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         iteration: 0,
         contraction: None,
         escapes: 0,
+        full_steps: true,
     };
     newton.run(start.clone())
 }
@@ -166,6 +171,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
                 Step::Moved { x: next, simplified, damping, contraction } => {
                     let (from, scales) = (std::mem::replace(&mut x, next), self.factorisation.scales.clone());
+                    self.full_steps &= damping == 1.0;
                     taken = Some(Taken { from, scales, dx, damping });
                     if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
                         match self.simplified_steps(x, &simplified, contraction)? {
@@ -328,6 +334,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             factorisation: self.factorisation,
             contraction: self.contraction.unwrap_or(0.0),
             at_once: self.iteration == 1 && self.contraction.is_none(),
+            full_steps: self.full_steps && self.escapes == 0,
             stagnated,
         })
     }
@@ -440,7 +447,7 @@ impl Converged {
     pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
         let mut factorisation = Factorisation::new(system);
         factorisation.scales = system.scales(&x);
-        Self { x, work, factorisation, contraction: 0.0, at_once: true, stagnated: None }
+        Self { x, work, factorisation, contraction: 0.0, at_once: true, full_steps: true, stagnated: None }
     }
 
     /// The scales a converged iterate was solved with.

@@ -11,6 +11,7 @@ use crate::measure::{Solved, intervals};
 use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
+use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
 use crate::progress::{Found, Next, Progress, Rescue, measured};
@@ -41,6 +42,9 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub contraction: f64,
     /// Whether a guess that is a solution already keeps its mesh, whatever its estimated error.
     pub keep: bool,
+    /// Whether the last solve's solution is the one that its start leads to.
+    pub check: BranchCheck,
+    orientation: Option<Orientation>,
     /// Why the last solve ended if not for a small estimated error.
     shortfall: Shortfall,
 }
@@ -64,6 +68,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             history: Vec::new(),
             contraction: 0.0,
             keep: true,
+            check: BranchCheck::Kept,
+            orientation: None,
             shortfall: Shortfall::Uncontrolled,
         }
     }
@@ -72,6 +78,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let mut progress = Progress::new(self.options, &start);
         self.shortfall = Shortfall::Uncontrolled;
+        (self.check, self.orientation) = (BranchCheck::Kept, None);
         for _ in 0..self.options.max_meshes {
             let found = self.solve_on(start, &mut progress)?;
             let finding = self.judge(&found, &progress);
@@ -197,6 +204,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Ok(converged) => converged,
             Err(failure) => {
                 self.history.push(record);
+                self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
                 return match failure {
                     newton::Failure::Newton(error) => {
                         Ok(Found::Failed(Box::new(Start { grids: system.grids, x }), error))
@@ -205,6 +213,10 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 };
             }
         };
+        let orientation = converged.factorisation.orientation();
+        let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
+        self.check = self.check.and(check).across(self.orientation, orientation);
+        self.orientation = orientation.or(self.orientation);
         let solved = match Solved::new(system, converged, &mut self.stats) {
             Ok(solved) => solved,
             Err(error) => return Ok(Found::Undefined(error)),
@@ -430,6 +442,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,
             accuracy,
+            orientation: solved.converged.factorisation.orientation(),
+            branch_check: self.check,
             stats: self.stats,
             history: self.history.clone(),
         }

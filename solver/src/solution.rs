@@ -4,6 +4,7 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::interpolant::{Basis, Extension};
 use crate::collocation::{Iterate, System};
 use crate::options::Order;
+use crate::orientation::{BranchCheck, Orientation};
 use crate::problem::{Layout, Problem};
 use crate::stats::Stats;
 use std::fmt;
@@ -199,6 +200,8 @@ pub struct Solution {
     pub(crate) max_boundary_residual: f64,
     pub(crate) error_estimate: f64,
     pub(crate) accuracy: Accuracy,
+    pub(crate) orientation: Option<Orientation>,
+    pub(crate) branch_check: BranchCheck,
     pub(crate) stats: Stats,
     pub(crate) history: Vec<MeshRecord>,
 }
@@ -248,6 +251,17 @@ impl Solution {
         self.accuracy
     }
 
+    /// Sign of the determinant of the problem linearised there; none if that is singular or not known.
+    pub fn orientation(&self) -> Option<Orientation> {
+        self.orientation
+    }
+
+    /// Whether this is known to be the solution that the guess leads to, where the problem has several; after a
+    /// continuation, the one that the start of the path leads to.
+    pub fn branch_check(&self) -> BranchCheck {
+        self.branch_check
+    }
+
     /// What it cost.
     pub fn stats(&self) -> &Stats {
         &self.stats
@@ -263,7 +277,8 @@ impl Solution {
         self.regions.iter().map(RegionSolution::intervals).sum()
     }
 
-    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`.
+    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`; the orientation
+    /// does not.
     pub(crate) fn restricted(mut self, layout: &Layout, unknowns: &[usize]) -> Self {
         for (region, inner) in self.regions.iter_mut().zip(&layout.regions) {
             region.integrals.truncate(inner.integrals.len());
@@ -271,6 +286,7 @@ impl Solution {
         }
         self.constants.truncate(layout.constants.len());
         self.unknowns = unknowns.to_vec();
+        self.orientation = None;
         self
     }
 }

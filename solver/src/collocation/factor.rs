@@ -9,6 +9,7 @@ use crate::linear::dense::Lu;
 use crate::linear::reflect::{Rows, with_rows};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
+use crate::orientation::Orientation;
 use crate::problem::Problem;
 
 /// One region: the stretches side by side, then the stretches one after another.
@@ -261,6 +262,24 @@ impl Factorisation {
     /// Rank of the dense system and its size.
     pub(crate) fn rank(&self) -> (usize, usize) {
         (self.border.rank(), self.border.size())
+    }
+
+    /// Sign of the determinant of the linearised problem; none if that is singular.
+    ///
+    /// With B the coefficients of an interval's right node, `[Q 0; A B]` becomes `[R F; 0 Q']` by n reflections, so that the
+    /// sign of det Q' is that of `(-1)^n det Q det B det R`; det B is positive on intervals that resolve the solution. The
+    /// reduced equations `P u_0 + Q u_N = r` are Q times `u_N - Φ u_0 = ...`: the sign of the dense system's determinant over
+    /// those of det Q is that of the boundary conditions' for the problem itself, whatever the mesh.
+    pub(crate) fn orientation(&self) -> Option<Orientation> {
+        let mut sign = self.border.determinant_sign();
+        for region in &self.regions {
+            let lanes = region.lanes.inverse_pivots().flat_map(|lane| lane.0.iter());
+            let positive = lanes.chain(region.top.inverse_pivots()).filter(|pivot| **pivot > 0.0).count();
+            if positive % 2 == 1 {
+                sign = -sign;
+            }
+        }
+        Orientation::of(sign)
     }
 
     /// A dimensionless direction in ends and unknowns that the singular dense system does not see.

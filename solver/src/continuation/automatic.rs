@@ -47,7 +47,8 @@ pub enum How {
 /// A solution, and how it was come by.
 #[derive(Debug, Clone)]
 pub struct Automatic {
-    /// The solution; its work counts are of the last attempt.
+    /// The solution; its work counts are of the last attempt. Its [`branch_check`](Solution::branch_check) says whether it is
+    /// known to be the one that the guess leads to.
     pub solution: Solution,
     /// How.
     pub how: How,
@@ -199,8 +200,9 @@ impl Attempt<'_> {
         let mut end = Guess::from(&last.solution);
         end.constants.truncate(t);
         match solve_within(self.problem, &end, unknowns, self.options, self.observer, budget) {
-            Ok(solution) => {
+            Ok(mut solution) => {
                 self.stats += *solution.stats();
+                solution.branch_check = branch.check.and(solution.branch_check.placed(1.0));
                 Ok(Some((solution, How::Homotopy { points })))
             }
             Err(error) if error.is_interruption() => Err(error),
