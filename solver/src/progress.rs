@@ -27,7 +27,19 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// The solution that the present meshes were made from, while the tolerance is not met.
     pub(crate) coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
+    /// What the defects were held to on the last meshes that were too coarse, and the largest there.
+    last_defect: Option<(f64, f64)>,
+    /// Meshes in a row on which the largest defect has hardly fallen.
+    creeping: usize,
 }
+
+/// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a factor
+/// of 16, a kink in it of 2.
+const SLOW: f64 = 0.9;
+/// So many meshes in a row on which the largest defect hardly falls: splitting a few intervals more does not help,
+const CREEPING: usize = 2;
+/// and so many, where defects are held to less than the tolerance: rounding is what is left of them.
+const STUCK: usize = 5;
 
 impl<P: Problem + ?Sized> Progress<'_, P> {
     pub(crate) fn new(options: &Options, start: &Start) -> Self {
@@ -43,7 +55,26 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             stalled: 0,
             coarser: None,
             fallback_doubled: false,
+            last_defect: None,
+            creeping: 0,
         }
+    }
+
+    /// Notes the largest defect on meshes that are too coarse.
+    pub(crate) fn note(&mut self, largest: f64) {
+        let slow = self.last_defect.is_some_and(|(target, last)| target == self.target && largest > SLOW * last);
+        self.creeping = if slow { self.creeping + 1 } else { 0 };
+        self.last_defect = Some((self.target, largest));
+    }
+
+    /// Whether a few intervals are to be split where only few are too long.
+    pub(crate) fn split_few(&self) -> bool {
+        self.creeping < CREEPING
+    }
+
+    /// Whether finer meshes do not lower the defects any more, although they meet the tolerance.
+    pub(crate) fn is_stuck(&self) -> bool {
+        self.target < self.tolerance && self.creeping >= STUCK
     }
 
     /// Rounding excuses defects only where they are held to less than the tolerance, and only up to the tolerance.

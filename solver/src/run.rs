@@ -15,7 +15,7 @@ use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
 use crate::progress::{Found, Next, Progress, Rescue, measured};
-use crate::refine::{Measure, Rounding, Verdict, verdict};
+use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
 use crate::solution::{Accuracy, MeshRecord, Shortfall, Solution};
 use crate::start::{Start, halved, transfer};
 use crate::stats::Stats;
@@ -113,7 +113,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Finding::Inaccurate;
         }
         let coarser = |verdict: &Verdict| matches!(verdict, Verdict::Coarsen(_));
-        let oversized = !known && self.verdicts(solved, &measures, progress.target).iter().any(coarser);
+        let oversized = !known && self.verdicts(solved, &measures, progress).iter().any(coarser);
         if oversized { Finding::Oversized } else { Finding::Good }
     }
 
@@ -140,6 +140,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             }
             Action::Refine => {
                 let measures = measured(&solved, progress.target, progress.rounding());
+                progress.note(measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest)));
+                if progress.is_stuck()
+                    && let Some(fallback) = progress.fallback.take()
+                {
+                    self.shortfall = Shortfall::Rounding;
+                    return Ok(Next::done(fallback));
+                }
                 match self.refined(&solved, &measures, progress) {
                     Ok(meshes) => {
                         let start = transfer(&solved, meshes);
@@ -152,7 +159,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Action::Tighten => Ok(self.tightened(solved, progress)),
             Action::Coarsen => {
                 let measures = measured(&solved, progress.target, progress.rounding());
-                let verdicts = self.verdicts(&solved, &measures, progress.target).into_iter();
+                let verdicts = self.verdicts(&solved, &measures, progress).into_iter();
                 let meshes = verdicts.zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
                     Verdict::Coarsen(mesh) => mesh,
                     Verdict::Keep | Verdict::Refine(_) | Verdict::Exhausted => grid.mesh.clone(),
@@ -298,7 +305,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let tighter = progress.target < self.options.tolerance;
         let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
-        for (region, verdict) in self.verdicts(solved, measures, progress.target).into_iter().enumerate() {
+        for (region, verdict) in self.verdicts(solved, measures, progress).into_iter().enumerate() {
             let old = &solved.system.grids[region].mesh;
             meshes.push(match verdict {
                 Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
@@ -318,11 +325,15 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         }
     }
 
-    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Vec<Verdict> {
-        let order = self.options.order.tableau().defect_order;
-        let most = self.options.max_intervals;
+    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], progress: &Progress<'a, P>) -> Vec<Verdict> {
+        let wish = Wish {
+            tolerance: progress.target,
+            order: self.options.order.tableau().defect_order,
+            max_intervals: self.options.max_intervals,
+            split_few: progress.split_few(),
+        };
         let regions = solved.system.grids.iter().zip(measures);
-        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, target, order, most)).collect()
+        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()
     }
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
@@ -336,8 +347,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             && let Some(start) = self.tighter(&solved, error, progress)
         {
             progress.coarser = None;
-            if progress.stalled == 0 {
-                (progress.fallback, progress.fallback_doubled) = (Some(*solved), false);
+            if better {
+                progress.fallback = Some(*solved);
+                progress.fallback_doubled &= progress.stalled > 0;
             }
             return Next::On(start);
         }
