@@ -30,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! - [`bvp`]: a problem stated by two closures, in a few lines.
 //! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
@@ -43,6 +44,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod budget;
+pub mod bvp;
 mod collocation;
 mod condensation;
 mod conditioning;

@@ -84,7 +84,7 @@ impl Lu {
     /// Sign of the determinant of the matrix: 1 or -1; 0 if the rank is deficient.
     pub(crate) fn determinant_sign(&self) -> f64 {
         let Some(factors) = self.factors.as_ref().filter(|_| self.rank == self.size()) else { return 0.0 };
-        let pivots: f64 = (0..self.size()).map(|i| factors[(i, i)].signum()).product();
+        let pivots: f64 = (0..self.size()).map(|i| factors.pivot(i).signum()).product();
         pivots * permutation_sign(&self.rows)
     }
 
