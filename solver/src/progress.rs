@@ -36,7 +36,7 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
 /// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a factor
 /// of 16, a kink in it of 2.
 const SLOW: f64 = 0.9;
-/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up for once,
+/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up,
 const CREEPING: usize = 2;
 /// and so many, where defects are held to less than the tolerance: rounding is what is left of them.
 const STUCK: usize = 5;
@@ -67,11 +67,9 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         self.last_defect = Some((self.target, largest));
     }
 
-    /// Whether a few intervals are to be split where only few are too long. While the tolerance is not met, redistributing
-    /// all takes turns with splitting.
+    /// Whether a few intervals are to be split where only few are too long; always, while the tolerance is not met.
     pub(crate) fn split_few(&self) -> bool {
-        let creeping = if self.target < self.tolerance { self.creeping } else { self.creeping % (CREEPING + 1) };
-        creeping < CREEPING
+        self.target >= self.tolerance || self.creeping < CREEPING
     }
 
     /// Whether finer meshes do not lower the defects any more, although they meet the tolerance.
