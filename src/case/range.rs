@@ -23,6 +23,9 @@ pub struct Range {
 }
 
 impl Range {
+    /// Every finite number, whatever its sign.
+    pub const ANY: Self = Self { low: Bound::None, high: Bound::None };
+
     /// Above zero.
     pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
 
@@ -72,6 +75,7 @@ impl fmt::Display for Words<'_> {
             Bound::Closed(low) => bound("", "from", low).map(|()| " and ")?,
         };
         match self.range.high {
+            Bound::None if self.range.low == Bound::None => write!(f, "of either sign"),
             Bound::None => Ok(()),
             Bound::Open(high) => bound(and, "below", high),
             Bound::Closed(high) => bound(and, "up to", high),

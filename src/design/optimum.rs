@@ -10,7 +10,7 @@ use solver::{Functional, Linearisation};
 use super::error::DesignError;
 use super::limit::clamped;
 use super::state::State;
-use crate::case::{Clamp, Resolved};
+use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve_from};
 use crate::model::{Constant, Constants, Output};
 
@@ -75,6 +75,12 @@ struct Trial {
 /// # Errors
 /// See [`DesignError`].
 pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, DesignError> {
+    if let (key @ (Key::PrimaryTorque | Key::SecondaryTorque), torque) = case.operating_point.load.setting()
+        && torque <= 0.0
+    {
+        let expected = "the clamp of best efficiency is sought where the primary drives, for a torque above zero";
+        return Err(DesignError::Given { key, expected });
+    }
     let (case, start) = clamped(case, options)?;
     let mut search = Search { case, options: *options, evaluations: 0 };
     let start = search.trial(start)?;

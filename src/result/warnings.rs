@@ -77,7 +77,8 @@ fn powers(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// A belt that is pushed somewhere, which a belt does not bear.
+/// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without what the
+/// belt's own inertia adds.
 fn compression(outcome: &Outcome) -> Option<String> {
     let places = [
         (RegionId::Primary, State::Tension, "on the primary"),
@@ -90,10 +91,17 @@ fn compression(outcome: &Outcome) -> Option<String> {
     let least = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
     let (lowest, place) =
         tensions.iter().map(|(values, place)| (least(values), place)).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let centrifugal = outcome.result.belt.mass_flow.powi(2) / outcome.result.inputs.belt.mass_per_length;
+    let whole = lowest + centrifugal;
     (lowest < -COMPRESSION * largest).then(|| {
+        let consequence = if whole < 0.0 {
+            format!("The belt is in compression {place}: its tension falls to {whole:.1} N there, of which")
+        } else {
+            format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
+        };
         format!(
-            "The belt is in compression {place}: the tractive tension falls to {lowest:.1} N there. A belt buckles or \
-             jumps instead; clamp it tighter, or use a belt that bends more easily."
+            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at such a \
+             place; clamp it tighter, or use one that bends more easily."
         )
     })
 }
