@@ -8,6 +8,7 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod losses;
 pub mod model;
 pub mod plot;
 pub mod quantity;
