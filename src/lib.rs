@@ -47,6 +47,7 @@ pub mod clock;
 pub mod design;
 pub mod drive;
 mod facade;
+pub mod losses;
 pub mod model;
 pub mod plot;
 pub mod prelude;

@@ -19,8 +19,9 @@ pub use kernels::{
     BELT_PULLEY, BELT_PULLEY_LIMITS, BOUNDARIES, BOUNDARY_AS_PRINTED, BOUNDARY_CONTINUOUS_FULL,
     BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING, BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, CONTACT_FULL_TANH,
     CONTACT_FULL_VISCOUS_COULOMB, CONTACT_LINEARISED_TANH, CONTACT_LINEARISED_VISCOUS_COULOMB, CONTACT_STRING_TANH,
-    CONTACT_STRING_VISCOUS_COULOMB, DRIVE_SIZING, DRIVE_SIZING_IDLER, FORMULAE, OUTPUT_SETS, OUTPUTS, OUTPUTS_STRING,
-    REGIONS, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED, SPAN_AS_PRINTED, SPAN_DERIVED, SPAN_STRING,
+    CONTACT_STRING_VISCOUS_COULOMB, DRIVE_SIZING, DRIVE_SIZING_IDLER, FORMULAE, HYSTERESIS, HYSTERESIS_CONTACT,
+    HYSTERESIS_SPAN, LOSS_BALANCE, OUTPUT_SETS, OUTPUTS, OUTPUTS_STRING, REGIONS, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED,
+    SPAN_AS_PRINTED, SPAN_DERIVED, SPAN_STRING,
 };
 pub use sets::{BeltTheory, FormulaKernel, OutputKernel};
 pub use sweep::Simd;
@@ -29,6 +30,7 @@ pub use types::{
 };
 pub use vocabulary::{
     BeltPulleyInput, BeltPulleyLimit, BeltPulleyLimitInput, BeltPulleyOutput, Constant, DriveSizingIdlerOutput,
-    DriveSizingInput, DriveSizingOutput, Field, Integral, Output, RegionConstant, SimpleDriveInput, SimpleDriveOutput,
-    SimpleDriveResidual, State, UnknownOutput,
+    DriveSizingInput, DriveSizingOutput, Field, HysteresisContactInput, HysteresisContactOutput, HysteresisInput,
+    HysteresisOutput, HysteresisSpanInput, HysteresisSpanOutput, Integral, LossBalanceInput, LossBalanceOutput, Output,
+    RegionConstant, SimpleDriveInput, SimpleDriveOutput, SimpleDriveResidual, State, UnknownOutput,
 };

@@ -59,6 +59,15 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// The belt's temperature does not settle.
+    #[error(
+        "the balance of the belt's heat has no end: at {temperature:.1} K it is still warming or cooling; give a larger \
+         `thermal.heat_transfer`, or smaller softenings"
+    )]
+    Temperature {
+        /// Temperature reached, K.
+        temperature: f64,
+    },
     /// No clamp that was tried leaves the margin against slip that is asked for.
     #[error(
         "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \
@@ -117,7 +126,8 @@ impl Failure {
             | Self::NoStart
             | Self::IllPosed(_)
             | Self::Sensitivities(_)
-            | Self::MarginGiven => None,
+            | Self::MarginGiven
+            | Self::Temperature { .. } => None,
             Self::Start(_) => Some("look for a value in the wrong unit: `inputs` has what was understood, in SI"),
             Self::Lost { .. } | Self::Unreached { .. } => Some(
                 "the belt may slip grossly: `sheave limit` finds the largest torque for a clamp and the smallest clamp for \

@@ -1,6 +1,7 @@
 //! Small models beside the full one: formulae in named inputs, without regions and ends.
 
 pub mod drive;
+pub mod hysteresis;
 pub mod pulley;
 pub mod sizing;
 
@@ -32,7 +33,7 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         sizing::model()?,
         sizing::idler()?,
     ];
-    Ok(models.into_iter().map(Model::Boundary).collect())
+    Ok(models.into_iter().chain(hysteresis::models()?).map(Model::Boundary).collect())
 }
 
 /// A set of formulae on the way: inputs from outside, steps between, and outputs, each a step of its own name.
