@@ -1,5 +1,6 @@
 //! Small models beside the full one: formulae in named inputs, without regions and ends.
 
+pub mod actuator;
 pub mod drive;
 pub mod pulley;
 pub mod sizing;
@@ -25,6 +26,13 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         pulley::limits()?,
         sizing::model()?,
         sizing::idler()?,
+        actuator::flyweight_table()?,
+        actuator::flyweight_ramp()?,
+        actuator::flyweight_arm()?,
+        actuator::spring()?,
+        actuator::helix()?,
+        actuator::travel()?,
+        actuator::vehicle()?,
     ];
     Ok(models.into_iter().map(Model::Boundary).collect())
 }
