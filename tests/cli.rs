@@ -195,5 +195,9 @@ fn derivations_are_printed_in_three_formats() {
     }
     assert_eq!(status(&sheave(&["derive", "--edition", "thesi"])), 2);
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/derivation.md")).unwrap();
-    assert_eq!(stdout(&sheave(&["derive", "--format", "markdown"])), page, "mend it with: cargo run -p eqgen -- write");
+    assert_eq!(
+        stdout(&sheave(&["derive", "--format", "markdown"])),
+        page,
+        "mend it with: cargo run -p sheave-eqgen -- write"
+    );
 }

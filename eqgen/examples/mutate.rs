@@ -1,7 +1,7 @@
 //! Breaks the physics in many small ways and counts how many the tests notice.
 //!
 //! ```text
-//! cargo run -p eqgen --example mutate [-- WORDS]
+//! cargo run -p sheave-eqgen --example mutate [-- WORDS]
 //! ```
 //!
 //! Works on a copy of the workspace under the target folder. Each mutation replaces one piece of text in

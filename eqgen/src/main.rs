@@ -1,16 +1,16 @@
-//! `cargo run -p eqgen -- write` writes the generated files; `-- --check` compares them.
+//! `cargo run -p sheave-eqgen -- write` writes the generated files; `-- --check` compares them.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const COMMAND: &str = "cargo run -p eqgen -- write";
+const COMMAND: &str = "cargo run -p sheave-eqgen -- write";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["write"] => write(),
         ["--check"] => check(),
-        _ => Err(format!("usage: {COMMAND} | cargo run -p eqgen -- --check")),
+        _ => Err(format!("usage: {COMMAND} | cargo run -p sheave-eqgen -- --check")),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,6 @@
 //! Right-hand sides and Jacobians of all four regions, per mesh point, beside another generator's.
 //!
-//! `cargo bench -p generated --no-default-features --bench all_regions [-- PYTHON SCRIPT]`
+//! `cargo bench -p sheave-kernels --no-default-features --bench all_regions [-- PYTHON SCRIPT]`
 //!
 //! Edition `thesis`: two contacts and two spans with their derivatives in states and unknown constants. SCRIPT prints
 //! the peer's time as `…: 0.224 us per point; …` and is run before and after; the smaller of its figures counts, as the

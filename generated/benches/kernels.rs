@@ -1,6 +1,6 @@
 //! Time per point of every kernel function, with every kind of vector this machine has.
 //!
-//! `cargo bench -p generated --no-default-features`; the throughput that criterion prints is points per second.
+//! `cargo bench -p sheave-kernels --no-default-features`; the throughput that criterion prints is points per second.
 #![allow(missing_docs)]
 
 mod common;

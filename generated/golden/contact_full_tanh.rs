@@ -1,5 +1,5 @@
 // contact_full_tanh: The belt in a groove: full shear, tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 30 add, 86 mul, 6 div, 2 sqrt, 3 fn a point; 32 once
 //   jacobian: 132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once

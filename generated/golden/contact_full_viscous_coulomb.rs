@@ -1,5 +1,5 @@
 // contact_full_viscous_coulomb: The belt in a groove: full shear, viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once
 //   jacobian: 133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once

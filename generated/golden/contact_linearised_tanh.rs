@@ -1,5 +1,5 @@
 // contact_linearised_tanh: The belt in a groove: linearised shear, tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 26 add, 74 mul, 6 div, 2 sqrt, 3 fn a point; 39 once
 //   jacobian: 115 add, 313 mul, 7 div, 2 sqrt, 3 fn a point; 92 once

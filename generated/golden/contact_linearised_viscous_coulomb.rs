@@ -1,5 +1,5 @@
 // contact_linearised_viscous_coulomb: The belt in a groove: linearised shear, viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once
 //   jacobian: 116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once

@@ -1,5 +1,5 @@
 // contact_string_tanh: The belt in a groove, without bending stiffness: tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 17 add, 56 mul, 5 div, 2 sqrt, 3 fn a point; 25 once
 //   jacobian: 91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once

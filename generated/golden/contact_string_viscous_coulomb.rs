@@ -1,5 +1,5 @@
 // contact_string_viscous_coulomb: The belt in a groove, without bending stiffness: viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 18 add, 56 mul, 5 div, 2 sqrt, 2 fn a point; 24 once
 //   jacobian: 92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once

@@ -1,5 +1,5 @@
 // span_as_printed: The free belt as Appendix C prints it: L² on the wrong side.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once
 //   jacobian: 17 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 58 once

@@ -1,5 +1,5 @@
 // span_string: The free belt without bending stiffness: a straight line.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 2 add, 3 mul, 1 div, 0 sqrt, 1 fn a point; 9 once
 //   jacobian: 6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once

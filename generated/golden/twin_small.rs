@@ -1,5 +1,5 @@
 // Slow twins of all kernels, for tests: inputs in the plan's order, then rows or equations.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
 
 pub fn simple_drive<N: Number>(inputs: &[N]) -> Vec<N> {
     let omega_I = inputs[0];

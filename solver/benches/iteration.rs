@@ -1,5 +1,5 @@
 //! Time of the parts of one Newton iteration on four regions of 5, 4, 5, 4 states with eight unknown constants,
-//! the right-hand sides being cheap: what the solver itself costs. `cargo bench -p solver --bench iteration`.
+//! the right-hand sides being cheap: what the solver itself costs. `cargo bench -p sheave-solver --bench iteration`.
 
 use solver::{Guess, Layout, Options, Order, Points, Problem, Region, Scope, solve};
 use std::time::Instant;

@@ -2,8 +2,8 @@
 //! to the number of intervals.
 //!
 //! ```text
-//! cargo bench -p solver --bench linear                prints the tables
-//! cargo bench -p solver --bench linear -- --write     and writes docs/solver-cost.csv and docs/solver-cost.svg
+//! cargo bench -p sheave-solver --bench linear                prints the tables
+//! cargo bench -p sheave-solver --bench linear -- --write     and writes docs/solver-cost.csv and docs/solver-cost.svg
 //! ```
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
 

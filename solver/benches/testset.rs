@@ -1,9 +1,9 @@
 //! The whole test set at moderate and hard parameters, as a Markdown table, beside scipy.integrate.solve_bvp.
 //!
 //! ```text
-//! cargo bench -p solver --bench testset                       prints the tables
-//! cargo bench -p solver --bench testset -- --write            and puts them into docs/testset.md
-//! cargo bench -p solver --bench testset -- T28 NERVE          only these
+//! cargo bench -p sheave-solver --bench testset                       prints the tables
+//! cargo bench -p sheave-solver --bench testset -- --write            and puts them into docs/testset.md
+//! cargo bench -p sheave-solver --bench testset -- T28 NERVE          only these
 //! ```
 //!
 //! SciPy is run by `$TESTSET_PYTHON`, else `python3`, if that can import scipy; without it its columns say n/a.

@@ -1,7 +1,7 @@
 //! Bratu's problem `u'' = -λ exp(u)`, `u(0) = u(1) = 0`: the branch of solutions through its fold.
 //!
 //! ```text
-//! cargo run --release -p solver --example bratu
+//! cargo run --release -p sheave-solver --example bratu
 //! ```
 
 use solver::continuation::{BranchOptions, PointKind, trace};

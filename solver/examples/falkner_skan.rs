@@ -5,7 +5,7 @@
 //! `f''(L) = 1e-8`, where the layer counts as ended.
 //!
 //! ```text
-//! cargo run --release -p solver --example falkner_skan
+//! cargo run --release -p sheave-solver --example falkner_skan
 //! ```
 
 use solver::continuation::{PathOptions, Ramp, follow};

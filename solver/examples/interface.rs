@@ -7,7 +7,7 @@
 //! ```
 //!
 //! ```text
-//! cargo run --release -p solver --example interface
+//! cargo run --release -p sheave-solver --example interface
 //! ```
 
 use solver::model::{Differentiated, Model, Scalar};

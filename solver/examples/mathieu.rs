@@ -3,7 +3,7 @@
 //! At q = 0 they are the squares of even numbers, with cosines; from there they are followed to q = 5.
 //!
 //! ```text
-//! cargo run --release -p solver --example mathieu
+//! cargo run --release -p sheave-solver --example mathieu
 //! ```
 
 use solver::continuation::{PathOptions, Ramp, follow};

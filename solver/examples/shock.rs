@@ -6,7 +6,7 @@
 //! smaller ones the solver is told which constant makes the problem hard.
 //!
 //! ```text
-//! cargo run --release -p solver --example shock
+//! cargo run --release -p sheave-solver --example shock
 //! ```
 
 use solver::continuation::{How, Stiffness, solve_automatically};

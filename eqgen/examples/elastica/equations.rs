@@ -39,7 +39,7 @@ const ENDS: &[Row] = &[
 
 const PROVENANCE: Provenance = Provenance {
     source: "eqgen/examples/elastica/equations.rs",
-    command: "cargo run -p eqgen --example elastica_write",
+    command: "cargo run -p sheave-eqgen --example elastica_write",
 };
 
 fn notation(rows: &[&[Row]]) -> Vec<Symbol> {

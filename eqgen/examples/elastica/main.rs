@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! equations.rs                                    what is typed in
-//! cargo run -p eqgen --example elastica_write     derives the kernels and writes them
-//! cargo run -p eqgen --example elastica           solves with them
+//! cargo run -p sheave-eqgen --example elastica_write     derives the kernels and writes them
+//! cargo run -p sheave-eqgen --example elastica           solves with them
 //! ```
 //!
 //! The load is the unknown; Euler's elliptic integral gives it exactly: P/P₁ = (2 K(sin α/2)/π)², P₁ = π² EI/L².

@@ -1,5 +1,5 @@
 // strut: A thin elastic strut under a load at its ends.
-// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p eqgen --example elastica_write` writes it anew.
+// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
 // Operations:
 //   value: 1 add, 1 mul, 0 div, 0 sqrt, 1 fn a point; 4 once
 //   jacobian: 4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once

@@ -53,7 +53,7 @@ pub struct Provenance {
 }
 
 /// Provenance of the belt's kernels.
-pub const BELT: Provenance = Provenance { source: "eqgen/src/physics", command: "cargo run -p eqgen -- write" };
+pub const BELT: Provenance = Provenance { source: "eqgen/src/physics", command: "cargo run -p sheave-eqgen -- write" };
 
 /// The source file of one kernel.
 ///
