@@ -290,6 +290,125 @@ pub fn drive_sizing_idler<N: Number>(inputs: &[N]) -> Vec<N> {
     let reflected_inertia = ((D_in).power(2)) * ((D).power(-2)) * (I_idler);
     vec![reflected_inertia]
 }
+pub fn flyweight_table<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let C = inputs[3];
+    let lost = inputs[4];
+    let force = ((omega).power(2)) * (N) * (m) * (C)
+        * ((N::number(1.0 / 1.0)) + ((N::number(-1.0 / 1.0)) * (lost)));
+    vec![force]
+}
+pub fn flyweight_ramp<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let r = inputs[3];
+    let r_s = inputs[4];
+    let rho = inputs[5];
+    let tan_rho = (rho).tan();
+    let radial = ((omega).power(2)) * (r) * (N) * (m);
+    let force = (radial) * (((N::number(1.0 / 1.0)) + ((r_s) * (tan_rho))).power(-1))
+        * ((r_s) + ((N::number(-1.0 / 1.0)) * (tan_rho)));
+    vec![force]
+}
+pub fn flyweight_arm<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let s = inputs[3];
+    let z_0 = inputs[4];
+    let R_pivot = inputs[5];
+    let R_roller = inputs[6];
+    let l_m = inputs[7];
+    let delta = inputs[8];
+    let xi = inputs[9];
+    let xi_d = inputs[10];
+    let rho = inputs[11];
+    let tan_rho = (rho).tan();
+    let z = (s) + (z_0);
+    let distance = (((z).power(2))
+        + (((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot))).power(2)))
+        .sqrt();
+    let chi = (z).angle((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)));
+    let theta = (chi) + ((N::number(-1.0 / 1.0)) * (xi));
+    let phi_m = (theta) + (delta);
+    let sin_m = (phi_m).sin();
+    let cos_m = (phi_m).cos();
+    let radius = (R_pivot) + ((l_m) * (sin_m));
+    let moment = ((omega).power(2)) * (N) * (m) * (l_m) * (radius) * (cos_m);
+    let tan_e = (distance) * (xi_d);
+    let tan_t = (((N::number(1.0 / 1.0))
+        + ((N::number(-1.0 / 1.0)) * (tan_rho) * (tan_e)))
+        .power(-1)) * ((tan_rho) + (tan_e));
+    let distance_s = ((distance).power(-1)) * (z);
+    let radius_s = (N::number(-1.0 / 1.0)) * ((distance).power(-1)) * (l_m) * (cos_m)
+        * ((((distance).power(-1)) * (z) * (tan_e))
+            + (((distance).power(-1))
+                * ((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)))));
+    let force = (N::number(-1.0 / 1.0)) * ((distance).power(-1)) * (moment)
+        * ((((distance).power(-1)) * (z) * (tan_t))
+            + (((distance).power(-1))
+                * ((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)))));
+    vec![force, distance, distance_s, radius, radius_s, moment]
+}
+pub fn compression_spring<N: Number>(inputs: &[N]) -> Vec<N> {
+    let F_0 = inputs[0];
+    let c = inputs[1];
+    let s = inputs[2];
+    let force = ((s) * (c)) + (F_0);
+    let energy = ((s) * (F_0)) + ((N::number(1.0 / 2.0)) * ((s).power(2)) * (c));
+    vec![force, energy]
+}
+pub fn helix<N: Number>(inputs: &[N]) -> Vec<N> {
+    let kappa = inputs[0];
+    let phi_0 = inputs[1];
+    let phi = inputs[2];
+    let r_h = inputs[3];
+    let tan_alpha = inputs[4];
+    let share = inputs[5];
+    let M = inputs[6];
+    let rho = inputs[7];
+    let tan_rho = (rho).tan();
+    let torque = ((M) * (share)) + ((kappa) * ((phi) + (phi_0)));
+    let force = (N::number(-1.0 / 1.0)) * ((r_h).power(-1)) * (torque)
+        * ((N::number(-1.0 / 1.0)) + ((tan_rho) * (tan_alpha)))
+        * (((tan_rho) + (tan_alpha)).power(-1));
+    let turn = ((r_h).power(-1)) * ((tan_alpha).power(-1));
+    vec![torque, force, turn]
+}
+pub fn sheave_travel<N: Number>(inputs: &[N]) -> Vec<N> {
+    let beta = inputs[0];
+    let R = inputs[1];
+    let R_0 = inputs[2];
+    let tan_beta = (beta).tan();
+    let travel = (N::number(2.0 / 1.0)) * (tan_beta)
+        * ((R) + ((N::number(-1.0 / 1.0)) * (R_0)));
+    vec![travel]
+}
+pub fn vehicle_load<N: Number>(inputs: &[N]) -> Vec<N> {
+    let omega_S = inputs[0];
+    let i_f = inputs[1];
+    let r_w = inputs[2];
+    let m_v = inputs[3];
+    let g_0 = inputs[4];
+    let c_r = inputs[5];
+    let tan_slope = inputs[6];
+    let rho_air = inputs[7];
+    let CdA = inputs[8];
+    let eta_f = inputs[9];
+    let a = inputs[10];
+    let tilt = (N::number(1.0 / 1.0)) + ((tan_slope).power(2));
+    let incline = (tilt).sqrt();
+    let speed = ((i_f).power(-1)) * (omega_S) * (r_w);
+    let resistance = ((N::number(1.0 / 2.0)) * ((speed).power(2)) * (rho_air) * (CdA))
+        + (((incline).power(-1)) * (m_v) * (g_0) * ((tan_slope) + (c_r)));
+    let torque = ((i_f).power(-1)) * ((eta_f).power(-1)) * (r_w)
+        * (((m_v) * (a)) + (resistance));
+    let torque_a = ((i_f).power(-1)) * ((eta_f).power(-1)) * (r_w) * (m_v);
+    vec![speed, resistance, torque, torque_a]
+}
 /// All twins by the names of their kernels.
 #[allow(clippy::type_complexity)]
 pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
@@ -297,6 +416,10 @@ pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
         ("simple_drive", simple_drive:: < N >), ("simple_drive_closed",
         simple_drive_closed:: < N >), ("belt_pulley", belt_pulley:: < N >),
         ("belt_pulley_limits", belt_pulley_limits:: < N >), ("drive_sizing",
-        drive_sizing:: < N >), ("drive_sizing_idler", drive_sizing_idler:: < N >)
+        drive_sizing:: < N >), ("drive_sizing_idler", drive_sizing_idler:: < N >),
+        ("flyweight_table", flyweight_table:: < N >), ("flyweight_ramp", flyweight_ramp::
+        < N >), ("flyweight_arm", flyweight_arm:: < N >), ("compression_spring",
+        compression_spring:: < N >), ("helix", helix:: < N >), ("sheave_travel",
+        sheave_travel:: < N >), ("vehicle_load", vehicle_load:: < N >)
     ]
 }

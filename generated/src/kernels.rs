@@ -57,7 +57,7 @@ macro_rules! boundaries {
 macro_rules! formulae {
     ($($name:ident $constant:ident $doc:literal),* $(,)?) => {
         $(
-            #[allow(non_snake_case, unused_variables, unused_comparisons, clippy::all)]
+            #[allow(non_snake_case, unused_variables, unused_comparisons, unused_imports, clippy::all)]
             mod $name {
                 use super::sized;
                 use crate::function::*;
@@ -125,4 +125,18 @@ formulae! {
         "Torques and inertia at the input of a belt drive (3.21) to (3.27); each equation's residual is an output.",
     drive_sizing_idler DRIVE_SIZING_IDLER
         "Inertia of an idler at the input of a belt drive; each equation's residual is an output.",
+    flyweight_table FLYWEIGHT_TABLE
+        "Axial force of flyweights whose radius times its slope over the shift is known (9.2).",
+    flyweight_ramp FLYWEIGHT_RAMP
+        "Axial force of flyweights that slide along a radius against a ramp.",
+    flyweight_arm FLYWEIGHT_ARM
+        "Axial force of pivoted cam arms that bear on rollers.",
+    compression_spring COMPRESSION_SPRING
+        "Force of a compression spring.",
+    helix HELIX
+        "Axial force of a helix and its torsion spring.",
+    sheave_travel SHEAVE_TRAVEL
+        "Travel of a movable sheave from the belt's radius.",
+    vehicle_load VEHICLE_LOAD
+        "Torque that a vehicle takes from the secondary.",
 }

@@ -119,6 +119,7 @@ pub fn flyweight_arm() -> Result<BoundaryModel, Error> {
     let plan = &mut sheet.plan;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
     plan.nonzero("distance", "pivot and roller stand apart")?;
+    plan.nonzero("(R_roller - R_pivot)^2 + z^2", "pivot and roller stand apart")?;
     plan.nonzero("1 - tan_e*tan_rho", "the friction angle stays below the pressure angle's complement")?;
     plan.apply("tan_rho", Function::Tan, &["rho"], "ρ")?;
     plan.primitive("z", "z_0 + s", "kinematics")?;
@@ -224,7 +225,7 @@ const VEHICLE_INPUTS: &[Row] = &[
     ("i_f", "i_f", "", "turns of the secondary for a turn of the wheel"),
     ("r_w", "r_w", "m", "rolling radius of the wheel"),
     ("m_v", "m_v", "kg", "mass of the vehicle with its driver"),
-    ("g", "g", "m/s^2", "acceleration of gravity"),
+    ("g_0", "g", "m/s^2", "acceleration of gravity"),
     ("c_r", "c_r", "", "coefficient of rolling resistance"),
     ("tan_slope", "tan α_g", "", "grade of the ground, rise over run"),
     ("rho_air", "ρ_air", "kg/m^3", "density of the air"),
@@ -250,13 +251,13 @@ pub fn vehicle() -> Result<BoundaryModel, Error> {
     ];
     let mut sheet = Sheet::new(VEHICLE_INPUTS, steps, outputs)?;
     let plan = &mut sheet.plan;
-    for (text, reason) in [("i_f", "a ratio"), ("eta_f", "an efficiency"), ("incline", "at least one")] {
+    for (text, reason) in [("i_f", "a ratio"), ("eta_f", "an efficiency"), ("incline", "at least one"), ("tilt", "at least one")] {
         plan.nonzero(text, reason)?;
     }
     plan.primitive("tilt", "1 + tan_slope^2", "grade")?;
     plan.apply("incline", Function::Sqrt, &["tilt"], "grade")?;
     plan.primitive("speed", "omega_S*r_w/i_f", "kinematics")?;
-    plan.primitive("resistance", "m_v*g*(c_r + tan_slope)/incline + rho_air*CdA*speed^2/2", "resistance")?;
+    plan.primitive("resistance", "m_v*g_0*(c_r + tan_slope)/incline + rho_air*CdA*speed^2/2", "resistance")?;
     // Power: η_f M ω_S = (resistance + m a) v.
     let power = read("power", "eta_f*M*omega_S - (resistance + m_v*a)*v")?;
     let power = substitute(&power, &[("v", read("power", "omega_S*r_w/i_f")?)]);

@@ -1,0 +1,85 @@
+// sheave_travel: Travel of a movable sheave from the belt's radius.
+// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Operations:
+//   value: 6 operations
+//   jacobian: 11 operations
+
+///Structurally nonzero derivatives.
+const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2)];
+///Travel of a movable sheave from the belt's radius.
+pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+    name: "sheave_travel",
+    equations: &[
+        Equation {
+            name: "travel",
+            doc: "axial travel of the movable sheave, positive where it closes, m",
+        },
+    ],
+    ends: &[],
+    integrals: &[],
+    constants: &[
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            doc: "half angle of the groove",
+        },
+        Symbol {
+            name: "R",
+            symbol: "R",
+            unit: "m",
+            doc: "radius of the belt on the pulley",
+        },
+        Symbol {
+            name: "R_0",
+            symbol: "R_0",
+            unit: "m",
+            doc: "radius of the belt where the travel is zero",
+        },
+    ],
+    pattern: PATTERN,
+    value,
+    jacobian: derivatives,
+};
+///Residuals.
+fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+    assert!(ends.len() >= 0, "ends: too few values");
+    assert!(integrals.len() >= 0, "integrals: too few values");
+    assert!(constants.len() >= 3, "constants: too few values");
+    let g = sized(g, 1, "g");
+    let R = constants[1];
+    let R_0 = constants[2];
+    let beta = constants[0];
+    let (sin_beta, cos_beta) = sin_cos(beta);
+    let tan_beta = sin_beta * reciprocal(cos_beta);
+    let travel = (R - R_0) * (tan_beta * 2.0);
+    g[0] = travel;
+}
+///Residuals and their derivatives.
+fn derivatives(
+    ends: &[f64],
+    integrals: &[f64],
+    constants: &[f64],
+    g: &mut [f64],
+    dz: &mut [f64],
+) {
+    assert!(ends.len() >= 0, "ends: too few values");
+    assert!(integrals.len() >= 0, "integrals: too few values");
+    assert!(constants.len() >= 3, "constants: too few values");
+    let g = sized(g, 1, "g");
+    let dz = sized(dz, PATTERN.len(), "dz");
+    let R = constants[1];
+    let R_0 = constants[2];
+    let t1 = R - R_0;
+    let beta = constants[0];
+    let (sin_beta, cos_beta) = sin_cos(beta);
+    let tan_beta = sin_beta * reciprocal(cos_beta);
+    let d_travel_d_R = tan_beta * 2.0;
+    let travel = t1 * d_travel_d_R;
+    g[0] = travel;
+    let d_travel_d_beta = (1.0 + tan_beta * tan_beta) * (2.0 * t1);
+    dz[0] = d_travel_d_beta;
+    dz[1] = d_travel_d_R;
+    let d_travel_d_R_0 = -d_travel_d_R;
+    dz[2] = d_travel_d_R_0;
+}
