@@ -146,6 +146,69 @@ pub fn flyweight_arm() -> Result<BoundaryModel, Error> {
     Ok(sheet.finish("flyweight_arm", "Axial force of pivoted cam arms that bear on rollers."))
 }
 
+const ROLLER_INPUTS: &[Row] = &[
+    COUNT,
+    MASS,
+    SPEED,
+    ("theta", "θ", "rad", "angle of the arm from the shaft's axis outwards, pivot to roller"),
+    ("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft"),
+    ("l_roller", "l_r", "m", "distance of the roller's centre from the pivot"),
+    ("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot"),
+    ("delta", "δ", "rad", "angle from the line to the roller to that to the centre of mass"),
+    ("h", "h", "m", "radius from the shaft to which the ramp lets the roller's centre, where the roller is"),
+    ("h_x", "dh/dx", "", "slope of that radius along the ramp"),
+    FRICTION,
+];
+
+const ROLLER_STEPS: &[Row] = &[
+    TANGENT,
+    ("sin_r", "sin θ", "", "sine of the arm's angle"),
+    ("cos_r", "cos θ", "", "cosine of the arm's angle"),
+    ("h_t", "", "", "slope of the ramp, turned by friction"),
+];
+
+const ROLLER_OUTPUTS: &[Row] = &[
+    FORCE,
+    ("gap", "", "m", "radius that the roller's centre has beyond the ramp: zero where it bears on it"),
+    ("along", "", "m", "how far the roller's centre lies from the pivot along the shaft"),
+    ("theta_s", "dθ/ds", "rad/m", "turn of the arm over the travel, without friction"),
+    ("radius", "r_m", "m", "radius of the centre of mass from the shaft"),
+    ("radius_s", "dr_m/ds", "", "its slope over the travel without friction"),
+    ("moment", "M_c", "N m", "moment of the centrifugal forces about the pivots"),
+];
+
+/// A pivoted arm whose roller bears on a ramp of the movable sheave: at the travel s the roller stands at
+/// x = x_0 + s − l_r cos θ on the ramp.
+///
+/// # Errors
+/// If an equation is inconsistent; the message names it.
+pub fn flyweight_roller() -> Result<BoundaryModel, Error> {
+    let mut sheet = Sheet::new(ROLLER_INPUTS, ROLLER_STEPS, ROLLER_OUTPUTS)?;
+    let plan = &mut sheet.plan;
+    plan.nonzero("l_roller", "the roller stands off the pivot")?;
+    plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
+    plan.nonzero("1 + h_x*tan_rho", "the friction angle stays below the ramp's complement")?;
+    plan.nonzero("cos_r - h_x*sin_r", "the arm is not at right angles to the ramp")?;
+    plan.nonzero("cos_r - h_t*sin_r", "the arm is not at right angles to the ramp, friction included")?;
+    plan.apply("tan_rho", Function::Tan, &["rho"], "ρ")?;
+    plan.primitive("sin_r", "sin(theta)", "kinematics")?;
+    plan.primitive("cos_r", "cos(theta)", "kinematics")?;
+    plan.primitive("gap", "R_pivot + l_roller*sin_r - h", "contact")?;
+    plan.primitive("along", "l_roller*cos_r", "kinematics")?;
+    plan.primitive("radius", "R_pivot + l_m*sin(theta + delta)", "kinematics")?;
+    plan.primitive("moment", "N*m*omega^2*radius*l_m*cos(theta + delta)", "centrifugal moment")?;
+    plan.primitive("h_t", "(h_x - tan_rho)/(1 + h_x*tan_rho)", "ρ")?;
+    // The roller stays on the ramp: l_r cos θ θ' = h_x (1 + l_r sin θ θ').
+    let turn = |slope: &str| {
+        let contact = format!("l_roller*cos_r*p - {slope}*(1 + l_roller*sin_r*p)");
+        solve_linear(&read("dθ/ds", &contact)?, "p")
+    };
+    plan.derived("theta_s", turn("h_x")?, "contact")?;
+    plan.derived("radius_s", read("slope", "l_m*cos(theta + delta)")? * turn("h_x")?, "kinematics")?;
+    plan.derived("force", read("force", "moment")? * turn("h_t")?, "virtual work")?;
+    Ok(sheet.finish("flyweight_roller", "Axial force of pivoted arms whose rollers bear on ramps of the movable sheave."))
+}
+
 const SPRING_INPUTS: &[Row] = &[
     ("F_0", "F_0", "N", "force of the spring at s = 0"),
     ("c", "c", "N/m", "rate of the spring"),

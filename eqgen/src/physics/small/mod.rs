@@ -29,6 +29,7 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         actuator::flyweight_table()?,
         actuator::flyweight_ramp()?,
         actuator::flyweight_arm()?,
+        actuator::flyweight_roller()?,
         actuator::spring()?,
         actuator::helix()?,
         actuator::travel()?,
