@@ -48,6 +48,17 @@ pub enum ProfileError {
     },
 }
 
+/// A curve at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// Its value.
+    pub value: f64,
+    /// Its first derivative, continuous.
+    pub slope: f64,
+    /// Its second derivative, which jumps at the table's points.
+    pub curvature: f64,
+}
+
 /// A smooth curve through the points of a table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Points", into = "Points")]
@@ -127,12 +138,12 @@ impl Profile {
         &self.values
     }
 
-    /// Value and slope at a place.
-    pub fn at(&self, place: f64) -> (f64, f64) {
+    /// The curve at a place.
+    pub fn at(&self, place: f64) -> Jet {
         let (first, last) = self.domain();
         let end = |at: usize| {
             let (value, slope) = (self.values[at], self.slopes[at]);
-            (value + slope * (place - self.places[at]), slope)
+            Jet { value: value + slope * (place - self.places[at]), slope, curvature: 0.0 }
         };
         if place <= first {
             return end(0);
@@ -149,7 +160,11 @@ impl Profile {
         // Cubic Hermite form, and its derivative.
         let secant = b - a;
         let (c, d) = (3.0 * secant - 2.0 * da - db, da + db - 2.0 * secant);
-        (a + t * (da + t * (c + t * d)), (da + t * (2.0 * c + 3.0 * t * d)) / width)
+        Jet {
+            value: a + t * (da + t * (c + t * d)),
+            slope: (da + t * (2.0 * c + 3.0 * t * d)) / width,
+            curvature: (2.0 * c + 6.0 * t * d) / (width * width),
+        }
     }
 
     /// Integral from the first place of the table to `place`.
@@ -157,7 +172,7 @@ impl Profile {
         // Simpson's rule is exact for cubics, and straight lines continue the ends.
         let part = |from: f64, to: f64| {
             let middle = 0.5 * (from + to);
-            (to - from) / 6.0 * (self.at(from).0 + 4.0 * self.at(middle).0 + self.at(to).0)
+            (to - from) / 6.0 * (self.at(from).value + 4.0 * self.at(middle).value + self.at(to).value)
         };
         let (first, last) = self.domain();
         let inside = place.clamp(first, last);
@@ -205,12 +220,33 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// scipy.interpolate.PchipInterpolator([0, 1, 2.5, 4, 5], [0, 2, 2.5, 1, 3]) at these places, SciPy 1.13.
+    /// SciPy 1.17: `p = scipy.interpolate.PchipInterpolator([0, 1, 2.5, 4, 5], [0, 2, 2.5, 1, 3])`; place, `p`, its
+    /// derivative and its integral from 0.
+    #[test]
+    fn it_is_what_scipy_interpolates() {
+        let table = Profile::new(vec![0.0, 1.0, 2.5, 4.0, 5.0], vec![0.0, 2.0, 2.5, 1.0, 3.0]).unwrap();
+        for (place, value, slope, integral) in [
+            (0.0, 0.0, 2.666666666666667, 0.0),
+            (0.4, 1.0304, 2.368, 0.2100622222222223),
+            (1.0, 2.0, 0.6, 1.172222222222222),
+            (1.9, 2.4104, 0.288, 3.177962222222222),
+            (3.1, 1.972, -1.44, 6.044522222222222),
+            (4.6, 1.8352, 2.496, 8.060402222222221),
+            (5.0, 3.0, 3.2, 9.018055555555554),
+        ] {
+            let jet = table.at(place);
+            let found = [jet.value, jet.slope, table.integral(place)];
+            for (found, scipy) in found.into_iter().zip([value, slope, integral]) {
+                assert!((found - scipy).abs() < 1e-13, "at {place}: {found}, SciPy {scipy}");
+            }
+        }
+    }
+
     #[test]
     fn a_straight_table_gives_a_straight_line() {
         let line = Profile::new(vec![0.0, 0.5, 2.0], vec![1.0, 2.0, 5.0]).unwrap();
         for place in [-3.0, 0.0, 0.3, 1.7, 9.0] {
-            let (value, slope) = line.at(place);
+            let Jet { value, slope, .. } = line.at(place);
             assert!((value - (1.0 + 2.0 * place)).abs() < 1e-14 && (slope - 2.0).abs() < 1e-14, "{place}: {value}, {slope}");
         }
         assert!((line.integral(2.0) - 6.0).abs() < 1e-14 && (line.integral(-1.0) + 0.0).abs() < 1e-14);
@@ -233,17 +269,17 @@ mod tests {
             let (places, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
             let profile = Profile::new(places.clone(), values).unwrap();
             for (place, value) in points {
-                prop_assert!((profile.at(place).0 - value).abs() < 1e-12);
+                prop_assert!((profile.at(place).value - value).abs() < 1e-12);
             }
             let (first, last) = profile.domain();
             let mut before = f64::NEG_INFINITY;
             for i in 0..=200 {
                 let place = first + (last - first) * f64::from(i) / 200.0;
-                let (value, slope) = profile.at(place);
+                let Jet { value, slope, .. } = profile.at(place);
                 prop_assert!(value >= before - 1e-12 && slope >= -1e-12, "{} {}", value, slope);
                 before = value;
                 let h = 1e-6;
-                let difference = (profile.at(place + h).0 - profile.at(place - h).0) / (2.0 * h);
+                let difference = (profile.at(place + h).value - profile.at(place - h).value) / (2.0 * h);
                 prop_assert!((difference - slope).abs() < 1e-4 * (1.0 + slope.abs()), "{} {}", difference, slope);
                 let area = (profile.integral(place + h) - profile.integral(place - h)) / (2.0 * h);
                 prop_assert!((area - value).abs() < 1e-6 * (1.0 + value.abs()), "{} {}", area, value);
