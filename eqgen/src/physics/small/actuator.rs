@@ -9,25 +9,25 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::{Row, Sheet};
+use super::{Row, Sheet, row};
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
 use crate::physics::model::BoundaryModel;
 use crate::plan::{Function, read};
 
-const COUNT: Row = ("N", "N", "", "number of flyweights");
-const MASS: Row = ("m", "m", "kg", "mass of one flyweight");
-const SPEED: Row = ("omega", "ω", "rad/s", "speed of the pulley that carries the flyweights");
-const FRICTION: Row = ("rho", "ρ", "rad", "friction angle of the contact, negative where the sheave opens");
-const TANGENT: Row = ("tan_rho", "tan ρ", "", "friction coefficient of the contact, with the sign of ρ");
-const FORCE: Row = ("force", "F_fly", "N", "axial force of all flyweights on the movable sheave");
+const COUNT: Row = row("N", "N", "", "number of flyweights").identity("Count", "");
+const MASS: Row = row("m", "m", "kg", "mass of one flyweight").identity("Mass", "");
+const SPEED: Row = row("omega", "ω", "rad/s", "speed of the pulley that carries the flyweights").identity("Speed", "");
+const FRICTION: Row = row("rho", "ρ", "rad", "friction angle of the contact, negative where the sheave opens").identity("FrictionAngle", "");
+const TANGENT: Row = row("tan_rho", "tan ρ", "", "friction coefficient of the contact, with the sign of ρ");
+const FORCE: Row = row("force", "F_fly", "N", "axial force of all flyweights on the movable sheave").identity("Force", "");
 
 const TABLE_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    ("C", "C", "m", "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench"),
-    ("lost", "f", "", "share of the force that friction takes, negative where the sheave opens"),
+    row("C", "C", "m", "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench").identity("Coefficient", ""),
+    row("lost", "f", "", "share of the force that friction takes, negative where the sheave opens").identity("Lost", ""),
 ];
 
 /// A flyweight of which only r dr/ds is known, as (9.2) states it.
@@ -35,7 +35,7 @@ const TABLE_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn flyweight_table() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(TABLE_INPUTS, &[], &[FORCE])?;
+    let mut sheet = Sheet::new(("FlyweightTableInput", TABLE_INPUTS), &[], ("FlyweightTableOutput", &[FORCE]))?;
     sheet.plan.primitive("force", "N*m*omega^2*C*(1 - lost)", "(9.2)")?;
     Ok(sheet.finish("flyweight_table", "Axial force of flyweights whose radius times its slope over the shift is known."))
 }
@@ -44,8 +44,8 @@ const RAMP_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    ("r", "r", "m", "radius of a flyweight's centre of mass"),
-    ("r_s", "dr/ds", "", "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius"),
+    row("r", "r", "m", "radius of a flyweight's centre of mass").identity("Radius", ""),
+    row("r_s", "dr/ds", "", "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius").identity("RadiusSlope", ""),
     FRICTION,
 ];
 
@@ -54,8 +54,8 @@ const RAMP_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn flyweight_ramp() -> Result<BoundaryModel, Error> {
-    let steps = &[TANGENT, ("radial", "N m r ω²", "N", "centrifugal force of all flyweights")];
-    let mut sheet = Sheet::new(RAMP_INPUTS, steps, &[FORCE])?;
+    let steps = &[TANGENT, row("radial", "N m r ω²", "N", "centrifugal force of all flyweights")];
+    let mut sheet = Sheet::new(("FlyweightRampInput", RAMP_INPUTS), steps, ("FlyweightRampOutput", &[FORCE]))?;
     let plan = &mut sheet.plan;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
     plan.nonzero("1 + r_s*tan_rho", "the friction angle stays below the ramp's complement")?;
@@ -77,36 +77,36 @@ const ARM_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    ("s", "s", "m", "travel of the movable sheave, positive where it closes"),
-    ("z_0", "z_0", "m", "axial distance from the arm's pivot to the roller's centre at s = 0"),
-    ("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft"),
-    ("R_roller", "R_r", "m", "radius of the roller's centre from the shaft"),
-    ("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot"),
-    ("delta", "δ", "rad", "angle of the centre of mass in the arm"),
-    ("xi", "ξ", "rad", "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve"),
-    ("xi_d", "dξ/dd", "rad/m", "slope of the pitch curve over the distance"),
+    row("s", "s", "m", "travel of the movable sheave, positive where it closes").identity("Travel", ""),
+    row("z_0", "z_0", "m", "axial distance from the arm's pivot to the roller's centre at s = 0").identity("Start", ""),
+    row("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft").identity("PivotRadius", ""),
+    row("R_roller", "R_r", "m", "radius of the roller's centre from the shaft").identity("RollerRadius", ""),
+    row("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot").identity("MassDistance", ""),
+    row("delta", "δ", "rad", "angle of the centre of mass in the arm").identity("MassAngle", ""),
+    row("xi", "ξ", "rad", "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve").identity("PitchAngle", ""),
+    row("xi_d", "dξ/dd", "rad/m", "slope of the pitch curve over the distance").identity("PitchSlope", ""),
     FRICTION,
 ];
 
 const ARM_STEPS: &[Row] = &[
     TANGENT,
-    ("z", "z", "m", "axial distance from the pivot to the roller's centre"),
-    ("chi", "χ", "rad", "direction from the pivot to the roller's centre, from the shaft's axis outwards"),
-    ("theta", "θ", "rad", "angle of the arm"),
-    ("phi_m", "θ + δ", "rad", "direction from the pivot to the centre of mass, from the shaft's axis outwards"),
-    ("sin_m", "sin(θ + δ)", "", "its sine"),
-    ("cos_m", "cos(θ + δ)", "", "its cosine"),
-    ("tan_e", "tan ε", "", "tangent of the angle from the line between pivot and roller to the pitch curve"),
-    ("tan_t", "tan(ε + ρ)", "", "the same, turned by friction"),
+    row("z", "z", "m", "axial distance from the pivot to the roller's centre"),
+    row("chi", "χ", "rad", "direction from the pivot to the roller's centre, from the shaft's axis outwards"),
+    row("theta", "θ", "rad", "angle of the arm").identity("ArmAngle", ""),
+    row("phi_m", "θ + δ", "rad", "direction from the pivot to the centre of mass, from the shaft's axis outwards"),
+    row("sin_m", "sin(θ + δ)", "", "its sine"),
+    row("cos_m", "cos(θ + δ)", "", "its cosine"),
+    row("tan_e", "tan ε", "", "tangent of the angle from the line between pivot and roller to the pitch curve"),
+    row("tan_t", "tan(ε + ρ)", "", "the same, turned by friction"),
 ];
 
 const ARM_OUTPUTS: &[Row] = &[
     FORCE,
-    ("distance", "d", "m", "distance from the pivot to the roller's centre, at which the pitch curve is to be read"),
-    ("distance_s", "dd/ds", "", "its slope over the travel"),
-    ("radius", "r_m", "m", "radius of the centre of mass from the shaft"),
-    ("radius_s", "dr_m/ds", "", "its slope over the travel without friction"),
-    ("moment", "M_c", "N m", "moment of the centrifugal forces about the pivots"),
+    row("distance", "d", "m", "distance from the pivot to the roller's centre, at which the pitch curve is to be read").identity("Distance", ""),
+    row("distance_s", "dd/ds", "", "its slope over the travel").identity("DistanceSlope", ""),
+    row("radius", "r_m", "m", "radius of the centre of mass from the shaft").identity("Radius", ""),
+    row("radius_s", "dr_m/ds", "", "its slope over the travel without friction").identity("RadiusSlope", ""),
+    row("moment", "M_c", "N m", "moment of the centrifugal forces about the pivots").identity("Moment", ""),
 ];
 
 /// A pivoted cam arm against a roller. The pitch curve ξ(d) is where the roller's centre may lie in the arm's own polar
@@ -115,7 +115,7 @@ const ARM_OUTPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn flyweight_arm() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(ARM_INPUTS, ARM_STEPS, ARM_OUTPUTS)?;
+    let mut sheet = Sheet::new(("FlyweightArmInput", ARM_INPUTS), ARM_STEPS, ("FlyweightArmOutput", ARM_OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
     plan.nonzero("distance", "pivot and roller stand apart")?;
@@ -150,31 +150,31 @@ const ROLLER_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    ("theta", "θ", "rad", "angle of the arm from the shaft's axis outwards, pivot to roller"),
-    ("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft"),
-    ("l_roller", "l_r", "m", "distance of the roller's centre from the pivot"),
-    ("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot"),
-    ("delta", "δ", "rad", "angle from the line to the roller to that to the centre of mass"),
-    ("h", "h", "m", "radius from the shaft to which the ramp lets the roller's centre, where the roller is"),
-    ("h_x", "dh/dx", "", "slope of that radius along the ramp"),
+    row("theta", "θ", "rad", "angle of the arm from the shaft's axis outwards, pivot to roller").identity("ArmAngle", ""),
+    row("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft").identity("PivotRadius", ""),
+    row("l_roller", "l_r", "m", "distance of the roller's centre from the pivot").identity("ArmLength", ""),
+    row("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot").identity("MassDistance", ""),
+    row("delta", "δ", "rad", "angle from the line to the roller to that to the centre of mass").identity("MassAngle", ""),
+    row("h", "h", "m", "radius from the shaft to which the ramp lets the roller's centre, where the roller is").identity("RampRadius", ""),
+    row("h_x", "dh/dx", "", "slope of that radius along the ramp").identity("RampSlope", ""),
     FRICTION,
 ];
 
 const ROLLER_STEPS: &[Row] = &[
     TANGENT,
-    ("sin_r", "sin θ", "", "sine of the arm's angle"),
-    ("cos_r", "cos θ", "", "cosine of the arm's angle"),
-    ("h_t", "", "", "slope of the ramp, turned by friction"),
+    row("sin_r", "sin θ", "", "sine of the arm's angle"),
+    row("cos_r", "cos θ", "", "cosine of the arm's angle"),
+    row("h_t", "", "", "slope of the ramp, turned by friction"),
 ];
 
 const ROLLER_OUTPUTS: &[Row] = &[
     FORCE,
-    ("gap", "", "m", "radius that the roller's centre has beyond the ramp: zero where it bears on it"),
-    ("along", "", "m", "how far the roller's centre lies from the pivot along the shaft"),
-    ("theta_s", "dθ/ds", "rad/m", "turn of the arm over the travel, without friction"),
-    ("radius", "r_m", "m", "radius of the centre of mass from the shaft"),
-    ("radius_s", "dr_m/ds", "", "its slope over the travel without friction"),
-    ("moment", "M_c", "N m", "moment of the centrifugal forces about the pivots"),
+    row("gap", "", "m", "radius that the roller's centre has beyond the ramp: zero where it bears on it").identity("Gap", ""),
+    row("along", "", "m", "how far the roller's centre lies from the pivot along the shaft").identity("Along", ""),
+    row("theta_s", "dθ/ds", "rad/m", "turn of the arm over the travel, without friction").identity("AngleSlope", ""),
+    row("radius", "r_m", "m", "radius of the centre of mass from the shaft").identity("Radius", ""),
+    row("radius_s", "dr_m/ds", "", "its slope over the travel without friction").identity("RadiusSlope", ""),
+    row("moment", "M_c", "N m", "moment of the centrifugal forces about the pivots").identity("Moment", ""),
 ];
 
 /// A pivoted arm whose roller bears on a ramp of the movable sheave: at the travel s the roller stands at
@@ -183,7 +183,7 @@ const ROLLER_OUTPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn flyweight_roller() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(ROLLER_INPUTS, ROLLER_STEPS, ROLLER_OUTPUTS)?;
+    let mut sheet = Sheet::new(("FlyweightRollerInput", ROLLER_INPUTS), ROLLER_STEPS, ("FlyweightRollerOutput", ROLLER_OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("l_roller", "the roller stands off the pivot")?;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
@@ -210,9 +210,9 @@ pub fn flyweight_roller() -> Result<BoundaryModel, Error> {
 }
 
 const SPRING_INPUTS: &[Row] = &[
-    ("F_0", "F_0", "N", "force of the spring at s = 0"),
-    ("c", "c", "N/m", "rate of the spring"),
-    ("s", "s", "m", "travel by which the spring is compressed further"),
+    row("F_0", "F_0", "N", "force of the spring at s = 0").identity("Preload", ""),
+    row("c", "c", "N/m", "rate of the spring").identity("Rate", ""),
+    row("s", "s", "m", "travel by which the spring is compressed further").identity("Travel", ""),
 ];
 
 /// A compression spring.
@@ -220,21 +220,21 @@ const SPRING_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn spring() -> Result<BoundaryModel, Error> {
-    let outputs = &[("force", "F_spring", "N", "force of the spring"), ("energy", "", "N m", "energy taken since s = 0")];
-    let mut sheet = Sheet::new(SPRING_INPUTS, &[], outputs)?;
+    let outputs = &[row("force", "F_spring", "N", "force of the spring").identity("Force", ""), row("energy", "", "N m", "energy taken since s = 0").identity("Energy", "")];
+    let mut sheet = Sheet::new(("CompressionSpringInput", SPRING_INPUTS), &[], ("CompressionSpringOutput", outputs))?;
     sheet.plan.primitive("force", "F_0 + c*s", "(9.3)")?;
     sheet.plan.primitive("energy", "F_0*s + c*s^2/2", "energy")?;
     Ok(sheet.finish("compression_spring", "Force of a compression spring."))
 }
 
 const HELIX_INPUTS: &[Row] = &[
-    ("kappa", "κ_t", "N m/rad", "rate of the spring in torsion"),
-    ("phi_0", "φ_0", "rad", "angle by which the spring is wound up when installed"),
-    ("phi", "φ", "rad", "angle by which the movable sheave has turned on its helix"),
-    ("r_h", "r_h", "m", "radius of the helix"),
-    ("tan_alpha", "tan α", "", "tangent of the helix angle, measured from the plane of rotation"),
-    ("share", "ζ", "", "share of the torque that the movable sheave carries"),
-    ("M", "M", "N m", "torque of the belt on the secondary"),
+    row("kappa", "κ_t", "N m/rad", "rate of the spring in torsion").identity("TorsionRate", ""),
+    row("phi_0", "φ_0", "rad", "angle by which the spring is wound up when installed").identity("Pretension", ""),
+    row("phi", "φ", "rad", "angle by which the movable sheave has turned on its helix").identity("Turn", ""),
+    row("r_h", "r_h", "m", "radius of the helix").identity("Radius", ""),
+    row("tan_alpha", "tan α", "", "tangent of the helix angle, measured from the plane of rotation").identity("Tangent", ""),
+    row("share", "ζ", "", "share of the torque that the movable sheave carries").identity("Share", ""),
+    row("M", "M", "N m", "torque of the belt on the secondary").identity("Torque", ""),
     FRICTION,
 ];
 
@@ -244,11 +244,11 @@ const HELIX_INPUTS: &[Row] = &[
 /// If an equation is inconsistent; the message names it.
 pub fn helix() -> Result<BoundaryModel, Error> {
     let outputs = &[
-        ("torque", "T_h", "N m", "torque that the helix carries"),
-        ("force", "F_helix", "N", "axial force of the helix on the movable sheave, positive where it closes"),
-        ("turn", "dφ/ds", "rad/m", "turn of the movable sheave over its travel"),
+        row("torque", "T_h", "N m", "torque that the helix carries").identity("Torque", ""),
+        row("force", "F_helix", "N", "axial force of the helix on the movable sheave, positive where it closes").identity("Force", ""),
+        row("turn", "dφ/ds", "rad/m", "turn of the movable sheave over its travel").identity("TurnSlope", ""),
     ];
-    let mut sheet = Sheet::new(HELIX_INPUTS, &[TANGENT], outputs)?;
+    let mut sheet = Sheet::new(("HelixInput", HELIX_INPUTS), &[TANGENT], ("HelixOutput", outputs))?;
     let plan = &mut sheet.plan;
     plan.nonzero("r_h", "a radius")?;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
@@ -264,9 +264,9 @@ pub fn helix() -> Result<BoundaryModel, Error> {
 }
 
 const TRAVEL_INPUTS: &[Row] = &[
-    ("beta", "β", "rad", "half angle of the groove"),
-    ("R", "R", "m", "radius of the belt on the pulley"),
-    ("R_0", "R_0", "m", "radius of the belt where the travel is zero"),
+    row("beta", "β", "rad", "half angle of the groove").identity("HalfAngle", ""),
+    row("R", "R", "m", "radius of the belt on the pulley").identity("Radius", ""),
+    row("R_0", "R_0", "m", "radius of the belt where the travel is zero").identity("Start", ""),
 ];
 
 /// Travel of the one movable sheave of a pulley: the groove's two faces move apart by 2 tan β for each radius.
@@ -274,9 +274,9 @@ const TRAVEL_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn travel() -> Result<BoundaryModel, Error> {
-    let steps = &[("tan_beta", "tan β", "", "tangent of the half angle")];
-    let outputs = &[("travel", "s", "m", "axial travel of the movable sheave, positive where it closes")];
-    let mut sheet = Sheet::new(TRAVEL_INPUTS, steps, outputs)?;
+    let steps = &[row("tan_beta", "tan β", "", "tangent of the half angle")];
+    let outputs = &[row("travel", "s", "m", "axial travel of the movable sheave, positive where it closes").identity("Travel", "")];
+    let mut sheet = Sheet::new(("SheaveTravelInput", TRAVEL_INPUTS), steps, ("SheaveTravelOutput", outputs))?;
     sheet.plan.nonzero("cos(beta)", "a groove is open")?;
     sheet.plan.apply("tan_beta", Function::Tan, &["beta"], "β")?;
     sheet.plan.primitive("travel", "2*tan_beta*(R - R_0)", "(9.2)")?;
@@ -284,17 +284,17 @@ pub fn travel() -> Result<BoundaryModel, Error> {
 }
 
 const VEHICLE_INPUTS: &[Row] = &[
-    ("omega_S", "ω_S", "rad/s", "speed of the secondary"),
-    ("i_f", "i_f", "", "turns of the secondary for a turn of the wheel"),
-    ("r_w", "r_w", "m", "rolling radius of the wheel"),
-    ("m_v", "m_v", "kg", "mass of the vehicle with its driver"),
-    ("g_0", "g", "m/s^2", "acceleration of gravity"),
-    ("c_r", "c_r", "", "coefficient of rolling resistance"),
-    ("tan_slope", "tan α_g", "", "grade of the ground, rise over run"),
-    ("rho_air", "ρ_air", "kg/m^3", "density of the air"),
-    ("CdA", "C_d A", "m^2", "drag area"),
-    ("eta_f", "η_f", "", "efficiency of the final drive"),
-    ("a", "a", "m/s^2", "acceleration of the vehicle"),
+    row("omega_S", "ω_S", "rad/s", "speed of the secondary").identity("SecondarySpeed", ""),
+    row("i_f", "i_f", "", "turns of the secondary for a turn of the wheel").identity("FinalRatio", ""),
+    row("r_w", "r_w", "m", "rolling radius of the wheel").identity("WheelRadius", ""),
+    row("m_v", "m_v", "kg", "mass of the vehicle with its driver").identity("Mass", ""),
+    row("g_0", "g", "m/s^2", "acceleration of gravity").identity("Gravity", ""),
+    row("c_r", "c_r", "", "coefficient of rolling resistance").identity("RollingResistance", ""),
+    row("tan_slope", "tan α_g", "", "grade of the ground, rise over run").identity("Grade", ""),
+    row("rho_air", "ρ_air", "kg/m^3", "density of the air").identity("AirDensity", ""),
+    row("CdA", "C_d A", "m^2", "drag area").identity("DragArea", ""),
+    row("eta_f", "η_f", "", "efficiency of the final drive").identity("FinalEfficiency", ""),
+    row("a", "a", "m/s^2", "acceleration of the vehicle").identity("Acceleration", ""),
 ];
 
 /// What the road asks of the secondary.
@@ -303,16 +303,16 @@ const VEHICLE_INPUTS: &[Row] = &[
 /// If an equation is inconsistent; the message names it.
 pub fn vehicle() -> Result<BoundaryModel, Error> {
     let steps = &[
-        ("tilt", "", "", "square of 1/cos of the grade's angle"),
-        ("incline", "1/cos α_g", "", "length of the road over its run"),
+        row("tilt", "", "", "square of 1/cos of the grade's angle"),
+        row("incline", "1/cos α_g", "", "length of the road over its run"),
     ];
     let outputs = &[
-        ("speed", "v", "m/s", "speed of the vehicle"),
-        ("resistance", "", "N", "force of rolling, grade and air against the vehicle"),
-        ("torque", "", "N m", "torque that the vehicle takes from the secondary"),
-        ("torque_a", "", "kg m", "change of that torque with acceleration"),
+        row("speed", "v", "m/s", "speed of the vehicle").identity("Speed", ""),
+        row("resistance", "", "N", "force of rolling, grade and air against the vehicle").identity("Resistance", ""),
+        row("torque", "", "N m", "torque that the vehicle takes from the secondary").identity("Torque", ""),
+        row("torque_a", "", "kg m", "change of that torque with acceleration").identity("TorquePerAcceleration", ""),
     ];
-    let mut sheet = Sheet::new(VEHICLE_INPUTS, steps, outputs)?;
+    let mut sheet = Sheet::new(("VehicleLoadInput", VEHICLE_INPUTS), steps, ("VehicleLoadOutput", outputs))?;
     let plan = &mut sheet.plan;
     for (text, reason) in [("i_f", "a ratio"), ("eta_f", "an efficiency"), ("incline", "at least one"), ("tilt", "at least one")] {
         plan.nonzero(text, reason)?;
