@@ -92,7 +92,7 @@ fn fate(edition: &str, point: &[(&'static str, f64)]) -> Fate {
         Err(refusal) => return Fate::Failed(format!("refused: {refusal}")),
     };
     let failure = match run(&resolved, &solve) {
-        Ok(outcome) => return Fate::Solved(outcome.result.solver.wall_time),
+        Ok(outcome) => return Fate::Solved(outcome.result.solver.wall_time.unwrap_or_default()),
         Err(failure) => failure,
     };
     let given = point.iter().find(|(key, _)| *key == SLACK_TENSION).map_or(f64::NAN, |(_, value)| *value);

@@ -4,6 +4,7 @@
 
 use sheave::case::Case;
 use sheave::drive::{Constant, RegionId, SolveOptions};
+use sheave::model::{Field, InternalError, State};
 use sheave::result::{Outcome, Sampled, run};
 use std::error::Error;
 
@@ -37,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let solution = solve(&[thesis])?;
     for region in [RegionId::Primary, RegionId::Secondary] {
-        contact(&solution, region);
+        contact(&solution, region)?;
     }
     let entry = solution.result.secondary.entry_angle.to_degrees();
     println!("sign of θ_S1 in (5.23): the belt would break by 2 θ_S1 = {:+.3}° where it enters", 2.0 * entry);
@@ -46,16 +47,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Sign of Q' in (3.28), the second derivative of x in (5.7) and cos φ in (5.59), along a contact.
-fn contact(solution: &Outcome, region: RegionId) {
+fn contact(solution: &Outcome, region: RegionId) -> Result<(), InternalError> {
     let (belt, solved) = (&solution.solved.belt, &solution.solved.solution);
-    let (kernel, sampled) = (belt.kernel(region), Sampled::new(belt, solved, region, 3));
-    let state = |name: &str| kernel.states.iter().position(|symbol| symbol.name == name).map(|at| &sampled.states[at]);
-    let field = |name: &str| kernel.fields.iter().position(|symbol| symbol.name == name).map(|at| &sampled.fields[at]);
-    let (Some(tension), Some(theta), Some(theta1), Some(x)) = (state("T"), state("theta"), state("theta1"), state("x"))
-    else {
-        return;
-    };
-    let Some(shear) = field("Q") else { return };
+    let sampled = Sampled::new(belt, solved, region, 3);
+    let (tension, theta) = (sampled.state(State::Tension)?, sampled.state(State::Inclination)?);
+    let (theta1, x) = (sampled.state(State::InclinationDerivative)?, sampled.state(State::Penetration)?);
+    let shear = sampled.field(Field::Shear)?;
     let (wrap, radius) = match region {
         RegionId::Primary => (Constant::PrimaryWrap, Constant::PrimaryRadius),
         _ => (Constant::SecondaryWrap, Constant::SecondaryRadius),
@@ -92,6 +89,7 @@ fn contact(solution: &Outcome, region: RegionId) {
         wrap.to_degrees(),
         largest(&mut theta.iter().copied()).cos(),
     );
+    Ok(())
 }
 
 /// (6.10) as printed, sin⁻¹(θ_T) = (R_S − R_P)/L_c, at a ratio of 1.74.

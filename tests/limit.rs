@@ -7,6 +7,7 @@ use sheave::design::{
     optimum_map, smallest_clamps,
 };
 use sheave::drive::{SolveOptions, solve};
+use sheave::model::Output;
 use sheave::result::run;
 use sheave::study::{Axis, Study};
 use std::process::Command;
@@ -90,7 +91,7 @@ fn the_printed_equations_fold_in_the_secondarys_axial_force() {
     let fold = &limits.secondary_axial_force;
     assert_eq!((&fold.kind, &limits.slack_tension.kind), (&Kind::Fold, &Kind::Collapse));
     assert!(fold.state.speed_efficiency > 0.5 && fold.state.speed_efficiency < 0.95, "{:?}", fold.state);
-    let values = branch.points.iter().map(|point| point.state().secondary_axial_force);
+    let values = branch.points.iter().map(|point| point.state.secondary_axial_force);
     assert!(values.fold(f64::INFINITY, f64::min) >= fold.value - 1e-4);
     let with = |force: f64| {
         let force = ("operating_point.secondary_axial_force", force.to_string());
@@ -133,9 +134,8 @@ fn a_least_speed_efficiency_is_a_limit_of_its_own() {
     let force = [("operating_point.primary_axial_force", "818.6"), ("drive.free", "primary_radius")];
     let (limit, branch) = largest_torque(&case(&force), &options).unwrap();
     assert!((limit.state.primary_axial_force - 818.6).abs() < 1e-6 && limit.value > 18.0);
-    let lengths =
-        branch.points.iter().map(|point| sheave::result::Outputs::new(&point.solved.belt, &point.solved.solution));
-    assert!(lengths.into_iter().all(|outputs| (outputs.get("belt", "unstretched_length") - 0.8572).abs() < 1e-9));
+    let mut lengths = branch.points.iter().map(|point| point.value(Output::BeltUnstretchedLength).unwrap());
+    assert!(lengths.all(|length| (length - 0.8572).abs() < 1e-9));
 }
 
 #[test]

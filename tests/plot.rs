@@ -13,7 +13,7 @@ fn base() -> Outcome {
 
 #[test]
 fn every_figure_has_axes_with_units_and_points_in_both_formats() {
-    for figure in plot::drive(&base()) {
+    for figure in plot::drive(&base()).unwrap() {
         for axis in [&figure.x, &figure.y] {
             assert!(axis.label.ends_with(')') && axis.label.contains('('), "{}: {}", figure.name, axis.label);
         }
@@ -31,14 +31,14 @@ fn every_figure_has_axes_with_units_and_points_in_both_formats() {
 #[test]
 fn figures_are_the_same_every_time() {
     let outcome = base();
-    let draw = || plot::drive(&outcome).iter().map(|figure| figure.svg().unwrap()).collect::<String>();
+    let draw = || plot::drive(&outcome).unwrap().iter().map(|figure| figure.svg().unwrap()).collect::<String>();
     assert_eq!(draw(), draw());
 }
 
 #[test]
 fn the_loss_split_adds_up() {
     let outcome = base();
-    let split = report::losses(&outcome);
+    let split = report::losses(&outcome).unwrap();
     for (part, whole) in [
         (split.primary, outcome.result.primary.friction_loss),
         (split.secondary, outcome.result.secondary.friction_loss),

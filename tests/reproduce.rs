@@ -21,7 +21,7 @@ fn every_number_and_statement_is_met_by_the_equations_as_printed() {
         assert!(check.met, "{check:?}");
     }
 
-    let names: Vec<String> = figures(chapters).into_iter().map(|figure| figure.name).collect();
+    let names: Vec<String> = figures(chapters).unwrap().into_iter().map(|figure| figure.name).collect();
     let numbers: String = names.iter().filter_map(|name| number_in_thesis(name)).collect::<Vec<_>>().join(" ");
     let shown: Vec<&str> = numbers.split([' ', ',']).filter(|text| text.contains('.')).collect();
     for (chapter, last) in [(6, 28), (7, 18)] {
@@ -39,7 +39,7 @@ fn what_the_slips_did_shows_beside_the_other_editions() {
     let unaccounted: Vec<f64> = all.iter().map(|chapters| chapters.base.result.energy.closure).collect();
     let [published, thesis, consistent] = unaccounted[..] else { panic!("three editions were asked for") };
     assert!(published > 0.05 && thesis.abs() < 0.01 && consistent.abs() < 1e-6, "{unaccounted:?}");
-    let reproduction = Reproduction::new(all, String::new());
+    let reproduction = Reproduction::new(all, String::new()).unwrap();
     let text = reproduction.markdown();
     for said in ["| published | thesis | consistent |", "183.4 ± 0.1 deg", "| unaccounted for |"] {
         assert!(text.contains(said), "{said}: {text}");

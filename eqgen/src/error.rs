@@ -42,6 +42,12 @@ pub enum Error {
         /// The dimension of the terms beside it, or of the step.
         expected: String,
     },
+    /// A symbol that callers of the kernels name, without a variant in the generated enums.
+    #[error("`{symbol}` has no variant: its row of the notation needs `.identity(…)`")]
+    Variant {
+        /// The symbol.
+        symbol: String,
+    },
     /// A divisor, or the argument of a square root, that nobody declared to stay away from zero.
     #[error("step {step}: divides by (or takes the root of) `{divisor}`, which is not declared nonzero")]
     UndeclaredDivisor {

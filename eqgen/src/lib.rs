@@ -39,6 +39,8 @@ pub fn generate() -> Result<Vec<SourceFile>, Error> {
         let small = physics::small::kernels()?;
         files.extend(emitted(&small)?);
         files.push(emit::twin("twin_small.rs", &small)?);
+        let all: Vec<_> = kernels.into_iter().chain(small).collect();
+        files.push(emit::vocabulary(&all, &physics::notation::all(), emit::BELT)?);
         Ok(files)
     })?
 }

@@ -10,7 +10,7 @@ use eqgen::{Error, symbolic};
 #[test]
 fn committed_kernels_are_current() {
     let files = equations::files().unwrap();
-    assert_eq!(files.len(), 2);
+    assert_eq!(files.len(), 3);
     for file in files {
         let path = format!("{}/examples/elastica/{}", env!("CARGO_MANIFEST_DIR"), file.name);
         let mend = "mend it with: cargo run -p sheave-eqgen --example elastica_write";

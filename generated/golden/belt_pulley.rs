@@ -63,160 +63,16 @@ const PATTERN: &[(usize, usize)] = &[
     (12, 8),
 ];
 ///A pulley wrapped by a belt: residuals in its ports, and its power balance.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<BeltPulleyInput, BeltPulleyOutput> = FormulaKernel::new(BoundaryKernel {
     name: "belt_pulley",
-    equations: &[
-        Equation {
-            name: "opposite",
-            doc: "the ends move in opposite directions: V_A + V_B, m/s",
-        },
-        Equation {
-            name: "equal",
-            doc: "the ends move in the same direction: V_A − V_B, m/s",
-        },
-        Equation {
-            name: "adhesion",
-            doc: "an ideal belt does not slip: V_B − ω R, m/s",
-        },
-        Equation {
-            name: "friction",
-            doc: "Euler's relation between the tensions, N",
-        },
-        Equation {
-            name: "torque",
-            doc: "balance of moments on the pulley, N·m",
-        },
-        Equation {
-            name: "relative_velocity",
-            doc: "velocity of the belt against the rim, m/s",
-        },
-        Equation {
-            name: "centrifugal_tension",
-            doc: "centrifugal tension, N",
-        },
-        Equation {
-            name: "friction_coefficient",
-            doc: "instantaneous coefficient of friction",
-        },
-        Equation {
-            name: "belt_power",
-            doc: "power that the branches deliver, W",
-        },
-        Equation {
-            name: "shaft_power",
-            doc: "power that the shaft takes, W",
-        },
-        Equation {
-            name: "friction_loss",
-            doc: "power lost to sliding, W",
-        },
-        Equation {
-            name: "bearing_loss",
-            doc: "power lost in the bearing, W",
-        },
-        Equation {
-            name: "kinetic_power",
-            doc: "power that accelerates the pulley, W",
-        },
-    ],
+    equations: BeltPulleyOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "V_A",
-            symbol: "V_A",
-            unit: "m/s",
-            doc: "velocity of branch A along its port",
-        },
-        Symbol {
-            name: "F_A",
-            symbol: "F_A",
-            unit: "N",
-            doc: "tension of branch A",
-        },
-        Symbol {
-            name: "V_B",
-            symbol: "V_B",
-            unit: "m/s",
-            doc: "velocity of branch B, away from the pulley",
-        },
-        Symbol {
-            name: "F_B",
-            symbol: "F_B",
-            unit: "N",
-            doc: "tension of branch B",
-        },
-        Symbol {
-            name: "omega",
-            symbol: "ω_S",
-            unit: "rad/s",
-            doc: "speed of the pulley",
-        },
-        Symbol {
-            name: "alpha",
-            symbol: "dω_S/dt",
-            unit: "rad/s²",
-            doc: "angular acceleration of the pulley",
-        },
-        Symbol {
-            name: "T_S",
-            symbol: "T_S",
-            unit: "N·m",
-            doc: "torque of the pulley on its shaft",
-        },
-        Symbol {
-            name: "R",
-            symbol: "R",
-            unit: "m",
-            doc: "radius of the pulley",
-        },
-        Symbol {
-            name: "J",
-            symbol: "J",
-            unit: "kg·m²",
-            doc: "moment of inertia of the pulley",
-        },
-        Symbol {
-            name: "b",
-            symbol: "b",
-            unit: "N·m·s",
-            doc: "viscous damping of the bearing",
-        },
-        Symbol {
-            name: "rho",
-            symbol: "ρ",
-            unit: "kg/m",
-            doc: "mass per length of the belt",
-        },
-        Symbol {
-            name: "wrap",
-            symbol: "θ",
-            unit: "rad",
-            doc: "wrap angle",
-        },
-        Symbol {
-            name: "f",
-            symbol: "f",
-            unit: "",
-            doc: "coefficient of friction of belt on pulley; f' of a V-belt",
-        },
-        Symbol {
-            name: "V_thr",
-            symbol: "V_thr",
-            unit: "m/s",
-            doc: "friction velocity threshold",
-        },
-        Symbol {
-            name: "F_thr",
-            symbol: "F_thr",
-            unit: "N",
-            doc: "force below which a branch counts as slack",
-        },
-    ],
+    constants: BeltPulleyInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -29,94 +29,16 @@ const PATTERN: &[(usize, usize)] = &[
     (6, 6),
 ];
 ///How much of its friction a pair of tensions takes on a pulley.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<BeltPulleyLimitInput, BeltPulleyLimit> = FormulaKernel::new(BoundaryKernel {
     name: "belt_pulley_limits",
-    equations: &[
-        Equation {
-            name: "wedge_coefficient",
-            doc: "effective coefficient of friction of a V-belt, f'",
-        },
-        Equation {
-            name: "tension_ratio",
-            doc: "tension ratio",
-        },
-        Equation {
-            name: "largest_ratio",
-            doc: "tension ratio at which the whole contact slides: Euler's",
-        },
-        Equation {
-            name: "mean_coefficient",
-            doc: "coefficient of friction that the tension ratio takes on the whole contact",
-        },
-        Equation {
-            name: "share",
-            doc: "mean coefficient over the coefficient of friction",
-        },
-        Equation {
-            name: "creep",
-            doc: "size of V_rel at which the smooth law reaches that share, m/s",
-        },
-        Equation {
-            name: "moment",
-            doc: "moment of the two tensions, N·m",
-        },
-    ],
+    equations: BeltPulleyLimit::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "f_face",
-            symbol: "f",
-            unit: "",
-            doc: "coefficient of friction of belt on sheave face",
-        },
-        Symbol {
-            name: "groove",
-            symbol: "Φ",
-            unit: "rad",
-            doc: "angle between the faces of a V-belt's sheave",
-        },
-        Symbol {
-            name: "f",
-            symbol: "f",
-            unit: "",
-            doc: "coefficient of friction of belt on pulley; f' of a V-belt",
-        },
-        Symbol {
-            name: "wrap",
-            symbol: "θ",
-            unit: "rad",
-            doc: "wrap angle",
-        },
-        Symbol {
-            name: "T_tight",
-            symbol: "T_1",
-            unit: "N",
-            doc: "tension of the tight branch less the centrifugal tension",
-        },
-        Symbol {
-            name: "T_slack",
-            symbol: "T_2",
-            unit: "N",
-            doc: "tension of the slack branch less the centrifugal tension",
-        },
-        Symbol {
-            name: "R",
-            symbol: "R",
-            unit: "m",
-            doc: "radius of the pulley",
-        },
-        Symbol {
-            name: "V_thr",
-            symbol: "V_thr",
-            unit: "m/s",
-            doc: "friction velocity threshold",
-        },
-    ],
+    constants: BeltPulleyLimitInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -60,142 +60,16 @@ const PATTERN: &[(usize, usize)] = &[
     (9, 11),
 ];
 ///Torques and inertia at the input of a belt drive.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<DriveSizingInput, DriveSizingOutput> = FormulaKernel::new(BoundaryKernel {
     name: "drive_sizing",
-    equations: &[
-        Equation {
-            name: "ratio",
-            doc: "diameter of the output over that of the input pulley, n (3.25)",
-        },
-        Equation {
-            name: "load_inertia",
-            doc: "inertia of belt and linear load at the input, I_L (3.22), kg·m^2",
-        },
-        Equation {
-            name: "rotating_inertia",
-            doc: "inertia of all that rotates at the input, I_p (3.21), kg·m^2",
-        },
-        Equation {
-            name: "total_inertia",
-            doc: "inertia at the input, I_tot (3.21), (3.27), kg·m^2",
-        },
-        Equation {
-            name: "external_torque",
-            doc: "torque of the external force at the input, T_ext (3.23), N·m",
-        },
-        Equation {
-            name: "friction_torque",
-            doc: "torque of the friction force at the input, T_f (3.24), N·m",
-        },
-        Equation {
-            name: "input_torque",
-            doc: "torque that the load torque takes at the input, T_i (3.26), N·m",
-        },
-        Equation {
-            name: "steady_torque",
-            doc: "torque at the input at constant speed, N·m",
-        },
-        Equation {
-            name: "acceleration_torque",
-            doc: "torque at the input that accelerates the inertia, N·m",
-        },
-        Equation {
-            name: "drive_torque",
-            doc: "torque at the input, all together, N·m",
-        },
-    ],
+    equations: DriveSizingOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "M_belt",
-            symbol: "M_b",
-            unit: "kg",
-            doc: "mass of the belt",
-        },
-        Symbol {
-            name: "M_load",
-            symbol: "M_l",
-            unit: "kg",
-            doc: "mass that the belt moves in a straight line",
-        },
-        Symbol {
-            name: "D_in",
-            symbol: "D_in",
-            unit: "m",
-            doc: "diameter of the input pulley",
-        },
-        Symbol {
-            name: "D_out",
-            symbol: "D_out",
-            unit: "m",
-            doc: "diameter of the output pulley",
-        },
-        Symbol {
-            name: "F",
-            symbol: "F",
-            unit: "N",
-            doc: "external force on the belt, against its motion",
-        },
-        Symbol {
-            name: "F_f",
-            symbol: "F_f",
-            unit: "N",
-            doc: "friction force on the linear load",
-        },
-        Symbol {
-            name: "T_out",
-            symbol: "T_out",
-            unit: "N·m",
-            doc: "torque that the application takes from the output pulley",
-        },
-        Symbol {
-            name: "I_p1",
-            symbol: "I_p1",
-            unit: "kg·m²",
-            doc: "inertia of the input pulley",
-        },
-        Symbol {
-            name: "I_p2",
-            symbol: "I_p2",
-            unit: "kg·m²",
-            doc: "inertia of the output pulley",
-        },
-        Symbol {
-            name: "I_RL",
-            symbol: "I_RL",
-            unit: "kg·m²",
-            doc: "inertia of the rotary load on the output pulley",
-        },
-        Symbol {
-            name: "I_idlers",
-            symbol: "I_i",
-            unit: "kg·m²",
-            doc: "inertia of all idlers as seen at the input",
-        },
-        Symbol {
-            name: "alpha",
-            symbol: "dω/dt",
-            unit: "rad/s²",
-            doc: "angular acceleration of the input",
-        },
-        Symbol {
-            name: "D",
-            symbol: "D",
-            unit: "m",
-            doc: "diameter of an idler",
-        },
-        Symbol {
-            name: "I_idler",
-            symbol: "I",
-            unit: "kg·m²",
-            doc: "inertia of an idler",
-        },
-    ],
+    constants: DriveSizingInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -7,106 +7,16 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 2), (0, 12), (0, 13)];
 ///Inertia of an idler at the input of a belt drive.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<DriveSizingInput, DriveSizingIdlerOutput> = FormulaKernel::new(BoundaryKernel {
     name: "drive_sizing_idler",
-    equations: &[
-        Equation {
-            name: "reflected_inertia",
-            doc: "inertia of an idler as seen at the input, kg·m^2",
-        },
-    ],
+    equations: DriveSizingIdlerOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "M_belt",
-            symbol: "M_b",
-            unit: "kg",
-            doc: "mass of the belt",
-        },
-        Symbol {
-            name: "M_load",
-            symbol: "M_l",
-            unit: "kg",
-            doc: "mass that the belt moves in a straight line",
-        },
-        Symbol {
-            name: "D_in",
-            symbol: "D_in",
-            unit: "m",
-            doc: "diameter of the input pulley",
-        },
-        Symbol {
-            name: "D_out",
-            symbol: "D_out",
-            unit: "m",
-            doc: "diameter of the output pulley",
-        },
-        Symbol {
-            name: "F",
-            symbol: "F",
-            unit: "N",
-            doc: "external force on the belt, against its motion",
-        },
-        Symbol {
-            name: "F_f",
-            symbol: "F_f",
-            unit: "N",
-            doc: "friction force on the linear load",
-        },
-        Symbol {
-            name: "T_out",
-            symbol: "T_out",
-            unit: "N·m",
-            doc: "torque that the application takes from the output pulley",
-        },
-        Symbol {
-            name: "I_p1",
-            symbol: "I_p1",
-            unit: "kg·m²",
-            doc: "inertia of the input pulley",
-        },
-        Symbol {
-            name: "I_p2",
-            symbol: "I_p2",
-            unit: "kg·m²",
-            doc: "inertia of the output pulley",
-        },
-        Symbol {
-            name: "I_RL",
-            symbol: "I_RL",
-            unit: "kg·m²",
-            doc: "inertia of the rotary load on the output pulley",
-        },
-        Symbol {
-            name: "I_idlers",
-            symbol: "I_i",
-            unit: "kg·m²",
-            doc: "inertia of all idlers as seen at the input",
-        },
-        Symbol {
-            name: "alpha",
-            symbol: "dω/dt",
-            unit: "rad/s²",
-            doc: "angular acceleration of the input",
-        },
-        Symbol {
-            name: "D",
-            symbol: "D",
-            unit: "m",
-            doc: "diameter of an idler",
-        },
-        Symbol {
-            name: "I_idler",
-            symbol: "I",
-            unit: "kg·m²",
-            doc: "inertia of an idler",
-        },
-    ],
+    constants: DriveSizingInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

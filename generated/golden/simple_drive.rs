@@ -42,124 +42,16 @@ const PATTERN: &[(usize, usize)] = &[
     (3, 14),
 ];
 ///Residuals of a belt drive whose belt adheres, then slides.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<SimpleDriveInput, SimpleDriveResidual> = FormulaKernel::new(BoundaryKernel {
     name: "simple_drive",
-    equations: &[
-        Equation {
-            name: "speed_O",
-            doc: "speeds and M_O (2), m/s",
-        },
-        Equation {
-            name: "speed_I",
-            doc: "speeds and M_I (18), m/s",
-        },
-        Equation {
-            name: "axial_O",
-            doc: "axial force on the output pulley (5), N",
-        },
-        Equation {
-            name: "axial_I",
-            doc: "axial force on the input pulley (13), N",
-        },
-    ],
+    equations: SimpleDriveResidual::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "omega_I",
-            symbol: "ω_I",
-            unit: "rad/s",
-            doc: "speed of the input pulley",
-        },
-        Symbol {
-            name: "omega_O",
-            symbol: "ω_O",
-            unit: "rad/s",
-            doc: "speed of the output pulley",
-        },
-        Symbol {
-            name: "M_I",
-            symbol: "M_I",
-            unit: "N·m",
-            doc: "torque of the belt on the input pulley, negative where it drives",
-        },
-        Symbol {
-            name: "M_O",
-            symbol: "M_O",
-            unit: "N·m",
-            doc: "torque of the belt on the output pulley, positive where it is driven",
-        },
-        Symbol {
-            name: "F_CI",
-            symbol: "F_CI",
-            unit: "N",
-            doc: "axial force on the input pulley",
-        },
-        Symbol {
-            name: "F_CO",
-            symbol: "F_CO",
-            unit: "N",
-            doc: "axial force on the output pulley",
-        },
-        Symbol {
-            name: "v_0",
-            symbol: "v_0",
-            unit: "m/s",
-            doc: "speed of the unstretched belt",
-        },
-        Symbol {
-            name: "u",
-            symbol: "r ω",
-            unit: "m/s",
-            doc: "speed of both rims at no torque (2.219)",
-        },
-        Symbol {
-            name: "r_I",
-            symbol: "r_I",
-            unit: "m",
-            doc: "radius of the input pulley",
-        },
-        Symbol {
-            name: "r_O",
-            symbol: "r_O",
-            unit: "m",
-            doc: "radius of the output pulley",
-        },
-        Symbol {
-            name: "phi_O",
-            symbol: "φ",
-            unit: "rad",
-            doc: "half the contact angle on the output pulley; on the input pulley it is π − φ",
-        },
-        Symbol {
-            name: "EA",
-            symbol: "EA",
-            unit: "N",
-            doc: "longitudinal stiffness of the belt",
-        },
-        Symbol {
-            name: "m_star",
-            symbol: "m*",
-            unit: "kg/m",
-            doc: "mass per length of the unstretched belt",
-        },
-        Symbol {
-            name: "mu_star",
-            symbol: "μ*",
-            unit: "",
-            doc: "coefficient of friction in the groove; negative where the output drives",
-        },
-        Symbol {
-            name: "delta_0",
-            symbol: "δ_0",
-            unit: "rad",
-            doc: "half angle of the groove",
-        },
-    ],
+    constants: SimpleDriveInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -1,6 +1,8 @@
 //! The generated modules: derived anew at build time, or as committed in `golden/`.
 
+use crate::sets::{FormulaKernel, OutputKernel};
 use crate::types::{BoundaryKernel, RegionKernel};
+use crate::vocabulary::*;
 
 /// What generated boundary sets call to check a slice once.
 pub(crate) fn sized<'a>(slice: &'a mut [f64], size: usize, name: &str) -> &'a mut [f64] {
@@ -25,7 +27,8 @@ macro_rules! regions {
                 use crate::function::*;
                 use crate::lane::Lane;
                 use crate::sweep::{Chunk, Sweep, sweep};
-                use crate::types::{RegionKernel, Symbol};
+                use crate::types::RegionKernel;
+                use crate::vocabulary::{Field, Integral, RegionConstant, State};
                 generated!($name);
             }
             #[doc = $doc]
@@ -43,32 +46,55 @@ macro_rules! boundaries {
             mod $name {
                 use super::sized;
                 use crate::function::*;
-                use crate::types::{BoundaryKernel, Equation, Symbol};
+                use crate::types::{BoundaryKernel, Dimension, Symbol};
+                use crate::vocabulary::Constant;
                 generated!($name);
             }
             #[doc = $doc]
             pub static $constant: BoundaryKernel = $name::KERNEL;
         )*
-        /// All boundary sets.
+        /// All sets of boundary equations.
         pub static BOUNDARIES: &[&BoundaryKernel] = &[$(&$constant),*];
     };
 }
 
-macro_rules! formulae {
+macro_rules! outputs {
     ($($name:ident $constant:ident $doc:literal),* $(,)?) => {
+        $(
+            #[allow(non_snake_case, unused_variables, clippy::all)]
+            mod $name {
+                use super::sized;
+                use crate::function::*;
+                use crate::sets::{BeltTheory, OutputKernel};
+                use crate::types::{BoundaryKernel, Dimension, Symbol};
+                use crate::vocabulary::{Constant, Output};
+                generated!($name);
+            }
+            #[doc = $doc]
+            pub static $constant: OutputKernel = $name::KERNEL;
+        )*
+        /// The outputs of all drives.
+        pub static OUTPUT_SETS: &[&OutputKernel] = &[$(&$constant),*];
+    };
+}
+
+macro_rules! formulae {
+    ($($name:ident $constant:ident $input:ident $output:ident $doc:literal),* $(,)?) => {
         $(
             #[allow(non_snake_case, unused_variables, unused_comparisons, unused_imports, clippy::all)]
             mod $name {
                 use super::sized;
                 use crate::function::*;
-                use crate::types::{BoundaryKernel, Equation, Symbol};
+                use crate::sets::FormulaKernel;
+                use crate::types::BoundaryKernel;
+                use crate::vocabulary::{$input, $output};
                 generated!($name);
             }
             #[doc = $doc]
-            pub static $constant: BoundaryKernel = $name::KERNEL;
+            pub static $constant: FormulaKernel<$input, $output> = $name::KERNEL;
         )*
         /// All formulae of the small models: sets without ends and integrals, their inputs are the constants.
-        pub static FORMULAE: &[&BoundaryKernel] = &[$(&$constant),*];
+        pub static FORMULAE: &[&BoundaryKernel] = &[$(&$constant.set),*];
     };
 }
 
@@ -104,39 +130,44 @@ boundaries! {
         "Shear continuous where the belt meets a pulley; full shear.",
     boundary_as_printed BOUNDARY_AS_PRINTED
         "Conditions as Appendix D prints them.",
-    outputs OUTPUTS
-        "What a drive is asked for: each equation's residual is an output.",
     boundary_string BOUNDARY_STRING
         "Conditions of a belt without bending stiffness.",
+}
+
+outputs! {
+    outputs OUTPUTS
+        "What a drive is asked for.",
     outputs_string OUTPUTS_STRING
-        "What a drive is asked for, without bending stiffness: each equation's residual is an output.",
+        "What a drive is asked for, without bending stiffness.",
 }
 
 formulae! {
-    simple_drive SIMPLE_DRIVE
+    simple_drive SIMPLE_DRIVE SimpleDriveInput SimpleDriveResidual
         "A belt drive that adheres, then slides: residuals in two speeds, two torques, two axial forces and v_0.",
-    simple_drive_closed SIMPLE_DRIVE_CLOSED
+    simple_drive_closed SIMPLE_DRIVE_CLOSED SimpleDriveInput SimpleDriveOutput
         "A belt drive that adheres, then slides: what follows without iteration.",
-    belt_pulley BELT_PULLEY
+    belt_pulley BELT_PULLEY BeltPulleyInput BeltPulleyOutput
         "A pulley wrapped by a belt: residuals in its ports, and its power balance.",
-    belt_pulley_limits BELT_PULLEY_LIMITS
+    belt_pulley_limits BELT_PULLEY_LIMITS BeltPulleyLimitInput BeltPulleyLimit
         "A pulley wrapped by a belt: how much of its friction a pair of tensions takes.",
-    drive_sizing DRIVE_SIZING
-        "Torques and inertia at the input of a belt drive (3.21) to (3.27); each equation's residual is an output.",
-    drive_sizing_idler DRIVE_SIZING_IDLER
-        "Inertia of an idler at the input of a belt drive; each equation's residual is an output.",
-    flyweight_table FLYWEIGHT_TABLE
+    drive_sizing DRIVE_SIZING DriveSizingInput DriveSizingOutput
+        "Torques and inertia at the input of a belt drive (3.21) to (3.27).",
+    drive_sizing_idler DRIVE_SIZING_IDLER DriveSizingInput DriveSizingIdlerOutput
+        "Inertia of an idler at the input of a belt drive.",
+    flyweight_table FLYWEIGHT_TABLE FlyweightTableInput FlyweightTableOutput
         "Axial force of flyweights whose radius times its slope over the shift is known (9.2).",
-    flyweight_ramp FLYWEIGHT_RAMP
+    flyweight_ramp FLYWEIGHT_RAMP FlyweightRampInput FlyweightRampOutput
         "Axial force of flyweights that slide along a radius against a ramp.",
-    flyweight_arm FLYWEIGHT_ARM
+    flyweight_arm FLYWEIGHT_ARM FlyweightArmInput FlyweightArmOutput
         "Axial force of pivoted cam arms that bear on rollers.",
-    compression_spring COMPRESSION_SPRING
+    flyweight_roller FLYWEIGHT_ROLLER FlyweightRollerInput FlyweightRollerOutput
+        "Axial force of pivoted arms whose rollers bear on ramps of the movable sheave.",
+    compression_spring COMPRESSION_SPRING CompressionSpringInput CompressionSpringOutput
         "Force of a compression spring.",
-    helix HELIX
+    helix HELIX HelixInput HelixOutput
         "Axial force of a helix and its torsion spring.",
-    sheave_travel SHEAVE_TRAVEL
+    sheave_travel SHEAVE_TRAVEL SheaveTravelInput SheaveTravelOutput
         "Travel of a movable sheave from the belt's radius.",
-    vehicle_load VEHICLE_LOAD
+    vehicle_load VEHICLE_LOAD VehicleLoadInput VehicleLoadOutput
         "Torque that a vehicle takes from the secondary.",
 }

@@ -1,16 +1,43 @@
 //! What a generated kernel looks like to its caller.
 
-/// A quantity: a state, constant, integral or derived field.
+use crate::vocabulary::{Field, Integral, RegionConstant, State};
+
+/// Exponents of length, mass, time and plane angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    /// Exponent of the metre.
+    pub length: i8,
+    /// Exponent of the kilogram.
+    pub mass: i8,
+    /// Exponent of the second.
+    pub time: i8,
+    /// Exponent of the radian.
+    pub angle: i8,
+}
+
+/// What a quantity is: a state, constant, integral, derived field, equation or output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Symbol {
     /// Name in Rust, and in tables and files.
     pub name: &'static str,
-    /// Symbol as the thesis prints it.
+    /// Symbol as the thesis prints it; empty for a residual.
     pub symbol: &'static str,
     /// SI unit; empty for a pure number.
     pub unit: &'static str,
+    /// Dimension, angles included.
+    pub dimension: Dimension,
     /// What it is, in one line.
     pub doc: &'static str,
+    /// The equation that introduces it: its number in the thesis, or what it is; empty if there is none.
+    pub source: &'static str,
+}
+
+/// An enum whose variants stand in the order of some vector.
+pub trait Identity: Copy {
+    /// How many variants there are.
+    const COUNT: usize;
+    /// Place of a variant, below [`Self::COUNT`].
+    fn place(self) -> usize;
 }
 
 /// A batch of points in, values and derivatives out.
@@ -42,13 +69,13 @@ pub struct RegionKernel {
     /// Name, as in `contact_full_tanh`.
     pub name: &'static str,
     /// The `n` states.
-    pub states: &'static [Symbol],
+    pub states: &'static [State],
     /// Constants, the usual unknowns first.
-    pub constants: &'static [Symbol],
+    pub constants: &'static [RegionConstant],
     /// The `k` integrals.
-    pub integrals: &'static [Symbol],
+    pub integrals: &'static [Integral],
     /// Derived fields.
-    pub fields: &'static [Symbol],
+    pub fields: &'static [Field],
     /// The first `usual` constants are usually unknown.
     pub usual: usize,
     /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, `n..n+k` the integrands.
@@ -67,13 +94,21 @@ pub struct RegionKernel {
     pub fields_fn: RegionFn,
 }
 
-/// One boundary equation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Equation {
-    /// Name in Rust, and in messages.
-    pub name: &'static str,
-    /// What it says, with its number in the thesis.
-    pub doc: &'static str,
+impl RegionKernel {
+    /// Row of a state; `None` if the region does not have it.
+    pub fn state(&self, state: State) -> Option<usize> {
+        self.states.iter().position(|other| *other == state)
+    }
+
+    /// Row of a derived field; `None` if the region does not have it.
+    pub fn field(&self, field: Field) -> Option<usize> {
+        self.fields.iter().position(|other| *other == field)
+    }
+
+    /// Row of an integral; `None` if the region does not have it.
+    pub fn integral(&self, integral: Integral) -> Option<usize> {
+        self.integrals.iter().position(|other| *other == integral)
+    }
 }
 
 /// `(ends, integrals, constants, g)`: writes one residual an equation.
@@ -88,18 +123,19 @@ pub type BoundaryFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: 
 /// If a slice is too short, with a message that names it.
 pub type BoundaryJacobianFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
 
-/// All boundary equations of a belt drive, as generated.
+/// A set of equations in ends, integrals and constants, as generated: the boundary equations of a drive; within an
+/// [`OutputKernel`](crate::OutputKernel) or a [`FormulaKernel`](crate::FormulaKernel), each equation's value is an output.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundaryKernel {
     /// Name, as in `boundary_continuous_full`.
     pub name: &'static str,
     /// The equations, in the order of the residuals.
-    pub equations: &'static [Equation],
+    pub equations: &'static [Symbol],
     /// Ends: region by region, all entry states, then all exit states.
     pub ends: &'static [Symbol],
     /// Integrals over each region, region by region.
     pub integrals: &'static [Symbol],
-    /// Constants of the whole drive.
+    /// Constants of the whole drive, in the order of [`Constant`](crate::Constant); inputs of a formula.
     pub constants: &'static [Symbol],
     /// Structurally nonzero derivatives `(equation, input)`; inputs are ends, then integrals, then constants.
     pub pattern: &'static [(usize, usize)],

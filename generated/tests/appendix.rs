@@ -11,7 +11,7 @@ use generated::{BOUNDARY_AS_PRINTED, CONTACT_LINEARISED_VISCOUS_COULOMB, RegionK
 const TOLERANCE: f64 = 1e-12;
 
 fn constant(kernel: &RegionKernel, constants: &[f64], name: &str) -> f64 {
-    constants[kernel.constants.iter().position(|symbol| symbol.name == name).unwrap()]
+    constants[kernel.constants.iter().position(|constant| constant.name() == name).unwrap()]
 }
 
 fn close(found: f64, printed: f64, size: f64, what: &str) {
@@ -93,7 +93,7 @@ fn contact_is_appendix_c() {
         close(found[3], dtheta2, printed.sizes[1], "theta2");
         close(found[4], dx, 0.0, "x");
         for (row, printed) in printed.integrands.into_iter().enumerate() {
-            close(found[5 + row], printed, 0.0, kernel.integrals[row].name);
+            close(found[5 + row], printed, 0.0, kernel.integrals[row].name());
         }
     }
 }

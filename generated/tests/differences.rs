@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Point, Random, Slip, at, point, ridders};
-use generated::{BOUNDARIES, BoundaryKernel, REGIONS, RegionKernel};
+use generated::{BoundaryKernel, REGIONS, RegionKernel};
 
 const POINTS: usize = 60;
 
@@ -42,7 +42,7 @@ fn region_jacobians() {
 
 fn check_point(kernel: &RegionKernel, point: &Point, worst: &mut Worst) {
     let exact = at(kernel, kernel.full, point);
-    let inputs = kernel.states.iter().chain(kernel.constants);
+    let inputs = common::inputs(kernel);
     for (input, symbol) in inputs.enumerate() {
         let moved = |value: f64| {
             let mut moved = point.clone();
@@ -74,7 +74,7 @@ fn check_point(kernel: &RegionKernel, point: &Point, worst: &mut Worst) {
 
 #[test]
 fn boundary_jacobians() {
-    for kernel in BOUNDARIES {
+    for kernel in common::sets() {
         let mut random = Random::new(11);
         let mut worst = Worst::default();
         for _ in 0..POINTS {

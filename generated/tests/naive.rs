@@ -19,7 +19,7 @@ struct Names<'a>(&'a RegionKernel, &'a Point);
 impl Names<'_> {
     fn get(&self, name: &str) -> f64 {
         let Names(kernel, point) = self;
-        let named = kernel.states.iter().zip(&point.y).chain(kernel.constants.iter().zip(&point.constants));
+        let named = common::inputs(kernel).zip(point.y.iter().chain(&point.constants));
         named.into_iter().find(|(symbol, _)| symbol.name == name).map_or(0.0, |(_, value)| *value)
     }
 }
@@ -188,7 +188,9 @@ fn regions() {
             }
             let fields = at(kernel, kernel.fields_fn, &point).fields;
             assert_eq!(fields.len(), naive.fields.len());
-            for (symbol, (found, value)) in kernel.fields.iter().zip(fields.into_iter().zip(naive.fields)) {
+            for (symbol, (found, value)) in
+                kernel.fields.iter().map(|field| field.symbol()).zip(fields.into_iter().zip(naive.fields))
+            {
                 // Shear is the difference of larger terms.
                 let size = if symbol.name == "Q" { 10.0 } else { value.abs() };
                 close(found, value, size, &format!("{}, {}", kernel.name, symbol.name));

@@ -5,7 +5,7 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::Random;
-use generated::{BoundaryKernel, OUTPUTS, OUTPUTS_STRING, Symbol};
+use generated::{OUTPUTS, OUTPUTS_STRING, Output, OutputKernel, Symbol};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -28,7 +28,8 @@ fn outputs_mean_what_they_say() {
     }
 }
 
-fn check(kernel: &BoundaryKernel, random: &mut Random) {
+fn check(outputs: &OutputKernel, random: &mut Random) {
+    let kernel = &outputs.set;
     let mut given: BTreeMap<String, f64> = BTreeMap::new();
     for symbol in kernel.ends.iter().chain(kernel.integrals).chain(kernel.constants) {
         given.insert(symbol.name.into(), random.between(0.1, 0.9));
@@ -54,7 +55,7 @@ fn check(kernel: &BoundaryKernel, random: &mut Random) {
     let values = |symbols: &[Symbol]| symbols.iter().map(|symbol| given[symbol.name]).collect::<Vec<f64>>();
     let mut found = vec![f64::NAN; kernel.equations.len()];
     (kernel.value)(&values(kernel.ends), &values(kernel.integrals), &values(kernel.constants), &mut found);
-    let output = |name: &str| found[kernel.equations.iter().position(|equation| equation.name == name).unwrap()];
+    let output = |name: &str| found[outputs.row(name.parse::<Output>().unwrap()).unwrap()];
     let is = |name: &str, value: f64| {
         println!("{name}");
         assert_relative_eq!(output(name), value, max_relative = 1e-12, epsilon = 1e-13);
@@ -69,47 +70,48 @@ fn check(kernel: &BoundaryKernel, random: &mut Random) {
         let force = sum(loads, |[force, ..]| *force);
         let x = sum(loads, |[force, radius, angle]| force * radius * place(*angle).cos()) / force;
         let y = sum(loads, |[force, radius, angle]| force * radius * place(*angle).sin()) / force;
-        is(&format!("{name}__resultant_x"), x);
-        is(&format!("{name}__resultant_y"), y);
-        is(&format!("{name}__binding_moment"), force * x.hypot(y));
-        is(&format!("{name}__axial_force"), force);
-        is(&format!("{name}__wrap_angle"), *wrap);
-        is(&format!("{name}__orientation_angle"), *orientation);
+        is(&format!("{name}.resultant_x"), x);
+        is(&format!("{name}.resultant_y"), y);
+        is(&format!("{name}.binding_moment"), force * x.hypot(y));
+        is(&format!("{name}.axial_force"), force);
+        is(&format!("{name}.wrap_angle"), *wrap);
+        is(&format!("{name}.orientation_angle"), *orientation);
         let pulley = if name == "primary" { "P" } else { "S" };
         for (end, at) in [("entry", 1), ("exit", 2)] {
-            is(&format!("{name}__{end}_angle"), g(&format!("theta_{pulley}{at}")));
-            is(&format!("{name}__{end}_tension"), g(&format!("T_{pulley}{at}")));
+            is(&format!("{name}.{end}_angle"), g(&format!("theta_{pulley}{at}")));
+            is(&format!("{name}.{end}_tension"), g(&format!("T_{pulley}{at}")));
         }
-        is(&format!("{name}__friction_loss"), g(&format!("W_{pulley}")));
+        is(&format!("{name}.friction_loss"), g(&format!("W_{pulley}")));
     }
     for (name, span) in [("tight_span", "t"), ("slack_span", "s")] {
-        is(&format!("{name}__arc_length"), g(&format!("L_{span}")));
-        is(&format!("{name}__unstretched_length"), g(&format!("L_o_{span}")));
+        is(&format!("{name}.arc_length"), g(&format!("L_{span}")));
+        is(&format!("{name}.unstretched_length"), g(&format!("L_o_{span}")));
     }
     let all = |letter: &str| ["P", "s", "S", "t"].iter().map(|at| g(&format!("{letter}_{at}"))).sum::<f64>();
     let (power_in, power_out, loss) = (torque_in * speed, torque_out * ratio * speed, g("W_P") + g("W_S"));
     // Friction and output take power from the belt: M_P < 0, and the integrals are of power into it.
     let (primary, secondary) = (g("R_P"), g("R_S"));
     for (name, value) in [
-        ("primary__speed", speed),
-        ("primary__torque", torque_in),
-        ("primary__power", power_in),
-        ("secondary__speed", ratio * speed),
-        ("secondary__torque", torque_out),
-        ("secondary__power", power_out),
-        ("efficiency__speed", ratio * secondary / primary),
-        ("efficiency__torque", torque_out / secondary * primary / torque_in),
-        ("efficiency__overall", power_out / power_in),
-        ("belt__mass_flow", g("flow") * g("m_o") * primary * speed),
-        ("belt__unstretched_length", all("L_o")),
-        ("energy__power_in", power_in),
-        ("energy__power_out", power_out),
-        ("energy__friction_loss", loss),
-        ("energy__stretch_work", all("E")),
-        ("energy__imbalance", (power_in - power_out - loss) / power_in),
-        ("energy__closure", (power_in - power_out - loss - all("E")) / power_in),
+        ("primary.speed", speed),
+        ("primary.torque", torque_in),
+        ("primary.power", power_in),
+        ("secondary.speed", ratio * speed),
+        ("secondary.torque", torque_out),
+        ("secondary.power", power_out),
+        ("efficiency.speed", ratio * secondary / primary),
+        ("efficiency.torque", torque_out / secondary * primary / torque_in),
+        ("efficiency.overall", power_out / power_in),
+        ("belt.mass_flow", g("flow") * g("m_o") * primary * speed),
+        ("belt.unstretched_length", all("L_o")),
+        ("energy.power_in", power_in),
+        ("energy.power_out", power_out),
+        ("energy.friction_loss", loss),
+        ("energy.stretch_work", all("E")),
+        ("energy.imbalance", (power_in - power_out - loss) / power_in),
+        ("energy.closure", (power_in - power_out - loss - all("E")) / power_in),
     ] {
         is(name, value);
     }
+    assert!(outputs.outputs.iter().all(|output| output.theories().contains(&outputs.theory)));
     assert_eq!(kernel.equations.len(), 2 * 11 + 2 * 2 + 17, "an output without a test");
 }

@@ -6,7 +6,7 @@ mod dual;
 
 use common::{Point, Random, Slip, at, point};
 use dual::{Dual, Number};
-use generated::{BOUNDARIES, REGIONS, RegionKernel};
+use generated::{Field, REGIONS, RegionConstant, RegionKernel};
 
 mod twin {
     use super::Number;
@@ -24,9 +24,11 @@ fn twin_of(name: &str) -> fn(&[Dual]) -> Vec<Dual> {
 /// Moves a state into a corner where something vanishes or switches.
 fn corner(kernel: &RegionKernel, point: &mut Point, which: usize) {
     let mut set = |name: &str, value: &dyn Fn(f64) -> f64| {
-        let states = kernel.states.iter().zip(&mut point.y);
-        let constants = kernel.constants.iter().zip(&mut point.constants);
-        states.chain(constants).filter(|(symbol, _)| symbol.name == name).for_each(|(_, old)| *old = value(*old));
+        let values = point.y.iter_mut().chain(&mut point.constants);
+        common::inputs(kernel)
+            .zip(values)
+            .filter(|(symbol, _)| symbol.name == name)
+            .for_each(|(_, old)| *old = value(*old));
     };
     match which {
         0 => set("x", &|_| 0.0),
@@ -43,8 +45,10 @@ fn corner(kernel: &RegionKernel, point: &mut Point, which: usize) {
 
 /// Puts |v| at a multiple of the threshold, by way of the pulley's speed and the threshold.
 fn slide(kernel: &RegionKernel, point: &mut Point, share: f64) {
-    let speed = kernel.fields.iter().position(|field| field.name == "speed");
-    let (Some(speed), Some(threshold)) = (speed, kernel.constants.iter().position(|c| c.name == "v_thr")) else {
+    let speed = kernel.field(Field::SlidingSpeed);
+    let (Some(speed), Some(threshold)) =
+        (speed, kernel.constants.iter().position(|constant| *constant == RegionConstant::SlipThreshold))
+    else {
         return;
     };
     let found = at(kernel, kernel.fields_fn, point).fields[speed];
@@ -90,7 +94,7 @@ fn check(kernel: &RegionKernel, point: &Point, worst: &mut (f64, String)) {
                 derivative.abs().max(full.f[row].abs() / value.abs().max(1e-3)).max(sensitivity(kernel, &full.dy, row));
             let relative = (found - derivative).abs() / size.max(f64::MIN_POSITIVE);
             if !(relative <= worst.0) {
-                let name = kernel.states.iter().chain(kernel.constants).nth(column - 1).map(|symbol| symbol.name);
+                let name = common::inputs(kernel).nth(column - 1).map(|symbol| symbol.name);
                 *worst = (relative, format!("row {row} by {}: {found:e}, {derivative:e}", name.unwrap_or("?")));
             }
             let size = full.f[row].abs().max(sensitivity(kernel, &full.dy, row));
@@ -106,7 +110,7 @@ fn sensitivity(kernel: &RegionKernel, dy: &[f64], row: usize) -> f64 {
     entries
         .map(
             |((_, state), value)| {
-                if kernel.states[*state].name == "x" { value.abs() * 1e-4 } else { value.abs() * 1e-2 }
+                if kernel.states[*state].name() == "x" { value.abs() * 1e-4 } else { value.abs() * 1e-2 }
             },
         )
         .fold(0.0, f64::max)
@@ -114,7 +118,7 @@ fn sensitivity(kernel: &RegionKernel, dy: &[f64], row: usize) -> f64 {
 
 #[test]
 fn boundaries() {
-    for kernel in BOUNDARIES {
+    for kernel in common::sets() {
         let twin = twin_of(kernel.name);
         let mut random = Random::new(43);
         for _ in 0..POINTS / 10 {
@@ -162,8 +166,8 @@ fn standstill() {
         for _ in 0..100 {
             let mut point = point(kernel, &mut random, Slip::Below);
             corner(kernel, &mut point, 1);
-            let field = |name: &str| kernel.fields.iter().position(|field| field.name == name).unwrap();
-            let index = |name: &str| kernel.constants.iter().position(|constant| constant.name == name).unwrap();
+            let field = |name: &str| kernel.fields.iter().position(|field| field.name() == name).unwrap();
+            let index = |name: &str| kernel.constants.iter().position(|constant| constant.name() == name).unwrap();
             // σ such that v_t = 0: the speed is linear in it.
             let fields = at(kernel, kernel.fields_fn, &point).fields;
             let (V, v_t) = (fields[field("V")], fields[field("v_t")]);

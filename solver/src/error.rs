@@ -165,9 +165,6 @@ pub enum NewtonError {
         /// Its largest components.
         largest: Vec<Component>,
     },
-    /// The observer asked to stop.
-    #[error("cancelled")]
-    Cancelled,
 }
 
 /// What is wrong with an initial guess.
@@ -280,13 +277,21 @@ pub enum SolveError {
         /// Wanted.
         tolerance: f64,
     },
-    /// The observer asked to stop.
+    /// The work that the call was allowed is spent: [`Options::work_limit`](crate::Options::work_limit).
+    #[error("the right-hand side was evaluated at {points} points: more than the work limit of {limit}")]
+    WorkLimit {
+        /// Points at which the right-hand side was evaluated.
+        points: usize,
+        /// As many were allowed.
+        limit: usize,
+    },
+    /// The observer, or the holder of a [`Cancel`](crate::Cancel) handle, asked to stop.
     #[error("cancelled")]
     Cancelled,
 }
 
 impl SolveError {
-    /// Whether no other way of solving can help: the input is wrong, or the observer asked to stop.
+    /// Whether no other way of solving can help: the input is wrong, the work is spent, or the caller asked to stop.
     pub fn is_final(&self) -> bool {
         !matches!(self, Self::Newton { .. } | Self::MeshLimit { .. } | Self::Boundary { .. } | Self::Steps { .. })
     }
@@ -312,8 +317,17 @@ impl SolveError {
                 "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
             }
             Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
-            Self::Cancelled => "Nothing: the observer asked for it.",
+            Self::WorkLimit { .. } => {
+                "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge may have \
+                 no solution."
+            }
+            Self::Cancelled => "Nothing: the caller asked for it.",
         }
+    }
+
+    /// Whether the call was stopped from outside or by its work limit, so that nothing else is to be tried.
+    pub(crate) fn is_interruption(&self) -> bool {
+        matches!(self, Self::Cancelled | Self::WorkLimit { .. })
     }
 }
 
@@ -339,7 +353,6 @@ impl NewtonError {
             Self::IterationLimit { .. } => {
                 "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier parameter."
             }
-            Self::Cancelled => "Nothing: the observer asked for it.",
         }
     }
 }

@@ -42,6 +42,7 @@
 // Negated comparisons are meant: NaN must fail.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod budget;
 mod collocation;
 mod condensation;
 mod conditioning;
@@ -70,6 +71,7 @@ mod tableau;
 #[doc = include_str!("../../docs/solver.md")]
 struct Guide;
 
+pub use budget::Cancel;
 pub use condensation::Condensation;
 pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};

@@ -5,10 +5,11 @@
 //! (natural monotonicity), which no scaling of the equations can change; the damping factor is predicted and corrected
 //! from estimates of the affine-invariant Lipschitz constant.
 
+use crate::budget::Budget;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
-use crate::error::{Component, NewtonError, NonFinite, shown};
+use crate::error::{Component, NewtonError, NonFinite, SolveError, shown};
 use crate::observer::{Event, Observer};
 use crate::problem::Problem;
 use crate::stats::Stats;
@@ -60,6 +61,7 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     limits: Limits,
     stats: &'a mut Stats,
     observer: &'a mut dyn Observer,
+    budget: &'a Budget,
     work: Work,
     factorisation: Factorisation,
     iteration: usize,
@@ -76,22 +78,38 @@ enum Step {
     Moved { x: Iterate, simplified: Correction, damping: f64, contraction: f64 },
 }
 
+/// Why there is no converged iterate.
+pub(crate) enum Failure {
+    /// The iteration cannot go on.
+    Newton(NewtonError),
+    /// The iteration must not go on: it was cancelled, or its work is spent.
+    Interrupted(SolveError),
+}
+
+impl From<NewtonError> for Failure {
+    fn from(error: NewtonError) -> Self {
+        Self::Newton(error)
+    }
+}
+
 /// Solves the collocation equations from `start`, which is left as it is.
 ///
 /// # Errors
-/// See [`NewtonError`].
+/// See [`Failure`].
 pub(crate) fn solve<P: Problem + ?Sized>(
     system: &System<'_, P>,
     start: &Iterate,
     limits: Limits,
     stats: &mut Stats,
     observer: &mut dyn Observer,
-) -> Result<Converged, NewtonError> {
+    budget: &Budget,
+) -> Result<Converged, Failure> {
     let newton = Newton {
         system,
         limits,
         stats,
         observer,
+        budget,
         work: system.work(),
         factorisation: Factorisation::new(system),
         iteration: 0,
@@ -101,7 +119,7 @@ pub(crate) fn solve<P: Problem + ?Sized>(
 }
 
 impl<P: Problem + ?Sized> Newton<'_, '_, P> {
-    fn run(mut self, mut x: Iterate) -> Result<Converged, NewtonError> {
+    fn run(mut self, mut x: Iterate) -> Result<Converged, Failure> {
         // The last damping factor, correction and simplified correction: they predict the next damping factor.
         let mut before: Option<(f64, f64, Correction)> = None;
         loop {
@@ -165,7 +183,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
     }
 
-    fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, NewtonError> {
+    fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, Failure> {
         let mut damping = if self.limits.bold { 1.0 } else { first };
         let mut reduced = false;
         let largest = self.system.largest(dx);
@@ -174,10 +192,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if damping < smallest {
                 return Ok(Step::Stuck(self.stalled(damping, dx)));
             }
+            self.budget.check(self.stats).map_err(Failure::Interrupted)?;
             let trial = self.system.stepped(x, &self.factorisation.scales, damping, dx);
             if let Err(error) = self.evaluate(&trial, Derivatives::None) {
                 if damping <= self.limits.smallest_damping {
-                    return Err(NewtonError::NonFinite(error));
+                    return Err(NewtonError::NonFinite(error).into());
                 }
                 reduced = true;
                 damping = (damping / 2.0).max(self.limits.smallest_damping);
@@ -221,7 +240,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         mut x: Iterate,
         first: &Correction,
         mut contraction: f64,
-    ) -> Result<(Iterate, bool), NewtonError> {
+    ) -> Result<(Iterate, bool), Failure> {
         let mut dx = first.clone();
         loop {
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
@@ -229,6 +248,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if !(needed <= SIMPLIFIED_LIMIT) {
                 return Ok((x, false));
             }
+            self.budget.check(self.stats).map_err(Failure::Interrupted)?;
             let trial = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
             if self.evaluate(&trial, Derivatives::None).is_err() {
                 return Ok((x, false));
@@ -250,7 +270,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     }
 
     /// The residual where the iteration ended, for integrals, boundary residuals and dense output.
-    fn finish(mut self, x: Iterate, stagnated: Option<NewtonError>) -> Result<Converged, NewtonError> {
+    fn finish(mut self, x: Iterate, stagnated: Option<NewtonError>) -> Result<Converged, Failure> {
         self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         Ok(Converged {
             x,
@@ -263,21 +283,21 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     }
 
     /// Ends the iteration at `x` for want of a better iterate.
-    fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, NewtonError> {
+    fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, Failure> {
         let size = self.system.largest(dx);
         if size <= self.limits.stagnation {
             self.finish(x, None)
         } else if size <= STAGNANT {
             self.finish(x, Some(error))
         } else {
-            Err(error)
+            Err(error.into())
         }
     }
 
-    fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), NewtonError> {
+    fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), Failure> {
         let correction = self.system.largest(dx);
         let event = Event::Newton { iteration: self.iteration, correction, damping };
-        if self.observer.notify(&event).is_break() { Err(NewtonError::Cancelled) } else { Ok(()) }
+        self.budget.notify(self.observer, &event, self.stats).map_err(Failure::Interrupted)
     }
 
     fn stalled(&self, damping: f64, dx: &Correction) -> NewtonError {

@@ -1,5 +1,6 @@
 //! What a solve may be told.
 
+use crate::budget::Cancel;
 use crate::error::SolveError;
 use crate::tableau::{ORDER_4, ORDER_6, Tableau};
 
@@ -64,7 +65,17 @@ pub struct Options {
     /// How often meshes are halved when Newton's iteration fails on them. If that does not help, and unless this is 0,
     /// the iteration starts again without insisting on progress at every step.
     pub rescues: usize,
+    /// Points at which the right-hand side may be evaluated, with its derivatives or without
+    /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a continuation,
+    /// all attempts of an automatic solve. Beyond it the call ends with [`SolveError::WorkLimit`]. Default: 1000 times
+    /// `max_intervals`, which a few seconds suffice for.
+    pub work_limit: Option<usize>,
+    /// Ends the whole call from outside, with [`SolveError::Cancelled`]. Default: none.
+    pub cancel: Option<Cancel>,
 }
+
+/// Points that each interval a region may have stands for in the default of the work limit.
+const POINTS_PER_INTERVAL: usize = 1000;
 
 impl Default for Options {
     fn default() -> Self {
@@ -79,6 +90,8 @@ impl Default for Options {
             max_intervals: 20_000,
             max_meshes: 40,
             rescues: 2,
+            work_limit: None,
+            cancel: None,
         }
     }
 }
@@ -92,6 +105,11 @@ impl Options {
     /// The Newton tolerance in force.
     pub fn newton_tolerance(&self) -> f64 {
         self.newton_tolerance.unwrap_or_else(|| (0.01 * self.tolerance).max(1e-13))
+    }
+
+    /// The work limit in force.
+    pub fn work_limit(&self) -> usize {
+        self.work_limit.unwrap_or_else(|| POINTS_PER_INTERVAL.saturating_mul(self.max_intervals))
     }
 
     /// Corrections of this size are accepted where rounding prevents smaller ones.

@@ -1,5 +1,6 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
+use crate::budget::Budget;
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
@@ -30,6 +31,7 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     plan: Arc<Plan>,
     pub options: &'o Options,
     pub observer: &'o mut dyn Observer,
+    pub budget: &'o Budget,
     pub stats: Stats,
     pub history: Vec<MeshRecord>,
     /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
@@ -91,13 +93,20 @@ enum Next {
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
-    pub(crate) fn new(problem: &'a P, plan: Plan, options: &'o Options, observer: &'o mut dyn Observer) -> Self {
+    pub(crate) fn new(
+        problem: &'a P,
+        plan: Plan,
+        options: &'o Options,
+        observer: &'o mut dyn Observer,
+        budget: &'o Budget,
+    ) -> Self {
         Self {
             problem,
             layout: problem.layout(),
             plan: Arc::new(plan),
             options,
             observer,
+            budget,
             stats: Stats::default(),
             history: Vec::new(),
             contraction: 0.0,
@@ -125,12 +134,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         for attempt in 0..self.options.max_meshes {
             let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
                 Ok(solved) => solved,
-                Err(Stop::Error(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
+                Err(Stop::Error(error)) if error.is_interruption() => return Err(error),
                 Err(Stop::Error(error)) => return progress.fallback.ok_or(error),
                 Err(Stop::Newton(failed, error)) => {
-                    if error == NewtonError::Cancelled {
-                        return Err(SolveError::Cancelled);
-                    }
                     if let Some(meshes) = progress.doubled() {
                         start = meshes;
                         continue;
@@ -206,7 +212,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let outcome = newton::solve(&system, &x, self.limits(bold), &mut self.stats, self.observer);
+        let outcome = newton::solve(&system, &x, self.limits(bold), &mut self.stats, self.observer, self.budget);
         if first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
         }
@@ -217,9 +223,12 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         };
         let converged = match outcome {
             Ok(converged) => converged,
-            Err(error) => {
+            Err(failure) => {
                 self.history.push(record);
-                return Err(Stop::Newton(Box::new(Start { grids: system.grids, x }), error));
+                return Err(match failure {
+                    newton::Failure::Newton(error) => Stop::Newton(Box::new(Start { grids: system.grids, x }), error),
+                    newton::Failure::Interrupted(error) => Stop::Error(error),
+                });
             }
         };
         let solved = Solved::new(system, converged, &mut self.stats).map_err(Stop::Error)?;
@@ -227,7 +236,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let defect = record.defects.iter().fold(0.0, |max: f64, defect| max.max(*defect));
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
-        if self.observer.notify(&event).is_break() { Err(Stop::Error(SolveError::Cancelled)) } else { Ok(solved) }
+        self.budget.notify(self.observer, &event, &self.stats).map_err(Stop::Error)?;
+        Ok(solved)
     }
 
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
@@ -247,9 +257,6 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// A failed iteration may succeed on finer meshes, or boldly.
     fn rescued(&self, failed: Start, error: NewtonError, rescue: &mut Rescue) -> Result<Start, SolveError> {
-        if error == NewtonError::Cancelled {
-            return Err(SolveError::Cancelled);
-        }
         let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
@@ -417,6 +424,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             stats: self.stats,
             history: self.history.clone(),
         }
+    }
+}
+
+/// What a run has cost stands against the budget of the call it belongs to.
+impl<P: Problem + ?Sized> Drop for Run<'_, '_, P> {
+    fn drop(&mut self) {
+        self.budget.charge(&self.stats);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Solving from a guess.
 
+use crate::budget::Budget;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::Guess;
@@ -30,7 +31,7 @@ pub fn solve<P: Problem + ?Sized>(
 /// As [`solve`], watched by an observer that may cancel it.
 ///
 /// # Errors
-/// As [`solve`], and [`SolveError::Cancelled`].
+/// As [`solve`].
 pub fn solve_observed<P: Problem + ?Sized>(
     problem: &P,
     guess: &Guess,
@@ -38,20 +39,22 @@ pub fn solve_observed<P: Problem + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Solution, SolveError> {
-    solve_any(&problem, guess, unknowns, options, observer)
+    solve_within(&problem, guess, unknowns, options, observer, &Budget::new(options))
 }
 
-fn solve_any(
+/// As [`solve_observed`], as a part of a larger computation with a budget of its own.
+pub(crate) fn solve_within(
     problem: &dyn Problem,
     guess: &Guess,
     unknowns: &[usize],
     options: &Options,
     observer: &mut dyn Observer,
+    budget: &Budget,
 ) -> Result<Solution, SolveError> {
     let layout = problem.layout();
     check(layout, guess, unknowns, options)?;
     let plan = Plan::new(layout, unknowns);
-    let mut run = Run::new(problem, plan, options, observer);
+    let mut run = Run::new(problem, plan, options, observer, budget);
     let solved = run.refine(Start::from(guess))?;
     run.finish(&solved)
 }

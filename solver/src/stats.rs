@@ -21,6 +21,14 @@ pub struct Stats {
     pub meshes: usize,
 }
 
+impl Stats {
+    /// Points at which the right-hand side was evaluated, with its derivatives or without: the unit of
+    /// [`Options::work_limit`](crate::Options::work_limit).
+    pub fn points(&self) -> usize {
+        self.rhs_points + self.jacobian_points
+    }
+}
+
 impl AddAssign for Stats {
     fn add_assign(&mut self, other: Self) {
         self.rhs_points += other.rhs_points;

@@ -2,9 +2,9 @@
 
 use super::geometry::NoRadii;
 use super::keys::Key;
-use crate::drive::IllPosed;
-use crate::quantity::QuantityError;
-use miette::{Diagnostic, LabeledSpan, SourceCode};
+use crate::model::IllPosed;
+use crate::quantity::{Dimension, QuantityError};
+use crate::text::{printable, printable_in_place};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,6 +16,52 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// The same, with nothing in it that a terminal would act on.
+    shown: String,
+}
+
+/// Bytes of a line that are shown whole.
+const WHOLE_LINE: usize = 400;
+/// Bytes that are shown of a longer one, before and from the place that is meant.
+const EXCERPT: (usize, usize) = (60, 180);
+
+impl Source {
+    /// A text with its name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
+    }
+
+    /// The whole text with nothing in it that a terminal would act on, each byte in its place.
+    pub fn shown_text(&self) -> &str {
+        &self.shown
+    }
+
+    /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
+    pub fn excerpt(&self, place: usize) -> Option<Range<usize>> {
+        let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
+        let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
+        let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
+        let after = self.text.get(end..)?.lines().nth(1).map_or(0, str::len);
+        if before.max(after).max(end - start) <= WHOLE_LINE {
+            return None;
+        }
+        let boundary = |at: usize, up: bool| {
+            let mut at = at.clamp(start, end);
+            while !self.text.is_char_boundary(at) {
+                at = if up { at + 1 } else { at - 1 };
+            }
+            at
+        };
+        Some(boundary(place.saturating_sub(EXCERPT.0), true)..boundary(place.saturating_add(EXCERPT.1), false))
+    }
+
+    /// The part of `span` that is shown; nothing if none of it is.
+    pub fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
+        let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
+        let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
+        (start <= end).then_some(start..end)
+    }
 }
 
 /// Where something was said: byte ranges in a source.
@@ -102,6 +148,14 @@ pub enum Problem {
         /// The bare number would be in range if it had this unit.
         unit_missing: Option<&'static str>,
     },
+    /// A bare number for a speed that is surely in rpm.
+    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected {}", key.path(), key.entry().expected())]
+    BareSpeed {
+        /// The key.
+        key: Key,
+        /// As given.
+        given: String,
+    },
     /// A name that cannot be chosen.
     #[error("`{}` = {given}: expected {}", key.path(), key.entry().expected())]
     UnknownChoice {
@@ -171,13 +225,25 @@ pub enum Problem {
 }
 
 impl Problem {
+    /// Whether belt and pulleys do not fit: a drive with other numbers might.
+    pub const fn is_of_geometry(&self) -> bool {
+        matches!(self, Self::Overlap { .. } | Self::NoRadii { .. })
+    }
+
     /// What to do about it, if there is more to say than the message says.
     fn advice(&self) -> Option<String> {
         match self {
+            Self::UnknownKey { path, .. } if path == "sweep" => {
+                Some("this is a study file: `sheave sweep FILE` solves it at every point".into())
+            }
             Self::UnknownKey { path, .. } => Some(keys_near(path)),
+            Self::BareSpeed { given, .. } => {
+                Some(format!("did you mean \"{given} rpm\"? If not, write \"{given} rad/s\""))
+            }
             Self::OutOfRange { given, unit_missing: Some(unit), .. } => {
                 Some(format!("a bare number is in SI units; did you mean \"{given} {unit}\"?"))
             }
+            Self::Quantity { reason: QuantityError::Dimension { given, expected }, .. } => pounds(*given, *expected),
             Self::Quantity { reason: QuantityError::UnknownUnit { .. }, .. } => {
                 let units: Vec<_> = crate::quantity::symbols().collect();
                 Some(format!("known units, SI prefixes and their products aside: {}", units.join(" ")))
@@ -187,13 +253,22 @@ impl Problem {
     }
 }
 
+/// Pounds of mass where pounds of force were meant.
+fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
+    let acceleration = Dimension::new(1, 0, -2, 0);
+    (given.times(acceleration, 1) == Some(expected))
+        .then(|| "\"lb\" and \"kg\" are masses; a force is in \"lbf\", \"kgf\" or \"N\"".to_owned())
+}
+
 /// The keys among which the one written was probably meant to be.
 fn keys_near(path: &str) -> String {
     use super::keys::{TABLE, sections};
     let section = path.split('.').next().unwrap_or_default();
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
-        if let Some(near) = sections().find(|known| strsim::damerau_levenshtein(known, section) <= 2) {
+        // The distance takes time with the length of both.
+        let short = section.len() < 40;
+        if let Some(near) = sections().find(|known| short && strsim::damerau_levenshtein(known, section) <= 2) {
             return format!("did you mean the section [{near}]?");
         }
         let sections: Vec<_> = sections().map(|section| format!("[{section}]")).collect();
@@ -205,8 +280,9 @@ fn keys_near(path: &str) -> String {
 
 /// A [`Problem`] with the places it is about.
 ///
-/// Displays as one line that names the key, what was given and what is expected; as a [`Diagnostic`] it underlines the
-/// place in the case file or the argument.
+/// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
+/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the place
+/// in the case file or the argument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseError(Box<Inner>);
 
@@ -223,6 +299,11 @@ impl CaseError {
         Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
     }
 
+    /// A text that cannot be read.
+    pub fn unreadable(name: &str, error: &std::io::Error) -> Self {
+        Self::new(Problem::Read { path: name.into(), reason: error.to_string() }, [])
+    }
+
     /// What is wrong.
     pub fn problem(&self) -> &Problem {
         &self.0.problem
@@ -233,8 +314,23 @@ impl CaseError {
         &self.0.places
     }
 
+    /// What to do about it, where there is more to say than the message says.
+    pub fn hint(&self) -> Option<String> {
+        let hint = match (&self.0.problem, self.places()) {
+            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+                let [one, other] = [one, other].map(|place| &place.source.name);
+                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
+            }
+            (Problem::Conflict { first, second, .. }, _) => {
+                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
+            }
+            (problem, _) => problem.advice(),
+        };
+        Some(printable(&hint?).into_owned())
+    }
+
     /// What to underline of a place.
-    fn span(&self, place: &Place) -> Range<usize> {
+    pub fn span(&self, place: &Place) -> Range<usize> {
         match self.0.problem {
             Problem::UnknownKey { .. } => place.key.clone(),
             Problem::Conflict { .. } => place.whole(),
@@ -243,8 +339,8 @@ impl CaseError {
         }
     }
 
-    /// What to write beside the underlined text.
-    fn label(&self, index: usize) -> &'static str {
+    /// What to write beside the underlined text of the place with this number.
+    pub fn label(&self, index: usize) -> &'static str {
         match (&self.0.problem, index) {
             (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
             (Problem::UnknownKey { .. }, _) => "no such key",
@@ -256,6 +352,7 @@ impl CaseError {
                 _ => "not a quantity",
             },
             (Problem::OutOfRange { .. }, _) => "out of range",
+            (Problem::BareSpeed { .. }, _) => "rad/s",
             (Problem::UnknownChoice { .. }, _) => "no such choice",
             (Problem::Conflict { .. }, 0) => "this",
             (Problem::Conflict { .. }, _) => "and this",
@@ -272,57 +369,8 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.problem.fmt(f)
+        f.write_str(&printable(&self.0.problem.to_string()))
     }
 }
 
 impl std::error::Error for CaseError {}
-
-impl Diagnostic for CaseError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        let advice = match (&self.0.problem, self.places()) {
-            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
-                let [one, other] = [one, other].map(|place| &place.source.name);
-                Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
-            }
-            (Problem::Conflict { first, second, .. }, _) => {
-                Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
-            }
-            (problem, _) => problem.advice(),
-        };
-        Some(Box::new(advice?))
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&*self.0.places.first()?.source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let first = self.0.places.first()?;
-        // One text can be shown: the one at fault.
-        let shown = self.0.places.iter().enumerate().filter(|(_, place)| place.source == first.source);
-        Some(Box::new(shown.map(|(index, place)| {
-            let span = self.span(place);
-            LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len()))
-        })))
-    }
-}
-
-impl SourceCode for Source {
-    fn read_span<'a>(
-        &'a self,
-        span: &miette::SourceSpan,
-        context_lines_before: usize,
-        context_lines_after: usize,
-    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
-        let contents = self.text.read_span(span, context_lines_before, context_lines_after)?;
-        Ok(Box::new(miette::MietteSpanContents::new_named(
-            self.name.clone(),
-            contents.data(),
-            *contents.span(),
-            contents.line(),
-            contents.column(),
-            contents.line_count(),
-        )))
-    }
-}

@@ -1,11 +1,13 @@
 //! A case as it was written: sparse, with the places where things stand.
 
-use super::choice::Choice;
 use super::error::{CaseError, Place, Problem, Source};
 use super::exchange::{self, Exchange};
 use super::keys::{Key, Kind};
 use super::raw::{Raw, in_order, kind, raw};
+use super::resolve::Setting;
+use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
+use crate::text::quoted;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -13,6 +15,9 @@ use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// A bare number above this is a speed in rpm, not in rad/s: 2000 rad/s are 19,100 rpm.
+const FASTEST_BARE: f64 = 2000.0;
 
 /// The key at the top of a file under which constants are made unknown for outputs.
 pub(super) const SWAP: &str = "swap";
@@ -55,7 +60,7 @@ impl Case {
         let name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::from_toml(&name, &text),
-            Err(error) => Err(CaseError::new(Problem::Read { path: name, reason: error.to_string() }, [])),
+            Err(error) => Err(CaseError::unreadable(&name, &error)),
         }
     }
 
@@ -64,8 +69,10 @@ impl Case {
     /// # Errors
     /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Arc::new(Source { name: name.into(), text: text.into() });
         let mut case = Self::base();
+        // What some editors put at the front of a file.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
@@ -144,8 +151,8 @@ impl Case {
         if let Some(equals) = equals {
             return self.argument("--set", assignment.into(), equals);
         }
-        let source = Arc::new(Source { name: "--set".into(), text: assignment.into() });
-        let (whole, text) = (0..assignment.len(), assignment.into());
+        let source = Arc::new(Source::new("--set", assignment));
+        let (whole, text) = (0..assignment.len(), quoted(assignment).into_owned());
         let place = Place { source, key: whole.clone(), value: whole };
         Err(CaseError::new(Problem::Assignment { text }, [place]))
     }
@@ -155,7 +162,12 @@ impl Case {
     /// # Errors
     /// As [`Case::set`].
     pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
-        self.set(key.path(), &format!("{value:e}"))
+        // In words: a bare number that is surely in rpm is refused.
+        let unit = match key.entry().kind {
+            Kind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
+            _ => "",
+        };
+        self.set(key.path(), &format!("{value:e}{unit}"))
     }
 
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
@@ -163,11 +175,16 @@ impl Case {
     /// # Errors
     /// [`Problem::UnknownKey`].
     pub fn unset(&mut self, key: &str) -> Result<(), CaseError> {
-        let source = Arc::new(Source { name: "--unset".into(), text: key.into() });
+        let source = Arc::new(Source::new("--unset", key));
         let whole = 0..key.len();
         let known = known(key, &Place { source, key: whole.clone(), value: whole })?;
         self.given.remove(&known);
         Ok(())
+    }
+
+    /// Takes a key out of the case.
+    pub(super) fn remove(&mut self, key: Key) {
+        self.given.remove(&key);
     }
 
     /// Whether the key was given.
@@ -180,6 +197,19 @@ impl Case {
         self.given.keys().copied()
     }
 
+    /// Constants that are to be found for outputs, in the order in which they were given.
+    pub fn exchanges(&self) -> impl Iterator<Item = &Exchange> {
+        self.swaps.iter().map(|(exchange, _)| exchange)
+    }
+
+    /// The keys that were given, with their values, in the order of the table.
+    pub fn settings(&self) -> impl Iterator<Item = (Key, Setting)> + '_ {
+        self.given.iter().map(|(key, given)| match given.value {
+            Value::Quantity(si) => (*key, Setting::Number(si)),
+            Value::Choice(name) => (*key, Setting::Name(name)),
+        })
+    }
+
     /// One `KEY=VALUE` text, with `equals` the place of its `=`.
     fn argument(&mut self, option: &str, text: String, equals: usize) -> Result<(), CaseError> {
         let value_start = (equals + 1).min(text.len());
@@ -189,7 +219,7 @@ impl Case {
         let place = Place {
             key: range,
             value: trimmed(&text, value_start..text.len()),
-            source: Arc::new(Source { name: option.into(), text }),
+            source: Arc::new(Source::new(option, text)),
         };
         self.insert(&key, Raw::Text(value.into()), place)
     }
@@ -197,7 +227,8 @@ impl Case {
     /// Checks one key and its value, and keeps it.
     fn insert(&mut self, path: &str, raw: Raw<'_>, place: Place) -> Result<(), CaseError> {
         let key = known(path, &place)?;
-        let given = if place.given().is_empty() { "nothing" } else { place.given() };
+        let given = if place.given().is_empty() { "nothing".into() } else { quoted(place.given()) };
+        let given = given.as_ref();
         let value = match key.entry().kind {
             Kind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
             Kind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
@@ -250,7 +281,7 @@ impl Case {
     /// # Errors
     /// [`Problem::Swap`].
     pub fn swap(&mut self, text: &str) -> Result<(), CaseError> {
-        let source = Arc::new(Source { name: "--swap".into(), text: text.into() });
+        let source = Arc::new(Source::new("--swap", text));
         let whole = 0..text.len();
         self.add_swap(text, Place { source, key: whole.clone(), value: whole })
     }
@@ -261,14 +292,15 @@ impl Case {
                 self.swaps.push((exchange, place));
                 Ok(())
             }
-            Err(reason) => Err(CaseError::new(Problem::Swap { text: text.into(), reason }, [place])),
+            Err(reason) => Err(CaseError::new(Problem::Swap { text: quoted(text).into_owned(), reason }, [place])),
         }
     }
 }
 
 fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     Key::from_path(path).ok_or_else(|| {
-        CaseError::new(Problem::UnknownKey { path: path.into(), nearest: Key::nearest(path) }, [place.clone()])
+        let (path, nearest) = (quoted(path).into_owned(), Key::nearest(path));
+        CaseError::new(Problem::UnknownKey { path, nearest }, [place.clone()])
     })
 }
 
@@ -288,6 +320,10 @@ fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {
     };
     let si = quantity.expect(unit.scale.dimension).map_err(invalid)?;
     let allowed = |si| range.contains(si, |bound| unit.to_si(bound));
+    let rpm = unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED;
+    if rpm && quantity.bare && si.abs() > FASTEST_BARE && allowed(unit.to_si(si)) {
+        return Err(Problem::BareSpeed { key, given: given.into() });
+    }
     if allowed(si) {
         return Ok(si);
     }

@@ -1,7 +1,7 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::choice::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use super::range::Range;
+use crate::model::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
@@ -36,6 +36,8 @@ pub enum Key {
     TightTension,
     PrimaryAxialForce,
     SecondaryAxialForce,
+    SlipReserve,
+    FrictionUtilization,
 }
 
 /// What is known of a key.
@@ -77,6 +79,7 @@ pub enum Kind {
 }
 
 const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
+const PERCENT: Unit = Unit::decimal("%", -2, Dimension::NONE);
 const MM: Unit = Unit::decimal("mm", -3, Dimension::LENGTH);
 const KG_PER_M: Unit = Unit::decimal("kg/m", 0, Dimension::MASS_PER_LENGTH);
 const N: Unit = Unit::decimal("N", 0, Dimension::FORCE);
@@ -109,7 +112,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, d
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 27] = [
+pub static TABLE: [Entry; 29] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -164,7 +167,14 @@ pub static TABLE: [Entry; 27] = [
         "force that pushes the sheaves of the primary together"),
     entry(Key::SecondaryAxialForce, "operating_point.secondary_axial_force", "A_S", other(N, Range::POSITIVE, 550.0),
         "force that pushes the sheaves of the secondary together"),
+    entry(Key::SlipReserve, "operating_point.slip_reserve", "", other(PERCENT, Range::positive_below(100.0), 20.0),
+        "share of the friction at hand that is to be left over: the clamp that does it is found"),
+    entry(Key::FrictionUtilization, "operating_point.friction_utilization", "", other(PERCENT, Range::positive_below(100.0), 80.0),
+        "share of the friction at hand that is to be used, 1 less the slip reserve"),
 ];
+
+/// No key is longer.
+const LONGEST_KEY: usize = 50;
 
 impl Key {
     /// What is known of the key.
@@ -184,6 +194,10 @@ impl Key {
 
     /// The known key whose name looks most like `path`, if one does.
     pub fn nearest(path: &str) -> Option<Self> {
+        // No slip of the pen is as long as that; the distance takes time with the length of both.
+        if path.len() > 2 * LONGEST_KEY {
+            return None;
+        }
         let distance = |entry: &Entry| {
             let whole = strsim::damerau_levenshtein(entry.path, path);
             // A name without its section, or in the wrong one.

@@ -23,25 +23,33 @@
 //!   only. The printed end conditions exist for linearised shear only; a string takes no choice but its friction law.
 //! - `swap = ["belt.bending_stiffness for efficiency.overall = 0.96"]` at the top makes any given constant unknown and
 //!   prescribes any output in its place; the constant's own key says where the search starts.
-//! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] does that.
+//! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] and
+//!   [`Case::make_room`] do that.
+//! - `belt.length` beside both radii: the radii hold. A belt that differs from their pitch length (6.12) by more than
+//!   [`PITCH_TOLERANCE`] of it is remarked upon, see [`Case::remarks`].
 
-mod choice;
+#[cfg(feature = "cli")]
+mod diagnostic;
 mod error;
 mod exchange;
 mod file;
+mod fits;
 pub mod geometry;
 mod keys;
+mod names;
 mod operating;
 mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
 
-pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
+pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Model, Shear, Spans};
 pub use error::{CaseError, Place, Problem, Source};
 pub use exchange::Exchange;
 pub use file::Case;
+pub use fits::PITCH_TOLERANCE;
 pub use keys::{Entry, Key, Kind, TABLE, sections};
-pub use operating::{Clamp, Fourth, Load, OperatingPoint, Speed};
+pub use names::{constant_label, output_label};
+pub use operating::{Clamp, Fourth, Load, Margin, OperatingPoint, Speed};
 pub use range::{Bound, Range};
 pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};

@@ -1,9 +1,21 @@
 //! The operating point: a speed, a load and a clamp, each given in one of several ways.
 
-use super::choice::Free;
 use super::error::CaseError;
 use super::file::Case;
 use super::keys::Key;
+use crate::model::Free;
+
+/// Keys that give the clamp.
+pub(super) const CLAMPS: &[Key] = &[
+    Key::SlackTension,
+    Key::TightTension,
+    Key::PrimaryAxialForce,
+    Key::SecondaryAxialForce,
+    Key::SlipReserve,
+    Key::FrictionUtilization,
+];
+/// Keys that give the load, besides a second speed.
+const LOADS: &[Key] = &[Key::PrimaryTorque, Key::SecondaryTorque, Key::SpeedRatio];
 
 /// The speed that is given, rad/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,6 +72,43 @@ pub struct OperatingPoint {
     pub clamp: Clamp,
     /// What closes the drive when both radii are free, and only then.
     pub fourth: Option<Fourth>,
+    /// What the clamp is found for; `clamp` is then where the search starts.
+    pub margin: Option<Margin>,
+}
+
+/// A margin against slip for which the clamp is found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Margin {
+    /// Share of the friction at hand that is left over.
+    SlipReserve(f64),
+    /// Share of the friction at hand that is used.
+    FrictionUtilization(f64),
+}
+
+impl Margin {
+    /// Its key and its value.
+    pub const fn setting(self) -> (Key, f64) {
+        match self {
+            Self::SlipReserve(value) => (Key::SlipReserve, value),
+            Self::FrictionUtilization(value) => (Key::FrictionUtilization, value),
+        }
+    }
+
+    /// Share of the friction at hand that is used.
+    pub const fn utilization(self) -> f64 {
+        match self {
+            Self::SlipReserve(reserve) => 1.0 - reserve,
+            Self::FrictionUtilization(utilization) => utilization,
+        }
+    }
+
+    fn of(case: &Case, key: Key) -> Option<Self> {
+        match key {
+            Key::SlipReserve => Some(Self::SlipReserve(case.value(key))),
+            Key::FrictionUtilization => Some(Self::FrictionUtilization(case.value(key))),
+            _ => None,
+        }
+    }
 }
 
 impl Speed {
@@ -132,8 +181,13 @@ impl OperatingPoint {
     pub(super) fn resolve(case: &Case, free: Option<Free>) -> Result<Self, CaseError> {
         let given = |keys: &[Key]| keys.iter().copied().filter(|key| case.has(*key)).collect::<Vec<_>>();
         let speeds = given(&[Key::PrimarySpeed, Key::SecondarySpeed]);
-        let mut loads = given(&[Key::PrimaryTorque, Key::SecondaryTorque, Key::SpeedRatio]);
-        let clamps = given(&[Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce]);
+        let mut loads = given(LOADS);
+        let clamps = given(CLAMPS);
+        let margin = clamps.iter().find_map(|clamp| Margin::of(case, *clamp));
+        if let (Some(margin), Some(Free::Both)) = (margin, free) {
+            let reason = "with both radii free, four other keys of [operating_point] have to close the drive";
+            return Err(case.conflict(margin.setting().0, Key::Free, reason));
+        }
         if speeds.len() == 2 {
             if case.has(Key::SpeedRatio) {
                 return Err(case.conflict(Key::SecondarySpeed, Key::SpeedRatio, "the two speeds have one ratio"));
@@ -150,12 +204,14 @@ impl OperatingPoint {
             load: Load::of(case, loads.first().copied().unwrap_or(Key::PrimaryTorque)),
             clamp: Clamp::of(case, clamps.first().copied().unwrap_or(Key::SlackTension)),
             fourth,
+            margin,
         })
     }
 
     /// Keys and values in SI.
     pub fn settings(&self) -> impl Iterator<Item = (Key, f64)> {
-        let slots = [self.speed.setting(), self.load.setting(), self.clamp.setting()];
+        let clamp = self.margin.map_or_else(|| self.clamp.setting(), Margin::setting);
+        let slots = [self.speed.setting(), self.load.setting(), clamp];
         slots.into_iter().chain(self.fourth.map(Fourth::setting))
     }
 }
@@ -178,5 +234,28 @@ fn fourth(case: &Case, loads: &[Key], clamps: &[Key], free: Option<Free>) -> Res
         (_, [first, second, ..], _) => Err(case.conflict(*first, *second, "the load is given by one key")),
         (_, _, [first, second, ..]) => Err(case.conflict(*first, *second, "the clamp is given by one key")),
         _ => Ok(None),
+    }
+}
+
+impl Case {
+    /// Takes out what the keys in `given` stand in place of: the ratio in place of both radii, a clamp or a load in place of
+    /// another. Keys in `given` stay.
+    pub fn make_room(&mut self, given: &[Key]) {
+        let radii = [Key::PrimaryRadius, Key::SecondaryRadius];
+        let mut out: Vec<Key> = Vec::new();
+        if given.contains(&Key::Ratio) {
+            out.extend(radii);
+        } else if radii.iter().any(|key| given.contains(key)) {
+            out.push(Key::Ratio);
+        }
+        // With both radii free, two keys of one slot may stand side by side.
+        if !self.has(Key::Free) {
+            for slot in [LOADS, CLAMPS] {
+                if slot.iter().any(|key| given.contains(key)) {
+                    out.extend(slot);
+                }
+            }
+        }
+        out.into_iter().filter(|key| !given.contains(key)).for_each(|key| self.remove(key));
     }
 }

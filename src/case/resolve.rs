@@ -1,17 +1,18 @@
 //! From what was written to a case in which everything is decided, in SI.
 
-use super::choice::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use super::error::{CaseError, Problem};
 use super::exchange::Exchange;
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
 use super::operating::OperatingPoint;
+use crate::model::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 /// A case with everything decided, in SI units. Serialises to the `inputs` of a result: sections and keys as in the
-/// case file, so that it can be read as a case again; radii that are solved for are left out.
+/// case file. A case that is not solved yet can be read as a case again; radii that are solved for are left out. In the
+/// `inputs` of a result what was found stands beside what it was found for; without it, the same can be asked again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Resolved {
     /// The edition that was asked for.
@@ -28,6 +29,8 @@ pub struct Resolved {
     pub operating_point: OperatingPoint,
     /// Constants that are found for outputs that are prescribed.
     pub swaps: Vec<Exchange>,
+    /// What was found, SI, for keys that were solved for; nothing before a case is solved.
+    pub found: Vec<(Key, f64)>,
 }
 
 /// The belt.
@@ -106,6 +109,7 @@ impl Case {
             drive,
             operating_point: OperatingPoint::resolve(self, drive.free)?,
             swaps: self.swaps.iter().map(|(exchange, _)| exchange.clone()).collect(),
+            found: Vec::new(),
         })
     }
 
@@ -217,7 +221,7 @@ fn is_free(free: Option<Free>, radius: Key) -> bool {
 impl Resolved {
     /// Every key with its value, in the order of the table; given to [`Case::set`], they make the same case again.
     pub fn settings(&self) -> Vec<(Key, Setting)> {
-        let Self { edition, model, belt, sheave, drive, operating_point, swaps: _ } = self;
+        let Self { edition, model, belt, sheave, drive, operating_point, swaps: _, found: _ } = self;
         let mut settings = vec![(Key::Edition, Setting::Name(edition.name()))];
         if let Some(bending) = model.bending {
             settings.push((Key::Shear, Setting::Name(bending.shear.name())));
@@ -248,7 +252,10 @@ impl Resolved {
 
 impl Serialize for Resolved {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let settings = self.settings();
+        let mut settings = self.settings();
+        settings.retain(|(key, _)| !self.found.iter().any(|(found, _)| found == key));
+        settings.extend(self.found.iter().map(|(key, value)| (*key, Setting::Number(*value))));
+        settings.sort_by_key(|(key, _)| *key);
         let mut map = serializer.serialize_map(None)?;
         if !self.swaps.is_empty() {
             map.serialize_entry(SWAP, &self.swaps.iter().map(Exchange::to_string).collect::<Vec<_>>())?;

@@ -5,12 +5,13 @@ use clap::builder::PossibleValue;
 use clap::builder::PossibleValuesParser;
 use sheave::case::{Case, CaseError, Edition, Key, Resolved};
 use sheave::study::{Axis, StudyError, StudyFile};
+use std::io::{self, Read};
 use std::path::PathBuf;
 
 /// Which case; flattened into the arguments of every command that takes one.
 #[derive(Debug, Args)]
 pub struct CaseArguments {
-    /// Case file; without one, the built-in base case (Table 6.1 of the thesis)
+    /// Case file, `-` for standard input; without one, the built-in base case (Table 6.1 of the thesis)
     #[arg(value_name = "CASE.toml")]
     file: Option<PathBuf>,
     /// Set a key of the case, in place of the file's value for it: operating_point.slack_tension="120 N"
@@ -28,6 +29,20 @@ pub struct CaseArguments {
     edition: Option<String>,
 }
 
+/// How messages name standard input.
+const STDIN: &str = "standard input";
+/// Longest case that is read from standard input, bytes.
+const LONGEST: u64 = 16 << 20;
+
+/// All of standard input.
+fn standard_input() -> Result<String, CaseError> {
+    let mut text = String::new();
+    match io::stdin().lock().take(LONGEST).read_to_string(&mut text) {
+        Ok(_) => Ok(text),
+        Err(error) => Err(CaseError::unreadable(STDIN, &error)),
+    }
+}
+
 /// One of the editions, by name.
 pub fn edition_parser() -> PossibleValuesParser {
     let values = Edition::CHOICES.iter().map(|choice| PossibleValue::new(choice.name).help(choice.doc));
@@ -38,6 +53,7 @@ impl CaseArguments {
     /// The case: the file, then --unset, --set and --edition, in this order.
     pub fn read(&self) -> Result<Case, CaseError> {
         let case = match &self.file {
+            Some(path) if path.as_os_str() == "-" => Case::from_toml(STDIN, &standard_input()?)?,
             Some(path) => Case::read(path)?,
             None => Case::base(),
         };
@@ -47,6 +63,7 @@ impl CaseArguments {
     /// The case, and what the file says is to be varied in it.
     pub fn read_study(&self) -> Result<(Case, Vec<Axis>), StudyError> {
         let StudyFile { case, axes } = match &self.file {
+            Some(path) if path.as_os_str() == "-" => StudyFile::from_toml(STDIN, &standard_input()?)?,
             Some(path) => StudyFile::read(path)?,
             None => StudyFile { case: Case::base(), axes: Vec::new() },
         };
@@ -56,6 +73,14 @@ impl CaseArguments {
     /// The file's case with what the command line changes.
     fn changed(&self, mut case: Case) -> Result<Case, CaseError> {
         self.unset.iter().try_for_each(|key| case.unset(key))?;
+        // What the command line sets takes the place of what the file says in another way.
+        let key = |assignment: &String| Key::from_path(assignment.split('=').next().unwrap_or_default().trim());
+        let set: Vec<Key> = self.set.iter().filter_map(key).collect();
+        let before: Vec<Key> = case.keys().collect();
+        case.make_room(&set);
+        for key in before.into_iter().filter(|key| !case.has(*key)) {
+            tracing::info!("`{}` of the file makes room for what --set says", key.path());
+        }
         self.set.iter().try_for_each(|assignment| case.assign(assignment))?;
         self.swap.iter().try_for_each(|swap| case.swap(swap))?;
         if let Some(edition) = &self.edition {
@@ -66,9 +91,14 @@ impl CaseArguments {
 
     /// The case, resolved and fit for the solver.
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
-        let case = self.read()?;
+        Self::check(&self.read()?)
+    }
+
+    /// A case, resolved and fit for the solver; remarks on it go to standard error.
+    pub fn check(case: &Case) -> Result<Resolved, CaseError> {
         let resolved = case.resolve()?;
         case.check_posed(&resolved)?;
+        case.remarks().iter().for_each(|remark| tracing::warn!("{remark}"));
         Ok(resolved)
     }
 }

@@ -45,7 +45,8 @@ fn note(section: &str) -> &'static str {
             "  # three slots, one key for each:\n\
              \x20 #   speed: primary_speed | secondary_speed\n\
              \x20 #   load:  primary_torque | secondary_torque | speed_ratio | the second speed, when both are given\n\
-             \x20 #   clamp: slack_tension | tight_tension | primary_axial_force | secondary_axial_force\n\
+             \x20 #   clamp: slack_tension | tight_tension | primary_axial_force | secondary_axial_force |\n\
+             \x20 #          slip_reserve | friction_utilization\n\
              \x20 # and with drive.free = \"both\" one key more\n"
         }
         _ => "",

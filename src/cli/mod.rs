@@ -1,14 +1,17 @@
 //! What the commands share; each command has a file of its own.
 
+mod belt;
 mod case;
 mod derive;
 mod design;
 mod init;
 mod keys;
 mod limit;
+mod measured;
 mod optimum;
 mod output;
 mod pulley;
+mod radii;
 mod reproduce;
 mod size;
 mod solve;
@@ -16,6 +19,7 @@ mod stop;
 mod sweep;
 
 use clap::{ArgAction, Parser, Subcommand};
+use sheave::text::printable;
 use std::process::ExitCode;
 use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
@@ -43,6 +47,8 @@ enum Command {
     Init(init::Arguments),
     Pulley(pulley::Arguments),
     Size(size::Arguments),
+    Belt(belt::Arguments),
+    Radii(radii::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -53,7 +59,10 @@ Results go to standard output, all else to standard error.";
 
 /// Runs the command that the arguments name.
 pub fn run() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(stop) => return misunderstood(&stop),
+    };
     log_to_stderr(arguments.verbose);
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
@@ -66,6 +75,8 @@ pub fn run() -> ExitCode {
         Command::Init(arguments) => init::run(arguments),
         Command::Pulley(arguments) => pulley::run(arguments),
         Command::Size(arguments) => size::run(arguments),
+        Command::Belt(arguments) => belt::run(arguments),
+        Command::Radii(arguments) => radii::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {
@@ -73,6 +84,21 @@ pub fn run() -> ExitCode {
         Ok(Err(stop)) => stop.report(),
         Err(_) => ExitCode::from(1),
     }
+}
+
+/// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act on.
+fn misunderstood(stop: &clap::Error) -> ExitCode {
+    let acts = |argument: std::ffi::OsString| {
+        let argument = argument.to_string_lossy();
+        argument.contains('\n') || matches!(printable(&argument), std::borrow::Cow::Owned(_))
+    };
+    if stop.use_stderr() && std::env::args_os().any(acts) {
+        stop::tell(&printable(&stop.render().to_string()));
+    } else {
+        // Where it goes is full or closed: the exit status has to do.
+        let _ = stop.print();
+    }
+    ExitCode::from(u8::try_from(stop.exit_code()).unwrap_or(1))
 }
 
 /// Warnings always; more with `-v`, or as the environment variable RUST_LOG says.
@@ -86,7 +112,7 @@ fn log_to_stderr(verbose: u8) {
     let asked = std::env::var("RUST_LOG").ok().and_then(|text| text.parse::<Targets>().ok());
     let filter = asked.unwrap_or_else(|| Targets::new().with_default(level));
     let lines = tracing_subscriber::fmt::layer()
-        .with_writer(std::io::stderr)
+        .with_writer(|| stop::Diagnostics)
         .with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr()))
         .without_time()
         .with_target(verbose > 1);

@@ -4,8 +4,10 @@ use super::stop::Stop;
 use rayon::prelude::*;
 use serde::Serialize;
 use sheave::plot::Figure;
+use sheave::study::sync_folder;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Stop> {
@@ -25,25 +27,71 @@ pub fn create_folder(folder: &Path) -> Result<(), Stop> {
     std::fs::create_dir_all(folder).map_err(|error| Stop::Write(folder.display().to_string(), error))
 }
 
-/// Writes a file of `folder` beside its place and renames it: whoever looks sees the old content or the new.
+/// Writes a file of `folder` beside its place and renames it: whoever looks sees the old content or the new. A symbolic
+/// link is followed; what it leads to is replaced, not the link.
 pub fn write_file(
     folder: &Path,
     name: &str,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), Stop> {
     let path = folder.join(name);
     let write = || {
-        let beside = tempfile::Builder::new().prefix(name).suffix(".part").tempfile_in(folder)?;
-        readable_as_others(beside.as_file())?;
-        let mut writer = BufWriter::new(beside);
-        content(&mut writer)?;
-        let beside = writer.into_inner().map_err(io::IntoInnerError::into_error)?;
-        beside.as_file().sync_all()?;
-        beside.persist(&path).map_err(|error| error.error)?;
+        let path = followed(&path)?;
+        beside(&path, content)?.persist(&path).map_err(|error| error.error)?;
+        sync_folder(&path);
         tracing::info!("wrote {}", path.display());
         Ok(())
     };
     write().map_err(|error| Stop::Write(path.display().to_string(), error))
+}
+
+/// Writes a file beside `path`, which [`followed`] has been asked about: the content is on the disk, the name is not yet taken.
+pub fn beside(
+    path: &Path,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> io::Result<NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    let name = path.file_name().unwrap_or_default();
+    let permissions = permissions(path);
+    builder.prefix(name).suffix(".part");
+    if let Some(permissions) = &permissions {
+        builder.permissions(permissions.clone());
+    }
+    let mut writer = BufWriter::new(builder.tempfile_in(folder)?);
+    content(&mut writer)?;
+    let beside = writer.into_inner().map_err(io::IntoInnerError::into_error)?;
+    if let (Some(permissions), true) = (permissions, path.exists()) {
+        beside.as_file().set_permissions(permissions)?;
+    }
+    beside.as_file().sync_all()?;
+    Ok(beside)
+}
+
+/// Where a path leads, if it is a symbolic link.
+///
+/// # Errors
+/// A link that leads nowhere, or to itself.
+pub fn followed(path: &Path) -> io::Result<PathBuf> {
+    match std::fs::symlink_metadata(path) {
+        Ok(metadata) if metadata.file_type().is_symlink() => std::fs::canonicalize(path)
+            .map_err(|error| io::Error::new(error.kind(), format!("a symbolic link that leads nowhere ({error})"))),
+        _ => Ok(path.to_owned()),
+    }
+}
+
+/// Permissions of a new file: those of the one it replaces, else what the user's mask leaves; temporary files would be
+/// private.
+#[cfg(unix)]
+fn permissions(path: &Path) -> Option<std::fs::Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    let there = std::fs::metadata(path).ok().map(|metadata| metadata.permissions());
+    Some(there.unwrap_or_else(|| std::fs::Permissions::from_mode(0o666)))
+}
+
+#[cfg(not(unix))]
+fn permissions(_: &Path) -> Option<std::fs::Permissions> {
+    None
 }
 
 /// Writes figures into a folder, each as SVG and as PNG.
@@ -53,16 +101,4 @@ pub fn write_figures(folder: &Path, figures: &[Figure]) -> Result<(), Stop> {
         write_file(folder, &format!("{}.svg", figure.name), |to| to.write_all(svg.as_bytes()))?;
         write_file(folder, &format!("{}.png", figure.name), |to| to.write_all(&png))
     })
-}
-
-/// Temporary files are private; results are not.
-fn readable_as_others(file: &std::fs::File) -> io::Result<()> {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        file.set_permissions(std::fs::Permissions::from_mode(0o644))?;
-    }
-    #[cfg(not(unix))]
-    let _ = file;
-    Ok(())
 }

@@ -8,8 +8,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use sheave::case::{CaseError, Resolved};
 use sheave::drive::SolveOptions;
-use sheave::result::{SCHEMA, run as solve};
-use sheave::small::pulley::{Comparison, Grip, PulleyComparison, compare};
+use sheave::result::{Comparison, Grip, PulleyComparison, SCHEMA, compare, run as solve};
 use std::fmt::Write;
 
 /// Compare the belt pulley of a drive line with the full model
@@ -83,7 +82,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         let failure = failure.to_string();
         arguments.failed(&failure, Stop::NoSolution(failure.clone()))
     })?;
-    let comparison = compare(&outcome, arguments.belt.grip());
+    let comparison = compare(&outcome, arguments.belt.grip()).map_err(|error| {
+        let failure = error.to_string();
+        arguments.failed(&failure, Stop::NoSolution(failure.clone()))
+    })?;
     let (edition, belt) = (case.edition.name(), arguments.belt);
     let object = Object { schema: SCHEMA, edition, converged: true, inputs: &case, belt, comparison: &comparison };
     output::print(&if arguments.json { output::json(&object)? } else { summary(&object) })

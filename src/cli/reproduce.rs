@@ -37,7 +37,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let jobs = arguments.jobs.map(NonZeroUsize::get);
     let (all, points) = chapters(&REPRODUCED, ratios, jobs)?;
     let seconds = start.elapsed().as_secs_f64();
-    let reproduction = Reproduction::new(all, format!("{points} solutions computed in {seconds:.2} s."));
+    let reproduction = Reproduction::new(all, format!("{points} solutions computed in {seconds:.2} s."))?;
     if let Some(folder) = &arguments.out {
         write(folder, &reproduction)?;
         tracing::info!("all done in {:.2} s", start.elapsed().as_secs_f64());

@@ -5,7 +5,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::{CaseError, Resolved};
+use sheave::case::{CaseError, Key, Resolved};
 use sheave::drive::{Failure, SolveOptions};
 use sheave::result::{Outcome, SCHEMA, run as solve, summary, warnings, write_profile};
 use solver::Order;
@@ -27,6 +27,9 @@ pub struct Arguments {
     /// Order of the collocation: 4 or 6
     #[arg(long, value_name = "4|6", default_value = "4", value_parser = order)]
     order: Order,
+    /// Find the clamp that leaves this share of the friction at hand in reserve, in place of the case's clamp: 20%
+    #[arg(long, value_name = "R")]
+    reserve: Option<String>,
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "out")]
     json: bool,
@@ -51,7 +54,12 @@ struct Failed<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.resolve().map_err(|error| arguments.refused(error))?;
+    let case = arguments.resolve().map_err(|error| arguments.refused(error))?;
+    if arguments.sensitivities && !arguments.json && arguments.out.is_none() {
+        tracing::warn!(
+            "--sensitivities adds to the object that --json prints and --out writes: without either it shows nothing"
+        );
+    }
     if let Some(folder) = &arguments.out {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
@@ -65,6 +73,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 }
 
 impl Arguments {
+    fn resolve(&self) -> Result<Resolved, CaseError> {
+        let mut case = self.case.read()?;
+        if let Some(reserve) = &self.reserve {
+            case.make_room(&[Key::SlipReserve]);
+            case.set(Key::SlipReserve.path(), reserve)?;
+        }
+        CaseArguments::check(&case)
+    }
+
     fn deliver(&self, outcome: &Outcome) -> Result<(), Stop> {
         for warning in warnings(outcome) {
             tracing::warn!("{warning}");
@@ -75,7 +92,7 @@ impl Arguments {
         if let Some(folder) = &self.out {
             write_result(folder, &output::json(&outcome.result)?)?;
             output::write_file(folder, "profile.csv", |to| write_profile(outcome, to).map_err(io::Error::from))?;
-            let figures = sheave::plot::drive(outcome);
+            let figures = sheave::plot::drive(outcome)?;
             output::write_figures(folder, &figures)?;
             let page = sheave::report::page(outcome, &figures)?;
             output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;

@@ -1,9 +1,11 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
 use sheave::case::CaseError;
+use sheave::model::InternalError;
 use sheave::plot::PlotError;
 use sheave::study::StudyError;
-use std::io;
+use sheave::text::printable;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Why a command ends without a result.
@@ -26,28 +28,47 @@ impl Stop {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                eprint!("{:?}", miette::Report::new(error));
+                tell(&format!("{:?}", miette::Report::new(error)));
                 ExitCode::from(2)
             }
             Self::Refused(report) => {
-                eprint!("{report:?}");
+                tell(&format!("{report:?}"));
                 ExitCode::from(2)
             }
             Self::Usage(reason) => {
-                eprintln!("{reason}");
+                tell(&(printable(&reason) + "\n"));
                 ExitCode::from(2)
             }
             Self::NoSolution(reason) => {
-                eprintln!("{reason}");
+                tell(&(printable(&reason) + "\n"));
                 ExitCode::from(3)
             }
             // Whoever reads has enough: nobody to tell.
             Self::Write(_, error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::from(1),
             Self::Write(what, error) => {
-                eprintln!("cannot write {what}: {error}");
+                tell(&(printable(&format!("cannot write {what}: {error}")) + "\n"));
                 ExitCode::from(1)
             }
         }
+    }
+}
+
+/// Says it on standard error. If that is full or closed there is nobody to tell, and the exit status has to do.
+pub fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Standard error for whoever must not fail because of it.
+pub struct Diagnostics;
+
+impl Write for Diagnostics {
+    fn write(&mut self, text: &[u8]) -> io::Result<usize> {
+        let _ = io::stderr().write_all(text);
+        Ok(text.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }
 
@@ -64,6 +85,12 @@ impl From<StudyError> for Stop {
             StudyError::Keep(error) => Self::Write("the journal".into(), error),
             other => Self::Usage(other.to_string()),
         }
+    }
+}
+
+impl From<InternalError> for Stop {
+    fn from(error: InternalError) -> Self {
+        Self::NoSolution(error.to_string())
     }
 }
 

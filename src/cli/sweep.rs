@@ -6,8 +6,11 @@ use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sheave::drive::SolveOptions;
-use sheave::study::{Axis, Format, Journal, JournalError, Row, Study, StudyError, Table};
-use std::io::{self, IsTerminal};
+use sheave::study::{
+    Axis, Format, Journal, JournalError, Row, StoredRows, Stream, Study, StudyError, set_aside, sync_folder,
+};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, IsTerminal};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -26,14 +29,14 @@ pub struct Arguments {
     /// [sweep] of the case file, over = ["..", ".."], says the same
     #[arg(long, value_name = "KEY=VALUES")]
     over: Vec<String>,
-    /// Threads [default: all cores]
+    /// Threads, no more of which are started than there are cores [default: all cores]
     #[arg(long, value_name = "N")]
     jobs: Option<NonZeroUsize>,
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
     tol: f64,
     /// Write the table into this file: .csv, .parquet or .json. Rows are kept as they come in FILE.journal beside it
-    /// until the table is whole. Without it, CSV goes to standard output
+    /// until the table is whole; an earlier table is kept as FILE.old.1. Without it, CSV goes to standard output as rows come
     #[arg(long, value_name = "FILE", value_parser = table_path)]
     out: Option<PathBuf>,
     /// Go on with a sweep that was ended: rows in FILE.journal are not solved again
@@ -42,32 +45,66 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let out = arguments.out.as_deref().map(table_place).transpose()?;
     let study = arguments.study()?;
     let jobs = arguments.jobs.map(NonZeroUsize::get);
-    match &arguments.out {
-        None => {
-            let progress = progress(study.points(), 0, "");
-            let rows = Mutex::new(sheave::study::TableBuilder::new(study.points()));
-            sheave::study::run(
-                &study,
-                jobs,
-                |_| true,
-                |row| {
-                    rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
-                    progress.inc(1);
-                    Ok(())
-                },
-            )?;
-            progress.finish_and_clear();
-            deliver(&rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish(), None)
-        }
+    let failures = match out {
         Some(path) => {
-            let journal = arguments.journal(path, &study)?;
-            let (table, used) = fill(journal, &study, jobs)?;
-            deliver(&table, Some(path))?;
-            std::fs::remove_file(&used).map_err(|error| Stop::Write(used.display().to_string(), error))
+            let table = fill(arguments.journal(&path, &study)?, &study, jobs)?;
+            deliver(&table, &path)?;
+            let failures = table.failures();
+            table.remove().map_err(|error| Stop::Write(format!("(remove) {}.journal", path.display()), error))?;
+            failures
+        }
+        None if study.is_uniform() => streamed(&study, jobs)?,
+        None => {
+            let journal = Journal::nameless(&study).map_err(|error| Stop::Write("a temporary file".into(), error))?;
+            let table = fill(journal, &study, jobs)?;
+            let written = Format::Csv.write(&table, &mut io::stdout());
+            written.map_err(|error| Stop::Write("standard output".into(), error))?;
+            table.failures()
+        }
+    };
+    match failures {
+        0 => Ok(()),
+        all if all == study.points() => {
+            Err(Stop::NoSolution(format!("none of the {all} points has a solution; `failure` says why")))
+        }
+        some => {
+            tracing::warn!("{some} of {} points have no solution; see `failure`", study.points());
+            Ok(())
         }
     }
+}
+
+/// Rows to standard output as they come; gives the number of points without a solution.
+fn streamed(study: &Study, jobs: Option<usize>) -> Result<usize, Stop> {
+    let progress = progress(study.points(), 0, "");
+    let stream = Mutex::new(Stream::new(study, io::stdout()));
+    let stopped = |error| match error {
+        StudyError::Keep(error) => Stop::Write("standard output".into(), error),
+        other => other.into(),
+    };
+    let keep = |row: Row| {
+        stream.lock().unwrap_or_else(PoisonError::into_inner).add(row)?;
+        progress.inc(1);
+        Ok(())
+    };
+    sheave::study::run(study, jobs, |_| true, keep).map_err(stopped)?;
+    progress.finish_and_clear();
+    let stream = stream.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let failures = stream.failures();
+    stream.finish().map_err(|error| Stop::Write("standard output".into(), error))?;
+    Ok(failures)
+}
+
+/// Where the table goes, before anything is computed.
+fn table_place(out: &Path) -> Result<PathBuf, Stop> {
+    let path = output::followed(out).map_err(|error| Stop::Usage(format!("{}: {error}", out.display())))?;
+    if path.is_dir() {
+        return Err(Stop::Usage(format!("{} is a folder: expected the name of a file in it", out.display())));
+    }
+    Ok(path)
 }
 
 impl Arguments {
@@ -84,38 +121,34 @@ impl Arguments {
         let mut name = out.as_os_str().to_owned();
         name.push(".journal");
         let path = PathBuf::from(name);
-        let journal = if self.resume {
+        let begun = if self.resume {
             Journal::resume(&path, study)
         } else {
-            set_aside(&path)?;
-            Journal::begin(&path, study)
+            Journal::begin(&path, study).map(|(journal, aside)| {
+                if let Some(old) = aside {
+                    let (path, old) = (path.display(), old.display());
+                    tracing::warn!(
+                        "{path} of a sweep that was ended before is now {old}; with --resume it would have been completed"
+                    );
+                }
+                journal
+            })
         };
-        journal.map_err(|error| match error {
+        let journal = begun.map_err(|error| match error {
             JournalError::System { path, error } => Stop::Write(path, error),
             other => Stop::Usage(other.to_string()),
-        })
-    }
-}
-
-/// Keeps the journal of a sweep that was ended before, which would be overwritten.
-fn set_aside(path: &Path) -> Result<(), Stop> {
-    let mut old = path.as_os_str().to_owned();
-    old.push(".old");
-    match std::fs::rename(path, &old) {
-        Ok(()) => {
-            let (path, old) = (path.display(), Path::new(&old).display());
-            tracing::warn!("{path} of a sweep that was ended before is now {old}; --resume completes such a one");
-            Ok(())
+        })?;
+        for line in journal.damaged() {
+            tracing::warn!("{}, line {line} is damaged and passed over: its point is solved again", path.display());
         }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        Err(error) => Err(Stop::Write(path.display().to_string(), error)),
+        Ok(journal)
     }
 }
 
-/// Solves what the journal does not have; gives the table and the journal that is no longer needed.
-fn fill(journal: Journal, study: &Study, jobs: Option<usize>) -> Result<(Table, PathBuf), Stop> {
-    let there: Vec<bool> = (0..study.points()).map(|index| journal.rows().has(index)).collect();
-    let progress = progress(study.points(), journal.rows().len(), "; Ctrl-C, then --resume");
+/// Solves what the journal does not have, and gives its rows.
+fn fill(journal: Journal, study: &Study, jobs: Option<usize>) -> Result<StoredRows, Stop> {
+    let there: Vec<bool> = (0..study.points()).map(|index| journal.has(index)).collect();
+    let progress = progress(study.points(), journal.len(), "; Ctrl-C, then --resume");
     let journal = Mutex::new(journal);
     let keep = |row: Row| -> io::Result<()> {
         journal.lock().unwrap_or_else(PoisonError::into_inner).add(row)?;
@@ -124,25 +157,45 @@ fn fill(journal: Journal, study: &Study, jobs: Option<usize>) -> Result<(Table, 
     };
     sheave::study::run(study, jobs, |index| !there.get(index).copied().unwrap_or(false), keep)?;
     progress.finish_and_clear();
-    let (rows, path) = journal.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
-    Ok((rows.finish(), path))
+    let journal = journal.into_inner().unwrap_or_else(PoisonError::into_inner);
+    journal.finish().map_err(|error| Stop::Write("the journal".into(), error))
 }
 
-fn deliver(table: &Table, out: Option<&Path>) -> Result<(), Stop> {
-    match table.failures() {
-        0 => {}
-        failures => tracing::warn!("{failures} of {} points have no solution; see `failure`", table.rows.len()),
-    }
-    let Some(path) = out else {
-        let mut text = Vec::new();
-        let written = Format::Csv.write(table, &mut text);
-        written.map_err(|error| Stop::Write("CSV".into(), error))?;
-        return output::print(&String::from_utf8_lossy(&text));
-    };
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
+/// Writes the table. One of an earlier sweep that says something else is kept under another name.
+fn deliver(table: &StoredRows, path: &Path) -> Result<(), Stop> {
+    let stop = |error| Stop::Write(path.display().to_string(), error);
     let format = Format::of(path).unwrap_or(Format::Csv);
-    output::write_file(folder, &name, |to| format.write(table, to))
+    let written = output::beside(path, |to| format.write(table, to)).map_err(stop)?;
+    if path.exists() && !same_content(written.path(), path).map_err(stop)? {
+        let old = set_aside(path).map_err(stop)?;
+        tracing::warn!("{} of an earlier sweep is now {}", path.display(), old.display());
+    }
+    written.persist(path).map_err(|error| stop(error.error))?;
+    sync_folder(path);
+    tracing::info!("wrote {}", path.display());
+    Ok(())
+}
+
+/// Whether two files say the same.
+fn same_content(a: &Path, b: &Path) -> io::Result<bool> {
+    const PART: usize = 1 << 16;
+    if std::fs::metadata(a)?.len() != std::fs::metadata(b)?.len() {
+        return Ok(false);
+    }
+    let (mut a, mut b) =
+        (BufReader::with_capacity(PART, File::open(a)?), BufReader::with_capacity(PART, File::open(b)?));
+    loop {
+        let (left, right) = (a.fill_buf()?, b.fill_buf()?);
+        let length = left.len().min(right.len());
+        if length == 0 {
+            return Ok(left.len() == right.len());
+        }
+        if left.get(..length) != right.get(..length) {
+            return Ok(false);
+        }
+        a.consume(length);
+        b.consume(length);
+    }
 }
 
 /// On standard error, and only for people to see.

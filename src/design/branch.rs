@@ -1,11 +1,13 @@
 //! The curve from an operating point to the stall of the secondary.
 
+use solver::Linearisation;
 use solver::continuation::PointKind;
-use solver::{Linearisation, SolveError};
 
+use super::error::DesignError;
 use super::state::State;
 use crate::case::Model;
-use crate::drive::{Constant, Curve, End, Failure, Output, SolveOptions, Solved, inputs, solve_question_from, trace};
+use crate::drive::{Curve, End, Failure, SolveOptions, Solved, solve_question_from, trace};
+use crate::model::{Constant, InternalError, Output};
 
 /// Speed efficiency down to which a curve is followed in arclength. Below it the belt comes to rest: states change within
 /// 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and the speed
@@ -33,6 +35,8 @@ pub enum Parameter {
 pub struct Point {
     /// The solution.
     pub solved: Solved,
+    /// What the drive does here.
+    pub state: State,
     /// In what the curve is followed here.
     pub parameter: Parameter,
     /// The speed efficiency.
@@ -65,26 +69,30 @@ pub struct Branch {
 }
 
 impl Point {
-    /// What the drive does here.
-    pub fn state(&self) -> State {
-        State::of(&self.solved)
+    fn new(solved: Solved, parameter: Parameter, place: f64, is_extremum: bool) -> Result<Self, InternalError> {
+        Ok(Self { state: State::of(&solved)?, solved, parameter, place, is_extremum })
+    }
+
+    /// An output here, SI.
+    ///
+    /// # Errors
+    /// [`InternalError::Output`] if the drive does not have it.
+    pub fn value(&self, output: Output) -> Result<f64, InternalError> {
+        self.solved.belt.output_values(&self.solved.solution)?.get(output)
     }
 
     /// An output, and its rate as the speed efficiency falls, where that is prescribed.
     ///
     /// # Errors
-    /// What the solver says if the equations are singular, as where the parameter turns.
-    pub fn value_and_rate(&self, output: Output) -> Result<(f64, f64), SolveError> {
-        let (ends, integrals) = inputs(&self.solved.solution);
-        let (values, gradients) =
-            self.solved.belt.output_gradients(&ends, &integrals, self.solved.solution.constants());
+    /// [`DesignError::Singular`] if the equations are singular, as where the parameter turns.
+    pub fn value_and_rate(&self, output: Output) -> Result<(f64, f64), DesignError> {
+        let (values, gradients) = self.solved.belt.output_gradients(&self.solved.solution)?;
         // Prescribed last.
-        let index = Constant::ALL.len() + self.solved.belt.prescribed().len().saturating_sub(1);
+        let index = Constant::ALL.len() + self.solved.belt.prescribed().count().saturating_sub(1);
         let rates = Linearisation::new(&self.solved.belt, &self.solved.solution)?.sensitivity(index).inputs();
-        let rate = |gradient: &Vec<f64>| gradient.iter().zip(&rates).map(|(partial, rate)| partial * rate).sum::<f64>();
-        let at = output.index();
-        let value = values.get(at).copied().unwrap_or(f64::NAN);
-        Ok((value, gradients.get(at).map_or(f64::NAN, |gradient| -rate(gradient))))
+        let gradient = gradients.get(output)?.iter();
+        let rate = gradient.zip(&rates).map(|(partial, rate)| partial * rate).sum::<f64>();
+        Ok((values.get(output)?, -rate))
     }
 }
 
@@ -102,7 +110,7 @@ impl Branch {
         last: f64,
         options: &SolveOptions,
     ) -> Result<Self, Failure> {
-        let efficiency = Output::named("efficiency.speed").ok_or(Failure::NoEquations)?;
+        let efficiency = Output::EfficiencySpeed;
         let end = End { output: efficiency, value: last.max(RESTING) };
         let Curve { points, lost } = trace(model, start, (free, sought), upwards, end, options)?;
         let mut branch = Self {
@@ -115,12 +123,12 @@ impl Branch {
             options: *options,
         };
         for (kind, solved) in points {
-            let place = State::of(&solved).speed_efficiency;
+            let place = State::of(&solved)?.speed_efficiency;
             let is_extremum = kind == PointKind::Fold;
             // An extremum counts as accurately as any solution.
             let settled = if is_extremum { branch.at(place, &solved).ok() } else { None };
             let solved = settled.map_or(solved, |point| point.solved);
-            branch.points.push(Point { solved, parameter: Parameter::Arclength, place, is_extremum });
+            branch.points.push(Point::new(solved, Parameter::Arclength, place, is_extremum)?);
         }
         match lost {
             Some(failure) => branch.end = BranchEnd::Lost(failure),
@@ -133,12 +141,12 @@ impl Branch {
     pub(super) fn at(&self, place: f64, from: &Solved) -> Result<Point, Failure> {
         let question = self.start.question.clone().swap(self.free, self.efficiency, place);
         let solved = solve_question_from(from, &self.model, &question, &self.options)?;
-        Ok(Point { solved, parameter: Parameter::SpeedEfficiency, place, is_extremum: false })
+        Ok(Point::new(solved, Parameter::SpeedEfficiency, place, false)?)
     }
 
     fn descend(&mut self, last: f64) {
         let Some(here) = self.points.last() else { return };
-        let speed = here.state().speed_efficiency;
+        let speed = here.state.speed_efficiency;
         match self.at(speed.max(last), &here.solved) {
             Ok(point) => self.points.push(point),
             Err(failure) => {

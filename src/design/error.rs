@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::case::Key;
 use crate::drive::Failure;
+use crate::model::InternalError;
 use solver::SolveError;
 
 /// Why a limit or an optimum could not be had.
@@ -21,6 +22,9 @@ pub enum DesignError {
     /// There is not even an operating point to start from.
     #[error("no operating point was found to start from: {0}")]
     Start(#[from] Failure),
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// The equations are singular where a derivative is needed.
     #[error("a solution on the way has no derivatives: {0}")]
     Singular(#[from] SolveError),
@@ -32,7 +36,7 @@ impl DesignError {
         match self {
             Self::Given { .. } => true,
             Self::Start(failure) => failure.is_bad_input(),
-            Self::Singular(_) => false,
+            Self::Singular(_) | Self::Internal(_) => false,
         }
     }
 }

@@ -6,8 +6,8 @@ use super::branch::{Branch, BranchEnd, Parameter, Point};
 use super::error::DesignError;
 use super::state::State;
 use crate::case::{Clamp, Key, Load, Model, Resolved, Speed};
-use crate::drive::{Constant, Failure, Output, Question, SolveOptions, Solved, solve};
-use crate::result::Outputs;
+use crate::drive::{Failure, Question, SolveOptions, Solved, solve};
+use crate::model::{Constant, InternalError, Output};
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
 const TIGHT: f64 = 0.5;
@@ -15,7 +15,7 @@ const TIGHT: f64 = 0.5;
 const TIGHTER: f64 = 2.0;
 const TIGHTENED: usize = 4;
 /// A fold counts if it differs from the end of the curve by this many times the tolerance.
-const TOLD_APART: f64 = 30.0;
+const DISTINCT: f64 = 30.0;
 /// Evaluations that locate an extremum, and the relative bracket at which it counts as located.
 const LOCATING: usize = 30;
 const LOCATED: f64 = 1e-9;
@@ -88,6 +88,7 @@ pub struct LimitOptions {
 /// See [`DesignError`].
 pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
     primary_speed(case)?;
+    no_margin(case)?;
     let mut start = case.clone();
     // What the clamp suggests when nothing is known of the torque.
     start.operating_point.load = Load::SpeedRatio(1.0);
@@ -97,7 +98,7 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
         _ => easy,
     });
     let solved = solve(&start, &options.solve)?;
-    limit(&start.model, &solved, (Constant::PrimaryTorque, "primary.torque"), true, options)
+    limit(&start.model, &solved, (Constant::PrimaryTorque, Output::PrimaryTorque), true, options)
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
@@ -106,11 +107,14 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
 /// See [`DesignError`].
 pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
     primary_speed(case)?;
+    let mut case = case.clone();
+    case.operating_point.margin = None;
+    let case = &case;
     let (_, solved) = clamped(case, &options.solve)?;
-    let smallest = |path: &str| limit(&case.model, &solved, (Constant::SlackTension, path), false, options);
-    let (slack_tension, branch) = smallest("primary.exit_tension")?;
-    let (primary_axial_force, _) = smallest("primary.axial_force")?;
-    let (secondary_axial_force, _) = smallest("secondary.axial_force")?;
+    let smallest = |output| limit(&case.model, &solved, (Constant::SlackTension, output), false, options);
+    let (slack_tension, branch) = smallest(Output::PrimaryExitTension)?;
+    let (primary_axial_force, _) = smallest(Output::PrimaryAxialForce)?;
+    let (secondary_axial_force, _) = smallest(Output::SecondaryAxialForce)?;
     Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
 }
 
@@ -144,6 +148,18 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
     Err(first.unwrap_or(Failure::NoStart).into())
 }
 
+/// The largest torque of a margin is that at which there is none left.
+fn no_margin(case: &Resolved) -> Result<(), DesignError> {
+    match case.operating_point.margin {
+        None => Ok(()),
+        Some(margin) => {
+            let expected =
+                "the largest torque is sought for a clamp; expected a tension or an axial force in its place";
+            Err(DesignError::Given { key: margin.setting().0, expected })
+        }
+    }
+}
+
 /// A secondary that stands still has no speed to be given.
 fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
     match case.operating_point.speed {
@@ -160,11 +176,10 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
 fn limit(
     model: &Model,
     start: &Solved,
-    (free, path): (Constant, &str),
+    (free, output): (Constant, Output),
     upwards: bool,
     options: &LimitOptions,
 ) -> Result<(Limit, Branch), DesignError> {
-    let Some(output) = Output::named(path) else { return Err(Failure::NoEquations.into()) };
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
@@ -173,18 +188,16 @@ fn limit(
         BranchEnd::Whole => Kind::Collapse,
     };
     let Some(last) = branch.points.last() else { return Err(Failure::NoEquations.into()) };
-    let value = |point: &Point| Outputs::new(&point.solved.belt, &point.solved.solution).value(output);
-    let end = value(last);
+    let end = last.value(output)?;
     // Near the stall curves are flat: a fold there is told from the end by more than the solutions' accuracy.
-    let told_apart = |point: &Point| {
-        let least = TOLD_APART * options.solve.tolerance * end.abs();
-        matches!(kind, Kind::Lost(_)) || (value(point) - end).abs() > least
-    };
+    let least = DISTINCT * options.solve.tolerance * end.abs();
+    let is_distinct = |value: f64| matches!(kind, Kind::Lost(_)) || (value - end).abs() > least;
     let mut folds: Vec<Point> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
     folds.extend(extrema(&branch, output, if upwards { 1.0 } else { -1.0 })?);
-    let limit = match folds.iter().find(|point| told_apart(point)) {
-        Some(fold) => Limit { value: value(fold), kind: Kind::Fold, state: fold.state() },
-        None => Limit { value: end, kind, state: last.state() },
+    let folds = folds.iter().map(|fold| Ok((fold, fold.value(output)?))).collect::<Result<Vec<_>, InternalError>>()?;
+    let limit = match folds.into_iter().find(|(_, value)| is_distinct(*value)) {
+        Some((fold, value)) => Limit { value, kind: Kind::Fold, state: fold.state },
+        None => Limit { value: end, kind, state: last.state },
     };
     Ok((limit, branch))
 }
@@ -209,7 +222,7 @@ fn located(
     branch: &Branch,
     first: (&Point, f64),
     second: (&Point, f64),
-    rate: &dyn Fn(&Point) -> Result<f64, solver::SolveError>,
+    rate: &dyn Fn(&Point) -> Result<f64, DesignError>,
 ) -> Result<Point, DesignError> {
     let (mut a, mut b) = ((first.0.clone(), first.1), (second.0.clone(), second.1));
     for _ in 0..LOCATING {

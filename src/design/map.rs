@@ -1,6 +1,5 @@
 //! Limits and optima over a grid of keys, as a table and as figures.
 
-use rayon::prelude::*;
 use serde_json::Value;
 
 use super::error::DesignError;
@@ -133,8 +132,6 @@ fn map(
     answer: impl Fn(&Resolved) -> Result<Value, DesignError> + Sync,
 ) -> Result<Table, StudyError> {
     let threads = jobs.unwrap_or(0);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|_| StudyError::Threads(threads))?;
     let row = |index: usize| -> Result<Row, StudyError> {
         let point = study.point(index)?;
         let answer = match &point.case {
@@ -143,9 +140,11 @@ fn map(
         };
         Ok(table_row(index, &point, answer))
     };
-    let rows = pool.install(|| (0..study.points()).into_par_iter().map(row).collect::<Result<Vec<_>, _>>())?;
+    let rows = crate::threads::map(threads, study.points(), row).map_err(|_| StudyError::Threads(threads))?;
     let mut table = TableBuilder::new(study.points());
-    rows.into_iter().for_each(|row| table.insert(row));
+    for row in rows {
+        table.insert(row?);
+    }
     Ok(table.finish())
 }
 

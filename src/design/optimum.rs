@@ -11,7 +11,8 @@ use super::error::DesignError;
 use super::limit::clamped;
 use super::state::State;
 use crate::case::{Clamp, Resolved};
-use crate::drive::{Constant, Failure, Output, SolveOptions, Solved, inputs, solve_from};
+use crate::drive::{Failure, SolveOptions, Solved, solve_from};
+use crate::model::{Constant, Constants, Output};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -83,28 +84,29 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     trials.extend(search.march(&start, -1.0)?);
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
     let mut best: Option<(f64, Trial, Bound)> = None;
-    let mut offer = |trial: Trial, bound: Bound| {
-        let efficiency = State::of(&trial.solved).overall_efficiency;
+    let mut offer = |trial: Trial, bound: Bound| -> Result<(), DesignError> {
+        let efficiency = State::of(&trial.solved)?.overall_efficiency;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
         }
+        Ok(())
     };
     for pair in trials.windows(2) {
         if let [tight, loose] = pair
             && tight.slope <= 0.0
             && loose.slope > 0.0
         {
-            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner);
+            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner)?;
         }
     }
     if let Some(loosest) = trials.last().filter(|trial| trial.slope < 0.0) {
-        offer(loosest.clone(), Bound::Loosest);
+        offer(loosest.clone(), Bound::Loosest)?;
     }
     if let Some(tightest) = trials.first().filter(|trial| trial.slope > 0.0) {
-        offer(tightest.clone(), Bound::Tightest);
+        offer(tightest.clone(), Bound::Tightest)?;
     }
     match best {
-        Some((_, trial, bound)) => Ok(search.finish(trial, bound)),
+        Some((_, trial, bound)) => search.finish(trial, bound),
         None => Err(Failure::NoEquations.into()),
     }
 }
@@ -170,24 +172,21 @@ impl Search {
         Ok(b)
     }
 
-    fn finish(&self, best: Trial, bound: Bound) -> Optimum {
-        Optimum {
-            state: State::of(&best.solved),
+    fn finish(&self, best: Trial, bound: Bound) -> Result<Optimum, DesignError> {
+        Ok(Optimum {
+            state: State::of(&best.solved)?,
             bound,
             gradient: best.slope / best.solved.constant(Constant::SlackTension),
             evaluations: self.evaluations,
             solved: best.solved,
-        }
+        })
     }
 }
 
 /// d(overall efficiency)/d(slack tension), 1/N.
 fn gradient(solved: &Solved) -> Result<f64, DesignError> {
-    let Some(output) = Output::named("efficiency.overall") else { return Err(Failure::NoEquations.into()) };
-    let (ends, integrals) = inputs(&solved.solution);
-    let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let functional =
-        Functional { inputs: gradients.get(output.index()).cloned().unwrap_or_default(), nodes: Vec::new() };
+    let (_, gradients) = solved.belt.output_gradients(&solved.solution)?;
+    let functional = Functional { inputs: gradients.get(Output::EfficiencyOverall)?.to_vec(), nodes: Vec::new() };
     let gradient = Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional);
-    Ok(gradient.get(Constant::SlackTension.index()).copied().unwrap_or(f64::NAN))
+    Ok(Constants::try_from(gradient.as_slice())?[Constant::SlackTension])
 }

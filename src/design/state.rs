@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::drive::Solved;
-use crate::result::Outputs;
+use crate::model::{InternalError, Output};
 
 /// Where a drive stands: torque, clamp, speeds and efficiency. SI, ratios as fractions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -30,19 +30,22 @@ pub struct State {
 
 impl State {
     /// Of a solution.
-    pub fn of(solved: &Solved) -> Self {
-        let outputs = Outputs::new(&solved.belt, &solved.solution);
-        let value = |region: &str, key: &str| outputs.get(region, key);
-        Self {
-            primary_torque: value("primary", "torque"),
-            secondary_torque: value("secondary", "torque"),
-            slack_tension: value("primary", "exit_tension"),
-            tight_tension: value("primary", "entry_tension"),
-            primary_axial_force: value("primary", "axial_force"),
-            secondary_axial_force: value("secondary", "axial_force"),
-            speed_ratio: value("secondary", "speed") / value("primary", "speed"),
-            speed_efficiency: value("efficiency", "speed"),
-            overall_efficiency: value("efficiency", "overall"),
-        }
+    ///
+    /// # Errors
+    /// None, unless this program is broken.
+    pub fn of(solved: &Solved) -> Result<Self, InternalError> {
+        let outputs = solved.belt.output_values(&solved.solution)?;
+        let value = |output| outputs.get(output);
+        Ok(Self {
+            primary_torque: value(Output::PrimaryTorque)?,
+            secondary_torque: value(Output::SecondaryTorque)?,
+            slack_tension: value(Output::PrimaryExitTension)?,
+            tight_tension: value(Output::PrimaryEntryTension)?,
+            primary_axial_force: value(Output::PrimaryAxialForce)?,
+            secondary_axial_force: value(Output::SecondaryAxialForce)?,
+            speed_ratio: value(Output::SecondarySpeed)? / value(Output::PrimarySpeed)?,
+            speed_efficiency: value(Output::EfficiencySpeed)?,
+            overall_efficiency: value(Output::EfficiencyOverall)?,
+        })
     }
 }

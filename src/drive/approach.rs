@@ -4,13 +4,12 @@ use solver::Guess;
 use solver::continuation::{Path, PathOptions, Ramp, follow};
 
 use super::belt::Belt;
-use super::constants::Constant;
 use super::failure::Failure;
-use super::inputs::inputs;
 use super::polish::{lenient, polished};
-use super::question::{Known, Output, Question, Swap};
+use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
 use crate::case::Model;
+use crate::model::Constant;
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those
 /// of `question`: the slip threshold geometrically, all others linearly. Both must be of one model.
@@ -55,14 +54,14 @@ pub(super) fn approach(
 
 /// The problem of a question, and a solution as its start: every prescribed output at the value that it has there.
 pub(super) fn posed(model: &Model, from: &Solved, question: &Question) -> Result<(Belt, Guess), Failure> {
-    let (ends, integrals) = inputs(&from.solution);
-    let values = from.belt.outputs(&ends, &integrals, from.solution.constants());
+    let values = from.belt.output_values(&from.solution)?;
     let prescribed: Vec<_> = question.conditions().collect();
-    let belt = Belt::prescribing(model, &question.constants, &prescribed).ok_or(Failure::NoEquations)?;
+    let belt = Belt::prescribing(model, &question.constants, &prescribed)?;
     let mut start = Guess::from(&from.solution);
     start.constants.truncate(Constant::ALL.len());
-    let here = |(output, _): &(Output, f64)| values.get(output.index()).copied().unwrap_or(f64::NAN);
-    start.constants.extend(prescribed.iter().map(here));
+    for (output, _) in &prescribed {
+        start.constants.push(values.get(*output)?);
+    }
     Ok((belt, start))
 }
 

@@ -1,11 +1,11 @@
 //! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
 
-use super::constants::{Constant, Constants};
 use super::estimate::{EFFICIENCY, estimate};
-use super::question::{Known, Output, Question, Swap};
+use super::question::{Known, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
-use crate::case::{Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
+use crate::case::{Case, CaseError, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
+use crate::model::{Constant, Constants};
 
 impl Question {
     /// What a case asks. Where a given constant is unknown, its value is an estimate.
@@ -33,6 +33,16 @@ impl Question {
     }
 }
 
+impl Case {
+    /// Refuses a question that has no answer whatever the numbers, at the places that ask it.
+    ///
+    /// # Errors
+    /// [`Problem::IllPosed`](crate::case::Problem::IllPosed).
+    pub fn check_posed(&self, resolved: &Resolved) -> Result<(), CaseError> {
+        Question::of(resolved).check(&resolved.model).map_err(|reason| self.ill_posed(resolved, reason))
+    }
+}
+
 /// What the slots of the operating point and the free radii make of the givens.
 fn swaps(case: &Resolved) -> Vec<Swap> {
     let point = &case.operating_point;
@@ -41,7 +51,7 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
         // A key that gives a constant as it stands needs no swap.
         let known = match key {
             Key::SpeedRatio => Known::Constant(Constant::SpeedRatio),
-            key => match Output::of_key(key) {
+            key => match key.output() {
                 Some(output) => Known::Output(output),
                 None => return,
             },

@@ -1,14 +1,15 @@
 //! The belt loop as a boundary value problem: the generated kernels joined under the solver's trait.
 
-use generated::{BoundaryKernel, RegionKernel, RegionOut};
-use solver::{Layout, Points, Problem, Region, Scope, State};
+use generated::{BoundaryKernel, OutputKernel, RegionKernel, RegionOut};
+use solver::{Layout, Points, Problem, Region, Scope, Solution};
 
-use crate::case::Model;
-
-use super::constants::{Constant, Constants};
+use super::failure::Failure;
+use super::inputs::inputs;
 use super::model::Kernels;
-use super::question::{Known, Output};
+use super::outputs::{OutputGradients, OutputValues};
+use super::question::Known;
 use super::region::{Bound, RegionId};
+use crate::model::{Constant, Constants, InternalError, Model, Output, State};
 
 /// The boundary value problem of one belt drive.
 ///
@@ -18,20 +19,23 @@ use super::region::{Bound, RegionId};
 pub struct Belt {
     regions: [Bound; 4],
     boundary: &'static BoundaryKernel,
-    outputs: &'static BoundaryKernel,
-    prescribed: Vec<Output>,
+    outputs: &'static OutputKernel,
+    prescribed: Vec<Prescribed>,
     layout: Layout,
+}
+
+/// An output that is prescribed.
+#[derive(Debug, Clone, Copy)]
+struct Prescribed {
+    output: Output,
+    /// Its row among the outputs of the drive.
+    row: usize,
 }
 
 impl Belt {
     /// Joins the kernels that `model` chooses; `constants` only tell the typical magnitudes of the states.
     /// `None` for a model that has no kernels.
     pub fn new(model: &Model, constants: &Constants) -> Option<Self> {
-        Self::prescribing(model, constants, &[])
-    }
-
-    /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
-    pub fn prescribing(model: &Model, constants: &Constants, outputs: &[(Output, f64)]) -> Option<Self> {
         let kernels = Kernels::of(model)?;
         let bind =
             |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
@@ -41,43 +45,84 @@ impl Belt {
             bind(RegionId::Secondary)?,
             bind(RegionId::TightSpan)?,
         ];
-        let mut layout = layout(&regions, kernels.boundary, constants);
-        outputs.iter().for_each(|(output, scale)| prescribe(&mut layout, kernels.outputs, *output, *scale));
-        let prescribed = outputs.iter().map(|(output, _)| *output).collect();
-        Some(Self { regions, boundary: kernels.boundary, outputs: kernels.outputs, prescribed, layout })
+        let layout = layout(&regions, kernels.boundary, constants);
+        Some(Self { regions, boundary: kernels.boundary, outputs: kernels.outputs, prescribed: Vec::new(), layout })
+    }
+
+    /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
+    ///
+    /// # Errors
+    /// [`Failure::NoEquations`] for a model that has no kernels, [`Failure::Internal`] for an output that its drives do not
+    /// have, which [`Question::check`](super::Question::check) refuses before.
+    pub fn prescribing(model: &Model, constants: &Constants, outputs: &[(Output, f64)]) -> Result<Self, Failure> {
+        let mut belt = Self::new(model, constants).ok_or(Failure::NoEquations)?;
+        for &(output, scale) in outputs {
+            let row = belt.outputs.row(output).ok_or(InternalError::Output(output))?;
+            prescribe(&mut belt.layout, belt.outputs, Prescribed { output, row }, scale);
+            belt.prescribed.push(Prescribed { output, row });
+        }
+        Ok(belt)
     }
 
     /// The outputs that are prescribed, in the order of their equations and targets.
-    pub fn prescribed(&self) -> &[Output] {
-        &self.prescribed
+    pub fn prescribed(&self) -> impl Iterator<Item = Output> + '_ {
+        self.prescribed.iter().map(|prescribed| prescribed.output)
     }
 
-    /// Values of all outputs, in the order of the generated list, from what boundary equations take.
-    pub fn outputs(&self, ends: &[f64], integrals: &[f64], constants: &[f64]) -> Vec<f64> {
-        let mut values = vec![0.0; self.outputs.equations.len()];
-        (self.outputs.value)(ends, integrals, constants, &mut values);
+    /// The outputs of a solution of this problem.
+    ///
+    /// # Errors
+    /// [`InternalError::Length`] for a solution of another problem.
+    pub fn output_values(&self, solution: &Solution) -> Result<OutputValues, InternalError> {
+        let (ends, integrals) = self.inputs(solution)?;
+        Ok(OutputValues::new(self.outputs, self.output_rows(&ends, &integrals, solution.constants())))
+    }
+
+    /// The outputs of a solution of this problem, and the gradient of each with respect to ends, integrals and constants.
+    ///
+    /// # Errors
+    /// [`InternalError::Length`] for a solution of another problem.
+    pub fn output_gradients(&self, solution: &Solution) -> Result<(OutputValues, OutputGradients), InternalError> {
+        let (ends, integrals) = self.inputs(solution)?;
+        let set = &self.outputs.set;
+        let mut values = vec![0.0; set.equations.len()];
+        let mut partials = vec![0.0; set.pattern.len()];
+        (set.jacobian)(&ends, &integrals, solution.constants(), &mut values, &mut partials);
+        let mut gradients = vec![vec![0.0; self.layout.inputs()]; values.len()];
+        for (&(row, input), partial) in set.pattern.iter().zip(&partials) {
+            gradients[row][input] += partial;
+        }
+        Ok((OutputValues::new(self.outputs, values), OutputGradients::new(self.outputs, gradients)))
+    }
+
+    /// Ends and integrals of a solution, as many as the kernels take.
+    fn inputs(&self, solution: &Solution) -> Result<(Vec<f64>, Vec<f64>), InternalError> {
+        let (ends, integrals) = inputs(solution);
+        let set = &self.outputs.set;
+        for (what, found, expected) in [
+            ("the vector of ends", ends.len(), set.ends.len()),
+            ("the vector of integrals", integrals.len(), set.integrals.len()),
+            ("the vector of constants", solution.constants().len(), set.constants.len()),
+        ] {
+            if found < expected {
+                return Err(InternalError::Length { what, found, expected });
+            }
+        }
+        Ok((ends, integrals))
+    }
+
+    /// One value an equation of the outputs' set.
+    fn output_rows(&self, ends: &[f64], integrals: &[f64], constants: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.outputs.set.equations.len()];
+        (self.outputs.set.value)(ends, integrals, constants, &mut values);
         values
     }
 
-    /// Values of all outputs, and the gradient of each with respect to ends, integrals and constants.
-    pub fn output_gradients(&self, ends: &[f64], integrals: &[f64], constants: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
-        let mut values = vec![0.0; self.outputs.equations.len()];
-        let mut partials = vec![0.0; self.outputs.pattern.len()];
-        (self.outputs.jacobian)(ends, integrals, constants, &mut values, &mut partials);
-        let mut gradients = vec![vec![0.0; self.layout.inputs()]; values.len()];
-        for (&(output, input), partial) in self.outputs.pattern.iter().zip(&partials) {
-            if let Some(entry) = gradients.get_mut(output).and_then(|gradient| gradient.get_mut(input)) {
-                *entry += partial;
-            }
-        }
-        (values, gradients)
-    }
-
     /// Residuals of the prescribed outputs.
-    fn misses(&self, outputs: &[f64], constants: &[f64], g: &mut [f64]) {
+    fn misses(&self, rows: &[f64], constants: &[f64], g: &mut [f64]) {
         let targets = constants.get(Constant::ALL.len()..).unwrap_or_default();
-        for ((g, output), target) in g.iter_mut().zip(&self.prescribed).zip(targets) {
-            *g = outputs.get(output.index()).copied().unwrap_or(f64::NAN) - target;
+        for ((g, prescribed), target) in g.iter_mut().zip(&self.prescribed).zip(targets) {
+            *g = rows[prescribed.row] - target;
         }
     }
 
@@ -103,11 +148,15 @@ fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants
         / (constants[Constant::RadialStiffness]
             * constants[Constant::PrimaryRadius]
             * constants[Constant::HalfAngle].tan());
-    let scale = |state: &str| match state {
-        "T" | "tau" => tension,
-        "x" => penetration,
-        "theta" => 0.01,
-        _ => 0.1,
+    let scale = |state: State| match state {
+        State::Tension | State::SpanTension => tension,
+        State::Penetration => penetration,
+        State::Inclination => 0.01,
+        State::InclinationDerivative
+        | State::InclinationSecondDerivative
+        | State::Direction
+        | State::DirectionDerivative
+        | State::DirectionSecondDerivative => 0.1,
     };
     let region = |(id, bound): (RegionId, &Bound)| Region {
         name: id.name().to_owned(),
@@ -116,9 +165,9 @@ fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants
             .kernel
             .states
             .iter()
-            .map(|state| State { name: state.name.to_owned(), scale: Some(scale(state.name)) })
+            .map(|state| solver::State { name: state.name().to_owned(), scale: Some(scale(*state)) })
             .collect(),
-        integrals: bound.kernel.integrals.iter().map(|integral| integral.name.to_owned()).collect(),
+        integrals: bound.kernel.integrals.iter().map(|integral| integral.name().to_owned()).collect(),
         state_pattern: bound.kernel.state_pattern.to_vec(),
         constant_pattern: bound.pattern.clone(),
         usual_entries: bound.usual_entries,
@@ -138,12 +187,12 @@ fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants
 }
 
 /// Adds an equation and its target.
-fn prescribe(layout: &mut Layout, outputs: &BoundaryKernel, output: Output, scale: f64) {
+fn prescribe(layout: &mut Layout, outputs: &OutputKernel, prescribed: Prescribed, scale: f64) {
     let (row, target) = (layout.equations.len(), layout.inputs());
-    let entries = outputs.pattern.iter().filter(|(other, _)| *other == output.index());
+    let entries = outputs.set.pattern.iter().filter(|(other, _)| *other == prescribed.row);
     layout.boundary_pattern.extend(entries.map(|&(_, input)| (row, input)));
     layout.boundary_pattern.push((row, target));
-    let name = Known::Output(output).name();
+    let name = Known::Output(prescribed.output).name();
     let scale = Some(scale.abs()).filter(|scale| *scale > 0.0);
     layout.equations.push(name.clone());
     layout.constants.push(solver::Constant { name, scale });
@@ -156,7 +205,8 @@ const LEAST_RATIO: f64 = -1e-3;
 /// and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
 /// backwards under compression, satisfies the same equations and is shut out here.
 fn is_physical(constants: &[f64]) -> bool {
-    let value = |constant: Constant| constants.get(constant.index()).copied().unwrap_or(f64::NAN);
+    let Ok(constants) = Constants::try_from(constants) else { return false };
+    let value = |constant: Constant| constants[constant];
     let positive = [
         Constant::Flow,
         Constant::PrimaryWrap,
@@ -223,7 +273,7 @@ impl Problem for Belt {
         let (own, more) = g.split_at_mut(self.boundary.equations.len().min(g.len()));
         (self.boundary.value)(ends, integrals, constants, own);
         if !self.prescribed.is_empty() {
-            self.misses(&self.outputs(ends, integrals, constants), constants, more);
+            self.misses(&self.output_rows(ends, integrals, constants), constants, more);
         }
     }
 
@@ -234,14 +284,15 @@ impl Problem for Belt {
         if self.prescribed.is_empty() {
             return;
         }
-        let mut values = vec![0.0; self.outputs.equations.len()];
-        let mut partials = vec![0.0; self.outputs.pattern.len()];
-        (self.outputs.jacobian)(ends, integrals, constants, &mut values, &mut partials);
+        let set = &self.outputs.set;
+        let mut values = vec![0.0; set.equations.len()];
+        let mut partials = vec![0.0; set.pattern.len()];
+        (set.jacobian)(ends, integrals, constants, &mut values, &mut partials);
         self.misses(&values, constants, more);
         // As `prescribe` lists them: the output's own entries, then that of its target.
-        let own = |output: &Output| {
-            let row = output.index();
-            let own = self.outputs.pattern.iter().zip(&partials).filter(move |((other, _), _)| *other == row);
+        let own = |prescribed: &Prescribed| {
+            let row = prescribed.row;
+            let own = set.pattern.iter().zip(&partials).filter(move |((other, _), _)| *other == row);
             own.map(|(_, partial)| *partial).chain([-1.0]).collect::<Vec<_>>()
         };
         let values = self.prescribed.iter().flat_map(own);

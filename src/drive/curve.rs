@@ -7,14 +7,12 @@ use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed
 use solver::{Event, Options, Solution, SolveError, Stats};
 
 use super::approach::posed;
-use super::constants::Constant;
 use super::failure::Failure;
-use super::inputs::inputs;
 use super::polish::lenient;
-use super::question::Output;
 use super::solve::SolveOptions;
 use super::solved::Solved;
 use crate::case::Model;
+use crate::model::{Constant, Output};
 
 /// Intervals at most: a curve that needs more is lost.
 const MAX_INTERVALS: usize = 2000;
@@ -67,11 +65,11 @@ pub fn trace(
     let (belt, start) = posed(model, from, &question)?;
     let parameter = start.constants.len().saturating_sub(1);
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
-    let over = Cell::new(false);
+    let (over, broken) = (Cell::new(false), Cell::new(None));
     let excess = |solution: &Solution| {
-        let (ends, integrals) = inputs(solution);
-        let values = belt.outputs(&ends, &integrals, solution.constants());
-        let excess = values.get(end.output.index()).map_or(f64::NAN, |value| value - end.value);
+        let value = belt.output_values(solution).and_then(|values| values.get(end.output));
+        // A value that is missing ends the curve; the error is told below.
+        let excess = value.map_err(|error| broken.set(Some(error))).map_or(f64::NAN, |value| value - end.value);
         over.set(over.get() || excess <= 0.0);
         excess
     };
@@ -92,6 +90,9 @@ pub fn trace(
         ..BranchOptions::default()
     };
     let traced = trace_observed(&belt, &start, parameter, &unknowns, &options, &[&excess], &mut observer);
+    if let Some(error) = broken.get() {
+        return Err(error.into());
+    }
     let (mut points, cause) = match traced {
         Ok(branch) => (branch.points, Box::new(SolveError::Steps { steps: MAX_POINTS })),
         Err(error) => (error.points, error.cause),

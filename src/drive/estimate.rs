@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::constants::{Constant, Constants};
 use crate::case::{Clamp, Load, Resolved, Speed};
+use crate::model::{Constant, Constants};
 use crate::small::init::{self, SimpleDrive, Situation};
 
 /// Axial force of the full belt over that of the simple drive at the same tensions, primary and secondary: the one sinks

@@ -4,9 +4,8 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::Belt;
-use super::constants::Constant;
-use super::posedness::IllPosed;
 use super::question::{Known, Question};
+use crate::model::{Constant, Constants, IllPosed, InternalError};
 
 /// Why there is no solution.
 #[derive(Debug, Error)]
@@ -15,6 +14,9 @@ pub enum Failure {
     /// The equations of this model are not known.
     #[error("there are no equations for this choice of model")]
     NoEquations,
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// A warm start without a solution to start from.
     #[error("there is no solution to start from")]
     NoStart,
@@ -57,6 +59,24 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// No clamp that was tried leaves the margin against slip that is asked for.
+    #[error(
+        "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \
+         {:.1} %, and nearer no solution was found", 100.0 * asked, 100.0 * used
+    )]
+    Margin {
+        /// Share asked for.
+        asked: f64,
+        /// Nearest share that was found.
+        used: f64,
+        /// Slack tension there, N.
+        slack_tension: f64,
+        /// Why there is none nearer.
+        cause: Box<Failure>,
+    },
+    /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
+    #[error("a margin against slip is prescribed: a single boundary value problem has none")]
+    MarginGiven,
     /// What is prescribed holds only if the secondary drives.
     #[error(
         "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
@@ -87,6 +107,11 @@ fn had(reached: &[Reached]) -> String {
 }
 
 impl Failure {
+    /// Of a margin that was not met.
+    pub(crate) fn margin(asked: f64, used: f64, slack_tension: f64, cause: Self) -> Self {
+        Self::Margin { asked, used, slack_tension, cause: Box::new(cause) }
+    }
+
     /// Whether the case is at fault rather than the search.
     pub const fn is_bad_input(&self) -> bool {
         matches!(self, Self::IllPosed(_))
@@ -110,12 +135,14 @@ impl Failure {
     /// Of a way that was lost at the solution `last`.
     pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
         let Some(last) = last else { return Self::Start(cause) };
-        let value = |constant: Constant| last.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-        Self::Lost {
-            torque: value(Constant::PrimaryTorque),
-            slip_threshold: value(Constant::SlipThreshold),
-            slack_tension: value(Constant::SlackTension),
-            cause,
+        match Constants::try_from(last.constants()) {
+            Err(error) => error.into(),
+            Ok(constants) => Self::Lost {
+                torque: constants[Constant::PrimaryTorque],
+                slip_threshold: constants[Constant::SlipThreshold],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 
@@ -127,22 +154,30 @@ impl Failure {
         cause: Box<SolveError>,
     ) -> Self {
         let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
-        let value = |at: usize| last.constants().get(at).copied().unwrap_or(f64::NAN);
+        let constants = match Constants::try_from(last.constants()) {
+            Ok(constants) => constants,
+            Err(error) => return error.into(),
+        };
+        let targets = last.constants().get(Constant::ALL.len()..).unwrap_or_default();
         let target = |known: Known| match known {
-            Known::Constant(constant) => value(constant.index()),
+            Known::Constant(constant) => Ok(constants[constant]),
             Known::Output(output) => {
-                let at = belt.prescribed().iter().position(|other| *other == output);
-                at.map_or(f64::NAN, |at| value(Constant::ALL.len() + at))
+                let at = belt.prescribed().position(|other| other == output);
+                at.and_then(|at| targets.get(at)).copied().ok_or(InternalError::Output(output))
             }
         };
-        let swaps = question.swaps.iter();
-        Self::Unreached {
-            reached: swaps
-                .map(|swap| Reached { name: swap.known.name(), value: target(swap.known), asked: swap.value })
-                .collect(),
-            torque: value(Constant::PrimaryTorque.index()),
-            slack_tension: value(Constant::SlackTension.index()),
-            cause,
+        let reached = question
+            .swaps
+            .iter()
+            .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
+        match reached.collect::<Result<_, InternalError>>() {
+            Err(error) => error.into(),
+            Ok(reached) => Self::Unreached {
+                reached,
+                torque: constants[Constant::PrimaryTorque],
+                slack_tension: constants[Constant::SlackTension],
+                cause,
+            },
         }
     }
 }

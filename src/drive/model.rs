@@ -1,6 +1,6 @@
 //! Which generated kernels a model stands for (model: editions).
 
-use generated::{BoundaryKernel, RegionKernel};
+use generated::{BoundaryKernel, OutputKernel, RegionKernel};
 
 use crate::case::{Bending, Ends, Friction, Model, Shear, Spans};
 
@@ -11,7 +11,7 @@ pub(super) struct Kernels {
     pub span: &'static RegionKernel,
     pub boundary: &'static BoundaryKernel,
     /// What the drive may be asked for.
-    pub outputs: &'static BoundaryKernel,
+    pub outputs: &'static OutputKernel,
 }
 
 impl Kernels {

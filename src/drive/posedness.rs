@@ -7,56 +7,16 @@
 
 use generated::BoundaryKernel;
 use nalgebra::DMatrix;
-use thiserror::Error;
 
-use super::constants::Constant;
 use super::model::Kernels;
 use super::question::{Known, Question};
-use crate::case::Model;
+use crate::case::constant_label;
+use crate::model::{Constant, IllPosed, Model};
 
 /// Singular values below this count as zero; rows have length 1.
 const ZERO: f64 = 1e-10;
 /// Shares of a row in a dependence below this do not count.
 const SHARE: f64 = 1e-6;
-
-/// Why a question has no answer whatever the numbers.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum IllPosed {
-    /// A constant is to be made unknown that is unknown already.
-    #[error("`{constant}` is unknown already: expected a given constant in its place")]
-    Unknown {
-        /// The constant.
-        constant: String,
-    },
-    /// A constant is prescribed that is given already, or twice.
-    #[error("`{constant}` is given already: expected another output in its place")]
-    Given {
-        /// The constant.
-        constant: String,
-    },
-    /// Not all that is given and prescribed is independent.
-    #[error("{} cannot all be given: each follows from the others, and {} would be left undetermined", listed(.names), listed(.free))]
-    Dependent {
-        /// Keys, or outputs, that depend on each other.
-        names: Vec<String>,
-        /// The constants that were made unknown.
-        free: Vec<String>,
-    },
-    /// A prescribed value is no number.
-    #[error("`{name}` = {value}: expected a finite number")]
-    Value {
-        /// What is prescribed.
-        name: String,
-        /// As given.
-        value: f64,
-    },
-}
-
-/// Names in quotes, with commas.
-fn listed(names: &[String]) -> String {
-    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
-}
 
 impl Question {
     /// Refuses a question that has no answer whatever the numbers: two conditions that determine the same thing, or one
@@ -69,19 +29,22 @@ impl Question {
         for (at, swap) in self.swaps.iter().enumerate() {
             let before = self.swaps.get(..at).unwrap_or_default();
             if usual(swap.free) || before.iter().any(|other| other.free == swap.free) {
-                return Err(IllPosed::Unknown { constant: swap.free.label() });
+                return Err(IllPosed::Unknown { constant: constant_label(swap.free).to_owned() });
             }
             if let Known::Constant(constant) = swap.known
                 && (!usual(constant) || before.iter().any(|other| other.known == swap.known))
             {
-                return Err(IllPosed::Given { constant: constant.label() });
+                return Err(IllPosed::Given { constant: constant_label(constant).to_owned() });
             }
             if !swap.value.is_finite() {
                 return Err(IllPosed::Value { name: swap.known.name(), value: swap.value });
             }
         }
         let Some(kernels) = Kernels::of(model).filter(|_| !self.swaps.is_empty()) else { return Ok(()) };
-        let free = self.swaps.iter().map(|swap| swap.free.label()).collect();
+        if let Some((output, _)) = self.conditions().find(|(output, _)| kernels.outputs.row(*output).is_none()) {
+            return Err(IllPosed::NoOutput { name: Known::Output(output).name() });
+        }
+        let free = self.swaps.iter().map(|swap| constant_label(swap.free).to_owned()).collect();
         match dependence(&kernels, self) {
             Some(names) => Err(IllPosed::Dependent { names, free }),
             None => Ok(()),
@@ -101,12 +64,13 @@ fn dependence(kernels: &Kernels, question: &Question) -> Option<Vec<String>> {
         if let Some(entry) = gradient.get_mut(first + constant.index()) {
             *entry = 1.0;
         }
-        rows.push((Some(constant.label()), gradient));
+        rows.push((Some(constant_label(constant).to_owned()), gradient));
     }
-    let outputs = point.gradients(kernels.outputs);
+    let outputs = point.gradients(&kernels.outputs.set);
     for (output, _) in question.conditions() {
-        let gradient = outputs.get(output.index()).cloned().unwrap_or_else(|| vec![0.0; point.inputs()]);
-        rows.push((Some(Known::Output(output).name()), gradient));
+        // An output that the drive does not have is refused before.
+        let gradient = kernels.outputs.row(output).and_then(|row| outputs.get(row)).cloned();
+        rows.extend(gradient.map(|gradient| (Some(Known::Output(output).name()), gradient)));
     }
     if rows.iter().any(|(_, row)| row.iter().any(|entry| !entry.is_finite())) {
         return None;

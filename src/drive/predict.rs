@@ -3,9 +3,9 @@
 use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent};
 
 use super::belt::Belt;
-use super::constants::{Constant, Constants};
 use super::region::RegionId;
 use super::start;
+use crate::model::{Constant, Constants, Field, State};
 
 /// Cosine of the angle between two steps beyond which the way counts as turning.
 const STRAIGHT: f64 = 0.98;
@@ -134,8 +134,8 @@ impl<'a> Way<'a> {
     /// tangential sliding speed is what is predicted, and the penetration is what gives that.
     fn adhere(&self, region: RegionId, guess: &mut Guess) -> Option<()> {
         let (index, kernel) = (region.index(), self.belt.kernel(region));
-        let x = kernel.states.iter().position(|symbol| symbol.name == "x")?;
-        let at = kernel.fields.iter().position(|symbol| symbol.name == "v_t")?;
+        let x = kernel.state(State::Penetration)?;
+        let at = kernel.field(Field::TangentialSlidingSpeed)?;
         let sliding = |constants: &[f64], states: &[Vec<f64>]| {
             let len = states.first().map_or(0, Vec::len);
             let (s, y) = (vec![0.0; len], states.concat());

@@ -1,64 +1,7 @@
 //! What is asked of a drive: its constants, and which of the given ones are unknown for something else that is prescribed.
 
-use generated::OUTPUTS;
-
-use super::constants::{Constant, Constants};
-use crate::case::Key;
-
-/// An output of a drive that may be prescribed: any that is a function of ends, integrals and constants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Output(usize);
-
-/// Between region and key in the name of a generated output.
-pub const SEPARATOR: &str = "__";
-
-/// The outputs that have a key of the case file to prescribe them.
-const KEYS: [(&str, Key); 6] = [
-    ("secondary__speed", Key::SecondarySpeed),
-    ("secondary__torque", Key::SecondaryTorque),
-    ("primary__entry_tension", Key::TightTension),
-    ("primary__axial_force", Key::PrimaryAxialForce),
-    ("secondary__axial_force", Key::SecondaryAxialForce),
-    ("belt__unstretched_length", Key::BeltLength),
-];
-
-impl Output {
-    /// All outputs, in the order of the generated list.
-    pub fn all() -> impl Iterator<Item = Self> {
-        (0..OUTPUTS.equations.len()).map(Self)
-    }
-
-    /// By its name in the result object: `primary.axial_force`.
-    pub fn named(path: &str) -> Option<Self> {
-        Self::all().find(|output| output.path() == path)
-    }
-
-    /// That which a key of the case file prescribes.
-    pub fn of_key(key: Key) -> Option<Self> {
-        let (name, _) = KEYS.iter().find(|(_, other)| *other == key)?;
-        Self::all().find(|output| output.name() == *name)
-    }
-
-    /// The key of the case file that prescribes it, if there is one.
-    pub fn key(self) -> Option<Key> {
-        KEYS.iter().find(|(name, _)| *name == self.name()).map(|(_, key)| *key)
-    }
-
-    /// Place in the generated list of outputs.
-    pub const fn index(self) -> usize {
-        self.0
-    }
-
-    /// Name in the generated list.
-    pub fn name(self) -> &'static str {
-        OUTPUTS.equations.get(self.0).map_or("", |equation| equation.name)
-    }
-
-    /// Name in the result object.
-    pub fn path(self) -> String {
-        self.name().replace(SEPARATOR, ".")
-    }
-}
+use crate::case::{constant_label, output_label};
+use crate::model::{Constant, Constants, Output};
 
 /// What is prescribed in place of a given constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,9 +16,10 @@ impl Known {
     /// How messages name it: by its key of the case file, or as in the result object.
     pub fn name(self) -> String {
         match self {
-            Self::Output(output) => output.key().map_or_else(|| output.path(), |key| key.path().to_owned()),
-            Self::Constant(constant) => constant.label(),
+            Self::Output(output) => output_label(output),
+            Self::Constant(constant) => constant_label(constant),
         }
+        .to_owned()
     }
 }
 
@@ -98,8 +42,7 @@ pub struct Swap {
 /// use sheave::drive::{Constant, Output, Question, SolveOptions, solve_question};
 /// // How stiff may the belt be for 96 % overall efficiency?
 /// let case = Case::base().resolve()?;
-/// let efficiency = Output::named("efficiency.overall").ok_or("no such output")?;
-/// let question = Question::of(&case).swap(Constant::BendingStiffness, efficiency, 0.96);
+/// let question = Question::of(&case).swap(Constant::BendingStiffness, Output::EfficiencyOverall, 0.96);
 /// let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
 /// let solved = solve_question(&case.model, &question, &options)?;
 /// assert!(solved.solution.constants()[Constant::BendingStiffness.index()] < 0.2602);

@@ -2,7 +2,7 @@
 
 use generated::RegionKernel;
 
-use super::constants::Constant;
+use crate::model::{Constant, RegionConstant};
 
 /// A region of the belt loop, in the order in which the belt runs through them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,18 +42,32 @@ impl RegionId {
         }
     }
 
-    /// What stands for a kernel's local constant in this region.
-    pub(super) fn source(self, local: &str) -> Option<Source> {
+    /// What stands for a kernel's local constant in this region; `None` if it has no meaning here.
+    pub(super) const fn source(self, local: RegionConstant) -> Option<Source> {
         let constant = match (local, self) {
-            ("sigma", Self::Primary) => return Some(Source::One),
-            ("sigma", _) => Constant::SpeedRatio,
-            ("Phi", Self::Primary) => Constant::PrimaryWrap,
-            ("Phi", Self::Secondary) => Constant::SecondaryWrap,
-            ("R", Self::Primary) => Constant::PrimaryRadius,
-            ("R", Self::Secondary) => Constant::SecondaryRadius,
-            ("L", Self::TightSpan) => Constant::TightLength,
-            ("L", Self::SlackSpan) => Constant::SlackLength,
-            (name, _) => Constant::ALL.into_iter().find(|constant| constant.name() == name)?,
+            (RegionConstant::PulleySpeedRatio, Self::Primary) => return Some(Source::One),
+            (RegionConstant::PulleySpeedRatio, Self::Secondary) => Constant::SpeedRatio,
+            (RegionConstant::WrapAngle, Self::Primary) => Constant::PrimaryWrap,
+            (RegionConstant::WrapAngle, Self::Secondary) => Constant::SecondaryWrap,
+            (RegionConstant::PulleyRadius, Self::Primary) => Constant::PrimaryRadius,
+            (RegionConstant::PulleyRadius, Self::Secondary) => Constant::SecondaryRadius,
+            (RegionConstant::SpanLength, Self::TightSpan) => Constant::TightLength,
+            (RegionConstant::SpanLength, Self::SlackSpan) => Constant::SlackLength,
+            (
+                RegionConstant::PulleySpeedRatio | RegionConstant::WrapAngle | RegionConstant::PulleyRadius,
+                Self::TightSpan | Self::SlackSpan,
+            )
+            | (RegionConstant::SpanLength, Self::Primary | Self::Secondary) => return None,
+            (RegionConstant::Flow, _) => Constant::Flow,
+            (RegionConstant::LongitudinalStiffness, _) => Constant::LongitudinalStiffness,
+            (RegionConstant::BendingStiffness, _) => Constant::BendingStiffness,
+            (RegionConstant::RadialStiffness, _) => Constant::RadialStiffness,
+            (RegionConstant::MassPerLength, _) => Constant::MassPerLength,
+            (RegionConstant::PrimaryRadius, _) => Constant::PrimaryRadius,
+            (RegionConstant::HalfAngle, _) => Constant::HalfAngle,
+            (RegionConstant::FrictionCoefficient, _) => Constant::FrictionCoefficient,
+            (RegionConstant::SlipThreshold, _) => Constant::SlipThreshold,
+            (RegionConstant::PrimarySpeed, _) => Constant::PrimarySpeed,
         };
         Some(Source::Constant(constant.index()))
     }
@@ -86,7 +100,7 @@ pub(super) struct Bound {
 impl Bound {
     /// Binds `kernel` in `region`; `None` when a local constant has no meaning there.
     pub fn new(region: RegionId, kernel: &'static RegionKernel) -> Option<Self> {
-        let sources = kernel.constants.iter().map(|symbol| region.source(symbol.name)).collect::<Option<Vec<_>>>()?;
+        let sources = kernel.constants.iter().map(|local| region.source(*local)).collect::<Option<Vec<_>>>()?;
         let (mut pattern, mut gather) = (Vec::new(), Vec::<[Option<usize>; 2]>::new());
         let mut usual_entries = 0;
         for (entry, &(row, local)) in kernel.constant_pattern.iter().enumerate() {

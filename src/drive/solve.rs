@@ -5,13 +5,13 @@ use solver::{Guess, Options, Order, Solution, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
-use super::constants::{Constant, Constants};
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
 use super::solved::{Solved, accepted};
 use super::start;
 use crate::case::{Model, Resolved};
+use crate::model::{Constant, Constants};
 
 /// Tolerance on the way from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
@@ -59,6 +59,9 @@ impl SolveOptions {
 /// # Errors
 /// See [`Failure`].
 pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
+    if case.operating_point.margin.is_some() {
+        return Err(Failure::MarginGiven);
+    }
     solve_question(&case.model, &Question::of(case), options)
 }
 

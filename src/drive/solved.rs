@@ -4,8 +4,8 @@ use solver::continuation::Followed;
 use solver::{Solution, Stats};
 
 use super::belt::Belt;
-use super::constants::Constant;
 use super::question::Question;
+use crate::model::Constant;
 
 /// A solved drive.
 #[derive(Debug, Clone)]

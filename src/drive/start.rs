@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use solver::{Guess, Problem};
 
 use super::belt::Belt;
-use super::constants::{Constant, Constants};
 use super::region::RegionId;
+use crate::model::{Constant, Constants, State};
 
 /// Torque, N·m, at which the straight belt is a good enough guess for Newton's method.
 const START_TORQUE: f64 = 0.5;
@@ -66,15 +66,15 @@ pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
     Guess::uniform(belt.layout(), START_INTERVALS, &constants.0, |region, s, y| {
         if let Some(region) = RegionId::ALL.get(region) {
             let kernel = belt.kernel(*region);
-            for (value, symbol) in y.iter_mut().zip(kernel.states) {
-                *value = state(*region, symbol.name, s, constants);
+            for (value, of) in y.iter_mut().zip(kernel.states) {
+                *value = state(*region, *of, s, constants);
             }
         }
     })
 }
 
 /// The start's value of a state in a region at `s` in `[0, 1]`; derivatives of angles vanish.
-fn state(region: RegionId, name: &str, s: f64, constants: &Constants) -> f64 {
+fn state(region: RegionId, state: State, s: f64, constants: &Constants) -> f64 {
     let tension = constants[Constant::SlackTension];
     let slope = constants[Constant::PrimaryOrientation] - FRAC_PI_2;
     let penetration = |radius: Constant| {
@@ -82,12 +82,19 @@ fn state(region: RegionId, name: &str, s: f64, constants: &Constants) -> f64 {
             / (constants[Constant::RadialStiffness] * constants[radius] * constants[Constant::HalfAngle].tan());
         depth * (s.min(1.0 - s) / RISE).min(1.0)
     };
-    match (name, region) {
-        ("T" | "tau", _) => tension,
-        ("x", RegionId::Primary) => penetration(Constant::PrimaryRadius),
-        ("x", _) => penetration(Constant::SecondaryRadius),
-        ("vartheta", RegionId::SlackSpan) => -slope,
-        ("vartheta", _) => PI + slope,
-        _ => 0.0,
+    match (state, region) {
+        (State::Tension | State::SpanTension, _) => tension,
+        (State::Penetration, RegionId::Primary) => penetration(Constant::PrimaryRadius),
+        (State::Penetration, _) => penetration(Constant::SecondaryRadius),
+        (State::Direction, RegionId::SlackSpan) => -slope,
+        (State::Direction, _) => PI + slope,
+        (
+            State::Inclination
+            | State::InclinationDerivative
+            | State::InclinationSecondDerivative
+            | State::DirectionDerivative
+            | State::DirectionSecondDerivative,
+            _,
+        ) => 0.0,
     }
 }

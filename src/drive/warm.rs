@@ -5,7 +5,6 @@ use solver::{Options, Solution, SolveError, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
-use super::constants::{Constant, Constants};
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::predict::predicted;
@@ -13,6 +12,7 @@ use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
 use crate::case::{Model, Resolved};
+use crate::model::{Constant, Constants};
 
 // What a warm start may cost; beyond it, a cold start is the shorter way.
 const SMALLEST_STEP: f64 = 0.25;

@@ -1,7 +1,8 @@
 //! The figures of one solution.
 
 use super::figure::{Axis, Figure, Look, Mark, Series};
-use crate::drive::{Constant, RegionId};
+use crate::drive::RegionId;
+use crate::model::{Constant, Constants, Field, Integral, InternalError, State};
 use crate::result::{Outcome, Sampled};
 use std::f64::consts::{PI, TAU};
 
@@ -14,24 +15,30 @@ const WRAP: &str = "wrap angle φ (deg)";
 /// A solution with its regions sampled.
 struct View<'a> {
     outcome: &'a Outcome,
-    regions: Vec<Sampled>,
+    constants: Constants,
+    /// In the order of [`RegionId`].
+    regions: [Sampled; 4],
 }
 
 /// All figures of a solution: the belt's path, what happens along both contacts, both spans.
-pub fn drive(outcome: &Outcome) -> Vec<Figure> {
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     let solved = &outcome.solved;
     let sample = |region: RegionId| {
         let mesh = solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());
         Sampled::at(&solved.belt, &solved.solution, region, dense(mesh))
     };
-    let view = View { outcome, regions: RegionId::ALL.map(sample).to_vec() };
+    let constants = Constants::try_from(solved.solution.constants())?;
+    let view = View { outcome, constants, regions: RegionId::ALL.map(sample) };
     let threshold = view.constant(Constant::SlipThreshold);
     let mut sliding = view.over_wrap(
         "sliding_speed",
         "Sliding speed over wrap angle; below the threshold the belt adheres",
         Axis::log("sliding speed |v| (m/s)"),
-        |view, region| view.field(region, "speed"),
-    );
+        |view, region| view.field(region, Field::SlidingSpeed),
+    )?;
     let widest = view.wrap(RegionId::Primary).max(view.wrap(RegionId::Secondary)).to_degrees();
     sliding
         .series
@@ -39,48 +46,48 @@ pub fn drive(outcome: &Outcome) -> Vec<Figure> {
     let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<_>>();
     let times = |values: Vec<f64>, factor: f64| values.into_iter().map(|value| value * factor).collect::<Vec<_>>();
     let mut figures = vec![
-        view.trajectory(),
+        view.trajectory()?,
         view.over_wrap(
             "tension",
             "Tractive tension over wrap angle",
             Axis::new("tractive tension T (N)"),
-            |view, region| view.state(region, "T"),
-        ),
+            |view, region| view.state(region, State::Tension),
+        )?,
         sliding,
         view.over_wrap(
             "sliding_angle",
             "Direction of sliding over wrap angle: 0° outward, 180° inward",
             Axis::new("sliding angle γ (deg)").over(-15.0, 375.0).every(90.0),
-            move |view, region| unjumped(degrees(view.field(region, "gamma"))),
-        ),
+            move |view, region| Ok(unjumped(degrees(view.field(region, Field::SlidingAngle)?))),
+        )?,
         view.over_wrap(
             "penetration",
             "Radial penetration over wrap angle",
             Axis::new("penetration x (mm)"),
-            move |view, region| times(view.state(region, "x"), 1e3),
-        ),
+            move |view, region| Ok(times(view.state(region, State::Penetration)?, 1e3)),
+        )?,
         view.over_wrap(
             "inclination",
             "Inclination over wrap angle: negative seats, positive unseats",
             Axis::new("inclination θ (deg)"),
-            move |view, region| degrees(view.state(region, "theta")),
-        ),
+            move |view, region| Ok(degrees(view.state(region, State::Inclination)?)),
+        )?,
         view.over_wrap(
             "axial_force",
             "Axial force on a sheave per length over wrap angle",
             Axis::new("axial force dA/ds (N/mm)"),
-            move |view, region| times(view.field(region, "axial"), 1e-3),
-        ),
+            move |view, region| Ok(times(view.field(region, Field::AxialForcePerLength)?, 1e-3)),
+        )?,
         view.over_wrap(
             "friction_loss",
             "Power lost to friction per length over wrap angle",
             Axis::new("friction loss dW/ds (W/mm)"),
-            move |view, region| times(view.field(region, "loss"), 1e-3),
-        ),
-        view.span_shape(),
+            move |view, region| Ok(times(view.field(region, Field::LossPerLength)?, 1e-3)),
+        )?,
+        view.span_shape()?,
     ];
-    figures.extend(view.span_tension());
-    figures
+    figures.extend(view.span_tension()?);
+    Ok(figures)
 }
 
 /// The nodes, and between any two of them as many points as a smooth line needs.
@@ -128,40 +135,45 @@ fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Vec<(f64, f64)
 
 impl View<'_> {
     fn constant(&self, constant: Constant) -> f64 {
-        self.outcome.solved.solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
+        self.constants[constant]
     }
 
     fn wrap(&self, region: RegionId) -> f64 {
         self.constant(if region == RegionId::Primary { Constant::PrimaryWrap } else { Constant::SecondaryWrap })
     }
 
-    fn sampled(&self, region: RegionId) -> Option<&Sampled> {
-        self.regions.get(region.index())
+    fn sampled(&self, region: RegionId) -> &Sampled {
+        &self.regions[region.index()]
     }
 
     fn s(&self, region: RegionId) -> &[f64] {
-        self.sampled(region).map_or(&[], |sampled| &sampled.s)
+        &self.sampled(region).s
     }
 
-    fn state(&self, region: RegionId, name: &str) -> Vec<f64> {
-        let at = self.outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == name);
-        at.and_then(|at| self.sampled(region)?.states.get(at).cloned()).unwrap_or_default()
+    fn state(&self, region: RegionId, state: State) -> Result<Vec<f64>, InternalError> {
+        self.sampled(region).state(state).map(<[f64]>::to_vec)
     }
 
-    fn field(&self, region: RegionId, name: &str) -> Vec<f64> {
-        let at = self.outcome.solved.belt.kernel(region).fields.iter().position(|symbol| symbol.name == name);
-        at.and_then(|at| self.sampled(region)?.fields.get(at).cloned()).unwrap_or_default()
+    fn field(&self, region: RegionId, field: Field) -> Result<Vec<f64>, InternalError> {
+        self.sampled(region).field(field).map(<[f64]>::to_vec)
     }
 
     /// One quantity on both pulleys.
-    fn over_wrap(&self, name: &str, caption: &str, y: Axis, values: impl Fn(&Self, RegionId) -> Vec<f64>) -> Figure {
+    fn over_wrap(
+        &self,
+        name: &str,
+        caption: &str,
+        y: Axis,
+        values: impl Fn(&Self, RegionId) -> Result<Vec<f64>, InternalError>,
+    ) -> Result<Figure, InternalError> {
         let series = [(RegionId::Primary, "primary"), (RegionId::Secondary, "secondary")].map(|(region, label)| {
             let wrap = self.wrap(region).to_degrees();
-            let points = self.s(region).iter().map(|s| s * wrap).zip(values(self, region)).collect();
-            Series::line(label, points)
+            let points = self.s(region).iter().map(|s| s * wrap).zip(values(self, region)?).collect();
+            Ok(Series::line(label, points))
         });
+        let series = series.into_iter().collect::<Result<Vec<_>, InternalError>>()?;
         let widest = self.wrap(RegionId::Primary).max(self.wrap(RegionId::Secondary)).to_degrees();
-        Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest).every(30.0), y, series.into())
+        Ok(Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest).every(30.0), y, series))
     }
 
     /// Radius, centre and first angle of a pulley, m and rad.
@@ -179,37 +191,40 @@ impl View<'_> {
     }
 
     /// The belt on a pulley, mm.
-    fn contact(&self, region: RegionId) -> Vec<(f64, f64)> {
+    fn contact(&self, region: RegionId) -> Result<Vec<(f64, f64)>, InternalError> {
         let (radius, center, first) = self.pulley(region);
         let wrap = self.wrap(region);
-        let at = |(s, x): (&f64, f64)| {
+        let at = |(s, x): (&f64, &f64)| {
             let (sin, cos) = (first + wrap * s).sin_cos();
             (1e3 * (center + (radius - x) * cos), 1e3 * (radius - x) * sin)
         };
-        self.s(region).iter().zip(self.state(region, "x")).map(at).collect()
+        let sampled = self.sampled(region);
+        Ok(sampled.s.iter().zip(sampled.state(State::Penetration)?).map(at).collect())
     }
 
     /// The belt in a span, mm, from where the contact before it ends.
-    fn span(&self, region: RegionId) -> Vec<(f64, f64)> {
+    fn span(&self, region: RegionId) -> Result<Vec<(f64, f64)>, InternalError> {
         let (before, length) = match region {
             RegionId::SlackSpan => (RegionId::Primary, self.constant(Constant::SlackLength)),
             _ => (RegionId::Secondary, self.constant(Constant::TightLength)),
         };
-        let (x0, y0) = self.contact(before).last().copied().unwrap_or((f64::NAN, f64::NAN));
-        let Some(part) = self.outcome.solved.solution.regions().get(region.index()) else { return Vec::new() };
-        let integral = |name: &str| {
-            let at = self.outcome.solved.belt.kernel(region).integrals.iter().position(|symbol| symbol.name == name);
-            at.map_or(&[][..], |at| part.cumulative(at))
+        let Some((x0, y0)) = self.contact(before)?.last().copied() else { return Ok(Vec::new()) };
+        let part = &self.outcome.solved.solution.regions()[region.index()];
+        let kernel = self.outcome.solved.belt.kernel(region);
+        let integral = |integral: Integral| {
+            let row = kernel.integral(integral).ok_or(InternalError::Integral { region: region.name(), integral });
+            row.map(|row| part.cumulative(row))
         };
         let scale = 1e3 * length;
-        let nodes: Vec<(f64, f64)> = integral("X").iter().zip(integral("Y")).map(|(x, y)| (*x, *y)).collect();
-        let at = self.outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "vartheta");
-        let direction = at.map_or(&[][..], |at| part.state(at));
-        let smooth = between(part.mesh(), &nodes, direction);
-        smooth.into_iter().map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect()
+        let across = integral(Integral::PositionAcross)?;
+        let nodes = integral(Integral::PositionAlong)?.iter().zip(across).map(|(x, y)| (*x, *y));
+        let state = State::Direction;
+        let row = kernel.state(state).ok_or(InternalError::State { region: region.name(), state })?;
+        let smooth = between(part.mesh(), &nodes.collect::<Vec<_>>(), part.state(row));
+        Ok(smooth.into_iter().map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect())
     }
 
-    fn trajectory(&self) -> Figure {
+    fn trajectory(&self) -> Result<Figure, InternalError> {
         let circle = |region| {
             let (radius, center, _) = self.pulley(region);
             let at = |part: usize| (TAU * part as f64 / 180.0).sin_cos();
@@ -228,10 +243,10 @@ impl View<'_> {
         let series = vec![
             nominal,
             circle(RegionId::Secondary),
-            line("contact", self.contact(RegionId::Primary), 0),
-            line("", self.contact(RegionId::Secondary), 0),
-            line("tight span", self.span(RegionId::TightSpan), 1),
-            line("slack span", self.span(RegionId::SlackSpan), 2),
+            line("contact", self.contact(RegionId::Primary)?, 0),
+            line("", self.contact(RegionId::Secondary)?, 0),
+            line("tight span", self.span(RegionId::TightSpan)?, 1),
+            line("slack span", self.span(RegionId::SlackSpan)?, 2),
             Series::line("resultant axial force", force.to_vec()).look(Look::Dots).color(3),
             Series::line("", vec![(0.0, 0.0), (1e3 * center, 0.0)]).look(Look::Dots).color(6),
         ];
@@ -240,16 +255,16 @@ impl View<'_> {
         figure.equal = true;
         let under = |text: &str, x: f64| Mark { at: (x, -12.0), text: text.into() };
         figure.marks = vec![under("primary", 0.0), under("secondary", 1e3 * center)];
-        figure
+        Ok(figure)
     }
 
     /// How far each span lies outside the straight line between its ends.
-    fn span_shape(&self) -> Figure {
+    fn span_shape(&self) -> Result<Figure, InternalError> {
         let series = [(RegionId::TightSpan, "tight span", 1), (RegionId::SlackSpan, "slack span", 2)].map(
             |(region, label, color)| {
-                let points = self.span(region);
+                let points = self.span(region)?;
                 let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
-                    return Series::line(label, Vec::new());
+                    return Ok(Series::line(label, Vec::new()));
                 };
                 let (dx, dy) = (last.0 - first.0, last.1 - first.1);
                 let chord = dx.hypot(dy);
@@ -258,31 +273,33 @@ impl View<'_> {
                     // The belt runs counter-clockwise: outside is on its right.
                     ((x * dx + y * dy) / chord, (y * dx - x * dy) / -chord)
                 };
-                Series::line(label, points.into_iter().map(over).collect()).color(color)
+                Ok(Series::line(label, points.into_iter().map(over).collect()).color(color))
             },
         );
-        Figure::new(
+        Ok(Figure::new(
             "span_shape",
             "How far the spans bulge outward from the straight line between their ends",
             Axis::new("distance along the straight line (mm)"),
             Axis::new("bulge (mm)"),
-            series.into(),
-        )
+            series.into_iter().collect::<Result<_, InternalError>>()?,
+        ))
     }
 
     /// Along each span on its own: what bending does to the tension is little beside their difference.
-    fn span_tension(&self) -> [Figure; 2] {
+    fn span_tension(&self) -> Result<Vec<Figure>, InternalError> {
         let spans = [
             (RegionId::TightSpan, "tight", Constant::TightLength, 1),
             (RegionId::SlackSpan, "slack", Constant::SlackLength, 2),
         ];
-        spans.map(|(region, which, length, color)| {
+        let figure = |(region, which, length, color)| {
             let length = 1e3 * self.constant(length);
-            let points = self.s(region).iter().map(|s| s * length).zip(self.state(region, "tau")).collect();
+            let points =
+                self.s(region).iter().map(|s| s * length).zip(self.state(region, State::SpanTension)?).collect();
             let series = Series::line(format!("{which} span"), points).color(color);
             let (x, y) = (Axis::new("arc length along the belt (mm)"), Axis::new("tractive tension T (N)"));
             let caption = format!("Tractive tension along the {which} span");
-            Figure::new(format!("{which}_span_tension"), caption, x, y, vec![series])
-        })
+            Ok(Figure::new(format!("{which}_span_tension"), caption, x, y, vec![series]))
+        };
+        spans.into_iter().map(figure).collect()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::canvas::{Canvas, MARKS, plain, size};
 use super::figure::Figure;
+use crate::model::InternalError;
 use plotters::backend::{BitMapBackend, SVGBackend};
 use plotters::drawing::IntoDrawingArea;
 use plotters::style::{FontStyle, WHITE, register_font};
@@ -22,6 +23,12 @@ pub struct PlotError {
     pub figure: String,
     /// Why not.
     pub reason: String,
+}
+
+impl From<InternalError> for PlotError {
+    fn from(error: InternalError) -> Self {
+        Self { figure: "of the solution".into(), reason: error.to_string() }
+    }
 }
 
 /// DejaVu Sans, Latin, Greek and what indices and exponents need (licenses/DejaVu-Fonts.md).

@@ -83,6 +83,12 @@ impl Dimension {
     }
 }
 
+impl From<generated::Dimension> for Dimension {
+    fn from(generated::Dimension { length, mass, time, angle }: generated::Dimension) -> Self {
+        Self { length, mass, time, angle }
+    }
+}
+
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| dimension == self) {

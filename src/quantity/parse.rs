@@ -1,7 +1,7 @@
 //! Grammar of a quantity:
 //!
 //! ```text
-//! quantity = number [ product ]
+//! quantity = number [ product | a unit as workshops write it, such as ft-lb ]
 //! product  = factor { ( "*" | "·" | "⋅" | "/" | " " ) factor }      from left to right: kg/m*s is (kg/m)*s
 //! factor   = ( symbol | "(" product ")" ) [ exponent ]
 //! exponent = "^" [ "-" | "+" ] digit | superscript
@@ -18,7 +18,11 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, QuantityError> {
     let (number, rest) = split_number(text);
     let value = number.parse::<f64>().map_err(|_| no_number(text))?;
     let rest = rest.trim();
-    let scale = if rest.is_empty() { Scale::ONE } else { Reader { rest, depth: 0 }.all()? };
+    let scale = match unit::workshop(rest) {
+        Some(scale) => scale,
+        None if rest.is_empty() => Scale::ONE,
+        None => Reader { rest, depth: 0 }.all()?,
+    };
     let si = scale.to_si(value);
     if !si.is_finite() {
         return Err(QuantityError::NotFinite);
@@ -126,8 +130,11 @@ impl Reader<'_> {
 
     fn symbol(&mut self) -> Result<Scale, QuantityError> {
         let length = match self.rest.find(|c| !is_symbol(c)) {
-            Some(0) => 1, // the "1" of "1/s"
+            // The "1" of "1/s", and of nothing else: "0.4 1" is no number.
+            Some(0) if self.rest.get(1..).is_some_and(|rest| rest.trim_start().starts_with('/')) => 1,
+            Some(0) => return Err(QuantityError::Unexpected { found: '1' }),
             Some(length) => length,
+            None if self.rest == "1" => return Err(QuantityError::Unexpected { found: '1' }),
             None => self.rest.len(),
         };
         let (symbol, rest) = self.rest.split_at(length);
@@ -164,7 +171,7 @@ impl Reader<'_> {
 }
 
 fn is_symbol(c: char) -> bool {
-    c.is_alphabetic() || c == '°' || c == 'µ'
+    c.is_alphabetic() || matches!(c, '°' | 'µ' | '%')
 }
 
 /// Exponents of one digit are all that physics asks for.

@@ -3,7 +3,8 @@
 //! Factors are exact by definition. SI and the units accepted with it: BIPM, *The International System of Units*,
 //! 9th edition (2019), tables 4, 7 and 8. Inch, foot, pound: the international yard and pound agreement of 1959
 //! (1 in = 25.4 mm, 1 lb = 0.453 592 37 kg). Pound-force with the standard acceleration 9.806 65 m/s² (3rd CGPM, 1901);
-//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B.
+//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B. Yarns: 1 tex is
+//! 1 g/km, 1 denier (`den`) 1 g in 9000 m (ISO 1144).
 
 use super::Dimension;
 use std::f64::consts::{PI, TAU};
@@ -115,7 +116,7 @@ const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
 /// 1 lbf = 44482216152605e-13 N.
 const LBF: f64 = 44_482_216_152_605.0;
 
-static SYMBOLS: [Symbol; 29] = [
+static SYMBOLS: [Symbol; 33] = [
     si("m", 0, Dimension::LENGTH),
     plain("in", -4, 254.0, 1.0, Dimension::LENGTH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
@@ -136,6 +137,9 @@ static SYMBOLS: [Symbol; 29] = [
     plain("lbf", -13, LBF, 1.0, Dimension::FORCE),
     plain("ozf", -13, LBF, 16.0, Dimension::FORCE),
     plain("kgf", -5, 980_665.0, 1.0, Dimension::FORCE),
+    plain("gf", -8, 980_665.0, 1.0, Dimension::FORCE),
+    plain("den", -3, 1.0, 9000.0, Dimension::MASS_PER_LENGTH),
+    plain("tex", -6, 1.0, 1.0, Dimension::MASS_PER_LENGTH),
     si("Nm", 0, Dimension::TORQUE),
     si("J", 0, Dimension::TORQUE),
     si("Pa", 0, Dimension::PRESSURE),
@@ -144,8 +148,27 @@ static SYMBOLS: [Symbol; 29] = [
     plain("ksi", -2, LBF, 64_516.0, Dimension::PRESSURE),
     si("W", 0, Dimension::POWER),
     plain("hp", -17, 550.0 * 3048.0 * LBF, 1.0, Dimension::POWER),
+    plain("%", -2, 1.0, 1.0, Dimension::NONE),
     plain("1", 0, 1.0, 1.0, Dimension::NONE),
 ];
+
+/// What workshops write, as they write it: pounds are pounds-force here, and Nm² is N·m², not (N·m)².
+static WORKSHOP: [Unit; 9] = [
+    Unit::new("lbf-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("lb-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("ft-lbf", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("ft-lb", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("lbf-in", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("in-lbf", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::new("in-lb", -17, 254.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::decimal("Nm²", 0, Dimension::BENDING_STIFFNESS),
+    Unit::decimal("Nm^2", 0, Dimension::BENDING_STIFFNESS),
+];
+
+/// The unit that a workshop writes like this, and nothing else.
+pub(super) fn workshop(text: &str) -> Option<Scale> {
+    WORKSHOP.iter().find(|unit| unit.symbol == text).map(|unit| unit.scale)
+}
 
 /// Prefixes and their powers of ten.
 const PREFIXES: [(char, i32); 9] = [

@@ -47,7 +47,7 @@ pub fn page(outcome: &Outcome, figures: &[Figure]) -> Result<String, PlotError> 
     html += "<div class=\"two\"><div><h2>Pulleys</h2>";
     pulleys(&mut html, &result.primary, &result.secondary);
     html += "</div><div><h2>Energy</h2>";
-    energy(&mut html, outcome, &losses(outcome));
+    energy(&mut html, outcome, &losses(outcome)?);
     html += "</div><div><h2>Given</h2>";
     inputs(&mut html, outcome);
     html += "</div></div>\n<h2>Figures</h2><div class=\"figures\">";
@@ -190,9 +190,9 @@ fn footer(html: &mut String, outcome: &Outcome) {
     let mesh = &solver.mesh_intervals;
     let _ = write!(
         html,
-        "<p class=\"lead\">Solved in {:.1} ms: order {}, largest relative residual {:.1e} of {:.0e}, boundary residual {:.1e}, \
+        "<p class=\"lead\">Solved in {} ms: order {}, largest relative residual {:.1e} of {:.0e}, boundary residual {:.1e}, \
          {} intervals, {} continuation steps, {} Newton iterations. sheave {}.</p>",
-        1e3 * solver.wall_time,
+        solver.milliseconds(),
         solver.order,
         solver.max_residual,
         solver.tolerance,

@@ -4,7 +4,7 @@ use super::page::{document, signed};
 use crate::case::Edition;
 use crate::plot::{Figure, PlotError};
 use crate::study::thesis::{Chapters, Check, checks, comparison, figures, number_in_thesis};
-use rayon::prelude::*;
+use crate::threads;
 use std::fmt::Write;
 
 /// Chapters in several editions, their checks and their figures.
@@ -27,13 +27,17 @@ struct Line<'a> {
 
 impl Reproduction {
     /// Checks the chapters and draws up their figures.
-    pub fn new(chapters: Vec<Chapters>, effort: String) -> Self {
+    ///
+    /// # Errors
+    /// None, unless this program is broken.
+    pub fn new(chapters: Vec<Chapters>, effort: String) -> Result<Self, PlotError> {
         let comparison = comparison(&chapters);
         let with = |chapters: Chapters| {
-            let (checks, figures) = (checks(&chapters), figures(&chapters));
-            (chapters, checks, figures)
+            let (checks, figures) = (checks(&chapters), figures(&chapters)?);
+            Ok((chapters, checks, figures))
         };
-        Self { editions: chapters.into_iter().map(with).collect(), comparison, effort }
+        let editions = chapters.into_iter().map(with).collect::<Result<_, PlotError>>()?;
+        Ok(Self { editions, comparison, effort })
     }
 
     /// Checks of the first edition that are met, and all.
@@ -131,17 +135,17 @@ impl Reproduction {
                  <a href=\"#figures\">Figures</a></p>\n";
         self.numbers(&mut body);
         body += "<h2 id=\"together\">The editions together</h2><div class=\"figures\">";
-        body.extend(self.comparison.par_iter().map(element).collect::<Result<Vec<_>, _>>()?);
+        for figure in threads::collect(&self.comparison, element) {
+            body += &figure?;
+        }
         body += "</div>\n<h2 id=\"figures\">Figures, edition by edition</h2><div class=\"beside\">";
         self.names().iter().for_each(|name| body += &format!("<b>{name}</b>"));
         let count = self.editions.first().map_or(0, |(_, _, figures)| figures.len());
         let rows = (0..count).flat_map(|at| self.editions.iter().map(move |(_, _, figures)| figures.get(at)));
         let rows: Vec<Option<&Figure>> = rows.collect();
-        body.extend(
-            rows.into_par_iter()
-                .map(|figure| figure.map_or(Ok("<figure></figure>".to_owned()), element))
-                .collect::<Result<Vec<_>, _>>()?,
-        );
+        for figure in threads::collect(&rows, |figure| figure.map_or(Ok("<figure></figure>".to_owned()), element)) {
+            body += &figure?;
+        }
         body += "</div>\n";
         Ok(document("Chapters 6 and 7, computed", &body))
     }

@@ -1,10 +1,11 @@
 //! From a solution to what it means.
 
-use generated::Symbol;
+use generated::{RegionKernel, Symbol};
 use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
-use crate::drive::{Belt, Constant, Output, RegionId, SEPARATOR, inputs};
+use crate::drive::{Belt, OutputValues, RegionId, Solved};
+use crate::model::{Constant, Constants, Field, InternalError, Output, State};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
 const INNER: usize = 3;
@@ -12,12 +13,13 @@ const INNER: usize = 3;
 /// A region's states and derived fields at its nodes and between them.
 #[derive(Debug, Clone)]
 pub struct Sampled {
+    /// Which region.
+    pub region: RegionId,
     /// Independent variable in `[0, 1]`, increasing.
     pub s: Vec<f64>,
-    /// States, component by component.
-    pub states: Vec<Vec<f64>>,
-    /// Derived fields in the order of the kernel's list.
-    pub fields: Vec<Vec<f64>>,
+    kernel: &'static RegionKernel,
+    states: Vec<Vec<f64>>,
+    fields: Vec<Vec<f64>>,
 }
 
 impl Sampled {
@@ -40,7 +42,32 @@ impl Sampled {
         let points = Points { len: s.len(), stride: s.len(), s: &s, y: &flat };
         let fields = belt.fields(region, &points, solution.constants());
         let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
-        Self { s, states, fields }
+        Self { region, s, kernel: belt.kernel(region), states, fields }
+    }
+
+    /// The samples of a state.
+    ///
+    /// # Errors
+    /// [`InternalError::State`] if the region does not have it.
+    pub fn state(&self, state: State) -> Result<&[f64], InternalError> {
+        let samples = self.kernel.state(state).and_then(|row| self.states.get(row));
+        samples.map(Vec::as_slice).ok_or(InternalError::State { region: self.region.name(), state })
+    }
+
+    /// The samples of a derived field.
+    ///
+    /// # Errors
+    /// [`InternalError::Field`] if the region does not have it.
+    pub fn field(&self, field: Field) -> Result<&[f64], InternalError> {
+        let samples = self.kernel.field(field).and_then(|row| self.fields.get(row));
+        samples.map(Vec::as_slice).ok_or(InternalError::Field { region: self.region.name(), field })
+    }
+
+    /// All states, then all fields, each with what it is.
+    pub fn columns(&self) -> impl Iterator<Item = (&'static Symbol, &[f64])> {
+        let states = self.kernel.states.iter().map(|state| state.symbol()).zip(&self.states);
+        let fields = self.kernel.fields.iter().map(|field| field.symbol()).zip(&self.fields);
+        states.chain(fields).map(|(symbol, samples)| (symbol, samples.as_slice()))
     }
 }
 
@@ -52,29 +79,6 @@ pub fn refined(mesh: &[f64], inner: usize) -> Vec<f64> {
         (0..steps).map(move |i| a + h * i as f64 / steps as f64).collect::<Vec<_>>()
     };
     mesh.windows(2).flat_map(part).chain(mesh.last().copied()).collect()
-}
-
-/// The outputs of a solution by their names in the result object, from the generated outputs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Outputs(Vec<f64>);
-
-impl Outputs {
-    /// Of a solution.
-    pub fn new(belt: &Belt, solution: &Solution) -> Self {
-        let (ends, integrals) = inputs(solution);
-        Self(belt.outputs(&ends, &integrals, solution.constants()))
-    }
-
-    /// An output.
-    pub fn value(&self, output: Output) -> f64 {
-        self.0.get(output.index()).copied().unwrap_or(f64::NAN)
-    }
-
-    /// An output by region and key; NaN if there is none.
-    pub fn get(&self, region: &str, key: &str) -> f64 {
-        let named = |output: &Output| output.name().split_once(SEPARATOR) == Some((region, key));
-        Output::all().find(named).map_or(f64::NAN, |output| self.value(output))
-    }
 }
 
 /// The smallest and largest of some values.
@@ -117,100 +121,182 @@ struct Contact {
 }
 
 impl Contact {
-    fn new(belt: &Belt, solution: &Solution, region: RegionId) -> Self {
-        let kernel = belt.kernel(region);
-        let sampled = Sampled::new(belt, solution, region, INNER);
-        let at = |symbols: &[Symbol], name: &str| symbols.iter().position(|symbol| symbol.name == name);
-        let column =
-            |values: &[Vec<f64>], at: Option<usize>| at.and_then(|at| values.get(at).cloned()).unwrap_or_default();
-        let sliding = column(&sampled.fields, at(kernel.fields, "speed"));
-        let threshold = solution.constants().get(Constant::SlipThreshold.index()).copied().unwrap_or(f64::NAN);
-        let (slowest, fastest) = extremes(&sliding);
-        Self {
-            penetration: extremes(&column(&sampled.states, at(kernel.states, "x"))).1,
+    fn new(solved: &Solved, constants: &Constants, region: RegionId) -> Result<Self, InternalError> {
+        let sampled = Sampled::new(&solved.belt, &solved.solution, region, INNER);
+        let sliding = sampled.field(Field::SlidingSpeed)?;
+        let (slowest, fastest) = extremes(sliding);
+        let friction = sampled.field(Field::FrictionAtPoint)?.iter();
+        let along = friction.zip(sampled.field(Field::ApparentSheaveAngle)?).zip(sampled.field(Field::SlidingAngle)?);
+        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
+        let mean = weighted_mean(&sampled.s, &along, sampled.field(Field::Pressure)?);
+        Ok(Self {
+            penetration: extremes(sampled.state(State::Penetration)?).1,
             slowest,
             fastest,
-            adhesion: share_below(&sampled.s, &sliding, threshold),
-            utilization: {
-                let field = |name: &str| column(&sampled.fields, at(kernel.fields, name));
-                let friction = solution.constants().get(Constant::FrictionCoefficient.index()).copied();
-                let along = field("mu").into_iter().zip(field("beta_s")).zip(field("gamma"));
-                let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
-                weighted_mean(&sampled.s, &along, &field("p")).abs() / friction.unwrap_or(f64::NAN)
-            },
-        }
+            adhesion: share_below(&sampled.s, sliding, constants[Constant::SlipThreshold]),
+            utilization: mean.abs() / constants[Constant::FrictionCoefficient],
+        })
     }
 }
 
-/// One pulley, `region` being its contact.
-pub fn pulley(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionId) -> Pulley {
-    let contact = Contact::new(belt, solution, region);
-    let output = |key: &str| outputs.get(region.name(), key);
-    Pulley {
-        speed: output("speed"),
-        torque: output("torque"),
-        power: output("power"),
-        axial_force: output("axial_force"),
-        wrap_angle: output("wrap_angle"),
-        entry_angle: output("entry_angle"),
-        exit_angle: output("exit_angle"),
-        orientation_angle: output("orientation_angle"),
-        max_penetration: contact.penetration,
-        min_sliding_speed: contact.slowest,
-        max_sliding_speed: contact.fastest,
-        adhesion_fraction: contact.adhesion,
-        friction_utilization: contact.utilization,
-        radius: radius(solution, region),
-        resultant_x: output("resultant_x"),
-        resultant_y: output("resultant_y"),
-        binding_moment: output("binding_moment"),
-        friction_loss: output("friction_loss"),
-        entry_tension: output("entry_tension"),
-        exit_tension: output("exit_tension"),
+/// What the two pulleys have in common: outputs of the same meaning.
+struct PulleyOutputs {
+    region: RegionId,
+    radius: Constant,
+    speed: Output,
+    torque: Output,
+    power: Output,
+    axial_force: Output,
+    wrap_angle: Output,
+    entry_angle: Output,
+    exit_angle: Output,
+    orientation_angle: Output,
+    resultant_x: Output,
+    resultant_y: Output,
+    binding_moment: Output,
+    friction_loss: Output,
+    entry_tension: Output,
+    exit_tension: Output,
+}
+
+const PRIMARY: PulleyOutputs = PulleyOutputs {
+    region: RegionId::Primary,
+    radius: Constant::PrimaryRadius,
+    speed: Output::PrimarySpeed,
+    torque: Output::PrimaryTorque,
+    power: Output::PrimaryPower,
+    axial_force: Output::PrimaryAxialForce,
+    wrap_angle: Output::PrimaryWrapAngle,
+    entry_angle: Output::PrimaryEntryAngle,
+    exit_angle: Output::PrimaryExitAngle,
+    orientation_angle: Output::PrimaryOrientationAngle,
+    resultant_x: Output::PrimaryResultantX,
+    resultant_y: Output::PrimaryResultantY,
+    binding_moment: Output::PrimaryBindingMoment,
+    friction_loss: Output::PrimaryFrictionLoss,
+    entry_tension: Output::PrimaryEntryTension,
+    exit_tension: Output::PrimaryExitTension,
+};
+
+const SECONDARY: PulleyOutputs = PulleyOutputs {
+    region: RegionId::Secondary,
+    radius: Constant::SecondaryRadius,
+    speed: Output::SecondarySpeed,
+    torque: Output::SecondaryTorque,
+    power: Output::SecondaryPower,
+    axial_force: Output::SecondaryAxialForce,
+    wrap_angle: Output::SecondaryWrapAngle,
+    entry_angle: Output::SecondaryEntryAngle,
+    exit_angle: Output::SecondaryExitAngle,
+    orientation_angle: Output::SecondaryOrientationAngle,
+    resultant_x: Output::SecondaryResultantX,
+    resultant_y: Output::SecondaryResultantY,
+    binding_moment: Output::SecondaryBindingMoment,
+    friction_loss: Output::SecondaryFrictionLoss,
+    entry_tension: Output::SecondaryEntryTension,
+    exit_tension: Output::SecondaryExitTension,
+};
+
+/// What a solution is read from.
+pub struct Reading<'a> {
+    solved: &'a Solved,
+    constants: Constants,
+    outputs: OutputValues,
+}
+
+impl<'a> Reading<'a> {
+    /// Of a solution.
+    ///
+    /// # Errors
+    /// [`InternalError::Length`] if the solution is not one of its problem.
+    pub fn new(solved: &'a Solved) -> Result<Self, InternalError> {
+        let constants = Constants::try_from(solved.solution.constants())?;
+        Ok(Self { solved, constants, outputs: solved.belt.output_values(&solved.solution)? })
     }
-}
 
-/// Nominal radius of the pulley that a contact lies on.
-fn radius(solution: &Solution, region: RegionId) -> f64 {
-    let constant = if region == RegionId::Primary { Constant::PrimaryRadius } else { Constant::SecondaryRadius };
-    solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN)
-}
-
-/// One span.
-pub fn span(belt: &Belt, solution: &Solution, outputs: &Outputs, region: RegionId) -> Span {
-    let output = |key: &str| outputs.get(region.name(), key);
-    let sampled = Sampled::new(belt, solution, region, INNER);
-    let (min_tension, max_tension) = extremes(sampled.states.first().map_or(&[], Vec::as_slice));
-    Span {
-        arc_length: output("arc_length"),
-        unstretched_length: output("unstretched_length"),
-        min_tension,
-        max_tension,
+    /// The primary and its contact.
+    pub fn primary(&self) -> Result<Pulley, InternalError> {
+        self.pulley(&PRIMARY)
     }
-}
 
-/// Efficiencies.
-pub fn efficiency(outputs: &Outputs) -> Efficiency {
-    let output = |key: &str| outputs.get("efficiency", key);
-    Efficiency { speed: output("speed"), torque: output("torque"), overall: output("overall") }
-}
+    /// The secondary and its contact.
+    pub fn secondary(&self) -> Result<Pulley, InternalError> {
+        self.pulley(&SECONDARY)
+    }
 
-/// The belt as a whole, `length` being what it measures unstretched, m.
-pub fn belt(outputs: &Outputs, length: f64) -> BeltResult {
-    let output = |key: &str| outputs.get("belt", key);
-    let unstretched_length = output("unstretched_length");
-    BeltResult { mass_flow: output("mass_flow"), unstretched_length, length_error: unstretched_length - length }
-}
+    fn pulley(&self, of: &PulleyOutputs) -> Result<Pulley, InternalError> {
+        let contact = Contact::new(self.solved, &self.constants, of.region)?;
+        let output = |output| self.outputs.get(output);
+        Ok(Pulley {
+            speed: output(of.speed)?,
+            torque: output(of.torque)?,
+            power: output(of.power)?,
+            axial_force: output(of.axial_force)?,
+            wrap_angle: output(of.wrap_angle)?,
+            entry_angle: output(of.entry_angle)?,
+            exit_angle: output(of.exit_angle)?,
+            orientation_angle: output(of.orientation_angle)?,
+            max_penetration: contact.penetration,
+            min_sliding_speed: contact.slowest,
+            max_sliding_speed: contact.fastest,
+            adhesion_fraction: contact.adhesion,
+            friction_utilization: contact.utilization,
+            radius: self.constants[of.radius],
+            resultant_x: output(of.resultant_x)?,
+            resultant_y: output(of.resultant_y)?,
+            binding_moment: output(of.binding_moment)?,
+            friction_loss: output(of.friction_loss)?,
+            entry_tension: output(of.entry_tension)?,
+            exit_tension: output(of.exit_tension)?,
+        })
+    }
 
-/// The energy audit.
-pub fn energy(outputs: &Outputs) -> Energy {
-    let output = |key: &str| outputs.get("energy", key);
-    Energy {
-        power_in: output("power_in"),
-        power_out: output("power_out"),
-        friction_loss: output("friction_loss"),
-        imbalance: output("imbalance"),
-        stretch_work: output("stretch_work"),
-        closure: output("closure"),
+    /// The tight span.
+    pub fn tight_span(&self) -> Result<Span, InternalError> {
+        self.span(RegionId::TightSpan, Output::TightSpanArcLength, Output::TightSpanUnstretchedLength)
+    }
+
+    /// The slack span.
+    pub fn slack_span(&self) -> Result<Span, InternalError> {
+        self.span(RegionId::SlackSpan, Output::SlackSpanArcLength, Output::SlackSpanUnstretchedLength)
+    }
+
+    fn span(&self, region: RegionId, arc_length: Output, unstretched: Output) -> Result<Span, InternalError> {
+        let sampled = Sampled::new(&self.solved.belt, &self.solved.solution, region, INNER);
+        let (min_tension, max_tension) = extremes(sampled.state(State::SpanTension)?);
+        Ok(Span {
+            arc_length: self.outputs.get(arc_length)?,
+            unstretched_length: self.outputs.get(unstretched)?,
+            min_tension,
+            max_tension,
+        })
+    }
+
+    /// Efficiencies.
+    pub fn efficiency(&self) -> Result<Efficiency, InternalError> {
+        Ok(Efficiency {
+            speed: self.outputs.get(Output::EfficiencySpeed)?,
+            torque: self.outputs.get(Output::EfficiencyTorque)?,
+            overall: self.outputs.get(Output::EfficiencyOverall)?,
+        })
+    }
+
+    /// The belt as a whole, `length` being what it measures unstretched, m.
+    pub fn belt(&self, length: f64) -> Result<BeltResult, InternalError> {
+        let unstretched_length = self.outputs.get(Output::BeltUnstretchedLength)?;
+        let mass_flow = self.outputs.get(Output::BeltMassFlow)?;
+        Ok(BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length })
+    }
+
+    /// The energy audit.
+    pub fn energy(&self) -> Result<Energy, InternalError> {
+        Ok(Energy {
+            power_in: self.outputs.get(Output::EnergyPowerIn)?,
+            power_out: self.outputs.get(Output::EnergyPowerOut)?,
+            friction_loss: self.outputs.get(Output::EnergyFrictionLoss)?,
+            imbalance: self.outputs.get(Output::EnergyImbalance)?,
+            stretch_work: self.outputs.get(Output::EnergyStretchWork)?,
+            closure: self.outputs.get(Output::EnergyClosure)?,
+        })
     }
 }

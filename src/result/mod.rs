@@ -1,23 +1,30 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
+mod answers;
+mod component;
 mod compute;
+mod margin;
 mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
 mod warnings;
 
-use std::time::Instant;
+use std::collections::BTreeMap;
 
-pub use compute::{Outputs, Sampled};
+pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
+pub use component::{Comparison, Grip, PulleyComparison, compare};
+pub use compute::Sampled;
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
 
-use crate::case::Resolved;
+use crate::case::{Key, Resolved};
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::model::InternalError;
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -28,12 +35,16 @@ pub struct Outcome {
     pub solved: Solved,
 }
 
-/// Solves a case from nothing and reads the solution.
+/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
+/// tension at which that margin holds.
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    if let Some(margin) = case.operating_point.margin {
+        return margin::run(case, margin, options);
+    }
+    let start = Stopwatch::start();
     let solved = solve(case, options)?;
     interpret(case, options, solved, start)
 }
@@ -42,34 +53,45 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
-pub fn interpret(case: &Resolved, options: &SolveOptions, solved: Solved, start: Instant) -> Result<Outcome, Failure> {
-    let mut result = read(case, options, &solved, start);
+pub fn interpret(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: Solved,
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
+    let mut result = read(case, options, &solved, start)?;
     if options.sensitivities {
-        result.sensitivities = Some(sensitivities(&solved).map_err(Failure::Sensitivities)?);
+        result.sensitivities = Some(sensitivities(&solved)?);
     }
     Ok(Outcome { result, solved })
 }
 
-fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant) -> DriveResult<Resolved> {
-    let (belt, solution) = (&solved.belt, &solved.solution);
-    let outputs = Outputs::new(belt, solution);
+fn read(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: &Solved,
+    start: Stopwatch,
+) -> Result<DriveResult<Resolved>, InternalError> {
+    let reading = compute::Reading::new(solved)?;
     let intervals = |region: RegionId| solved.solution.regions()[region.index()].intervals();
-    let primary = compute::pulley(belt, solution, &outputs, RegionId::Primary);
-    let secondary = compute::pulley(belt, solution, &outputs, RegionId::Secondary);
-    let slip_reserve = 1.0 - primary.friction_utilization.max(secondary.friction_utilization);
-    DriveResult {
+    let primary = reading.primary()?;
+    let secondary = reading.secondary()?;
+    let friction_utilization = primary.friction_utilization.max(secondary.friction_utilization);
+    let mut result = DriveResult {
         schema: SCHEMA,
         edition: case.edition.name().to_owned(),
         converged: true,
         inputs: case.clone(),
+        found: BTreeMap::new(),
         primary,
         secondary,
-        tight_span: compute::span(belt, solution, &outputs, RegionId::TightSpan),
-        slack_span: compute::span(belt, solution, &outputs, RegionId::SlackSpan),
-        efficiency: compute::efficiency(&outputs),
-        slip_reserve,
-        belt: compute::belt(&outputs, case.belt.length),
-        energy: compute::energy(&outputs),
+        tight_span: reading.tight_span()?,
+        slack_span: reading.slack_span()?,
+        efficiency: reading.efficiency()?,
+        slip_reserve: 1.0 - friction_utilization,
+        friction_utilization,
+        belt: reading.belt(case.belt.length)?,
+        energy: reading.energy()?,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,
@@ -83,8 +105,23 @@ fn read(case: &Resolved, options: &SolveOptions, solved: &Solved, start: Instant
             max_boundary_residual: solved.solution.max_boundary_residual(),
             newton_iterations: solved.stats.newton_iterations,
             continuation_steps: solved.continuation_steps,
-            wall_time: start.elapsed().as_secs_f64(),
+            wall_time: start.seconds(),
         },
         sensitivities: None,
+    };
+    for constant in solved.question.swaps.iter().map(|swap| swap.free) {
+        if let Some(key) = Key::of_constant(constant) {
+            result.add_found(key, solved.constant(constant));
+        }
+    }
+    Ok(result)
+}
+
+impl DriveResult<Resolved> {
+    /// Notes what was found for a key that was solved for, among the inputs too.
+    fn add_found(&mut self, key: Key, value: f64) {
+        self.found.insert(key.path().to_owned(), value);
+        self.inputs.found.retain(|(other, _)| *other != key);
+        self.inputs.found.push((key, value));
     }
 }

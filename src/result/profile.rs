@@ -24,25 +24,22 @@ fn header(symbol: &Symbol) -> String {
 /// What the writer says.
 pub fn write_profile(outcome: &Outcome, to: impl Write) -> Result<(), csv::Error> {
     let (belt, solution) = (&outcome.solved.belt, &outcome.solved.solution);
-    let columns = |region: RegionId| {
-        let kernel = belt.kernel(region);
-        kernel.states.iter().chain(kernel.fields).map(header).collect::<Vec<_>>()
-    };
+    let regions = RegionId::ALL.map(|region| Sampled::new(belt, solution, region, INNER));
     let mut seen = BTreeSet::new();
-    let headers: Vec<String> =
-        RegionId::ALL.into_iter().flat_map(columns).filter(|name| seen.insert(name.clone())).collect();
+    let symbols = regions.iter().flat_map(Sampled::columns).map(|(symbol, _)| symbol);
+    let symbols: Vec<&Symbol> = symbols.filter(|symbol| seen.insert(symbol.name)).collect();
     let mut writer = csv::Writer::from_writer(to);
-    writer.write_record(["region", "position"].into_iter().chain(headers.iter().map(String::as_str)))?;
-    for region in RegionId::ALL {
-        let sampled = Sampled::new(belt, solution, region, INNER);
-        let own = columns(region);
-        let values: Vec<&Vec<f64>> = sampled.states.iter().chain(&sampled.fields).collect();
-        let places: Vec<Option<usize>> =
-            headers.iter().map(|name| own.iter().position(|column| column == name)).collect();
+    let headers =
+        ["region", "position"].map(str::to_owned).into_iter().chain(symbols.iter().map(|symbol| header(symbol)));
+    writer.write_record(headers)?;
+    for sampled in &regions {
+        let own: Vec<(&Symbol, &[f64])> = sampled.columns().collect();
+        let column = |symbol: &&Symbol| own.iter().find(|(other, _)| other == symbol).map(|(_, samples)| *samples);
+        let columns: Vec<Option<&[f64]>> = symbols.iter().map(column).collect();
         for (row, s) in sampled.s.iter().enumerate() {
-            let cell = |place: &Option<usize>| place.map_or(String::new(), |at| values[at][row].to_string());
-            let start = [region.name().to_owned(), s.to_string()];
-            writer.write_record(start.into_iter().chain(places.iter().map(cell)))?;
+            let cell = |column: &Option<&[f64]>| column.map_or(String::new(), |samples| samples[row].to_string());
+            let start = [sampled.region.name().to_owned(), s.to_string()];
+            writer.write_record(start.into_iter().chain(columns.iter().map(cell)))?;
         }
     }
     writer.flush()?;

@@ -1,6 +1,7 @@
 //! The result object: what `solve --json` prints and what a row of a sweep flattens. SI units, ratios as fractions.
 
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 use super::sensitivity::Sensitivities;
 
@@ -16,9 +17,11 @@ pub struct DriveResult<I> {
     pub edition: String,
     /// Whether defects and boundary residuals hold on the final mesh; always true of a result.
     pub converged: bool,
-    /// The case, resolved to SI: what was asked, so that the same can be asked again. What was solved for is not in it: a free
-    /// radius, which `drive.free` names there, stands in [`Pulley::radius`].
+    /// The case, resolved to SI: what was asked, and beside it what was found for the keys in [`DriveResult::found`].
     pub inputs: I,
+    /// What was found, SI, by key of the case file: for every key that was solved for in place of what was prescribed. Empty
+    /// where nothing was.
+    pub found: BTreeMap<String, f64>,
     /// The driving pulley.
     pub primary: Pulley,
     /// The driven pulley.
@@ -32,6 +35,8 @@ pub struct DriveResult<I> {
     /// Share of the friction at hand that is not yet used: 1 less the larger [`Pulley::friction_utilization`]. It falls to
     /// about zero where the belt slips grossly; what torque is left above the present one, `design::largest_torque` says.
     pub slip_reserve: f64,
+    /// The larger [`Pulley::friction_utilization`]: 1 less the slip reserve.
+    pub friction_utilization: f64,
     /// The belt as a whole.
     pub belt: BeltResult,
     /// The energy audit.
@@ -159,8 +164,8 @@ pub struct SolverReport {
     pub newton_iterations: usize,
     /// Continuation steps in all.
     pub continuation_steps: usize,
-    /// Seconds from the resolved case to the result, inside the process.
-    pub wall_time: f64,
+    /// Seconds from the resolved case to the result, inside the process; nothing where the target has no clock.
+    pub wall_time: Option<f64>,
 }
 
 /// Mesh intervals by region.

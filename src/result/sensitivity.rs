@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use solver::{Condensation, SolveError};
+use solver::Condensation;
 
-use crate::drive::{Constant, Known, Output, Solved, inputs};
+use crate::case::{constant_label, output_label};
+use crate::drive::{Failure, Solved};
+use crate::model::Constant;
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
 pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
@@ -13,19 +15,18 @@ pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
 /// for all given constants and prescribed outputs. Extremes along a contact or a span are left out.
 ///
 /// # Errors
-/// What the solver says if the equations are singular at the solution, as at a limit.
-pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, SolveError> {
-    let (ends, integrals) = inputs(&solved.solution);
-    let (_, gradients) = solved.belt.output_gradients(&ends, &integrals, solved.solution.constants());
-    let condensation = Condensation::new(&solved.belt, &solved.solution)?;
+/// [`Failure::Sensitivities`] if the equations are singular at the solution, as at a limit; [`Failure::Internal`].
+pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, Failure> {
+    let (_, gradients) = solved.belt.output_gradients(&solved.solution)?;
+    let condensation = Condensation::new(&solved.belt, &solved.solution).map_err(Failure::Sensitivities)?;
     let given: Vec<(&[f64], String)> =
         given(solved).into_iter().filter_map(|(constant, name)| Some((condensation.rates(constant)?, name))).collect();
-    let rows = Output::all().zip(&gradients).map(|(output, gradient)| {
+    let rows = gradients.iter().map(|(output, gradient)| {
         // An output depends on few of its inputs.
         let partials: Vec<(usize, f64)> =
             gradient.iter().copied().enumerate().filter(|(_, partial)| *partial != 0.0).collect();
         let derivative = |rates: &[f64]| partials.iter().map(|&(input, partial)| partial * rates[input]).sum();
-        (output.path(), given.iter().map(|(rates, name)| (name.clone(), derivative(rates))).collect())
+        (output.name().to_owned(), given.iter().map(|(rates, name)| (name.clone(), derivative(rates))).collect())
     });
     Ok(rows.collect())
 }
@@ -34,8 +35,8 @@ pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, SolveError> {
 fn given(solved: &Solved) -> Vec<(usize, String)> {
     let unknowns = solved.question.unknowns();
     let constants = Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant));
-    let targets = solved.belt.prescribed().iter().enumerate();
-    let constants = constants.map(|constant| (constant.index(), constant.label()));
-    let targets = targets.map(|(at, output)| (Constant::ALL.len() + at, Known::Output(*output).name()));
+    let targets = solved.belt.prescribed().enumerate();
+    let constants = constants.map(|constant| (constant.index(), constant_label(constant).to_owned()));
+    let targets = targets.map(|(at, output)| (Constant::ALL.len() + at, output_label(output).to_owned()));
     constants.chain(targets).collect()
 }

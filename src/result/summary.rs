@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use super::schema::{DriveResult, Pulley};
+use super::answers::answers;
+use super::schema::{DriveResult, Pulley, SolverReport};
+use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 
 fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
@@ -31,11 +33,15 @@ fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
     row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
 }
 
-/// Axial forces, efficiencies, the energy audit and how well the solution holds.
-pub fn summary<I>(result: &DriveResult<I>) -> String {
+/// What an engineer asks first, then axial forces, efficiencies, the energy audit and how well the solution holds.
+pub fn summary(result: &DriveResult<Resolved>) -> String {
     let mut text = String::new();
     let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
     let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
+    for answer in answers(result) {
+        let _ = writeln!(text, "  {:<24}{}", answer.question, answer.answer);
+    }
+    text.push('\n');
     pulleys(&mut text, &result.primary, &result.secondary);
     let percent = |fraction: f64| 100.0 * fraction;
     let _ = writeln!(
@@ -61,16 +67,11 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         belt.unstretched_length * 1e3,
         belt.length_error * 1e3,
     );
-    let _ = writeln!(
-        text,
-        "  slip reserve              {:>11.1} % of the friction at hand is not used",
-        percent(result.slip_reserve),
-    );
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(
         text,
-        "  solved                    {:>11.1} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
-        solver.wall_time * 1e3,
+        "  solved                    {:>11} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
+        solver.milliseconds(),
         solver.order,
         solver.max_residual,
         solver.tolerance,
@@ -79,4 +80,11 @@ pub fn summary<I>(result: &DriveResult<I>) -> String {
         solver.newton_iterations,
     );
     text
+}
+
+impl SolverReport {
+    /// The time that the solution took in milliseconds, or a dash where the target has no clock.
+    pub(crate) fn milliseconds(&self) -> String {
+        self.wall_time.map_or_else(|| "-".to_owned(), |seconds| format!("{:.1}", seconds * 1e3))
+    }
 }

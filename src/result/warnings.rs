@@ -1,55 +1,141 @@
 //! What is to be known before a result is used.
 
 use super::Outcome;
+use super::schema::Pulley;
 use crate::drive::RegionId;
+use crate::model::State;
 
 /// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
 const LITTLE_ADHESION: f64 = 0.02;
 /// Share of the deepest penetration by which another may be negative before it is said: the ends' defects are.
 const NEGATIVE: f64 = 1e-3;
-/// Share of the power that may go missing before it is said.
-const IMBALANCE: f64 = 0.01;
+/// Share of the power that nothing accounts for before it is said.
+const UNACCOUNTED: f64 = 0.01;
 /// Share of the belt's length by which the drive's may differ before it is said.
 const LENGTH_ERROR: f64 = 0.005;
+/// Penetration over radius beyond which the belt no longer lies at its nominal radius.
+const DEEP: f64 = 0.3;
+/// Compression over the largest tension beyond which it is more than the solution's tolerance.
+const COMPRESSION: f64 = 1e-6;
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
-    let result = &outcome.result;
     let mut said = Vec::new();
-    let threshold = result.inputs.sheave.slip_threshold;
-    if result.primary.adhesion_fraction < LITTLE_ADHESION && result.secondary.adhesion_fraction < LITTLE_ADHESION {
-        let slowest = result.primary.min_sliding_speed.min(result.secondary.min_sliding_speed);
-        said.push(format!(
-            "Little slip reserve: the belt adheres on neither pulley (slowest sliding {:.2e} m/s, threshold {threshold:.0e} m/s). \
-             More clamping brings adhesion back.",
-            slowest
+    said.extend(adhesion(outcome));
+    said.extend(powers(outcome));
+    said.extend(compression(outcome));
+    for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
+        said.extend(pulled(name, &states(outcome, region, State::Penetration)));
+    }
+    let result = &outcome.result;
+    said.extend(deep("primary", &result.primary));
+    said.extend(deep("secondary", &result.secondary));
+    said.extend(length(outcome));
+    said.extend(energy(outcome));
+    said
+}
+
+/// A state at the nodes of a region.
+fn states(outcome: &Outcome, region: RegionId, state: State) -> Vec<f64> {
+    let at = outcome.solved.belt.kernel(region).state(state);
+    let part = outcome.solved.solution.regions().get(region.index());
+    at.and_then(|at| Some(part?.state(at).to_vec())).unwrap_or_default()
+}
+
+fn adhesion(outcome: &Outcome) -> Option<String> {
+    let (primary, secondary) = (&outcome.result.primary, &outcome.result.secondary);
+    let little = primary.adhesion_fraction < LITTLE_ADHESION && secondary.adhesion_fraction < LITTLE_ADHESION;
+    little.then(|| {
+        let slowest = primary.min_sliding_speed.min(secondary.min_sliding_speed);
+        let threshold = outcome.result.inputs.sheave.slip_threshold;
+        format!(
+            "Little slip reserve: the belt adheres on neither pulley (slowest sliding {slowest:.2e} m/s, threshold \
+             {threshold:.0e} m/s). More clamping brings adhesion back."
+        )
+    })
+}
+
+/// Powers that no drive has at work: one that has to be driven from both sides, or gives more than it takes.
+fn powers(outcome: &Outcome) -> Option<String> {
+    let energy = &outcome.result.energy;
+    let (power_in, power_out) = (energy.power_in, energy.power_out);
+    if power_in > 0.0 && power_out < 0.0 {
+        return Some(format!(
+            "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go into \
+             the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or it is too stiff.",
+            -power_out,
+            100.0 * power_out / power_in
         ));
     }
-    for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
-        let at = outcome.solved.belt.kernel(region).states.iter().position(|symbol| symbol.name == "x");
-        let part = outcome.solved.solution.regions().get(region.index());
-        let x = at.and_then(|at| Some(part?.state(at))).unwrap_or_default();
-        said.extend(pulled(name, x));
-    }
-    let (belt, length) = (&result.belt, result.inputs.belt.length);
-    if belt.length_error.abs() > LENGTH_ERROR * length {
-        said.push(format!(
-            "The belt does not fit: this drive needs {:.1} mm, the belt has {:.1} mm unstretched.",
+    let (driving, driven) = if power_in >= 0.0 { (power_in, power_out) } else { (-power_out, -power_in) };
+    (driving >= 0.0 && driven > driving).then(|| {
+        format!(
+            "More power out than in: {driven:.1} W of {driving:.1} W, an efficiency of {:.0} %; no drive does that. Use \
+             `edition = \"consistent\"`, in which energy is conserved.",
+            100.0 * driven / driving
+        )
+    })
+}
+
+/// A belt that is pushed somewhere, which a belt does not bear.
+fn compression(outcome: &Outcome) -> Option<String> {
+    let places = [
+        (RegionId::Primary, State::Tension, "on the primary"),
+        (RegionId::SlackSpan, State::SpanTension, "in the slack span"),
+        (RegionId::Secondary, State::Tension, "on the secondary"),
+        (RegionId::TightSpan, State::SpanTension, "in the tight span"),
+    ];
+    let tensions = places.map(|(region, state, place)| (states(outcome, region, state), place));
+    let largest = tensions.iter().flat_map(|(values, _)| values).fold(0.0_f64, |largest, value| largest.max(*value));
+    let least = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
+    let (lowest, place) =
+        tensions.iter().map(|(values, place)| (least(values), place)).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    (lowest < -COMPRESSION * largest).then(|| {
+        format!(
+            "The belt is in compression {place}: the tractive tension falls to {lowest:.1} N there. A belt buckles or \
+             jumps instead; clamp it tighter, or use a belt that bends more easily."
+        )
+    })
+}
+
+/// A belt that lies much deeper than the radius at which it is said to lie.
+fn deep(name: &str, pulley: &Pulley) -> Option<String> {
+    let share = pulley.max_penetration / pulley.radius;
+    (share > DEEP).then(|| {
+        format!(
+            "The belt is pressed {:.1} mm into the {name}, {:.0} % of its radius: more than the model, or a belt, bears. Check \
+             belt.radial_stiffness, belt.bending_stiffness and the clamp.",
+            1e3 * pulley.max_penetration,
+            100.0 * share
+        )
+    })
+}
+
+fn length(outcome: &Outcome) -> Option<String> {
+    let (belt, length) = (&outcome.result.belt, outcome.result.inputs.belt.length);
+    (belt.length_error.abs() > LENGTH_ERROR * length).then(|| {
+        format!(
+            "The belt does not fit: this drive needs {:.1} mm, the belt has {:.1} mm unstretched. The radii hold; with \
+             `drive.free` one of them follows from the belt.",
             1e3 * belt.unstretched_length,
             1e3 * length
-        ));
-    }
-    let imbalance = result.energy.imbalance;
-    if imbalance.abs() > IMBALANCE {
-        said.push(format!(
-            "Energy is not conserved: {:.1} W of {:.1} W in ({:.1} %) go where no friction explains it; this is the \
-             edition's doing.",
-            imbalance * result.energy.power_in,
-            result.energy.power_in,
-            100.0 * imbalance
-        ));
-    }
-    said
+        )
+    })
+}
+
+fn energy(outcome: &Outcome) -> Option<String> {
+    let energy = &outcome.result.energy;
+    let missing = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
+    let passing = energy.power_in.abs().max(energy.power_out.abs()).max(energy.friction_loss.abs());
+    (missing.abs() > UNACCOUNTED * passing).then(|| {
+        format!(
+            "Energy is not conserved: {missing:.1} W of {:.1} W in ({:.1} %) go where neither friction nor stretch explains \
+             it; this is the doing of the equations of edition `{}`.",
+            energy.power_in,
+            100.0 * missing / energy.power_in,
+            outcome.result.edition
+        )
+    })
 }
 
 /// A pulley that would have to pull the belt into its groove, by the penetrations along its contact.

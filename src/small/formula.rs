@@ -1,84 +1,90 @@
-//! Generated formulae, called by the names of their inputs and outputs.
+//! Generated formulae, called by the identities of their inputs and outputs.
 
-use generated::BoundaryKernel;
+use generated::{FormulaKernel, Identity};
 
 /// A set of formulae with values for its inputs; an input that is not given is not a number, and so is all that needs it.
-#[derive(Debug, Clone)]
-pub struct Inputs {
-    kernel: &'static BoundaryKernel,
+#[derive(Debug)]
+pub struct Inputs<I: 'static, O: 'static> {
+    kernel: &'static FormulaKernel<I, O>,
     values: Vec<f64>,
+}
+
+impl<I, O> Clone for Inputs<I, O> {
+    fn clone(&self) -> Self {
+        Self { kernel: self.kernel, values: self.values.clone() }
+    }
 }
 
 /// What the formulae give.
-#[derive(Debug, Clone)]
-pub struct Outputs {
-    kernel: &'static BoundaryKernel,
+#[derive(Debug)]
+pub struct Outputs<I: 'static, O: 'static> {
+    kernel: &'static FormulaKernel<I, O>,
     values: Vec<f64>,
-    derivatives: Vec<f64>,
 }
 
-impl Inputs {
+impl<I: Identity, O: Identity> Inputs<I, O> {
     /// No input given.
-    pub fn new(kernel: &'static BoundaryKernel) -> Self {
-        Self { kernel, values: vec![f64::NAN; kernel.constants.len()] }
+    pub fn new(kernel: &'static FormulaKernel<I, O>) -> Self {
+        Self { kernel, values: vec![f64::NAN; I::COUNT] }
     }
 
-    /// With these inputs, by name, in SI.
-    pub fn with(mut self, given: &[(&str, f64)]) -> Self {
-        given.iter().for_each(|(name, value)| self.set(name, *value));
+    /// With these inputs, in SI.
+    pub fn with(mut self, given: &[(I, f64)]) -> Self {
+        given.iter().for_each(|(input, value)| self.set(*input, *value));
         self
     }
 
     /// Gives an input its value.
-    pub fn set(&mut self, name: &str, value: f64) {
-        let place = self.kernel.constants.iter().position(|symbol| symbol.name == name);
-        debug_assert!(place.is_some(), "{} has no input {name}", self.kernel.name);
-        if let Some(input) = place.and_then(|place| self.values.get_mut(place)) {
-            *input = value;
-        }
+    pub fn set(&mut self, input: I, value: f64) {
+        self.values[input.place()] = value;
     }
 
-    /// The value of an input.
-    pub fn get(&self, name: &str) -> f64 {
-        let place = self.kernel.constants.iter().position(|symbol| symbol.name == name);
-        debug_assert!(place.is_some(), "{} has no input {name}", self.kernel.name);
-        place.and_then(|place| self.values.get(place).copied()).unwrap_or(f64::NAN)
+    /// The value of an input; not a number if it is not given.
+    pub fn get(&self, input: I) -> f64 {
+        self.values[input.place()]
     }
 
     /// All outputs.
-    pub fn outputs(&self) -> Outputs {
-        let mut values = vec![0.0; self.kernel.equations.len()];
-        (self.kernel.value)(&[], &[], &self.values, &mut values);
-        Outputs { kernel: self.kernel, values, derivatives: Vec::new() }
+    pub fn outputs(&self) -> Outputs<I, O> {
+        let mut values = vec![0.0; O::COUNT];
+        (self.kernel.set.value)(&[], &[], &self.values, &mut values);
+        Outputs { kernel: self.kernel, values }
     }
 
     /// All outputs with their derivatives.
-    pub fn linearised(&self) -> Outputs {
-        let mut values = vec![0.0; self.kernel.equations.len()];
-        let mut derivatives = vec![0.0; self.kernel.pattern.len()];
-        (self.kernel.jacobian)(&[], &[], &self.values, &mut values, &mut derivatives);
-        Outputs { kernel: self.kernel, values, derivatives }
+    pub fn linearised(&self) -> Linearised<I, O> {
+        let mut values = vec![0.0; O::COUNT];
+        let mut derivatives = vec![0.0; self.kernel.set.pattern.len()];
+        (self.kernel.set.jacobian)(&[], &[], &self.values, &mut values, &mut derivatives);
+        Linearised { outputs: Outputs { kernel: self.kernel, values }, derivatives }
     }
 }
 
-impl Outputs {
-    fn row(&self, name: &str) -> usize {
-        let row = self.kernel.equations.iter().position(|equation| equation.name == name);
-        debug_assert!(row.is_some(), "{} has no output {name}", self.kernel.name);
-        row.unwrap_or(usize::MAX)
-    }
-
+impl<I: Identity, O: Identity> Outputs<I, O> {
     /// An output.
-    pub fn get(&self, name: &str) -> f64 {
-        self.values.get(self.row(name)).copied().unwrap_or(f64::NAN)
+    pub fn get(&self, output: O) -> f64 {
+        self.values[output.place()]
+    }
+}
+
+/// What the formulae give, with derivatives.
+#[derive(Debug)]
+pub struct Linearised<I: 'static, O: 'static> {
+    outputs: Outputs<I, O>,
+    /// In the order of the kernel's pattern.
+    derivatives: Vec<f64>,
+}
+
+impl<I: Identity, O: Identity> Linearised<I, O> {
+    /// An output.
+    pub fn get(&self, output: O) -> f64 {
+        self.outputs.get(output)
     }
 
-    /// The derivative of an output in an input; 0 where it does not depend on it.
-    pub fn derivative(&self, output: &str, input: &str) -> f64 {
-        let column = self.kernel.constants.iter().position(|symbol| symbol.name == input);
-        debug_assert!(column.is_some(), "{} has no input {input}", self.kernel.name);
-        let entry = column.map(|column| (self.row(output), column));
-        let place = self.kernel.pattern.iter().position(|pair| Some(*pair) == entry);
-        place.map_or(0.0, |place| self.derivatives.get(place).copied().unwrap_or(f64::NAN))
+    /// The derivative of an output in an input: 0 where it does not depend on it.
+    pub fn derivative(&self, output: O, input: I) -> f64 {
+        let entry = (output.place(), input.place());
+        let entries = self.outputs.kernel.set.pattern.iter().zip(&self.derivatives);
+        entries.filter(|(other, _)| **other == entry).map(|(_, derivative)| derivative).sum()
     }
 }

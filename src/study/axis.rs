@@ -14,8 +14,8 @@ pub const DEFAULT_POINTS: usize = 11;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     keys: Vec<Key>,
-    /// One a point, each with a value for every key.
-    values: Vec<Vec<Setting>>,
+    /// One a point, each with a value for every key; point by point.
+    values: Vec<Setting>,
 }
 
 impl Axis {
@@ -30,16 +30,14 @@ impl Axis {
         for part in text.split('&') {
             let (key, values) = one(part.trim())?;
             match &mut axis {
-                None => {
-                    axis =
-                        Some(Self { keys: vec![key], values: values.into_iter().map(|value| vec![value]).collect() });
-                }
-                Some(axis) if axis.values.len() == values.len() => {
+                None => axis = Some(Self { keys: vec![key], values }),
+                Some(axis) if axis.points() == values.len() => {
+                    let old = axis.values.chunks(axis.keys.len()).zip(values);
+                    axis.values = old.flat_map(|(point, value)| point.iter().copied().chain([value])).collect();
                     axis.keys.push(key);
-                    axis.values.iter_mut().zip(values).for_each(|(point, value)| point.push(value));
                 }
                 Some(axis) => {
-                    let (first, second) = (axis.values.len(), values.len());
+                    let (first, second) = (axis.points(), values.len());
                     return Err(StudyError::Unlike { text: text.into(), first, second });
                 }
             }
@@ -54,7 +52,7 @@ impl Axis {
     pub fn of(key: Key, values: impl IntoIterator<Item = f64>) -> Result<Self, StudyError> {
         let values = values.into_iter().map(|value| {
             Case::base().set_si(key, value)?;
-            Ok(vec![Setting::Number(value)])
+            Ok(Setting::Number(value))
         });
         Ok(Self { keys: vec![key], values: values.collect::<Result<_, CaseError>>()? })
     }
@@ -66,12 +64,13 @@ impl Axis {
 
     /// Number of points; never zero.
     pub fn points(&self) -> usize {
-        self.values.len()
+        self.values.len() / self.keys.len().max(1)
     }
 
     /// Keys and values at a point; nothing beyond the last.
     pub fn at(&self, point: usize) -> impl Iterator<Item = (Key, Setting)> + '_ {
-        let values = self.values.get(point).map_or(&[][..], Vec::as_slice);
+        let first = point.saturating_mul(self.keys.len());
+        let values = self.values.get(first..).unwrap_or_default();
         self.keys.iter().copied().zip(values.iter().copied())
     }
 
@@ -149,7 +148,9 @@ fn quantity_in(key: Key, text: &str, unit: &str) -> Result<f64, StudyError> {
 
 /// What stands behind the number.
 fn unit_of(text: &str) -> &str {
-    let ends = (0..=text.len()).rev().filter(|end| text.is_char_boundary(*end));
+    /// No number is longer.
+    const LONGEST: usize = 64;
+    let ends = (0..=text.len().min(LONGEST)).rev().filter(|end| text.is_char_boundary(*end));
     let number = ends.into_iter().find(|end| text.get(..*end).is_some_and(|part| part.parse::<f64>().is_ok()));
     number.and_then(|end| text.get(end..)).map_or("", str::trim_end)
 }

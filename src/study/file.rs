@@ -52,7 +52,7 @@ impl StudyFile {
     /// # Errors
     /// As [`StudyFile::read`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, StudyError> {
-        let (case, sweep) = split(text);
+        let (case, sweep) = split(text.strip_prefix('\u{feff}').unwrap_or(text));
         let case = Case::from_toml(name, &case)?;
         if sweep.trim().is_empty() {
             return Ok(Self { case, axes: Vec::new() });

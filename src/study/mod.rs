@@ -2,7 +2,7 @@
 //!
 //! A [`Study`] is a case and some [`Axis`]; its points are numbered in input order, the last axis running fastest.
 //! [`run`] solves them on several threads and hands over one [`Row`] a point; [`Journal`] keeps rows as they come, so
-//! that whatever ends the program loses none; [`Table`] is the finished study.
+//! that whatever ends the program loses none; [`Table`] is the finished study, and [`Rows`] what its writers need of one.
 //!
 //! Every point's row is a function of the study alone. Points are solved in chains of neighbours along the last axis,
 //! each started from the solution before it; where the chains begin depends on nothing but the grid, so the number
@@ -24,19 +24,25 @@ mod axis;
 mod error;
 mod file;
 mod journal;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod plan;
 mod row;
+mod rows;
 mod run;
+mod stream;
 pub mod thesis;
 mod write;
 
 pub use axis::{Axis, DEFAULT_POINTS, MAX_POINTS};
 pub use error::StudyError;
 pub use file::StudyFile;
-pub use journal::{Journal, JournalError};
+pub use journal::{Journal, JournalError, set_aside, sync_folder};
+#[cfg(feature = "parquet")]
 pub use parquet::write_parquet;
 pub use plan::{Point, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
+pub use rows::{Rows, StoredRows};
 pub use run::{each, run, table, tables};
+pub use stream::Stream;
 pub use write::{Format, write_csv, write_json};

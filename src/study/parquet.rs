@@ -1,6 +1,7 @@
-//! A finished study as Apache Parquet: one optional column a quantity, one row group.
+//! A finished study as Apache Parquet: one optional column a quantity, row groups that fit in memory.
 
-use super::row::{Cell, Table};
+use super::row::Cell;
+use super::rows::Rows;
 use parquet::basic::{ConvertedType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -20,23 +21,41 @@ enum Kind {
     Text,
 }
 
+/// Rows that are in memory at once.
+const GROUP: usize = 8192;
+
 impl Kind {
-    /// The narrowest that takes all cells; numbers if there are none.
-    fn of<'a>(cells: impl Iterator<Item = &'a Cell>) -> Self {
-        let kinds = cells.filter_map(|cell| match cell {
+    /// The narrowest that takes a cell; nothing for an empty one.
+    fn of(cell: &Cell) -> Option<Self> {
+        match cell {
             Cell::Empty => None,
             Cell::Truth(_) => Some(Self::Truth),
             Cell::Number(number) if number.is_i64() => Some(Self::Count),
             Cell::Number(_) => Some(Self::Number),
             Cell::Text(_) => Some(Self::Text),
-        });
-        kinds
-            .reduce(|a, b| match (a, b) {
-                (a, b) if a == b => a,
-                (Self::Count | Self::Number, Self::Count | Self::Number) => Self::Number,
-                _ => Self::Text,
-            })
-            .unwrap_or(Self::Number)
+        }
+    }
+
+    /// The narrowest that takes what two take.
+    fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (a, b) if a == b => a,
+            (Self::Count | Self::Number, Self::Count | Self::Number) => Self::Number,
+            _ => Self::Text,
+        }
+    }
+
+    /// Of each column; numbers where all cells are empty.
+    fn of_columns(table: &dyn Rows) -> io::Result<Vec<Self>> {
+        let mut kinds: Vec<Option<Self>> = vec![None; table.columns().len()];
+        table.each(&mut |row| {
+            for (kind, cell) in kinds.iter_mut().zip(row) {
+                let other = Self::of(cell);
+                *kind = kind.map_or(other, |kind| Some(other.map_or(kind, |other| kind.with(other))));
+            }
+            Ok(())
+        })?;
+        Ok(kinds.into_iter().map(|kind| kind.unwrap_or(Self::Number)).collect())
     }
 
     fn column(self, name: &str) -> Result<Type, ParquetError> {
@@ -55,48 +74,63 @@ impl Kind {
 ///
 /// # Errors
 /// What the writer says.
-pub fn write_parquet(table: &Table, to: &mut (dyn Write + '_)) -> io::Result<()> {
-    // The format's writer is sent to threads, ours is not: the file goes through memory.
-    let bytes = encode(table).map_err(io::Error::other)?;
-    to.write_all(&bytes)
+pub fn write_parquet(table: &dyn Rows, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
+    let kinds = Kind::of_columns(table)?;
+    let fields = table.columns().iter().zip(&kinds).map(|(name, kind)| kind.column(name).map(Arc::new));
+    let fields = fields.collect::<Result<_, _>>().map_err(io::Error::other)?;
+    let schema = Type::group_type_builder("sweep").with_fields(fields).build().map_err(io::Error::other)?;
+    let properties = WriterProperties::builder().set_created_by(concat!("sheave ", env!("CARGO_PKG_VERSION")).into());
+    let writer = SerializedFileWriter::new(to, Arc::new(schema), Arc::new(properties.build()));
+    let mut writer = writer.map_err(io::Error::other)?;
+    let mut columns: Vec<Vec<Cell>> = vec![Vec::new(); kinds.len()];
+    let mut rows = 0;
+    table.each(&mut |row| {
+        columns.iter_mut().zip(row).for_each(|(column, cell)| column.push(cell.clone()));
+        rows += 1;
+        if rows == GROUP {
+            rows = 0;
+            write_group(&mut writer, &mut columns).map_err(io::Error::other)?;
+        }
+        Ok(())
+    })?;
+    if rows > 0 {
+        write_group(&mut writer, &mut columns).map_err(io::Error::other)?;
+    }
+    writer.close().map(|_| ()).map_err(io::Error::other)
 }
 
-fn encode(table: &Table) -> Result<Vec<u8>, ParquetError> {
-    let column = |at: usize| table.rows.iter().map(move |row| row.get(at).unwrap_or(&Cell::Empty));
-    let kinds: Vec<Kind> = (0..table.columns.len()).map(|at| Kind::of(column(at))).collect();
-    let fields = table.columns.iter().zip(&kinds).map(|(name, kind)| kind.column(name).map(Arc::new));
-    let schema = Type::group_type_builder("sweep").with_fields(fields.collect::<Result<_, _>>()?).build()?;
-    let properties = WriterProperties::builder().set_created_by(concat!("sheave ", env!("CARGO_PKG_VERSION")).into());
-    let mut writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties.build()))?;
+/// Writes a row group of these columns, and empties them.
+fn write_group<W: Write + Send>(
+    writer: &mut SerializedFileWriter<W>,
+    columns: &mut [Vec<Cell>],
+) -> Result<(), ParquetError> {
     let mut group = writer.next_row_group()?;
-    let mut at = 0;
-    while let Some(mut open) = group.next_column()? {
-        let cells: Vec<&Cell> = column(at).collect();
+    for cells in columns {
+        let Some(mut open) = group.next_column()? else { break };
         let levels: Vec<i16> = cells.iter().map(|cell| i16::from(!matches!(cell, Cell::Empty))).collect();
         match open.untyped() {
             ColumnWriter::BoolColumnWriter(typed) => {
-                let values: Vec<bool> = cells.iter().filter_map(|cell| truth(cell)).collect();
+                let values: Vec<bool> = cells.iter().filter_map(truth).collect();
                 typed.write_batch(&values, Some(&levels), None)?;
             }
             ColumnWriter::Int64ColumnWriter(typed) => {
-                let values: Vec<i64> = cells.iter().filter_map(|cell| count(cell)).collect();
+                let values: Vec<i64> = cells.iter().filter_map(count).collect();
                 typed.write_batch(&values, Some(&levels), None)?;
             }
             ColumnWriter::DoubleColumnWriter(typed) => {
-                let values: Vec<f64> = cells.iter().filter_map(|cell| cell.number()).collect();
+                let values: Vec<f64> = cells.iter().filter_map(Cell::number).collect();
                 typed.write_batch(&values, Some(&levels), None)?;
             }
             ColumnWriter::ByteArrayColumnWriter(typed) => {
-                let values: Vec<ByteArray> = cells.iter().filter_map(|cell| text(cell)).collect();
+                let values: Vec<ByteArray> = cells.iter().filter_map(text).collect();
                 typed.write_batch(&values, Some(&levels), None)?;
             }
             _ => return Err(ParquetError::General("a column of another type".into())),
         }
         open.close()?;
-        at += 1;
+        cells.clear();
     }
-    group.close()?;
-    writer.into_inner()
+    group.close().map(|_| ())
 }
 
 fn truth(cell: &Cell) -> Option<bool> {

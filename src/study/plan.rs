@@ -2,19 +2,13 @@
 
 use super::axis::{Axis, MAX_POINTS};
 use super::error::StudyError;
-use crate::case::{Case, CaseError, Key, Problem, Resolved, Setting};
+use crate::case::{Case, CaseError, Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use std::ops::Range;
 
 /// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
 /// start of the first hardly counts.
 const CHAIN: usize = 16;
-
-/// Keys of which one stands in place of the others: a key that is varied takes out the others of the case.
-const SLOTS: [&[Key]; 2] = [
-    &[Key::PrimaryTorque, Key::SecondaryTorque, Key::SpeedRatio],
-    &[Key::SlackTension, Key::TightTension, Key::PrimaryAxialForce, Key::SecondaryAxialForce],
-];
 
 /// A case, what is varied in it, and how accurately it is solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +34,11 @@ impl Study {
     ///
     /// # Errors
     /// What is wrong with the grid, or with the case at some point of it: see [`StudyError`].
-    pub fn new(case: Case, axes: impl IntoIterator<Item = Axis>, options: SolveOptions) -> Result<Self, StudyError> {
+    pub fn new(
+        mut case: Case,
+        axes: impl IntoIterator<Item = Axis>,
+        options: SolveOptions,
+    ) -> Result<Self, StudyError> {
         let axes: Vec<Axis> = axes.into_iter().collect();
         let mut varied: Vec<Key> = Vec::new();
         for key in axes.iter().flat_map(Axis::keys) {
@@ -56,7 +54,7 @@ impl Study {
         if points.is_none_or(|points| points > MAX_POINTS) {
             return Err(StudyError::TooMany);
         }
-        let case = make_room(case, &varied)?;
+        case.make_room(&varied);
         let study = Self { case, axes, options };
         (0..study.points()).try_for_each(|index| study.point(index).map(|_| ()))?;
         Ok(study)
@@ -102,7 +100,7 @@ impl Study {
                 case.check_posed(&resolved)?;
                 Ok(resolved)
             }
-            Err(error) if matches!(error.problem(), Problem::Overlap { .. } | Problem::NoRadii { .. }) => Err(error),
+            Err(error) if error.problem().is_of_geometry() => Err(error),
             Err(error) => return Err(error),
         };
         Ok(Point { varied, case: resolved })
@@ -120,40 +118,52 @@ impl Study {
             .collect()
     }
 
-    /// Everything the rows depend on, as one line of text.
+    /// Everything the rows depend on, as one line of text; of each axis, keys, ends, number and checksum of its points.
     pub(super) fn fingerprint(&self) -> String {
-        let axis = |axis: &Axis| {
-            let points: Vec<Vec<(&str, Setting)>> = (0..axis.points())
-                .map(|point| axis.at(point).map(|(key, setting)| (key.path(), setting)).collect())
-                .collect();
-            serde_json::to_value(points).unwrap_or_default()
+        let point = |axis: &Axis, at: usize| {
+            axis.at(at).map(|(key, setting)| serde_json::json!([key.path(), setting])).collect::<Vec<_>>()
         };
-        let base = self.point(0).ok().and_then(|point| point.case.ok());
-        let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
+        let axis = |axis: &Axis| {
+            let mut checksum = crc32fast::Hasher::new();
+            for (_, setting) in (0..axis.points()).flat_map(|at| axis.at(at)) {
+                match setting {
+                    Setting::Number(value) => checksum.update(&value.to_le_bytes()),
+                    Setting::Name(name) => checksum.update(name.as_bytes()),
+                }
+            }
+            let ends = [point(axis, 0), point(axis, axis.points().saturating_sub(1))];
+            serde_json::json!({ "points": axis.points(), "ends": ends, "checksum": checksum.finalize() })
+        };
+        let case = self.point(0).ok().and_then(|point| point.case.ok());
+        let settings = self.case.settings().map(|(key, setting)| serde_json::json!([key.path(), setting]));
+        let exchanges = self.case.exchanges().map(|exchange| serde_json::json!(exchange.to_string()));
+        let given: Vec<serde_json::Value> = settings.chain(exchanges).collect();
         let axes: Vec<serde_json::Value> = self.axes.iter().map(axis).collect();
-        serde_json::json!({ "version": env!("CARGO_PKG_VERSION"), "case": base, "axes": axes, "options": options })
+        let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
+        let version = env!("CARGO_PKG_VERSION");
+        serde_json::json!({ "version": version, "case": case, "given": given, "axes": axes, "options": options })
             .to_string()
     }
-}
 
-/// Takes out of the case what the varied keys stand in place of.
-fn make_room(mut case: Case, varied: &[Key]) -> Result<Case, CaseError> {
-    let radii = [Key::PrimaryRadius, Key::SecondaryRadius];
-    let mut out: Vec<Key> = Vec::new();
-    if varied.contains(&Key::Ratio) {
-        out.extend(radii);
-    } else if radii.iter().any(|key| varied.contains(key)) {
-        out.push(Key::Ratio);
-    }
-    // With both radii free, two keys of one slot may stand side by side.
-    if !case.has(Key::Free) {
-        for slot in SLOTS {
-            if slot.iter().any(|key| varied.contains(key)) {
-                out.extend(slot);
+    /// Whether the rows of all points that have a solution have the same columns: what is varied decides on values only.
+    pub fn is_uniform(&self) -> bool {
+        let mut columns: Option<Vec<String>> = None;
+        for place in 0..self.axes.iter().filter(|axis| !axis.is_continuous()).map(Axis::points).product() {
+            let (mut index, mut rest, mut stride) = (0, place, 1);
+            for axis in self.axes.iter().rev() {
+                if !axis.is_continuous() {
+                    index += stride * (rest % axis.points());
+                    rest /= axis.points();
+                }
+                stride *= axis.points();
+            }
+            let Ok(Point { case: Ok(case), .. }) = self.point(index) else { continue };
+            let here = case.settings().iter().map(|(key, _)| key.path().to_owned()).collect();
+            match &columns {
+                Some(columns) if *columns != here => return false,
+                _ => columns = Some(here),
             }
         }
+        true
     }
-    out.retain(|key| !varied.contains(key));
-    out.iter().try_for_each(|key| case.unset(key.path()))?;
-    Ok(case)
 }

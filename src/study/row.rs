@@ -9,6 +9,11 @@ use std::collections::HashMap;
 /// The one scalar of a result that is a clock's: it stays empty in a study, whose rows depend on its inputs alone.
 const CLOCK: &str = "solver.wall_time";
 
+/// The column that says whether a point has a solution.
+const CONVERGED: &str = "converged";
+/// The column that says why a point has none.
+const FAILURE: &str = "failure";
+
 /// One scalar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
@@ -77,7 +82,7 @@ impl Row {
             };
             row.push(key.path().to_owned(), value);
         }
-        row.push("converged".into(), Value::Bool(outcome.is_ok()));
+        row.push(CONVERGED.into(), Value::Bool(outcome.is_ok()));
         match &outcome {
             Ok(outcome) => row.flatten("", serde_json::to_value(&outcome.result).unwrap_or_default()),
             Err(_) => {
@@ -85,8 +90,17 @@ impl Row {
                 row.flatten("inputs", inputs.unwrap_or_default());
             }
         }
-        row.push("failure".into(), outcome.err().map_or(Value::Null, Value::from));
+        row.push(FAILURE.into(), outcome.err().map_or(Value::Null, Value::from));
         row
+    }
+
+    /// Why the point has no solution; nothing if it has one.
+    pub fn failure(&self) -> Option<&str> {
+        let at = self.columns.iter().position(|name| name == FAILURE)?;
+        match self.cells.get(at)? {
+            Cell::Text(reason) => Some(reason),
+            _ => None,
+        }
     }
 
     /// Adds the scalars of a value under `name` with dots; a name that is there already keeps its first value.
@@ -137,18 +151,81 @@ impl Table {
 
     /// How many points have no solution.
     pub fn failures(&self) -> usize {
-        let Some(at) = self.column("converged") else { return 0 };
+        let Some(at) = self.column(CONVERGED) else { return 0 };
         self.rows.iter().filter(|row| row.get(at) != Some(&Cell::Truth(true))).count()
+    }
+}
+
+/// The sets of column names that rows have, each kept once and numbered.
+#[derive(Debug, Default)]
+pub(super) struct Layouts {
+    /// By number; none where a journal lost it.
+    names: Vec<Option<Columns>>,
+    known: HashMap<Columns, usize>,
+}
+
+impl Layouts {
+    /// Number of a set of names, and whether it is new.
+    pub(super) fn number(&mut self, columns: Columns) -> (usize, bool) {
+        if let Some(&known) = self.known.get(&columns) {
+            return (known, false);
+        }
+        self.names.push(Some(columns.clone()));
+        self.known.insert(columns, self.names.len() - 1);
+        (self.names.len() - 1, true)
+    }
+
+    /// Takes in a set of names under its number; nothing if that cannot be.
+    pub(super) fn put(&mut self, number: usize, columns: Columns) -> Option<()> {
+        /// Far more sets than any study has.
+        const MOST: usize = 1 << 16;
+        if number >= MOST {
+            return None;
+        }
+        if self.names.len() <= number {
+            self.names.resize(number + 1, None);
+        }
+        self.known.insert(columns.clone(), number);
+        *self.names.get_mut(number)? = Some(columns);
+        Some(())
+    }
+
+    /// Names of a set; none of one that is not known.
+    pub(super) fn names(&self, number: usize) -> Option<&Columns> {
+        self.names.get(number)?.as_ref()
+    }
+
+    /// Whether a row of a set says that its point has a solution.
+    pub(super) fn is_solved(&self, number: usize, cells: &[Cell]) -> bool {
+        let at = self.names(number).and_then(|names| names.iter().position(|name| name == CONVERGED));
+        at.and_then(|at| cells.get(at)) == Some(&Cell::Truth(true))
+    }
+
+    /// The columns of a table whose rows have these sets, in the order in which the rows bring them, a row's own between
+    /// those it shares; and by set the column of each of its names.
+    pub(super) fn joined(&self, rows: impl Iterator<Item = usize>) -> (Columns, Vec<Vec<Option<usize>>>) {
+        let mut order: Vec<usize> = Vec::new();
+        for layout in rows {
+            if !order.contains(&layout) {
+                order.push(layout);
+            }
+        }
+        let mut columns = Columns::new();
+        for layout in order {
+            merge(&mut columns, self.names(layout).map_or(&[], Vec::as_slice));
+        }
+        let place: HashMap<&String, usize> = columns.iter().enumerate().map(|(at, name)| (name, at)).collect();
+        let places = |names: &Option<Columns>| names.iter().flatten().map(|name| place.get(name).copied()).collect();
+        let spread = self.names.iter().map(places).collect();
+        (columns, spread)
     }
 }
 
 /// Collects rows in any order.
 #[derive(Debug, Default)]
 pub struct TableBuilder {
-    /// Each set of names once, and how it was given.
-    layouts: Vec<Columns>,
-    known: HashMap<Columns, usize>,
-    /// By point: its layout and its cells.
+    layouts: Layouts,
+    /// By point: its set of names and its cells.
     rows: Vec<Option<(usize, Vec<Cell>)>>,
 }
 
@@ -173,49 +250,18 @@ impl TableBuilder {
         self.rows.iter().flatten().next().is_none()
     }
 
-    /// Number of a set of names, and whether it is new.
-    pub(super) fn layout(&mut self, columns: Columns) -> (usize, bool) {
-        if let Some(&known) = self.known.get(&columns) {
-            return (known, false);
-        }
-        self.layouts.push(columns.clone());
-        self.known.insert(columns, self.layouts.len() - 1);
-        (self.layouts.len() - 1, true)
-    }
-
-    /// Names of a layout; none of one that is not known.
-    pub(super) fn names(&self, layout: usize) -> Option<&Columns> {
-        self.layouts.get(layout)
-    }
-
     /// Keeps a row. One that is there already stays: a point's row is a function of the study.
     pub fn insert(&mut self, row: Row) {
-        let (layout, _) = self.layout(row.columns);
-        self.put(row.index, layout, row.cells);
-    }
-
-    pub(super) fn put(&mut self, index: usize, layout: usize, cells: Vec<Cell>) {
-        if let Some(place) = self.rows.get_mut(index) {
-            place.get_or_insert((layout, cells));
+        let (layout, _) = self.layouts.number(row.columns);
+        if let Some(place) = self.rows.get_mut(row.index) {
+            place.get_or_insert((layout, row.cells));
         }
     }
 
     /// The table: columns in the order in which the rows bring them, a row's own between those it shares; `failure`
     /// last. Points without a row are left out.
     pub fn finish(self) -> Table {
-        let mut order: Vec<usize> = Vec::new();
-        for (layout, _) in self.rows.iter().flatten() {
-            if !order.contains(layout) {
-                order.push(*layout);
-            }
-        }
-        let mut columns = Columns::new();
-        for layout in order {
-            merge(&mut columns, self.layouts.get(layout).map_or(&[], Vec::as_slice));
-        }
-        let place: HashMap<&String, usize> = columns.iter().enumerate().map(|(at, name)| (name, at)).collect();
-        let places: Vec<Vec<Option<usize>>> =
-            self.layouts.iter().map(|names| names.iter().map(|name| place.get(name).copied()).collect()).collect();
+        let (columns, places) = self.layouts.joined(self.rows.iter().flatten().map(|(layout, _)| *layout));
         let width = columns.len();
         let spread = |(layout, cells): (usize, Vec<Cell>)| {
             let mut row = vec![Cell::Empty; width];

@@ -4,13 +4,13 @@ use super::error::StudyError;
 use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
+use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
-use rayon::Scope;
+use crate::threads::{self, Scope};
 use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
@@ -22,7 +22,7 @@ const FARTHEST: f64 = 1.6;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
 const PATIENCE: usize = 2;
 
-/// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given), and hands each row to
+/// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given, and no more than that), and hands each row to
 /// `keep` as soon as it is there: in any order, from any thread. What a point is solved from depends on the study alone,
 /// so that rows are the same whoever asks.
 ///
@@ -144,6 +144,13 @@ fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
     Ok(groups)
 }
 
+/// Threads that are of use: as many as are asked for, but no more than there are cores and chains to solve.
+fn useful_threads(jobs: Option<usize>, chains: usize) -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let most = cores.min(chains).max(1);
+    jobs.unwrap_or(most).clamp(1, most)
+}
+
 /// What a point gave: a result, or why there is none.
 type Found<'a> = Result<&'a Outcome, String>;
 
@@ -163,15 +170,16 @@ struct Work<'a> {
 
 impl Work<'_> {
     fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
-        let threads = jobs.unwrap_or(0);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|_| StudyError::Threads(threads))?;
+        let chains = groups.iter().map(Vec::len).sum();
+        let threads = useful_threads(jobs, chains);
         let work = &self;
-        pool.scope(|scope| {
+        // First come, first served: rows are wanted in the order of the points.
+        threads::scope(threads, |scope| {
             for group in groups {
-                scope.spawn(move |scope| work.heads(scope, group));
+                scope.spawn_fifo(move |scope| work.heads(scope, group));
             }
-        });
+        })
+        .map_err(|_| StudyError::Threads(threads))?;
         self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
     }
 
@@ -188,7 +196,7 @@ impl Work<'_> {
             let Some((point, head)) = begun else { return };
             heads.extend(head.as_ref().ok().cloned());
             if task.start < task.end {
-                scope.spawn(move |_| {
+                scope.spawn_fifo(move |_| {
                     self.checked(|| self.along(study, &task, &point, head));
                 });
             }
@@ -260,7 +268,9 @@ fn head(case: &Resolved, options: &SolveOptions, heads: &[Known]) -> Result<Outc
 
 /// From the solutions nearby, else from nothing; counts how often in a row they were too far away.
 fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mut usize) -> Result<Outcome, Failure> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
+    // A clamp that is found for a margin takes several solutions, each from the one before it.
+    let near = if case.operating_point.margin.is_some() { &[] } else { near };
     if !near.is_empty() {
         match solve_along(near, case, options) {
             Ok(solved) => {

@@ -1,6 +1,7 @@
 //! A finished study as a file.
 
-use super::row::{Cell, Table};
+use super::row::Cell;
+use super::rows::Rows;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::Path;
@@ -13,6 +14,7 @@ pub enum Format {
     /// An array of objects, one a row.
     Json,
     /// Apache Parquet.
+    #[cfg(feature = "parquet")]
     Parquet,
 }
 
@@ -22,6 +24,7 @@ impl Format {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
+            #[cfg(feature = "parquet")]
             "parquet" => Some(Self::Parquet),
             _ => None,
         }
@@ -31,10 +34,11 @@ impl Format {
     ///
     /// # Errors
     /// What the writer says.
-    pub fn write(self, table: &Table, to: &mut (dyn Write + '_)) -> io::Result<()> {
+    pub fn write(self, table: &dyn Rows, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
         match self {
             Self::Csv => write_csv(table, to),
             Self::Json => write_json(table, to),
+            #[cfg(feature = "parquet")]
             Self::Parquet => super::write_parquet(table, to),
         }
     }
@@ -44,30 +48,35 @@ impl Format {
 ///
 /// # Errors
 /// What the writer says.
-pub fn write_csv(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+pub fn write_csv(table: &dyn Rows, to: &mut (dyn Write + '_)) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(to);
-    writer.write_record(&table.columns)?;
-    for row in &table.rows {
-        writer.write_record(row.iter().map(|cell| match cell {
-            Cell::Empty => String::new(),
-            Cell::Truth(truth) => truth.to_string(),
-            Cell::Number(number) => number.to_string(),
-            Cell::Text(text) => text.to_string(),
-        }))?;
-    }
+    writer.write_record(table.columns())?;
+    table.each(&mut |row| Ok(writer.write_record(row.iter().map(field))?))?;
     writer.flush()
+}
+
+/// A cell as a field of a line.
+pub(super) fn field(cell: &Cell) -> String {
+    match cell {
+        Cell::Empty => String::new(),
+        Cell::Truth(truth) => truth.to_string(),
+        Cell::Number(number) => number.to_string(),
+        Cell::Text(text) => text.to_string(),
+    }
 }
 
 /// Writes an array of objects, one a line; an empty cell is `null`.
 ///
 /// # Errors
 /// What the writer says.
-pub fn write_json(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+pub fn write_json(table: &dyn Rows, to: &mut (dyn Write + '_)) -> io::Result<()> {
     to.write_all(b"[")?;
-    for (index, row) in table.rows.iter().enumerate() {
-        to.write_all(if index == 0 { b"\n" } else { b",\n" })?;
-        let members = table.columns.iter().cloned().zip(row.iter().map(Cell::to_json));
-        to.write_all(Value::Object(members.collect()).to_string().as_bytes())?;
-    }
+    let mut begun = false;
+    table.each(&mut |row| {
+        to.write_all(if begun { b",\n" } else { b"\n" })?;
+        begun = true;
+        let members = table.columns().iter().cloned().zip(row.iter().map(Cell::to_json));
+        to.write_all(Value::Object(members.collect()).to_string().as_bytes())
+    })?;
     to.write_all(b"\n]\n")
 }

@@ -3,38 +3,38 @@
 use eqgen::Error;
 use eqgen::derive::solve_linear;
 use eqgen::emit::{self, Provenance, SourceFile};
-use eqgen::physics::model::{BoundaryModel, Model, RegionModel};
-use eqgen::physics::notation::{Row, Symbol};
+use eqgen::physics::model::{BoundaryModel, Model, RegionModel, Role};
+use eqgen::physics::notation::{Row, Symbol, row};
 use eqgen::plan::{Plan, read};
 
 /// All symbols: name, as printed, unit, exponent of the region's own unit, meaning.
 const NOTATION: &[Row] = &[
-    ("s", "ŝ", "", 1, "position along the strut over its length"),
-    ("theta", "θ", "rad", 0, "direction of the strut against the load"),
-    ("theta1", "θ̂'", "rad", -1, "dθ/dŝ"),
-    ("P", "P", "N", 0, "load along the line of the ends"),
-    ("alpha", "α", "rad", 0, "direction of the strut at its first end"),
-    ("L", "L", "m", -1, "length of the strut"),
-    ("EI", "EI", "N m^2", 0, "bending stiffness"),
-    ("kappa", "κ", "rad/m", 0, "curvature dθ/ds"),
-    ("kappa_s", "κ'", "rad/m^2", 0, "dκ/ds"),
-    ("M", "M", "N m", 0, "bending moment"),
-    ("theta_hat_2", "θ̂''", "rad", -2, "d²θ/dŝ²"),
-    ("X", "X̂", "", 1, "distance of the ends over L"),
-    ("Y", "Ŷ", "", 1, "distance of the ends across the load over L"),
-    ("X_hat_1", "X̂'", "", 0, "dX̂/dŝ"),
-    ("Y_hat_1", "Ŷ'", "", 0, "dŶ/dŝ"),
+    row("s", "ŝ", "", 1, "position along the strut over its length"),
+    row("theta", "θ", "rad", 0, "direction of the strut against the load").identity("Direction", "Euler"),
+    row("theta1", "θ̂'", "rad", -1, "dθ/dŝ").identity("DirectionDerivative", "Euler"),
+    row("P", "P", "N", 0, "load along the line of the ends").identity("Load", "Euler"),
+    row("alpha", "α", "rad", 0, "direction of the strut at its first end").identity("EndDirection", "Euler"),
+    row("L", "L", "m", -1, "length of the strut").identity("Length", "Euler"),
+    row("EI", "EI", "N m^2", 0, "bending stiffness").identity("BendingStiffness", "Euler"),
+    row("kappa", "κ", "rad/m", 0, "curvature dθ/ds"),
+    row("kappa_s", "κ'", "rad/m^2", 0, "dκ/ds"),
+    row("M", "M", "N m", 0, "bending moment").identity("BendingMoment", "Euler"),
+    row("theta_hat_2", "θ̂''", "rad", -2, "d²θ/dŝ²"),
+    row("X", "X̂", "", 1, "distance of the ends over L").identity("DistanceAlong", "Euler"),
+    row("Y", "Ŷ", "", 1, "distance of the ends across the load over L").identity("DistanceAcross", "Euler"),
+    row("X_hat_1", "X̂'", "", 0, "dX̂/dŝ"),
+    row("Y_hat_1", "Ŷ'", "", 0, "dŶ/dŝ"),
 ];
 
 /// States and residuals at the ends.
 const ENDS: &[Row] = &[
-    ("theta_1", "θ_1", "rad", 0, "θ at the first end"),
-    ("theta1_1", "θ̂'_1", "rad", -1, "θ̂' at the first end"),
-    ("theta_2", "θ_2", "rad", 0, "θ at the second end"),
-    ("theta1_2", "θ̂'_2", "rad", -1, "θ̂' at the second end"),
-    ("direction", "", "rad", 0, "residual"),
-    ("moment_1", "", "rad", -1, "residual"),
-    ("moment_2", "", "rad", -1, "residual"),
+    row("theta_1", "θ_1", "rad", 0, "θ at the first end"),
+    row("theta1_1", "θ̂'_1", "rad", -1, "θ̂' at the first end"),
+    row("theta_2", "θ_2", "rad", 0, "θ at the second end"),
+    row("theta1_2", "θ̂'_2", "rad", -1, "θ̂' at the second end"),
+    row("direction", "", "rad", 0, "residual"),
+    row("moment_1", "", "rad", -1, "residual"),
+    row("moment_2", "", "rad", -1, "residual"),
 ];
 
 const PROVENANCE: Provenance = Provenance {
@@ -91,9 +91,15 @@ fn ends() -> Result<BoundaryModel, Error> {
         ends,
         integrals,
         constants,
-        equations: equations.iter().map(|(name, _, doc)| ((*name).into(), (*doc).into())).collect(),
+        equations: equations.iter().filter_map(|(name, _, doc)| described(&plan, name, doc)).collect(),
+        role: Role::Conditions,
         plan,
     })
+}
+
+/// The symbol of a residual, with what it says.
+fn described(plan: &Plan, name: &str, doc: &str) -> Option<Symbol> {
+    Some(Symbol { doc: doc.into(), ..plan.symbol(name)? })
 }
 
 /// The generated files.
@@ -103,6 +109,7 @@ fn ends() -> Result<BoundaryModel, Error> {
 pub fn files() -> Result<Vec<SourceFile>, Error> {
     eqgen::symbolic(|| {
         let models = [Model::Region(strut()?), Model::Boundary(ends()?)];
-        models.iter().map(|model| emit::file(model, PROVENANCE)).collect()
+        let kernels = models.iter().map(|model| emit::file(model, PROVENANCE));
+        kernels.chain([emit::vocabulary(&models, &notation(&[NOTATION]), PROVENANCE)]).collect()
     })?
 }

@@ -23,29 +23,36 @@ mod sweep;
 #[allow(dead_code)]
 #[path = "../../../generated/src/types.rs"]
 mod types;
+#[allow(dead_code)]
+mod vocabulary {
+    use crate::types::{Dimension, Identity, Symbol};
+    include!("vocabulary.rs");
+}
 
 #[allow(clippy::all, dead_code, non_snake_case, unused_imports)]
 mod strut {
     use crate::function::*;
     use crate::lane::Lane;
     use crate::sweep::{Chunk, Sweep, sweep};
-    use crate::types::{RegionKernel, Symbol};
+    use crate::types::RegionKernel;
+    use crate::vocabulary::{Field, Integral, RegionConstant, State};
     include!("strut.rs");
 }
 
 #[allow(clippy::all, non_snake_case, unused_imports, unused_variables)]
 mod strut_ends {
-    use crate::types::{BoundaryKernel, Equation, Symbol};
+    use crate::types::{BoundaryKernel, Dimension, Symbol};
+    use crate::vocabulary::Constant;
     include!("strut_ends.rs");
     fn sized<'a>(slice: &'a mut [f64], size: usize, _: &str) -> &'a mut [f64] {
         &mut slice[..size]
     }
 }
 
-use solver::{Guess, Layout, Options, Points, Problem, Region, Scope, State, solve};
+use solver::{Guess, Layout, Options, Points, Problem, Region, Scope, solve};
 use std::error::Error;
 use std::f64::consts::PI;
-use types::{RegionOut, Symbol};
+use types::RegionOut;
 
 /// The strut under the solver's trait.
 struct Strut {
@@ -55,17 +62,21 @@ struct Strut {
 impl Strut {
     fn new() -> Self {
         let (kernel, ends) = (strut::KERNEL, strut_ends::KERNEL);
-        let name = |symbol: &Symbol| symbol.name.to_owned();
         let region = Region {
             name: kernel.name.to_owned(),
             interval: (0.0, 1.0),
-            states: kernel.states.iter().map(|state| State { name: name(state), scale: None }).collect(),
-            integrals: kernel.integrals.iter().map(name).collect(),
+            states: kernel
+                .states
+                .iter()
+                .map(|state| solver::State { name: state.name().to_owned(), scale: None })
+                .collect(),
+            integrals: kernel.integrals.iter().map(|integral| integral.name().to_owned()).collect(),
             state_pattern: kernel.state_pattern.to_vec(),
             constant_pattern: kernel.constant_pattern.to_vec(),
             usual_entries: kernel.usual_entries,
         };
-        let constants = ends.constants.iter().map(|symbol| solver::Constant { name: name(symbol), scale: None });
+        let constants =
+            ends.constants.iter().map(|symbol| solver::Constant { name: symbol.name.to_owned(), scale: None });
         let equations = ends.equations.iter().map(|equation| equation.name.to_owned()).collect();
         let boundary_pattern = ends.pattern.to_vec();
         Self { layout: Layout { regions: vec![region], constants: constants.collect(), equations, boundary_pattern } }

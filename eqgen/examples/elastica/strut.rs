@@ -9,62 +9,14 @@
 ///A thin elastic strut under a load at its ends.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {
     name: "strut",
-    states: &[
-        Symbol {
-            name: "theta",
-            symbol: "θ",
-            unit: "rad",
-            doc: "direction of the strut against the load",
-        },
-        Symbol {
-            name: "theta1",
-            symbol: "θ\u{302}'",
-            unit: "rad",
-            doc: "dθ/dŝ",
-        },
-    ],
+    states: &[State::Direction, State::DirectionDerivative],
     constants: &[
-        Symbol {
-            name: "P",
-            symbol: "P",
-            unit: "N",
-            doc: "load along the line of the ends",
-        },
-        Symbol {
-            name: "L",
-            symbol: "L",
-            unit: "m",
-            doc: "length of the strut",
-        },
-        Symbol {
-            name: "EI",
-            symbol: "EI",
-            unit: "N·m²",
-            doc: "bending stiffness",
-        },
+        RegionConstant::Load,
+        RegionConstant::Length,
+        RegionConstant::BendingStiffness,
     ],
-    integrals: &[
-        Symbol {
-            name: "X",
-            symbol: "X\u{302}",
-            unit: "",
-            doc: "distance of the ends over L",
-        },
-        Symbol {
-            name: "Y",
-            symbol: "Ŷ",
-            unit: "",
-            doc: "distance of the ends across the load over L",
-        },
-    ],
-    fields: &[
-        Symbol {
-            name: "M",
-            symbol: "M",
-            unit: "N·m",
-            doc: "bending moment",
-        },
-    ],
+    integrals: &[Integral::DistanceAlong, Integral::DistanceAcross],
+    fields: &[Field::BendingMoment],
     usual: 1,
     state_pattern: &[(0, 1), (1, 0), (2, 0), (3, 0)],
     constant_pattern: &[(1, 0), (1, 1), (1, 2)],

@@ -10,17 +10,44 @@ const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 9), (1, 1), (2, 3)];
 pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
     name: "strut_ends",
     equations: &[
-        Equation {
+        Symbol {
             name: "direction",
+            symbol: "",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "θ = α at the first end",
+            source: "",
         },
-        Equation {
+        Symbol {
             name: "moment_1",
+            symbol: "",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "M = 0 at the first end",
+            source: "",
         },
-        Equation {
+        Symbol {
             name: "moment_2",
+            symbol: "",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "M = 0 at the second end",
+            source: "",
         },
     ],
     ends: &[
@@ -28,25 +55,53 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             name: "theta_1",
             symbol: "θ_1",
             unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "θ at the first end",
+            source: "",
         },
         Symbol {
             name: "theta1_1",
             symbol: "θ\u{302}'_1",
             unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "θ\u{302}' at the first end",
+            source: "",
         },
         Symbol {
             name: "theta_2",
             symbol: "θ_2",
             unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "θ at the second end",
+            source: "",
         },
         Symbol {
             name: "theta1_2",
             symbol: "θ\u{302}'_2",
             unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
             doc: "θ\u{302}' at the second end",
+            source: "",
         },
     ],
     integrals: &[
@@ -54,41 +109,30 @@ pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
             name: "X",
             symbol: "X\u{302}",
             unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
             doc: "distance of the ends over L",
+            source: "Euler",
         },
         Symbol {
             name: "Y",
             symbol: "Ŷ",
             unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
             doc: "distance of the ends across the load over L",
+            source: "Euler",
         },
     ],
-    constants: &[
-        Symbol {
-            name: "P",
-            symbol: "P",
-            unit: "N",
-            doc: "load along the line of the ends",
-        },
-        Symbol {
-            name: "L",
-            symbol: "L",
-            unit: "m",
-            doc: "length of the strut",
-        },
-        Symbol {
-            name: "EI",
-            symbol: "EI",
-            unit: "N·m²",
-            doc: "bending stiffness",
-        },
-        Symbol {
-            name: "alpha",
-            symbol: "α",
-            unit: "rad",
-            doc: "direction of the strut at its first end",
-        },
-    ],
+    constants: Constant::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,

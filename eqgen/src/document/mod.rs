@@ -247,7 +247,7 @@ fn conditions(model: &BoundaryModel) -> Section {
         source: step.source.into(),
         origin: step.origin,
     };
-    let is_equation = |step: &&Step| model.equations.iter().any(|(name, _)| *name == step.name);
+    let is_equation = |step: &&Step| model.equations.iter().any(|equation| equation.name == step.name);
     let lines = model.plan.steps.iter().filter(is_equation).map(zero).collect();
     let text = format!("{} 1 is an entry, 2 an exit; P, s, S, t are the regions in the belt's order.", model.doc);
     Section { title: "Where the regions meet", text, lines }

@@ -6,9 +6,10 @@ use quote::{format_ident, quote};
 use super::body::{Outputs, scalar};
 use super::import::Import;
 use super::jacobian::{Jacobian, jacobian};
-use super::{Emitted, pairs, symbols};
+use super::{Emitted, pairs, symbols, vocabulary};
 use crate::error::Error;
-use crate::physics::model::BoundaryModel;
+use crate::physics::boundary::Belt;
+use crate::physics::model::{BoundaryModel, Role};
 
 /// Emits residuals and their derivatives in all ends, integrals and constants.
 ///
@@ -16,7 +17,7 @@ use crate::physics::model::BoundaryModel;
 /// If a derivative or an operation has no form in the emitted code.
 pub fn emit(model: &BoundaryModel) -> Result<Emitted, Error> {
     let base = Import::new(&model.plan, 0)?;
-    let rows: Vec<&str> = model.equations.iter().map(|(name, _)| name.as_str()).collect();
+    let rows: Vec<&str> = model.equations.iter().map(|equation| equation.name.as_str()).collect();
     let places: Vec<usize> = (0..model.plan.inputs.len()).collect();
     let mut with_derivatives = base.clone();
     let entries = jacobian(&mut with_derivatives, &rows, &places)?;
@@ -26,7 +27,7 @@ pub fn emit(model: &BoundaryModel) -> Result<Emitted, Error> {
     let (value, value_count) = scalar(&base.graph, inputs, outputs(&base, &rows, None), &load);
     let outputs = outputs(&with_derivatives, &rows, Some(&entries));
     let (derivatives, count) = scalar(&with_derivatives.graph, inputs, outputs, &load);
-    let kernel = kernel(model, &entries);
+    let kernel = kernel(model, &entries)?;
     let integrals = quote!(integrals: &[f64]);
     let checks = checks(model, entries.len());
     let tokens = quote! {
@@ -89,25 +90,52 @@ fn checks(model: &BoundaryModel, _entries: usize) -> TokenStream {
     }
 }
 
-fn kernel(model: &BoundaryModel, entries: &Jacobian) -> TokenStream {
-    let (ends, integrals, constants) = (symbols(&model.ends), symbols(&model.integrals), symbols(&model.constants));
-    let equations = model.equations.iter().map(|(name, doc)| quote!(Equation { name: #name, doc: #doc }));
+fn kernel(model: &BoundaryModel, entries: &Jacobian) -> Result<TokenStream, Error> {
     let pattern = pairs(entries.keys().copied());
+    let (ends, integrals) = (symbols(&model.ends), symbols(&model.integrals));
+    let (constants, equations) = match model.role {
+        Role::Conditions => (quote!(Constant::SYMBOLS), symbols(&model.equations)),
+        Role::Outputs(_) => (quote!(Constant::SYMBOLS), outputs_of(model)),
+        Role::Formulae { inputs, outputs } => {
+            let (inputs, outputs) = (format_ident!("{inputs}"), format_ident!("{outputs}"));
+            (quote!(#inputs::SYMBOLS), quote!(#outputs::SYMBOLS))
+        }
+    };
     let (name, doc) = (&model.name, &model.doc);
-    quote! {
+    let set = quote!(BoundaryKernel {
+        name: #name,
+        equations: #equations,
+        ends: #ends,
+        integrals: #integrals,
+        constants: #constants,
+        pattern: PATTERN,
+        value,
+        jacobian: derivatives,
+    });
+    let (kind, set) = match model.role {
+        Role::Conditions => (quote!(BoundaryKernel), set),
+        Role::Outputs(belt) => {
+            let belt = format_ident!("{}", if belt == Belt::Beam { "Beam" } else { "String" });
+            let outputs = vocabulary::list("Output", &model.equations)?;
+            let set = quote!(OutputKernel { theory: BeltTheory::#belt, outputs: #outputs, set: #set });
+            (quote!(OutputKernel), set)
+        }
+        Role::Formulae { inputs, outputs } => {
+            let (inputs, outputs) = (format_ident!("{inputs}"), format_ident!("{outputs}"));
+            (quote!(FormulaKernel<#inputs, #outputs>), quote!(FormulaKernel::new(#set)))
+        }
+    };
+    Ok(quote! {
         #[doc = "Structurally nonzero derivatives."]
         const PATTERN: &[(usize, usize)] = #pattern;
 
         #[doc = #doc]
-        pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
-            name: #name,
-            equations: &[#(#equations),*],
-            ends: #ends,
-            integrals: #integrals,
-            constants: #constants,
-            pattern: PATTERN,
-            value,
-            jacobian: derivatives,
-        };
-    }
+        pub(crate) const KERNEL: #kind = #set;
+    })
+}
+
+/// The symbols of the outputs that a set has.
+fn outputs_of(model: &BoundaryModel) -> TokenStream {
+    let variants = model.equations.iter().map(|output| format_ident!("{}", output.variant));
+    quote!(&[#(*Output::#variants.symbol()),*])
 }

@@ -7,12 +7,14 @@ mod import;
 mod jacobian;
 mod region;
 mod twin;
+mod vocabulary;
 
 pub use body::Count;
 pub use graph::{Graph, Node, Operation};
 pub use import::Import;
 pub use jacobian::{Jacobian, jacobian};
 pub use twin::file as twin;
+pub use vocabulary::file as vocabulary;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -82,13 +84,33 @@ fn header(emitted: &Emitted, provenance: Provenance) -> String {
     lines.join("\n") + "\n"
 }
 
+/// A list of symbols, spelled out.
 fn symbols(rows: &[notation::Symbol]) -> TokenStream {
-    let rows = rows.iter().map(|row| {
-        let notation::Symbol { name, symbol, unit, doc, .. } = row;
-        let unit = unit.replace(' ', "·").replace("^2", "²").replace("^3", "³");
-        quote!(Symbol { name: #name, symbol: #symbol, unit: #unit, doc: #doc })
-    });
+    let rows = rows.iter().map(literal);
     quote!(&[#(#rows),*])
+}
+
+/// A symbol, spelled out.
+fn literal(row: &notation::Symbol) -> TokenStream {
+    let notation::Symbol { name, symbol, unit, dimension, doc, source, .. } = row;
+    let angle = unit_angle(unit);
+    let number = |exponent: i8| Literal::i8_unsuffixed(exponent);
+    let (length, mass, time) = (number(dimension.length), number(dimension.mass), number(dimension.time));
+    let (unit, angle) = (printed_unit(unit), number(angle));
+    let dimension = quote!(Dimension { length: #length, mass: #mass, time: #time, angle: #angle });
+    quote!(Symbol { name: #name, symbol: #symbol, unit: #unit, dimension: #dimension, doc: #doc, source: #source })
+}
+
+/// A unit as it is printed.
+fn printed_unit(unit: &str) -> String {
+    unit.replace(' ', "·").replace("^2", "²").replace("^3", "³")
+}
+
+/// Exponent of the radian in a unit: symbolic work takes angles for pure numbers, users do not.
+fn unit_angle(unit: &str) -> i8 {
+    let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
+    let count = |part: &str| part.split_whitespace().filter(|factor| *factor == "rad").count() as i8;
+    count(above) - count(below)
 }
 
 fn pairs(pairs: impl Iterator<Item = (usize, usize)>) -> TokenStream {

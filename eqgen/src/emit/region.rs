@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::body::{Count, Outputs, batch};
 use super::import::Import;
 use super::jacobian::{Jacobian, jacobian};
-use super::{Emitted, pairs, symbols};
+use super::{Emitted, pairs, vocabulary};
 use crate::error::Error;
 use crate::physics::model::RegionModel;
 use crate::physics::notation;
@@ -29,7 +29,7 @@ pub fn emit(model: &RegionModel) -> Result<Emitted, Error> {
     let (short, short_count) = function(model, "Derivatives", &usual, model.rows, &usual_entries, &[]);
     let (long, long_count) = function(model, "AllDerivatives", &full, model.rows, &full_entries, &[]);
     let (fields, fields_count) = function(model, "Fields", &base, &[], &nothing, model.fields);
-    let kernel = kernel(model, &full_entries, usual_entries.constants.len());
+    let kernel = kernel(model, &full_entries, usual_entries.constants.len())?;
     let counts = vec![
         ("value".to_owned(), value_count),
         ("jacobian".to_owned(), short_count),
@@ -152,19 +152,19 @@ fn sizes(model: &RegionModel, rows: &[&str], entries: &Entries, fields: &[&str])
     quote!(#(#all)*)
 }
 
-fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> TokenStream {
-    let table = |names: &[&str]| {
+fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> Result<TokenStream, Error> {
+    let table = |vocabulary: &str, names: &[&str]| {
         let rows: Vec<notation::Symbol> = names.iter().filter_map(|name| model.plan.symbol(name)).collect();
-        symbols(&rows)
+        vocabulary::list(vocabulary, &rows)
     };
-    let (states, constants) = (table(model.states), table(model.constants));
-    let (integrals, fields) = (table(model.integrals), table(model.fields));
+    let (states, constants) = (table("State", model.states)?, table("RegionConstant", model.constants)?);
+    let (integrals, fields) = (table("Integral", model.integrals)?, table("Field", model.fields)?);
     let (name, usual) = (&model.name, Literal::usize_unsuffixed(model.usual));
     let state_pattern = pairs(entries.states.iter().map(|(pair, _)| *pair));
     let constant_pattern = pairs(entries.constants.iter().map(|(pair, _)| *pair));
     let usual_entries = Literal::usize_unsuffixed(usual_entries);
     let doc = &model.doc;
-    quote! {
+    Ok(quote! {
         #[doc = #doc]
         pub(crate) const KERNEL: RegionKernel = RegionKernel {
             name: #name,
@@ -181,5 +181,5 @@ fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> Token
             full: sweep::<AllDerivatives>,
             fields_fn: sweep::<Fields>,
         };
-    }
+    })
 }

@@ -40,7 +40,7 @@ pub fn file(name: &str, models: &[Model]) -> Result<SourceFile, Error> {
 fn function(model: &Model) -> Result<TokenStream, Error> {
     let (plan, rows): (&Plan, Vec<&str>) = match model {
         Model::Region(model) => (&model.plan, model.rows.to_vec()),
-        Model::Boundary(model) => (&model.plan, model.equations.iter().map(|(name, _)| name.as_str()).collect()),
+        Model::Boundary(model) => (&model.plan, model.equations.iter().map(|row| row.name.as_str()).collect()),
     };
     let mut statements = Vec::new();
     for (place, name) in plan.inputs.iter().enumerate() {

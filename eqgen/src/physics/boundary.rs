@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::beam::{Bending, Shear};
 use super::kinematics::SLOPE;
-use super::model::BoundaryModel;
+use super::model::{BoundaryModel, Role};
 use super::{contact, notation, span, string};
 use crate::derive::substitute;
 use crate::dimension::{Dimension, Dimensions};
@@ -235,7 +235,7 @@ struct Equations {
     plan: Plan,
     ends: Vec<notation::Symbol>,
     integrals: Vec<notation::Symbol>,
-    names: Vec<(String, String)>,
+    equations: Vec<notation::Symbol>,
 }
 
 impl Equations {
@@ -254,19 +254,26 @@ impl Equations {
             plan.nonzero(&format!("R_{} - x_{}", end.pulley, end.contact), "x stays far below R")?;
             plan.nonzero(&format!("cos(theta_{})", end.contact), "|θ| < 90°")?;
         }
-        Ok(Self { plan, ends, integrals, names: Vec::new() })
+        Ok(Self { plan, ends, integrals, equations: Vec::new() })
     }
 
     fn finish(self, name: String, doc: String) -> BoundaryModel {
         let constants = CONSTANTS.iter().filter_map(|name| notation::find(name)).collect();
-        let Self { plan, ends, integrals, names: equations } = self;
-        BoundaryModel { name, doc, plan, ends, integrals, constants, equations }
+        let Self { plan, ends, integrals, equations } = self;
+        BoundaryModel { name, doc, plan, ends, integrals, constants, equations, role: Role::Conditions }
     }
 
     fn add(&mut self, name: String, value: Atom, doc: String, source: &'static str) -> Result<(), Error> {
         self.plan.derived(&name, value, source)?;
-        self.names.push((name, format!("{doc} {source}")));
+        self.list(name, doc, source);
         Ok(())
+    }
+
+    /// Adds a step of the plan to the list of equations.
+    fn list(&mut self, name: String, doc: String, source: &'static str) {
+        let (dimension, unit) = residual(&name);
+        let (symbol, variant) = (String::new(), String::new());
+        self.equations.push(notation::Symbol { name, symbol, unit, dimension, doc, variant, source });
     }
 
     fn penetration(&mut self, end: &Interface) -> Result<(), Error> {
@@ -278,7 +285,7 @@ impl Equations {
     fn tension(&mut self, end: &Interface) -> Result<(), Error> {
         let (at, span) = (end.contact, end.span);
         let value = read(at, &format!("T_{at} - tau_{span}"))?;
-        self.add(format!("tension_{at}"), value, format!("T_{at} = τ_{span}, N"), end.numbers[1])
+        self.add(format!("tension_{at}"), value, format!("T_{at} = τ_{span}"), end.numbers[1])
     }
 
     fn direction(&mut self, end: &Interface) -> Result<(), Error> {
@@ -320,9 +327,10 @@ impl Equations {
         let (at, taken) = (end.contact, if end.contact == "P2" { entry } else { end });
         let slope = taken.at_contact(&read(at, SLOPE)?)? * read(at, &format!("Phi_{}", taken.pulley))?;
         let value = slope / end.radius()? - read(at, &format!("theta2_{at}"))?;
-        self.plan.as_printed(&format!("shear_{at}"), value, "(D) bc(23) to bc(26)")?;
-        let doc = format!("−θ̂''_{at} + x̂'_{}/R = 0 (D)", taken.contact);
-        self.names.push((format!("shear_{at}"), doc));
+        let source = "(D) bc(23) to bc(26)";
+        self.plan.as_printed(&format!("shear_{at}"), value, source)?;
+        let doc = format!("−θ̂''_{at} + x̂'_{}/R = 0", taken.contact);
+        self.list(format!("shear_{at}"), doc, source);
         Ok(())
     }
 
@@ -339,14 +347,9 @@ impl Equations {
 
     fn operating_point(&mut self) -> Result<(), Error> {
         let torque = read("torque", "M_P + M_in")?;
-        self.add(
-            "torque".into(),
-            torque,
-            "M_P = −M_in: friction on the belt drives it backwards, N·m;".into(),
-            "5.3.5",
-        )?;
+        self.add("torque".into(), torque, "M_P = −M_in: friction on the belt drives it backwards".into(), "5.3.5")?;
         let slack = read("slack", "T_P2 - T_slack")?;
-        self.add("slack_tension".into(), slack, "T_P2 = T_slack, N;".into(), "5.3.5")
+        self.add("slack_tension".into(), slack, "T_P2 = T_slack".into(), "5.3.5")
     }
 }
 
@@ -385,19 +388,20 @@ fn suffixed(symbol: notation::Symbol, suffix: &str, place: &str) -> notation::Sy
 
 /// Dimensions of the residuals.
 fn equation_dimensions() -> Vec<(String, Dimension)> {
-    let of = |unit: &str| Dimension::of_unit(unit).unwrap_or(Dimension::ONE);
-    let mut all = Vec::new();
-    for end in &INTERFACES {
-        for (name, unit) in
-            [("penetration", "1"), ("tension", "N"), ("direction", "1"), ("curvature", "1"), ("shear", "1")]
-        {
-            all.push((format!("{name}_{}", end.contact), of(unit)));
-        }
-    }
-    for name in ["closure_X_s", "closure_Y_s", "closure_X_t", "closure_Y_t"] {
-        all.push((name.into(), Dimension::ONE));
-    }
-    all.push(("torque".into(), of("N m")));
-    all.push(("slack_tension".into(), of("N")));
-    all
+    let interface = ["penetration", "tension", "direction", "curvature", "shear"];
+    let at_ends = INTERFACES.iter().flat_map(|end| interface.map(|name| format!("{name}_{}", end.contact)));
+    let closures = ["closure_X_s", "closure_Y_s", "closure_X_t", "closure_Y_t"].map(str::to_owned);
+    let point = ["torque", "slack_tension"].map(str::to_owned);
+    let names = at_ends.chain(closures).chain(point);
+    names.map(|name| (residual(&name).0, name)).map(|(dimension, name)| (name, dimension)).collect()
+}
+
+/// Dimension and SI unit of a residual: forces and the torque have one, all others are pure numbers.
+fn residual(name: &str) -> (Dimension, &'static str) {
+    let unit = match name {
+        "torque" => "N m",
+        _ if name.contains("tension") => "N",
+        _ => "",
+    };
+    (Dimension::of_unit(unit).unwrap_or(Dimension::ONE), unit)
 }

@@ -1,5 +1,6 @@
 //! What is emitted: the equations of a region, and those of its boundaries.
 
+use super::boundary::Belt;
 use super::notation::Symbol;
 use crate::plan::Plan;
 
@@ -41,8 +42,26 @@ pub struct BoundaryModel {
     pub integrals: Vec<Symbol>,
     /// Constants of the drive.
     pub constants: Vec<Symbol>,
-    /// Name and meaning of the equations.
-    pub equations: Vec<(String, String)>,
+    /// The equations: each is a step of the plan of that name.
+    pub equations: Vec<Symbol>,
+    /// What the values of the equations are.
+    pub role: Role,
+}
+
+/// What the values of a set of equations are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// Residuals, which vanish at a solution.
+    Conditions,
+    /// Outputs of a drive with that belt.
+    Outputs(Belt),
+    /// Formulae in inputs of their own; the names of the enums that identify inputs and outputs.
+    Formulae {
+        /// Enum of the inputs, which stand in place of the constants.
+        inputs: &'static str,
+        /// Enum of the outputs, which stand in place of the equations.
+        outputs: &'static str,
+    },
 }
 
 /// A kernel to emit.

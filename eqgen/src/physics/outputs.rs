@@ -1,84 +1,192 @@
 //! What a drive is asked for: every output that is a function of ends, integrals and constants, with its derivatives.
 
 use super::boundary::{Belt, CONSTANTS, end_symbols, integral_symbols};
-use super::model::BoundaryModel;
-use super::notation;
+use super::model::{BoundaryModel, Role};
+use super::notation::{self, Symbol};
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;
 use crate::plan::{Function, Plan};
 
-/// (name, expression, unit, what it is)
-type Row = (&'static str, &'static str, &'static str, &'static str);
+/// One output.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    /// Group and key of the result object, joined by a dot.
+    path: &'static str,
+    /// As it is printed.
+    symbol: &'static str,
+    /// What it is in ends, integrals and constants.
+    expression: &'static str,
+    /// SI unit, empty for a pure number.
+    unit: &'static str,
+    /// What it means.
+    doc: &'static str,
+    /// Where it is defined.
+    source: &'static str,
+    /// The belts whose drives have it.
+    belts: &'static [Belt],
+}
 
-/// Outputs, in order: region and key of the result object, joined by two underscores.
+/// An output of every drive.
+const fn output(
+    path: &'static str,
+    symbol: &'static str,
+    expression: &'static str,
+    unit: &'static str,
+    doc: &'static str,
+    source: &'static str,
+) -> Row {
+    Row { path, symbol, expression, unit, doc, source, belts: &[Belt::Beam, Belt::String] }
+}
+
+impl Row {
+    /// Name of its step in the plan.
+    fn step(&self) -> String {
+        self.path.replace('.', "__")
+    }
+
+    fn dimension(&self) -> Dimension {
+        Dimension::of_unit(self.unit).unwrap_or_else(|| unreachable!("unit of {}", self.path))
+    }
+}
+
+/// All outputs, in the order of the generated enum: to add one, add its row. An output that only beams have is
+/// `Row { belts: &[Belt::Beam], ..output(…) }`.
 const OUTPUTS: &[Row] = &[
-    ("primary__speed", "omega_P", "rad/s", "speed of rotation"),
+    output("primary.speed", "ω_P", "omega_P", "rad/s", "speed of rotation", "5.1"),
     // Friction on the belt drives it backwards on the primary: M_P < 0.
-    ("primary__torque", "-M_P", "N m", "torque that drives the pulley (5.54)"),
-    ("primary__power", "-M_P*omega_P", "W", "power into the pulley"),
-    ("primary__axial_force", "A_P", "N", "axial force on a sheave (5.58)"),
-    ("primary__wrap_angle", "Phi_P*s_2", "rad", "wrap angle"),
-    ("primary__entry_angle", "theta_P1", "rad", "inclination where the belt enters"),
-    ("primary__exit_angle", "theta_P2", "rad", "inclination where the belt leaves"),
-    ("primary__orientation_angle", "C_P", "rad", "orientation angle"),
+    output("primary.torque", "M_P", "-M_P", "N m", "torque that drives the pulley", "(5.54)"),
+    output("primary.power", "P_P", "-M_P*omega_P", "W", "power into the pulley", "6.2"),
+    output("primary.axial_force", "A_P", "A_P", "N", "axial force on a sheave", "(5.58)"),
+    output("primary.wrap_angle", "Φ_P", "Phi_P*s_2", "rad", "wrap angle", "(5.1)"),
+    output("primary.entry_angle", "θ_P1", "theta_P1", "rad", "inclination where the belt enters", "(3.2)"),
+    output("primary.exit_angle", "θ_P2", "theta_P2", "rad", "inclination where the belt leaves", "(3.2)"),
+    output("primary.orientation_angle", "C_P", "C_P", "rad", "orientation angle", "(5.17) to (5.20)"),
     // The moments turn with the entry, which stands at C_P.
-    ("primary__resultant_x", "(cos(C_P)*A_x_P - sin(C_P)*A_y_P)/A_P", "m", "where the axial force acts (6.3), (6.5)"),
-    ("primary__resultant_y", "(sin(C_P)*A_x_P + cos(C_P)*A_y_P)/A_P", "m", "where the axial force acts (6.4), (6.5)"),
-    ("primary__binding_moment", "binding_P", "N m", "moment of the axial force about the centre"),
-    ("primary__friction_loss", "W_P", "W", "power lost to friction"),
-    ("primary__entry_tension", "T_P1", "N", "tractive tension where the belt enters"),
-    ("primary__exit_tension", "T_P2", "N", "tractive tension where the belt leaves"),
-    ("secondary__speed", "speed_ratio*omega_P", "rad/s", "speed of rotation"),
-    ("secondary__torque", "M_S", "N m", "torque that the pulley delivers (5.54)"),
-    ("secondary__power", "M_S*speed_ratio*omega_P", "W", "power out of the pulley"),
-    ("secondary__axial_force", "A_S", "N", "axial force on a sheave (5.58)"),
-    ("secondary__wrap_angle", "Phi_S*s_2", "rad", "wrap angle"),
-    ("secondary__entry_angle", "theta_S1", "rad", "inclination where the belt enters"),
-    ("secondary__exit_angle", "theta_S2", "rad", "inclination where the belt leaves"),
-    ("secondary__orientation_angle", "C_S", "rad", "orientation angle"),
+    output(
+        "primary.resultant_x",
+        "x_AP",
+        "(cos(C_P)*A_x_P - sin(C_P)*A_y_P)/A_P",
+        "m",
+        "where the axial force acts",
+        "(6.3), (6.5)",
+    ),
+    output(
+        "primary.resultant_y",
+        "y_AP",
+        "(sin(C_P)*A_x_P + cos(C_P)*A_y_P)/A_P",
+        "m",
+        "where the axial force acts",
+        "(6.4), (6.5)",
+    ),
+    output("primary.binding_moment", "B_P", "binding_P", "N m", "moment of the axial force about the centre", "6.1.2"),
+    output("primary.friction_loss", "W_P", "W_P", "W", "power lost to friction", "power of friction"),
+    output("primary.entry_tension", "T_P1", "T_P1", "N", "tractive tension where the belt enters", "(3.6)"),
+    output("primary.exit_tension", "T_P2", "T_P2", "N", "tractive tension where the belt leaves", "(3.6)"),
+    output("secondary.speed", "ω_S", "speed_ratio*omega_P", "rad/s", "speed of rotation", "5.1"),
+    output("secondary.torque", "M_S", "M_S", "N m", "torque that the pulley delivers", "(5.54)"),
+    output("secondary.power", "P_S", "M_S*speed_ratio*omega_P", "W", "power out of the pulley", "6.2"),
+    output("secondary.axial_force", "A_S", "A_S", "N", "axial force on a sheave", "(5.58)"),
+    output("secondary.wrap_angle", "Φ_S", "Phi_S*s_2", "rad", "wrap angle", "(5.1)"),
+    output("secondary.entry_angle", "θ_S1", "theta_S1", "rad", "inclination where the belt enters", "(3.2)"),
+    output("secondary.exit_angle", "θ_S2", "theta_S2", "rad", "inclination where the belt leaves", "(3.2)"),
+    output("secondary.orientation_angle", "C_S", "C_S", "rad", "orientation angle", "(5.17) to (5.20)"),
     // Here the entry stands at π − C_S − Φ_S.
-    (
-        "secondary__resultant_x",
+    output(
+        "secondary.resultant_x",
+        "x_AS",
         "(sin(C_S + Phi_S*s_2)*(-A_y_S) - cos(C_S + Phi_S*s_2)*A_x_S)/A_S",
         "m",
-        "where the axial force acts (6.3), (6.6)",
+        "where the axial force acts",
+        "(6.3), (6.6)",
     ),
-    (
-        "secondary__resultant_y",
+    output(
+        "secondary.resultant_y",
+        "y_AS",
         "(sin(C_S + Phi_S*s_2)*A_x_S - cos(C_S + Phi_S*s_2)*A_y_S)/A_S",
         "m",
-        "where the axial force acts (6.4), (6.6)",
+        "where the axial force acts",
+        "(6.4), (6.6)",
     ),
-    ("secondary__binding_moment", "binding_S", "N m", "moment of the axial force about the centre"),
-    ("secondary__friction_loss", "W_S", "W", "power lost to friction"),
-    ("secondary__entry_tension", "T_S1", "N", "tractive tension where the belt enters"),
-    ("secondary__exit_tension", "T_S2", "N", "tractive tension where the belt leaves"),
-    ("tight_span__arc_length", "L_t*s_2", "m", "arc length"),
-    ("tight_span__unstretched_length", "L_o_t", "m", "length when unloaded (5.56)"),
-    ("slack_span__arc_length", "L_s*s_2", "m", "arc length"),
-    ("slack_span__unstretched_length", "L_o_s", "m", "length when unloaded (5.56)"),
-    ("efficiency__speed", "speed_ratio*R_S/R_P", "", "speed efficiency (6.7)"),
-    ("efficiency__torque", "-M_S*R_P/(M_P*R_S)", "", "torque efficiency (6.8)"),
-    ("efficiency__overall", "-M_S*speed_ratio/M_P", "", "overall efficiency (6.9)"),
-    ("belt__mass_flow", "flow*m_o*R_P*omega_P", "kg/s", "mass flow (3.5)"),
-    ("belt__unstretched_length", "L_o_P + L_o_s + L_o_S + L_o_t", "m", "length of the loop when unloaded"),
-    ("energy__power_in", "-M_P*omega_P", "W", "power into the drive"),
-    ("energy__power_out", "M_S*speed_ratio*omega_P", "W", "power out of the drive"),
-    ("energy__friction_loss", "W_P + W_S", "W", "power lost to friction"),
-    ("energy__stretch_work", "E_P + E_s + E_S + E_t", "W", "power that stretching takes from stored energy"),
-    (
-        "energy__imbalance",
+    output(
+        "secondary.binding_moment",
+        "B_S",
+        "binding_S",
+        "N m",
+        "moment of the axial force about the centre",
+        "6.1.2",
+    ),
+    output("secondary.friction_loss", "W_S", "W_S", "W", "power lost to friction", "power of friction"),
+    output("secondary.entry_tension", "T_S1", "T_S1", "N", "tractive tension where the belt enters", "(3.6)"),
+    output("secondary.exit_tension", "T_S2", "T_S2", "N", "tractive tension where the belt leaves", "(3.6)"),
+    output("tight_span.arc_length", "L_t", "L_t*s_2", "m", "arc length", "(5.9)"),
+    output("tight_span.unstretched_length", "L_ot", "L_o_t", "m", "length when unloaded", "(5.56)"),
+    output("slack_span.arc_length", "L_s", "L_s*s_2", "m", "arc length", "(5.9)"),
+    output("slack_span.unstretched_length", "L_os", "L_o_s", "m", "length when unloaded", "(5.56)"),
+    output("efficiency.speed", "η_ω", "speed_ratio*R_S/R_P", "", "speed efficiency", "(6.7)"),
+    output("efficiency.torque", "η_M", "-M_S*R_P/(M_P*R_S)", "", "torque efficiency", "(6.8)"),
+    output("efficiency.overall", "η", "-M_S*speed_ratio/M_P", "", "overall efficiency", "(6.9)"),
+    output("belt.mass_flow", "G", "flow*m_o*R_P*omega_P", "kg/s", "mass flow", "(3.5)"),
+    output(
+        "belt.unstretched_length",
+        "L_o",
+        "L_o_P + L_o_s + L_o_S + L_o_t",
+        "m",
+        "length of the loop when unloaded",
+        "(5.55), (5.56)",
+    ),
+    output("energy.power_in", "P_in", "-M_P*omega_P", "W", "power into the drive", "energy balance"),
+    output("energy.power_out", "P_out", "M_S*speed_ratio*omega_P", "W", "power out of the drive", "energy balance"),
+    output("energy.friction_loss", "W", "W_P + W_S", "W", "power lost to friction", "power of friction"),
+    output(
+        "energy.stretch_work",
+        "E",
+        "E_P + E_s + E_S + E_t",
+        "W",
+        "strain energy flux: power that bending and squeezing take as the belt changes its speed",
+        "energy balance",
+    ),
+    output(
+        "energy.imbalance",
+        "1 − (P_out + W)/P_in",
         "1 + (M_S*speed_ratio*omega_P + W_P + W_S)/(M_P*omega_P)",
         "",
         "power in that is neither power out nor friction loss, over power in",
+        "energy balance",
     ),
-    (
-        "energy__closure",
+    output(
+        "energy.closure",
+        "1 − (P_out + W + E)/P_in",
         "1 + (M_S*speed_ratio*omega_P + W_P + W_S + E_P + E_s + E_S + E_t)/(M_P*omega_P)",
         "",
         "power in that nothing accounts for, over power in",
+        "energy balance",
     ),
 ];
+
+/// All outputs as symbols, whatever the belt.
+pub fn all() -> Vec<Symbol> {
+    OUTPUTS.iter().map(Symbol::from).collect()
+}
+
+/// The outputs of drives with that belt.
+pub fn of(belt: Belt) -> Vec<Symbol> {
+    OUTPUTS.iter().filter(|row| row.belts.contains(&belt)).map(Symbol::from).collect()
+}
+
+impl From<&Row> for Symbol {
+    fn from(row: &Row) -> Self {
+        let Row { path, symbol, unit, doc, source, .. } = *row;
+        Self {
+            name: row.step(),
+            symbol: symbol.into(),
+            unit,
+            dimension: row.dimension(),
+            doc: doc.into(),
+            variant: notation::camel_case(path),
+            source,
+        }
+    }
+}
 
 /// The outputs of a drive.
 ///
@@ -87,10 +195,11 @@ const OUTPUTS: &[Row] = &[
 pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
     let (ends, integrals) = (end_symbols(belt), integral_symbols());
     let symbols = || ends.iter().chain(&integrals);
-    let dimension = |unit: &str| Dimension::of_unit(if unit.is_empty() { "1" } else { unit }).unwrap_or(Dimension::ONE);
-    let moments = ["binding_P", "binding_S"].map(|name| (name.to_owned(), dimension("N m")));
+    let moment = Dimension::of_unit("N m").unwrap_or_else(|| unreachable!("a unit"));
+    let moments = ["binding_P", "binding_S"].map(|name| (name.to_owned(), moment));
     let own = symbols().map(|symbol| (symbol.name.clone(), symbol.dimension));
-    let outputs = OUTPUTS.iter().map(|(name, _, unit, _)| ((*name).to_owned(), dimension(unit)));
+    let rows = || OUTPUTS.iter().filter(|row| row.belts.contains(&belt));
+    let outputs = rows().map(|row| (row.step(), row.dimension()));
     let extra: Dimensions = own.chain(outputs).chain(moments).collect();
     let inputs = symbols().map(|symbol| symbol.name.clone()).chain(CONSTANTS.iter().map(|&name| name.into())).collect();
     let mut plan = Plan::new(inputs, extra)?;
@@ -111,8 +220,8 @@ pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
     }
     plan.apply("binding_P", Function::Sqrt, &["A_x_P^2 + A_y_P^2"], "6.1.2")?;
     plan.apply("binding_S", Function::Sqrt, &["A_x_S^2 + A_y_S^2"], "6.1.2")?;
-    for (name, expression, _, _) in OUTPUTS {
-        plan.primitive(name, expression, "chapter 6")?;
+    for row in rows() {
+        plan.primitive(&row.step(), row.expression, row.source)?;
     }
     Ok(BoundaryModel {
         name: if belt == Belt::Beam { "outputs" } else { "outputs_string" }.into(),
@@ -121,6 +230,7 @@ pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
         ends,
         integrals,
         constants: CONSTANTS.iter().filter_map(|name| notation::find(name)).collect(),
-        equations: OUTPUTS.iter().map(|(name, _, _, doc)| ((*name).to_owned(), (*doc).to_owned())).collect(),
+        equations: of(belt),
+        role: Role::Outputs(belt),
     })
 }

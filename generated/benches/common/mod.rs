@@ -43,8 +43,8 @@ impl Batch {
     pub fn new(kernel: &RegionKernel) -> Self {
         let s: Vec<f64> = (0..POINTS).map(|j| j as f64 / POINTS as f64).collect();
         let vary = |name: &'static str| s.iter().map(move |s| magnitude(name) * (1.0 + 0.1 * (7.0 * s).sin()));
-        let y = kernel.states.iter().flat_map(|symbol| vary(symbol.name)).collect();
-        let constants = kernel.constants.iter().map(|symbol| magnitude(symbol.name)).collect();
+        let y = kernel.states.iter().flat_map(|state| vary(state.name())).collect();
+        let constants = kernel.constants.iter().map(|constant| magnitude(constant.name())).collect();
         let rows = |count: usize| vec![0.0; count * POINTS];
         Self {
             y,

@@ -1,7 +1,7 @@
 //! Random states inside physical ranges, and ways to call kernels. Not every test uses all of it.
 #![allow(dead_code, clippy::panic)]
 
-use generated::{RegionFn, RegionKernel, RegionOut};
+use generated::{BOUNDARIES, BoundaryKernel, OUTPUT_SETS, RegionFn, RegionKernel, RegionOut, Symbol};
 
 /// Splitmix64: small, seeded, the same everywhere.
 pub struct Random(u64);
@@ -67,8 +67,8 @@ pub fn point(kernel: &RegionKernel, random: &mut Random, slip: Slip) -> Point {
         other => panic!("no range for {other}"),
     };
     Point {
-        y: kernel.states.iter().map(|symbol| draw(symbol.name)).collect(),
-        constants: kernel.constants.iter().map(|symbol| draw(symbol.name)).collect(),
+        y: kernel.states.iter().map(|state| draw(state.name())).collect(),
+        constants: kernel.constants.iter().map(|constant| draw(constant.name())).collect(),
         s: random.between(0.0, 1.0),
     }
 }
@@ -137,4 +137,15 @@ pub fn ridders(f: impl Fn(f64) -> Vec<f64>, at: f64, first_step: f64) -> Vec<(f6
         h /= SHRINK;
     }
     best
+}
+
+/// Symbols of a region's states, then of its constants.
+pub fn inputs(kernel: &RegionKernel) -> impl Iterator<Item = &'static Symbol> {
+    let states = kernel.states.iter().map(|state| state.symbol());
+    states.chain(kernel.constants.iter().map(|constant| constant.symbol()))
+}
+
+/// All sets of equations in ends, integrals and constants: boundary equations and outputs.
+pub fn sets() -> impl Iterator<Item = &'static BoundaryKernel> {
+    BOUNDARIES.iter().copied().chain(OUTPUT_SETS.iter().map(|outputs| &outputs.set))
 }

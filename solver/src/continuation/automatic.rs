@@ -1,17 +1,19 @@
 //! Solving what Newton's iteration cannot solve from the guess.
 
 use super::branch::{BranchOptions, PointKind};
+use super::checkpoint::Checkpoint;
 use super::homotopy::Homotopy;
-use super::natural::{PathError, PathOptions, follow_observed};
+use super::natural::{PathError, PathOptions, follow_within};
 use super::path::Ramp;
-use super::trace::trace_observed;
+use super::trace::trace_within;
+use crate::budget::Budget;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::observer::{Observer, Silent};
 use crate::options::{Control, Options};
 use crate::problem::{Layout, Problem};
 use crate::solution::{Accuracy, Shortfall, Solution};
-use crate::solve::solve_observed;
+use crate::solve::solve_within;
 use crate::stats::Stats;
 
 /// A constant that makes the problem hard.
@@ -99,11 +101,12 @@ fn solve_any(
     let intervals =
         if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
     let direct = Options { max_intervals: intervals, ..options.clone() };
-    let mut attempt = Attempt { problem, guess, unknowns, options, observer, stats: Stats::default() };
-    let mut outcome = solve_observed(problem, guess, unknowns, &direct, attempt.observer);
+    let budget = Budget::new(options);
+    let mut attempt = Attempt { problem, guess, unknowns, options, observer, budget: &budget, stats: Stats::default() };
+    let mut outcome = solve_within(problem, guess, unknowns, &direct, attempt.observer, &budget);
     let short = |solution: &Solution| matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. });
     if intervals < options.max_intervals && outcome.as_ref().is_ok_and(short) {
-        outcome = solve_observed(problem, guess, unknowns, options, attempt.observer);
+        outcome = solve_within(problem, guess, unknowns, options, attempt.observer, &budget);
     }
     let failure = match outcome {
         Ok(solution) => {
@@ -133,6 +136,7 @@ struct Attempt<'a> {
     unknowns: &'a [usize],
     options: &'a Options,
     observer: &'a mut dyn Observer,
+    budget: &'a Budget,
     stats: Stats,
 }
 
@@ -140,7 +144,7 @@ type Found = Option<(Solution, How)>;
 
 impl Attempt<'_> {
     /// # Errors
-    /// Only cancellation.
+    /// Only cancellation, and work that is spent.
     fn by_stiffness(&mut self, stiffness: Stiffness) -> Result<Found, SolveError> {
         let Some(&value) = self.guess.constants.get(stiffness.constant) else { return Ok(None) };
         let powers = (1..=POWERS).flat_map(|power| [10.0_f64.powi(power), 10.0_f64.powi(-power)]);
@@ -154,13 +158,14 @@ impl Attempt<'_> {
         let each = |path| candidates.iter().filter(|easy| **easy != value).map(move |easy| (path, *easy));
         for (path, easy) in each(&loose).chain(each(&tight)) {
             let ramp = Ramp::new().geometric(stiffness.constant, easy, value);
-            match follow_observed(self.problem, self.guess, &ramp, self.unknowns, path, self.observer) {
+            let start = Checkpoint { position: 0.0, step: path.first_step, guess: self.guess.clone(), direction: None };
+            match follow_within(self.problem, &start, &ramp, self.unknowns, path, self.observer, self.budget) {
                 Ok(followed) => {
                     self.stats += *followed.solution.stats();
                     let how = How::Stiffness { easy, steps: followed.steps.len() };
                     return Ok(Some((followed.solution, how)));
                 }
-                Err(PathError { cause, .. }) if *cause == SolveError::Cancelled => return Err(*cause),
+                Err(PathError { cause, .. }) if cause.is_interruption() => return Err(*cause),
                 Err(_) => {}
             }
         }
@@ -168,7 +173,7 @@ impl Attempt<'_> {
     }
 
     /// # Errors
-    /// Only cancellation.
+    /// Only cancellation, and work that is spent.
     fn by_homotopy(&mut self) -> Result<Found, SolveError> {
         let homotopy = Homotopy::new(self.problem, self.guess);
         let layout: &Layout = homotopy.layout();
@@ -177,9 +182,10 @@ impl Attempt<'_> {
         start.constants.push(0.0);
         let way = Options { tolerance: 1e-2, control: Control::Defect, ..self.options.clone() };
         let options = BranchOptions { solve: way, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
-        let branch = match trace_observed(&homotopy, &start, t, self.unknowns, &options, &[], self.observer) {
+        let (unknowns, budget) = (self.unknowns, self.budget);
+        let branch = match trace_within(&homotopy, &start, t, unknowns, &options, &[], self.observer, budget) {
             Ok(branch) => branch,
-            Err(error) if *error.cause == SolveError::Cancelled => return Err(*error.cause),
+            Err(error) if error.cause.is_interruption() => return Err(*error.cause),
             Err(_) => return Ok(None),
         };
         self.stats += branch.stats;
@@ -189,12 +195,12 @@ impl Attempt<'_> {
         };
         let mut end = Guess::from(&last.solution);
         end.constants.truncate(t);
-        match solve_observed(self.problem, &end, self.unknowns, self.options, self.observer) {
+        match solve_within(self.problem, &end, unknowns, self.options, self.observer, budget) {
             Ok(solution) => {
                 self.stats += *solution.stats();
                 Ok(Some((solution, How::Homotopy { points })))
             }
-            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
+            Err(error) if error.is_interruption() => Err(error),
             Err(_) => Ok(None),
         }
     }

@@ -6,6 +6,7 @@
 
 use super::checkpoint::Checkpoint;
 use super::path::Path;
+use crate::budget::Budget;
 use crate::collocation::Correction;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::plan::Plan;
@@ -163,16 +164,18 @@ pub fn resume_follow<P: Problem + ?Sized>(
     options: &PathOptions,
     observer: &mut dyn Observer,
 ) -> Result<Followed, PathError> {
-    resume_any(&problem, from, path, unknowns, options, observer)
+    follow_within(&problem, from, path, unknowns, options, observer, &Budget::new(&options.solve))
 }
 
-fn resume_any(
+/// As [`resume_follow`], as a part of a larger computation with a budget of its own.
+pub(super) fn follow_within(
     problem: &dyn Problem,
     from: &Checkpoint,
     path: &dyn Path,
     unknowns: &[usize],
     options: &PathOptions,
     observer: &mut dyn Observer,
+    budget: &Budget,
 ) -> Result<Followed, PathError> {
     let start = &from.guess;
     let early = |cause| PathError { lambda: 0.0, last: None, steps: Vec::new(), cause: Box::new(cause) };
@@ -183,7 +186,7 @@ fn resume_any(
     let tolerance = options.tolerance.max(options.solve.tolerance);
     let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
-    let run = Run::new(problem, plan, &first, observer);
+    let run = Run::new(problem, plan, &first, observer, budget);
     Follower { run, path, options, way: &way, steps: Vec::new() }.follow(from)
 }
 
@@ -224,7 +227,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
                 }
                 Err(cause) => {
                     step = 0.5 * (next - lambda);
-                    if step < self.options.smallest_step || cause == SolveError::Cancelled {
+                    if step < self.options.smallest_step || cause.is_interruption() {
                         return Err(self.give_up(&here, lambda, cause));
                     }
                 }
@@ -242,7 +245,8 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
             Ok(_) => Event::Step { step: self.steps.len() - 1, lambda: next },
             Err(_) => Event::Rejected { lambda: next },
         };
-        if self.run.observer.notify(&event).is_break() { Err(SolveError::Cancelled) } else { outcome }
+        self.run.budget.notify(self.run.observer, &event, &self.run.stats)?;
+        outcome
     }
 
     /// The tangent at `lambda`, followed to `next`, on meshes that suit the solution at `lambda`.

@@ -3,6 +3,7 @@
 use super::branch::{Branch, BranchError, BranchOptions, EventFunction};
 use super::checkpoint::Checkpoint;
 use super::tracer::Tracer;
+use crate::budget::Budget;
 use crate::guess::Guess;
 use crate::observer::{Observer, Silent};
 use crate::problem::Problem;
@@ -37,7 +38,21 @@ pub fn trace_observed<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
     observer: &mut dyn Observer,
 ) -> Result<Branch, BranchError> {
-    Tracer::new(&problem, parameter, unknowns, options, events, observer)
+    trace_within(&problem, start, parameter, unknowns, options, events, observer, &Budget::new(&options.solve))
+}
+
+/// As [`trace_observed`], as a part of a larger computation with a budget of its own.
+pub(super) fn trace_within(
+    problem: &dyn Problem,
+    start: &Guess,
+    parameter: usize,
+    unknowns: &[usize],
+    options: &BranchOptions,
+    events: &[EventFunction<'_>],
+    observer: &mut dyn Observer,
+    budget: &Budget,
+) -> Result<Branch, BranchError> {
+    Tracer::new(problem, parameter, unknowns, options, events, observer, budget)
         .run(|tracer| Ok((tracer.first(start)?, 0.0, options.first_step)))
 }
 
@@ -55,6 +70,6 @@ pub fn resume_trace<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
     observer: &mut dyn Observer,
 ) -> Result<Branch, BranchError> {
-    Tracer::new(&problem, parameter, unknowns, options, events, observer)
+    Tracer::new(&problem, parameter, unknowns, options, events, observer, &Budget::new(&options.solve))
         .run(|tracer| Ok((tracer.resumed(from)?, from.position, from.step)))
 }

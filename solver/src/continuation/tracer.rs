@@ -4,6 +4,7 @@ use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
 use super::checkpoint::Checkpoint;
 use super::natural::positive;
+use crate::budget::Budget;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::{Guess, RegionGuess};
@@ -13,7 +14,7 @@ use crate::options::Options;
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::solution::Solution;
-use crate::solve::{check, solve_observed};
+use crate::solve::{check, solve_within};
 use crate::start::Start;
 use crate::stats::Stats;
 
@@ -28,6 +29,7 @@ pub(super) struct Tracer<'a, 'e> {
     way: Options,
     events: &'a [EventFunction<'e>],
     observer: &'a mut dyn Observer,
+    budget: &'a Budget,
     stats: Stats,
     points: Vec<BranchPoint>,
 }
@@ -47,12 +49,14 @@ impl<'a, 'e> Tracer<'a, 'e> {
         options: &'a BranchOptions,
         events: &'a [EventFunction<'e>],
         observer: &'a mut dyn Observer,
+        budget: &'a Budget,
     ) -> Self {
         let mut extended = unknowns.to_vec();
         extended.push(parameter);
         let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
         let stats = Stats::default();
-        Self { problem, parameter, unknowns, extended, options, way, events, observer, stats, points: Vec::new() }
+        let points = Vec::new();
+        Self { problem, parameter, unknowns, extended, options, way, events, observer, budget, stats, points }
     }
 
     /// Traces from where `start` says: point, arclength and first step.
@@ -72,7 +76,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         while self.points.len() < self.options.max_points {
             let (next, contraction) = match self.advance(&here, step) {
                 Ok(found) => found,
-                Err(SolveError::Cancelled) => return Err(SolveError::Cancelled),
+                Err(cause) if cause.is_interruption() => return Err(cause),
                 Err(cause) => {
                     step *= 0.5;
                     if step < self.options.smallest_step {
@@ -105,7 +109,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     }
 
     fn announce(&mut self, event: &Event) -> Result<(), SolveError> {
-        if self.observer.notify(event).is_break() { Err(SolveError::Cancelled) } else { Ok(()) }
+        self.budget.notify(self.observer, event, &Stats::default())
     }
 
     fn push(&mut self, kind: PointKind, arclength: f64, at: &Reference) {
@@ -136,9 +140,11 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let Some(direction) = direction else {
             return Err(SolveError::Option { name: "position", value: from.position, expected: "a point of a branch" });
         };
-        let mut run = Run::new(self.problem, Plan::new(self.problem.layout(), self.unknowns), &self.way, self.observer);
+        let plan = Plan::new(self.problem.layout(), self.unknowns);
+        let mut run = Run::new(self.problem, plan, &self.way, self.observer, self.budget);
         let solution = run.as_it_stands(Start::from(&from.guess))?;
         self.stats += run.stats;
+        drop(run);
         let (here, _) = self.advance(&Reference { solution, direction }, 0.0)?;
         Ok(here)
     }
@@ -146,9 +152,11 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// The solution at the start, with the tangent of the parameter alone.
     pub(super) fn first(&mut self, start: &Guess) -> Result<Reference, SolveError> {
         self.check(start)?;
-        let solution = solve_observed(self.problem, start, self.unknowns, &self.options.solve, self.observer)?;
+        let options = &self.options.solve;
+        let solution = solve_within(self.problem, start, self.unknowns, options, self.observer, self.budget)?;
         self.stats += *solution.stats();
         let linearisation = Linearisation::new(self.problem, &solution)?;
+        self.budget.charge(linearisation.stats());
         self.stats += *linearisation.stats();
         let tangent = linearisation.sensitivity(self.parameter);
         let sign = if self.options.upwards { 1.0 } else { -1.0 };
@@ -176,13 +184,16 @@ impl<'a, 'e> Tracer<'a, 'e> {
         constants.push(step);
         let guess = Guess { regions: here.moved(step), constants };
         let plan = Plan::new(problem.layout(), &self.extended);
-        let mut run = Run::new(problem, plan, &self.way, self.observer);
+        let mut run = Run::new(problem, plan, &self.way, self.observer, self.budget);
         let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
         let contraction = run.contraction;
         let mut stats = run.stats;
+        drop(run);
+        let budget = self.budget;
         let found = outcome.and_then(|(solution, solved)| {
             let x = solved.converged.x;
             let linearisation = Linearisation::at(solved.system, x, Stats::default())?;
+            budget.charge(linearisation.stats());
             stats += *linearisation.stats();
             Ok((solution, linearisation.sensitivity(arclength.step())))
         });

@@ -23,7 +23,10 @@ pub use state::{InitError, Method, PulleyId, State};
 
 use super::formula::{Inputs, Outputs};
 use crate::case::{Clamp, Load, Resolved, Speed, geometry};
-use generated::{BELT_PULLEY_LIMITS, BoundaryKernel, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED};
+use generated::{
+    BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput, FormulaKernel, Identity, SIMPLE_DRIVE,
+    SIMPLE_DRIVE_CLOSED, SimpleDriveInput as Given, SimpleDriveOutput as Derived, SimpleDriveResidual as Residual,
+};
 use newton::System;
 use state::check_given;
 use std::f64::consts::PI;
@@ -85,14 +88,20 @@ impl SimpleDrive {
     pub fn of_case(case: &Resolved) -> Self {
         let (primary, secondary) = (case.drive.primary_radius, case.drive.secondary_radius);
         let (_, contact) = geometry::wrap_angles(primary, secondary, case.drive.center_distance);
-        let face = [("f_face", case.sheave.friction_coefficient), ("groove", 2.0 * case.sheave.half_angle)];
+        let face = [
+            (BeltPulleyLimitInput::FaceFriction, case.sheave.friction_coefficient),
+            (BeltPulleyLimitInput::GrooveAngle, 2.0 * case.sheave.half_angle),
+        ];
         Self {
             input_radius: primary,
             output_radius: secondary,
             half_contact_angle: contact / 2.0,
             longitudinal_stiffness: case.belt.longitudinal_stiffness,
             mass_per_length: case.belt.mass_per_length,
-            friction_coefficient: Inputs::new(&BELT_PULLEY_LIMITS).with(&face).outputs().get("wedge_coefficient"),
+            friction_coefficient: Inputs::new(&BELT_PULLEY_LIMITS)
+                .with(&face)
+                .outputs()
+                .get(BeltPulleyLimit::WedgeCoefficient),
             half_angle: case.sheave.half_angle,
         }
     }
@@ -128,15 +137,15 @@ impl SimpleDrive {
     }
 
     /// The drive's inputs of a set of formulae, friction towards the sign of the output's torque.
-    fn inputs(&self, kernel: &'static BoundaryKernel, sign: f64) -> Inputs {
+    fn inputs<O: Identity>(&self, kernel: &'static FormulaKernel<Given, O>, sign: f64) -> Inputs<Given, O> {
         Inputs::new(kernel).with(&[
-            ("r_I", self.input_radius),
-            ("r_O", self.output_radius),
-            ("phi_O", self.half_contact_angle),
-            ("EA", self.longitudinal_stiffness),
-            ("m_star", self.mass_per_length),
-            ("mu_star", self.friction_coefficient.copysign(sign)),
-            ("delta_0", self.half_angle),
+            (Given::InputRadius, self.input_radius),
+            (Given::OutputRadius, self.output_radius),
+            (Given::HalfContactAngle, self.half_contact_angle),
+            (Given::LongitudinalStiffness, self.longitudinal_stiffness),
+            (Given::MassPerLength, self.mass_per_length),
+            (Given::GrooveFriction, self.friction_coefficient.copysign(sign)),
+            (Given::HalfAngle, self.half_angle),
         ])
     }
 }
@@ -206,60 +215,82 @@ impl Situation {
         }
     }
 
-    /// Names of the formulae's inputs that are given, with their values.
-    fn given(&self) -> [(&'static str, f64); 3] {
+    /// The inputs of the formulae that are given, with their values.
+    fn given(&self) -> [(Given, f64); 3] {
         match *self {
-            Self::One { input_speed, output_torque, output_axial_force } => {
-                [("omega_I", input_speed), ("M_O", output_torque), ("F_CO", output_axial_force)]
-            }
-            Self::Two { output_speed, input_torque, input_axial_force } => {
-                [("omega_O", output_speed), ("M_I", input_torque), ("F_CI", input_axial_force)]
-            }
-            Self::Three { input_speed, output_speed, output_axial_force } => {
-                [("omega_I", input_speed), ("omega_O", output_speed), ("F_CO", output_axial_force)]
-            }
-            Self::Four { input_speed, output_speed, input_axial_force } => {
-                [("omega_I", input_speed), ("omega_O", output_speed), ("F_CI", input_axial_force)]
-            }
-            Self::Five { input_speed, output_torque, input_axial_force } => {
-                [("omega_I", input_speed), ("M_O", output_torque), ("F_CI", input_axial_force)]
-            }
-            Self::Six { input_speed, input_torque, output_axial_force } => {
-                [("omega_I", input_speed), ("M_I", input_torque), ("F_CO", output_axial_force)]
-            }
-            Self::Seven { input_speed, input_torque, input_axial_force } => {
-                [("omega_I", input_speed), ("M_I", input_torque), ("F_CI", input_axial_force)]
-            }
+            Self::One { input_speed, output_torque, output_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::OutputTorque, output_torque),
+                (Given::OutputAxialForce, output_axial_force),
+            ],
+            Self::Two { output_speed, input_torque, input_axial_force } => [
+                (Given::OutputSpeed, output_speed),
+                (Given::InputTorque, input_torque),
+                (Given::InputAxialForce, input_axial_force),
+            ],
+            Self::Three { input_speed, output_speed, output_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::OutputSpeed, output_speed),
+                (Given::OutputAxialForce, output_axial_force),
+            ],
+            Self::Four { input_speed, output_speed, input_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::OutputSpeed, output_speed),
+                (Given::InputAxialForce, input_axial_force),
+            ],
+            Self::Five { input_speed, output_torque, input_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::OutputTorque, output_torque),
+                (Given::InputAxialForce, input_axial_force),
+            ],
+            Self::Six { input_speed, input_torque, output_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::InputTorque, input_torque),
+                (Given::OutputAxialForce, output_axial_force),
+            ],
+            Self::Seven { input_speed, input_torque, input_axial_force } => [
+                (Given::InputSpeed, input_speed),
+                (Given::InputTorque, input_torque),
+                (Given::InputAxialForce, input_axial_force),
+            ],
         }
     }
 
-    fn value(&self, name: &str) -> Option<f64> {
-        self.given().into_iter().find(|(given, _)| *given == name).map(|(_, value)| value)
+    fn value(&self, input: Given) -> Option<f64> {
+        self.given().into_iter().find(|(given, _)| *given == input).map(|(_, value)| value)
     }
 
     /// The pulley whose axial force is given.
     fn clamped(&self) -> PulleyId {
-        if self.value("F_CO").is_some() { PulleyId::Output } else { PulleyId::Input }
+        if self.value(Given::OutputAxialForce).is_some() { PulleyId::Output } else { PulleyId::Input }
     }
 
     fn check(&self) -> Result<(), InitError> {
-        for (name, value) in self.given() {
-            let (what, unit) = match name {
-                "omega_I" => ("input_speed", "rad/s"),
-                "omega_O" => ("output_speed", "rad/s"),
-                "M_I" => ("input_torque", "N·m"),
-                "M_O" => ("output_torque", "N·m"),
-                "F_CI" => ("input_axial_force", "N"),
-                _ => ("output_axial_force", "N"),
+        for (input, value) in self.given() {
+            let what = match input {
+                Given::InputSpeed => "input_speed",
+                Given::OutputSpeed => "output_speed",
+                Given::InputTorque => "input_torque",
+                Given::OutputTorque => "output_torque",
+                Given::InputAxialForce => "input_axial_force",
+                Given::OutputAxialForce => "output_axial_force",
+                // The drive's own are checked with it.
+                _ => continue,
             };
-            match name.starts_with('M') {
-                true => check_given(what, unit, value, f64::is_finite, "a finite number")?,
-                false => check_given(what, unit, value, |value| value > 0.0, "a positive number")?,
+            let unit = input.symbol().unit;
+            match input {
+                Given::InputTorque | Given::OutputTorque => {
+                    check_given(what, unit, value, f64::is_finite, "a finite number")?;
+                }
+                _ => check_given(what, unit, value, |value| value > 0.0, "a positive number")?,
             }
         }
         Ok(())
     }
 }
+
+/// The closed forms with their inputs.
+type ClosedForms = Inputs<Given, Derived>;
 
 /// A drive in a situation.
 struct Problem {
@@ -272,7 +303,12 @@ impl Problem {
     fn sign(&self) -> f64 {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
         let value = |name| self.situation.value(name);
-        let (excess, least) = match (value("M_O"), value("M_I"), value("omega_I"), value("omega_O")) {
+        let (excess, least) = match (
+            value(Given::OutputTorque),
+            value(Given::InputTorque),
+            value(Given::InputSpeed),
+            value(Given::OutputSpeed),
+        ) {
             (Some(torque), ..) => (torque, 0.0),
             (_, Some(torque), ..) => (-torque, 0.0),
             (_, _, Some(input), Some(output)) => {
@@ -288,59 +324,59 @@ impl Problem {
         self.sign() == 0.0
     }
 
-    fn inputs(&self, kernel: &'static BoundaryKernel) -> Inputs {
+    fn inputs<O: Identity>(&self, kernel: &'static FormulaKernel<Given, O>) -> Inputs<Given, O> {
         self.drive.inputs(kernel, self.sign()).with(&self.situation.given())
     }
 
     /// The closed forms, v_0 and both speeds aside.
-    fn closed(&self) -> Inputs {
+    fn closed(&self) -> ClosedForms {
         let mut inputs = self.inputs(&SIMPLE_DRIVE_CLOSED);
-        let rim = match self.situation.value("omega_I") {
+        let rim = match self.situation.value(Given::InputSpeed) {
             Some(speed) => self.drive.input_radius * speed,
-            None => self.drive.output_radius * inputs.get("omega_O"),
+            None => self.drive.output_radius * inputs.get(Given::OutputSpeed),
         };
-        inputs.set("u", rim);
+        inputs.set(Given::RimSpeed, rim);
         // (11), (20): whichever torque is given, the other follows.
         let torques = inputs.outputs();
-        if self.situation.value("M_I").is_some() {
-            inputs.set("M_O", torques.get("M_O_of_M_I"));
-        } else if self.situation.value("M_O").is_some() {
-            inputs.set("M_I", torques.get("M_I_of_M_O"));
+        if self.situation.value(Given::InputTorque).is_some() {
+            inputs.set(Given::OutputTorque, torques.get(Derived::OutputTorqueFromInput));
+        } else if self.situation.value(Given::OutputTorque).is_some() {
+            inputs.set(Given::InputTorque, torques.get(Derived::InputTorqueFromOutput));
         }
         inputs
     }
 
     /// v_0 at no torque: 2.220 from F_CO, (15) from F_CI.
-    fn no_load_speed(&self, closed: &Outputs) -> f64 {
+    fn no_load_speed(&self, closed: &Outputs<Given, Derived>) -> f64 {
         closed.get(match self.situation.clamped() {
-            PulleyId::Output => "v_0_O",
-            PulleyId::Input => "v_0_I",
+            PulleyId::Output => Derived::BeltSpeedFromOutputForce,
+            PulleyId::Input => Derived::BeltSpeedFromInputForce,
         })
     }
 
     /// What follows from v_0 for the other unknown: (21), (2), (17), (19).
-    fn complete(&self, inputs: &mut Inputs, v_0: f64) {
-        inputs.set("v_0", v_0);
+    fn complete(&self, inputs: &mut ClosedForms, v_0: f64) {
+        inputs.set(Given::BeltSpeed, v_0);
         let value = |name| self.situation.value(name).is_some();
-        match (value("omega_I"), value("omega_O")) {
+        match (value(Given::InputSpeed), value(Given::OutputSpeed)) {
             (true, true) => {
                 let outputs = inputs.outputs();
-                inputs.set("M_O", outputs.get("M_O_of_speeds"));
-                inputs.set("M_I", outputs.get("M_I_of_speeds"));
+                inputs.set(Given::OutputTorque, outputs.get(Derived::OutputTorqueFromSpeeds));
+                inputs.set(Given::InputTorque, outputs.get(Derived::InputTorqueFromSpeeds));
             }
-            (true, false) => inputs.set("omega_O", inputs.outputs().get("omega_O_of_M_O")),
-            _ => inputs.set("omega_I", inputs.outputs().get("omega_I_of_M_O")),
+            (true, false) => inputs.set(Given::OutputSpeed, inputs.outputs().get(Derived::OutputSpeedFromTorque)),
+            _ => inputs.set(Given::InputSpeed, inputs.outputs().get(Derived::InputSpeedFromTorque)),
         }
     }
 
     fn unloaded(&self) -> Result<State, InitError> {
         let mut inputs = self.closed();
-        inputs.set("M_O", 0.0);
-        inputs.set("M_I", 0.0);
+        inputs.set(Given::OutputTorque, 0.0);
+        inputs.set(Given::InputTorque, 0.0);
         let v_0 = self.no_load_speed(&inputs.outputs());
         self.complete(&mut inputs, v_0);
-        inputs.set("M_O", 0.0);
-        inputs.set("M_I", 0.0);
+        inputs.set(Given::OutputTorque, 0.0);
+        inputs.set(Given::InputTorque, 0.0);
         State::read(&self.drive, &inputs, Method::Closed)
     }
 
@@ -349,20 +385,24 @@ impl Problem {
         let start = self.no_load_speed(&closed.outputs());
         self.start(&mut closed, start)?;
         let (equations, unknown) = match self.situation {
-            Situation::One { .. } | Situation::Six { .. } => (["speed_O", "axial_O"], "omega_O"),
-            Situation::Two { .. } => (["speed_O", "axial_I"], "omega_I"),
-            Situation::Three { .. } => (["speed_O", "axial_O"], "M_O"),
-            Situation::Four { .. } => (["speed_I", "axial_I"], "M_I"),
-            Situation::Five { .. } => (["speed_O", "axial_I"], "omega_O"),
-            Situation::Seven { .. } => (["speed_I", "axial_I"], "omega_O"),
+            Situation::One { .. } | Situation::Six { .. } => {
+                ([Residual::OutputSpeedBalance, Residual::OutputAxialBalance], Given::OutputSpeed)
+            }
+            Situation::Two { .. } => ([Residual::OutputSpeedBalance, Residual::InputAxialBalance], Given::InputSpeed),
+            Situation::Three { .. } => {
+                ([Residual::OutputSpeedBalance, Residual::OutputAxialBalance], Given::OutputTorque)
+            }
+            Situation::Four { .. } => ([Residual::InputSpeedBalance, Residual::InputAxialBalance], Given::InputTorque),
+            Situation::Five { .. } => ([Residual::OutputSpeedBalance, Residual::InputAxialBalance], Given::OutputSpeed),
+            Situation::Seven { .. } => ([Residual::InputSpeedBalance, Residual::InputAxialBalance], Given::OutputSpeed),
         };
         let residuals = self.inputs(&SIMPLE_DRIVE);
         let system = System { drive: &self.drive, equations, unknown, clamped: self.situation.clamped() };
         let iterations = system.solve(residuals, &mut closed)?;
         // The torque that was not among the unknowns.
         match unknown {
-            "M_O" => closed.set("M_I", closed.outputs().get("M_I_of_M_O")),
-            "M_I" => closed.set("M_O", closed.outputs().get("M_O_of_M_I")),
+            Given::OutputTorque => closed.set(Given::InputTorque, closed.outputs().get(Derived::InputTorqueFromOutput)),
+            Given::InputTorque => closed.set(Given::OutputTorque, closed.outputs().get(Derived::OutputTorqueFromInput)),
             _ => {}
         }
         State::read(&self.drive, &closed, Method::Newton { iterations })
@@ -370,9 +410,9 @@ impl Problem {
 
     /// The start: v_0 as without a torque, and where the belt would then lift off or slide all over, slower by the strain
     /// that the torque takes, twice that, four times.
-    fn start(&self, closed: &mut Inputs, v_0: f64) -> Result<(), InitError> {
+    fn start(&self, closed: &mut ClosedForms, v_0: f64) -> Result<(), InitError> {
         self.complete(closed, v_0);
-        let torque = closed.get("M_O").abs();
+        let torque = closed.get(Given::OutputTorque).abs();
         let strain = torque / (self.drive.output_radius * self.drive.longitudinal_stiffness);
         let mut slower = 0.0;
         while !newton::is_possible(&self.drive, closed, self.situation.clamped()) {

@@ -1,6 +1,6 @@
 //! What is known of the simple drive once v_0 is.
 
-use super::{Inputs, SimpleDrive};
+use super::{ClosedForms, Derived, Given, SimpleDrive};
 use serde::Serialize;
 use std::fmt;
 
@@ -149,11 +149,11 @@ pub(super) fn check_given(
 }
 
 /// The whole contact of `pulley` slides.
-pub(super) fn gross_slip(closed: &Inputs, pulley: PulleyId) -> InitError {
+pub(super) fn gross_slip(closed: &ClosedForms, pulley: PulleyId) -> InitError {
     let outputs = closed.outputs();
     let (force, smallest, torque) = match pulley {
-        PulleyId::Output => ("F_CO", "F_slip_O", "M_O"),
-        PulleyId::Input => ("F_CI", "F_slip_I", "M_I"),
+        PulleyId::Output => (Given::OutputAxialForce, Derived::OutputSlipForce, Given::OutputTorque),
+        PulleyId::Input => (Given::InputAxialForce, Derived::InputSlipForce, Given::InputTorque),
     };
     let (axial_force, smallest, torque) = (closed.get(force), outputs.get(smallest), closed.get(torque).abs());
     InitError::GrossSlip { pulley, axial_force, smallest, torque }
@@ -161,16 +161,20 @@ pub(super) fn gross_slip(closed: &Inputs, pulley: PulleyId) -> InitError {
 
 impl State {
     /// Reads the state of a drive whose speeds, torques and v_0 are known; what was not given of the axial forces follows.
-    pub(super) fn read(drive: &SimpleDrive, closed: &Inputs, method: Method) -> Result<Self, InitError> {
+    pub(super) fn read(drive: &SimpleDrive, closed: &ClosedForms, method: Method) -> Result<Self, InitError> {
         let mut closed = closed.clone();
         let outputs = closed.outputs();
-        for (given, computed) in [("F_CO", "F_CO_of_speeds"), ("F_CI", "F_CI_of_speeds")] {
+        for (given, computed) in [
+            (Given::OutputAxialForce, Derived::OutputForceFromSpeeds),
+            (Given::InputAxialForce, Derived::InputForceFromSpeeds),
+        ] {
             if closed.get(given).is_nan() {
                 closed.set(given, outputs.get(computed));
             }
         }
         // Zero but for rounding without a torque, or with a tiny one.
-        let sliding_angle = if method == Method::Closed { 0.0 } else { outputs.get("sliding_O").max(0.0) };
+        let sliding_angle =
+            if method == Method::Closed { 0.0 } else { outputs.get(Derived::OutputSlidingAngle).max(0.0) };
         for pulley in [PulleyId::Output, PulleyId::Input] {
             let contact = drive.contact_angle(pulley);
             if sliding_angle > contact {
@@ -178,19 +182,19 @@ impl State {
             }
         }
         Ok(Self {
-            input_speed: closed.get("omega_I"),
-            output_speed: closed.get("omega_O"),
-            input_torque: closed.get("M_I"),
-            output_torque: closed.get("M_O"),
-            input_axial_force: closed.get("F_CI"),
-            output_axial_force: closed.get("F_CO"),
-            belt_speed: closed.get("v_0"),
+            input_speed: closed.get(Given::InputSpeed),
+            output_speed: closed.get(Given::OutputSpeed),
+            input_torque: closed.get(Given::InputTorque),
+            output_torque: closed.get(Given::OutputTorque),
+            input_axial_force: closed.get(Given::InputAxialForce),
+            output_axial_force: closed.get(Given::OutputAxialForce),
+            belt_speed: closed.get(Given::BeltSpeed),
             sliding_angle,
-            lift_off_force: outputs.get("lift_off"),
-            slack_force: outputs.get("slack_force"),
-            tight_force: outputs.get("tight_force"),
-            slack_tension: outputs.get("slack_tension"),
-            tight_tension: outputs.get("tight_tension"),
+            lift_off_force: outputs.get(Derived::LiftOffForce),
+            slack_force: outputs.get(Derived::SlackForce),
+            tight_force: outputs.get(Derived::TightForce),
+            slack_tension: outputs.get(Derived::SlackTension),
+            tight_tension: outputs.get(Derived::TightTension),
             method,
         })
     }

@@ -12,15 +12,16 @@
 //! [`BeltPulley::residuals`] and [`BeltPulley::jacobian`] state the component's three equations for a system's solver;
 //! [`BeltPulley::balance`] solves them for one pulley whose motion and one of whose tensions are known.
 
-mod compare;
 mod error;
 
-pub use compare::{Comparison, Grip, PulleyComparison, compare};
 pub use error::PulleyError;
 
 use super::formula::Inputs;
 use error::check;
-use generated::{BELT_PULLEY, BELT_PULLEY_LIMITS};
+use generated::{
+    BELT_PULLEY, BELT_PULLEY_LIMITS, BeltPulleyInput as Variable, BeltPulleyLimit, BeltPulleyLimitInput,
+    BeltPulleyOutput as Behaves,
+};
 use std::f64::consts::PI;
 
 /// The belt, and how it grips.
@@ -144,8 +145,16 @@ pub struct Behaviour {
     pub kinetic_power: f64,
 }
 
-/// Names of the ports' variables among the formulae's inputs, in the order of the columns of [`BeltPulley::jacobian`].
-const VARIABLES: [&str; 7] = ["V_A", "F_A", "V_B", "F_B", "omega", "alpha", "T_S"];
+/// The ports' variables among the formulae's inputs, in the order of the columns of [`BeltPulley::jacobian`].
+const VARIABLES: [Variable; 7] = [
+    Variable::VelocityA,
+    Variable::TensionA,
+    Variable::VelocityB,
+    Variable::TensionB,
+    Variable::ShaftSpeed,
+    Variable::ShaftAcceleration,
+    Variable::ShaftTorque,
+];
 
 impl BeltPulley {
     /// Checks the parameters.
@@ -176,34 +185,37 @@ impl BeltPulley {
             BeltType::Ideal => f64::INFINITY,
             BeltType::Flat { friction_coefficient } => friction_coefficient,
             BeltType::V { friction_coefficient, sheave_angle } => {
-                let face = [("f_face", friction_coefficient), ("groove", sheave_angle)];
-                Inputs::new(&BELT_PULLEY_LIMITS).with(&face).outputs().get("wedge_coefficient")
+                let face = [
+                    (BeltPulleyLimitInput::FaceFriction, friction_coefficient),
+                    (BeltPulleyLimitInput::GrooveAngle, sheave_angle),
+                ];
+                Inputs::new(&BELT_PULLEY_LIMITS).with(&face).outputs().get(BeltPulleyLimit::WedgeCoefficient)
             }
         }
     }
 
-    /// Names of the component's three equations: direction of the ends, friction (no slip for an ideal belt), moments.
-    fn equations(&self) -> [&'static str; 3] {
+    /// The component's three equations: direction of the ends, friction (no slip for an ideal belt), moments.
+    fn equations(&self) -> [Behaves; 3] {
         let direction = match self.direction {
-            Direction::Opposite => "opposite",
-            Direction::Equal => "equal",
+            Direction::Opposite => Behaves::Opposite,
+            Direction::Equal => Behaves::Equal,
         };
-        [direction, if self.belt == BeltType::Ideal { "adhesion" } else { "friction" }, "torque"]
+        [direction, if self.belt == BeltType::Ideal { Behaves::Adhesion } else { Behaves::Friction }, Behaves::Torque]
     }
 
-    fn inputs(&self, ports: &Ports) -> Inputs {
+    fn inputs(&self, ports: &Ports) -> Inputs<Variable, Behaves> {
         let Ports { a, b, s } = ports;
         let values = [a.velocity, a.tension, b.velocity, b.tension, s.speed, s.acceleration, s.torque];
-        let ports: Vec<(&str, f64)> = VARIABLES.into_iter().zip(values).collect();
+        let ports: Vec<(Variable, f64)> = VARIABLES.into_iter().zip(values).collect();
         Inputs::new(&BELT_PULLEY).with(&ports).with(&[
-            ("R", self.radius),
-            ("J", self.inertia),
-            ("b", self.bearing_damping),
-            ("rho", self.mass_per_length),
-            ("wrap", self.wrap_angle),
-            ("f", self.effective_coefficient()),
-            ("V_thr", self.velocity_threshold),
-            ("F_thr", self.force_threshold),
+            (Variable::Radius, self.radius),
+            (Variable::Inertia, self.inertia),
+            (Variable::BearingDamping, self.bearing_damping),
+            (Variable::MassPerLength, self.mass_per_length),
+            (Variable::WrapAngle, self.wrap_angle),
+            (Variable::FrictionCoefficient, self.effective_coefficient()),
+            (Variable::VelocityThreshold, self.velocity_threshold),
+            (Variable::ForceThreshold, self.force_threshold),
         ])
     }
 
@@ -225,16 +237,16 @@ impl BeltPulley {
         let outputs = self.inputs(ports).outputs();
         // An ideal belt has no coefficient, nor a loss.
         let ideal = self.belt == BeltType::Ideal;
-        let unless_ideal = |name| if ideal { 0.0 } else { outputs.get(name) };
+        let unless_ideal = |output| if ideal { 0.0 } else { outputs.get(output) };
         Behaviour {
-            relative_velocity: outputs.get("relative_velocity"),
-            centrifugal_tension: outputs.get("centrifugal_tension"),
-            friction_coefficient: unless_ideal("friction_coefficient"),
-            belt_power: outputs.get("belt_power"),
-            shaft_power: outputs.get("shaft_power"),
-            friction_loss: unless_ideal("friction_loss"),
-            bearing_loss: outputs.get("bearing_loss"),
-            kinetic_power: outputs.get("kinetic_power"),
+            relative_velocity: outputs.get(Behaves::RelativeVelocity),
+            centrifugal_tension: outputs.get(Behaves::CentrifugalTension),
+            friction_coefficient: unless_ideal(Behaves::FrictionCoefficient),
+            belt_power: outputs.get(Behaves::BeltPower),
+            shaft_power: outputs.get(Behaves::ShaftPower),
+            friction_loss: unless_ideal(Behaves::FrictionLoss),
+            bearing_loss: outputs.get(Behaves::BearingLoss),
+            kinetic_power: outputs.get(Behaves::KineticPower),
         }
     }
 
@@ -277,7 +289,7 @@ impl BeltPulley {
         };
         self.balance_friction(&mut ports, pull.end)?;
         // The balance of moments is linear in the torque, with coefficient one.
-        ports.s.torque -= self.inputs(&ports).outputs().get("torque");
+        ports.s.torque -= self.inputs(&ports).outputs().get(Behaves::Torque);
         for end in self.slack_branches(&ports) {
             tracing::warn!(
                 "branch {end:?} of the belt has lost its tension; the pulley's state is not to be relied on"
@@ -292,13 +304,13 @@ impl BeltPulley {
         // The step behind it would be this one's square.
         const LAST_STEP: f64 = 1e-10;
         for _ in 0..STEPS {
-            let (unknown, name) = match known {
-                End::A => (&ports.b, "F_B"),
-                End::B => (&ports.a, "F_A"),
+            let (unknown, input) = match known {
+                End::A => (&ports.b, Variable::TensionB),
+                End::B => (&ports.a, Variable::TensionA),
             };
             let from = unknown.tension;
             let outputs = self.inputs(ports).linearised();
-            let step = -outputs.get("friction") / outputs.derivative("friction", name);
+            let step = -outputs.get(Behaves::Friction) / outputs.derivative(Behaves::Friction, input);
             let unknown = match known {
                 End::A => &mut ports.b,
                 End::B => &mut ports.a,

@@ -2,7 +2,7 @@
 
 use crate::case::Place;
 use crate::quantity::QuantityError;
-use miette::{Diagnostic, LabeledSpan, SourceCode};
+use crate::text::printable;
 use std::fmt;
 
 /// What is wrong.
@@ -75,6 +75,12 @@ pub enum Problem {
         /// What is expected.
         expected: String,
     },
+    /// Numbers of which something that is wanted is too large, or does not exist.
+    #[error(
+        "these numbers are too large, or too small, to compute with: an inertia or a torque is not a finite number; check \
+         their units"
+    )]
+    Overflow,
     /// A key that must be given.
     #[error("`{path}` is not given: expected {expected}")]
     Missing {
@@ -85,8 +91,8 @@ pub enum Problem {
     },
 }
 
-/// A [`Problem`] with its place in the file or the argument. Displays as one line; as a [`Diagnostic`] it underlines the
-/// place.
+/// A [`Problem`] with its place in the file or the argument. Displays as one line; with the feature `cli` it is a
+/// `miette::Diagnostic`, which underlines the place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizeError(Box<(Problem, Option<Place>)>);
 
@@ -108,20 +114,27 @@ impl SizeError {
 
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problem().fmt(f)
+        f.write_str(&printable(&self.problem().to_string()))
     }
 }
 
 impl std::error::Error for SizeError {}
 
-impl Diagnostic for SizeError {
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.place().map(|place| place.source.as_ref() as &dyn SourceCode)
-    }
+#[cfg(feature = "cli")]
+mod diagnostic {
+    use super::SizeError;
+    use miette::{Diagnostic, LabeledSpan, SourceCode};
 
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let place = self.place()?;
-        let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
+    impl Diagnostic for SizeError {
+        fn source_code(&self) -> Option<&dyn SourceCode> {
+            self.place().map(|place| place.source.as_ref() as &dyn SourceCode)
+        }
+
+        fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+            let place = self.place()?;
+            let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
+            let span = place.source.shown(span)?;
+            Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
+        }
     }
 }

@@ -6,6 +6,7 @@ use super::{BeltDrive, Idler};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Source};
 use crate::quantity::{self, Dimension, Quantity, QuantityError};
+use crate::text::quoted;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -68,7 +69,7 @@ impl Draft {
     }
 
     fn add_toml(&mut self, name: &str, text: &str) -> Result<(), SizeError> {
-        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
@@ -122,7 +123,7 @@ impl Draft {
     }
 
     fn assign(&mut self, setting: &str) -> Result<(), SizeError> {
-        let source = Arc::new(Source { name: "--set".into(), text: setting.into() });
+        let source = Arc::new(Source::new("--set", setting));
         let (whole, text) = (0..setting.len(), setting.to_owned());
         let Some((key, value)) = setting.split_once('=').filter(|(key, _)| !key.trim().is_empty()) else {
             let place = Place { source, key: whole.clone(), value: whole };
@@ -135,10 +136,13 @@ impl Draft {
     }
 
     fn add_idler(&mut self, text: &str) -> Result<(), SizeError> {
-        let source = Arc::new(Source { name: "--idler".into(), text: text.into() });
+        let source = Arc::new(Source::new("--idler", text));
         let place = |value: Range<usize>| Place { source: source.clone(), key: 0..text.len(), value };
         let Some((inertia, diameter)) = text.split_once(',') else {
-            return Err(SizeError::new(Problem::IdlerText { text: text.into() }, Some(place(0..text.len()))));
+            return Err(SizeError::new(
+                Problem::IdlerText { text: quoted(text).into_owned() },
+                Some(place(0..text.len())),
+            ));
         };
         let mut idler = Idler { inertia: 0.0, diameter: f64::NAN };
         let second = inertia.len() + 1..text.len();
@@ -157,7 +161,7 @@ fn read_into<T>(
     place: Place,
 ) -> Result<&'static str, SizeError> {
     let Some(entry) = table.iter().find(|entry| entry.path == path) else { return Err(unknown(path, place)) };
-    let (given, expected) = (place.given().trim().to_owned(), entry.expected());
+    let (given, expected) = (quoted(place.given().trim()).into_owned(), entry.expected());
     let invalid = |reason, given: &str, expected: &str| Problem::Quantity {
         path: entry.path,
         given: given.into(),
@@ -189,7 +193,7 @@ fn unknown(path: &str, place: Place) -> SizeError {
     let near: Vec<&str> = all().filter(|known| known.split('.').next() == Some(section)).collect();
     let known = if near.is_empty() { all().collect::<Vec<_>>().join(", ") } else { near.join(", ") };
     let place = Place { value: place.key.clone(), ..place };
-    SizeError::new(Problem::UnknownKey { path: path.into(), known }, Some(place))
+    SizeError::new(Problem::UnknownKey { path: quoted(path).into_owned(), known }, Some(place))
 }
 
 /// The text without one pair of quotes around it.

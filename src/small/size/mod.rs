@@ -19,7 +19,7 @@ pub use error::{Problem, SizeError};
 pub use keys::{Entry, IDLER, TABLE};
 
 use super::formula::Inputs;
-use generated::{DRIVE_SIZING, DRIVE_SIZING_IDLER};
+use generated::{DRIVE_SIZING, DRIVE_SIZING_IDLER, DriveSizingIdlerOutput, DriveSizingInput, DriveSizingOutput};
 use serde::Serialize;
 
 /// A belt drive, SI. What is zero is not there.
@@ -123,8 +123,12 @@ impl BeltDrive {
     /// Inertia of the idlers at the input, kg·m².
     fn idlers_at_input(&self) -> f64 {
         let reflected = |idler: &Idler| {
-            let inputs = [("D_in", self.input_diameter), ("D", idler.diameter), ("I_idler", idler.inertia)];
-            Inputs::new(&DRIVE_SIZING_IDLER).with(&inputs).outputs().get("reflected_inertia")
+            let inputs = [
+                (DriveSizingInput::InputDiameter, self.input_diameter),
+                (DriveSizingInput::IdlerDiameter, idler.diameter),
+                (DriveSizingInput::OwnInertia, idler.inertia),
+            ];
+            Inputs::new(&DRIVE_SIZING_IDLER).with(&inputs).outputs().get(DriveSizingIdlerOutput::ReflectedInertia)
         };
         self.idlers.iter().map(reflected).sum()
     }
@@ -139,35 +143,38 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
     let idlers = drive.idlers_at_input();
     let outputs = Inputs::new(&DRIVE_SIZING)
         .with(&[
-            ("M_belt", drive.belt_mass),
-            ("M_load", drive.linear_mass),
-            ("D_in", drive.input_diameter),
-            ("D_out", drive.output_diameter),
-            ("F", drive.force),
-            ("F_f", drive.friction_force),
-            ("T_out", drive.load_torque),
-            ("I_p1", drive.input_inertia),
-            ("I_p2", drive.output_inertia),
-            ("I_RL", drive.load_inertia),
-            ("I_idlers", idlers),
-            ("alpha", drive.acceleration),
+            (DriveSizingInput::BeltMass, drive.belt_mass),
+            (DriveSizingInput::LoadMass, drive.linear_mass),
+            (DriveSizingInput::InputDiameter, drive.input_diameter),
+            (DriveSizingInput::OutputDiameter, drive.output_diameter),
+            (DriveSizingInput::ExternalForce, drive.force),
+            (DriveSizingInput::FrictionForce, drive.friction_force),
+            (DriveSizingInput::OutputTorque, drive.load_torque),
+            (DriveSizingInput::InputPulleyInertia, drive.input_inertia),
+            (DriveSizingInput::OutputPulleyInertia, drive.output_inertia),
+            (DriveSizingInput::RotaryLoadInertia, drive.load_inertia),
+            (DriveSizingInput::IdlerInertia, idlers),
+            (DriveSizingInput::Acceleration, drive.acceleration),
         ])
         .outputs();
-    Ok(Sizing {
-        ratio: outputs.get("ratio"),
+    let sizing = Sizing {
+        ratio: outputs.get(DriveSizingOutput::Ratio),
         inertia: Inertia {
-            load: outputs.get("load_inertia"),
+            load: outputs.get(DriveSizingOutput::LoadInertia),
             idlers,
-            rotating: outputs.get("rotating_inertia"),
-            total: outputs.get("total_inertia"),
+            rotating: outputs.get(DriveSizingOutput::RotatingInertia),
+            total: outputs.get(DriveSizingOutput::TotalInertia),
         },
         torque: Torque {
-            external: outputs.get("external_torque"),
-            friction: outputs.get("friction_torque"),
-            load: outputs.get("input_torque"),
-            steady: outputs.get("steady_torque"),
-            acceleration: outputs.get("acceleration_torque"),
-            drive: outputs.get("drive_torque"),
+            external: outputs.get(DriveSizingOutput::ExternalTorque),
+            friction: outputs.get(DriveSizingOutput::FrictionTorque),
+            load: outputs.get(DriveSizingOutput::InputTorque),
+            steady: outputs.get(DriveSizingOutput::SteadyTorque),
+            acceleration: outputs.get(DriveSizingOutput::AccelerationTorque),
+            drive: outputs.get(DriveSizingOutput::DriveTorque),
         },
-    })
+    };
+    let (inertia, torque) = (&sizing.inertia, &sizing.torque);
+    let all = [inertia.rotating, inertia.total, torque.steady, torque.drive, sizing.ratio];
+    if all.iter().all(|value| value.is_finite()) { Ok(sizing) } else { Err(SizeError::new(Problem::Overflow, None)) }
 }

@@ -2,6 +2,7 @@
 
 use super::{Chapters, Ends, Family};
 use crate::case::Key;
+use crate::model::InternalError;
 use crate::plot::{self, Axis, Figure, Look, Series};
 use crate::result::Outcome;
 use crate::study::Table;
@@ -9,16 +10,19 @@ use crate::study::Table;
 pub(super) const RATIO: &str = "ratio R_{S}/R_{P}";
 
 /// All of them, named by what they show: those of the base case, of the operating range, of each family.
-pub fn figures(chapters: &Chapters) -> Vec<Figure> {
-    let mut figures = plot::drive(&chapters.base);
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn figures(chapters: &Chapters) -> Result<Vec<Figure>, InternalError> {
+    let mut figures = plot::drive(&chapters.base)?;
     for figure in &mut figures {
         figure.name = format!("base_{}", figure.name);
     }
-    figures.extend(radii(&chapters.ends));
+    figures.extend(radii(&chapters.ends)?);
     figures.extend(range(&chapters.range));
-    figures.extend(ends(chapters));
+    figures.extend(ends(chapters)?);
     figures.extend(chapters.families.iter().flat_map(family));
-    figures
+    Ok(figures)
 }
 
 pub(super) fn points(table: &Table, rows: std::ops::Range<usize>, x: &str, y: &str, scale: f64) -> Vec<(f64, f64)> {
@@ -64,11 +68,11 @@ fn range(table: &Table) -> Vec<Figure> {
 }
 
 /// The pulleys' nominal radii and the belt at both ends of the range.
-fn radii(ends: &Ends) -> Option<Figure> {
-    let (Some(low), Some(high)) = (&ends.low, &ends.high) else { return None };
+fn radii(ends: &Ends) -> Result<Option<Figure>, InternalError> {
+    let (Some(low), Some(high)) = (&ends.low, &ends.high) else { return Ok(None) };
     let mut both: Option<Figure> = None;
     for (outcome, label) in [(low, "low range, 1.74"), (high, "high range, 0.72")] {
-        let figure = plot::drive(outcome).into_iter().find(|figure| figure.equal)?;
+        let Some(figure) = plot::drive(outcome)?.into_iter().find(|figure| figure.equal) else { return Ok(None) };
         let frame = both.get_or_insert_with(|| {
             let caption = "The operating range: the belt's path at both ends, and the pulleys' nominal radii";
             let mut frame = Figure::new("range_radii", caption, figure.x.clone(), figure.y.clone(), Vec::new());
@@ -87,11 +91,11 @@ fn radii(ends: &Ends) -> Option<Figure> {
             frame.series.push(Series { label: name, ..series.color(color) });
         }
     }
-    both
+    Ok(both)
 }
 
 /// Both ends of the range side by side: the fields of the base belt, the penetration of belts of other stiffness.
-fn ends(chapters: &Chapters) -> Vec<Figure> {
+fn ends(chapters: &Chapters) -> Result<Vec<Figure>, InternalError> {
     let mut figures = Vec::new();
     if let Ends { low: Some(low), high: Some(high), .. } = &chapters.ends {
         let cases = [(low, "low range, 1.74".to_owned()), (high, "high range, 0.72".to_owned())];
@@ -99,7 +103,7 @@ fn ends(chapters: &Chapters) -> Vec<Figure> {
             [("axial_force", "axial_pressure"), ("sliding_speed", "sliding_speed"), ("tension", "tension")]
         {
             for (pulley, name) in [(0, "primary"), (1, "secondary")] {
-                figures.extend(beside(field, pulley, &format!("range_{file}_{name}"), &cases));
+                figures.extend(beside(field, pulley, &format!("range_{file}_{name}"), &cases)?);
             }
         }
     }
@@ -110,21 +114,28 @@ fn ends(chapters: &Chapters) -> Vec<Figure> {
         let cases: Vec<(&Outcome, String)> = chapters.belts.iter().filter_map(case).collect();
         for (pulley, which) in [(0, "primary"), (1, "secondary")] {
             let file = format!("bending_stiffness_penetration_{which}_{}", name.replace(' ', "_"));
-            figures.extend(beside("penetration", pulley, &file, &cases).map(|mut figure| {
+            figures.extend(beside("penetration", pulley, &file, &cases)?.map(|mut figure| {
                 figure.caption = format!("Penetration on the {which} in {name}, by bending stiffness");
                 figure
             }));
         }
     }
-    figures
+    Ok(figures)
 }
 
 /// One field of one pulley, of several solutions.
-fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, String)]) -> Option<Figure> {
+fn beside(
+    field: &str,
+    pulley: usize,
+    name: &str,
+    cases: &[(&Outcome, String)],
+) -> Result<Option<Figure>, InternalError> {
     let mut together: Option<Figure> = None;
     for (outcome, label) in cases {
-        let figure = plot::drive(outcome).into_iter().find(|figure| figure.name == field)?;
-        let mut series = figure.series.get(pulley)?.clone();
+        let Some(figure) = plot::drive(outcome)?.into_iter().find(|figure| figure.name == field) else {
+            return Ok(None);
+        };
+        let Some(mut series) = figure.series.get(pulley).cloned() else { return Ok(None) };
         series.label.clone_from(label);
         let frame = together.get_or_insert_with(|| {
             let which = if pulley == 0 { "primary" } else { "secondary" };
@@ -139,7 +150,7 @@ fn beside(field: &str, pulley: usize, name: &str, cases: &[(&Outcome, String)]) 
         let at = frame.series.iter().filter(|series| series.color.is_some()).count();
         frame.series.insert(at, series.color(at));
     }
-    together
+    Ok(together)
 }
 
 /// Efficiencies over the ratio, curve by curve; for the slack tension, axial forces over it as well.

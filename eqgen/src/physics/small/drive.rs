@@ -7,7 +7,7 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::{Row, Sheet};
+use super::{Row, Sheet, Table, row};
 use crate::derive::{Quadratic, linear_in, quadratic_in, solve_linear, substitute};
 use crate::error::Error;
 use crate::physics::model::BoundaryModel;
@@ -15,74 +15,80 @@ use crate::plan::{Function, read};
 
 /// Speeds, torques, forces, v_0, then the drive.
 const INPUTS: &[Row] = &[
-    ("omega_I", "ω_I", "rad/s", "speed of the input pulley"),
-    ("omega_O", "ω_O", "rad/s", "speed of the output pulley"),
-    ("M_I", "M_I", "N m", "torque of the belt on the input pulley, negative where it drives"),
-    ("M_O", "M_O", "N m", "torque of the belt on the output pulley, positive where it is driven"),
-    ("F_CI", "F_CI", "N", "axial force on the input pulley"),
-    ("F_CO", "F_CO", "N", "axial force on the output pulley"),
-    ("v_0", "v_0", "m/s", "speed of the unstretched belt"),
-    ("u", "r ω", "m/s", "speed of both rims at no torque (2.219)"),
-    ("r_I", "r_I", "m", "radius of the input pulley"),
-    ("r_O", "r_O", "m", "radius of the output pulley"),
-    ("phi_O", "φ", "rad", "half the contact angle on the output pulley; on the input pulley it is π − φ"),
-    ("EA", "EA", "N", "longitudinal stiffness of the belt"),
-    ("m_star", "m*", "kg/m", "mass per length of the unstretched belt"),
-    ("mu_star", "μ*", "", "coefficient of friction in the groove; negative where the output drives"),
-    ("delta_0", "δ_0", "rad", "half angle of the groove"),
+    row("omega_I", "ω_I", "rad/s", "speed of the input pulley").identity("InputSpeed", ""),
+    row("omega_O", "ω_O", "rad/s", "speed of the output pulley").identity("OutputSpeed", ""),
+    row("M_I", "M_I", "N m", "torque of the belt on the input pulley, negative where it drives")
+        .identity("InputTorque", ""),
+    row("M_O", "M_O", "N m", "torque of the belt on the output pulley, positive where it is driven")
+        .identity("OutputTorque", ""),
+    row("F_CI", "F_CI", "N", "axial force on the input pulley").identity("InputAxialForce", ""),
+    row("F_CO", "F_CO", "N", "axial force on the output pulley").identity("OutputAxialForce", ""),
+    row("v_0", "v_0", "m/s", "speed of the unstretched belt").identity("BeltSpeed", ""),
+    row("u", "r ω", "m/s", "speed of both rims at no torque (2.219)").identity("RimSpeed", ""),
+    row("r_I", "r_I", "m", "radius of the input pulley").identity("InputRadius", ""),
+    row("r_O", "r_O", "m", "radius of the output pulley").identity("OutputRadius", ""),
+    row("phi_O", "φ", "rad", "half the contact angle on the output pulley; on the input pulley it is π − φ")
+        .identity("HalfContactAngle", ""),
+    row("EA", "EA", "N", "longitudinal stiffness of the belt").identity("LongitudinalStiffness", ""),
+    row("m_star", "m*", "kg/m", "mass per length of the unstretched belt").identity("MassPerLength", ""),
+    row("mu_star", "μ*", "", "coefficient of friction in the groove; negative where the output drives")
+        .identity("GrooveFriction", ""),
+    row("delta_0", "δ_0", "rad", "half angle of the groove").identity("HalfAngle", ""),
 ];
 
 const STEPS: &[Row] = &[
-    ("tan_delta", "tan δ_0", "", "tangent of the half angle"),
-    ("K", "K", "N", "longitudinal force at which the belt lifts off"),
-    ("L_Oin", "L_Oin", "N", "longitudinal force where the belt enters the output pulley"),
-    ("L_Iin", "L_Iin", "N", "longitudinal force where the belt enters the input pulley"),
-    ("ratio_O", "e^(μ* Φ_O)", "", "ratio of the forces in excess of K, exit over entry of the output pulley"),
-    ("ratio_I", "e^(−μ* Φ_I)", "", "ratio of the forces in excess of K, exit over entry of the input pulley"),
-    ("log_O", "μ* Φ_O", "", "logarithm of ratio_O"),
-    ("log_I", "−μ* Φ_I", "", "logarithm of ratio_I"),
-    ("Phi_O", "Φ_O", "rad", "angle on which the belt slides on the output pulley"),
-    ("Phi_I", "Φ_I", "rad", "angle on which the belt slides on the input pulley"),
+    row("tan_delta", "tan δ_0", "", "tangent of the half angle"),
+    row("K", "K", "N", "longitudinal force at which the belt lifts off"),
+    row("L_Oin", "L_Oin", "N", "longitudinal force where the belt enters the output pulley"),
+    row("L_Iin", "L_Iin", "N", "longitudinal force where the belt enters the input pulley"),
+    row("ratio_O", "e^(μ* Φ_O)", "", "ratio of the forces in excess of K, exit over entry of the output pulley"),
+    row("ratio_I", "e^(−μ* Φ_I)", "", "ratio of the forces in excess of K, exit over entry of the input pulley"),
+    row("log_O", "μ* Φ_O", "", "logarithm of ratio_O"),
+    row("log_I", "−μ* Φ_I", "", "logarithm of ratio_I"),
+    row("Phi_O", "Φ_O", "rad", "angle on which the belt slides on the output pulley"),
+    row("Phi_I", "Φ_I", "rad", "angle on which the belt slides on the input pulley"),
 ];
 
 const RESIDUALS: &[Row] = &[
-    ("speed_O", "", "m/s", "speeds and M_O (2)"),
-    ("speed_I", "", "m/s", "speeds and M_I (18)"),
-    ("axial_O", "", "N", "axial force on the output pulley (5)"),
-    ("axial_I", "", "N", "axial force on the input pulley (13)"),
+    row("speed_O", "", "m/s", "speeds and M_O (2)").identity("OutputSpeedBalance", ""),
+    row("speed_I", "", "m/s", "speeds and M_I (18)").identity("InputSpeedBalance", ""),
+    row("axial_O", "", "N", "axial force on the output pulley (5)").identity("OutputAxialBalance", ""),
+    row("axial_I", "", "N", "axial force on the input pulley (13)").identity("InputAxialBalance", ""),
 ];
 
 const CLOSED_STEPS: &[Row] = &[
-    ("a_O", "", "kg/s", "quadratic coefficient of (6)"),
-    ("a_I", "", "kg/s", "quadratic coefficient of (14)"),
-    ("b_O", "", "N", "linear coefficient of (6)"),
-    ("b_I", "", "N", "linear coefficient of (14)"),
-    ("c_O", "", "W", "constant coefficient of (6)"),
-    ("c_I", "", "W", "constant coefficient of (14)"),
-    ("root_O", "", "N", "root of the discriminant of (6)"),
-    ("root_I", "", "N", "root of the discriminant of (14)"),
+    row("a_O", "", "kg/s", "quadratic coefficient of (6)"),
+    row("a_I", "", "kg/s", "quadratic coefficient of (14)"),
+    row("b_O", "", "N", "linear coefficient of (6)"),
+    row("b_I", "", "N", "linear coefficient of (14)"),
+    row("c_O", "", "W", "constant coefficient of (6)"),
+    row("c_I", "", "W", "constant coefficient of (14)"),
+    row("root_O", "", "N", "root of the discriminant of (6)"),
+    row("root_I", "", "N", "root of the discriminant of (14)"),
 ];
 
 const CLOSED: &[Row] = &[
-    ("v_0_O", "", "m/s", "v_0 at no torque, from F_CO and r ω (2.220)"),
-    ("v_0_I", "", "m/s", "v_0 at no torque, from F_CI and r ω (15)"),
-    ("omega_O_of_M_O", "", "rad/s", "ω_O from ω_I, M_O and v_0 (21)"),
-    ("omega_I_of_M_O", "", "rad/s", "ω_I from ω_O, M_O and v_0 (2)"),
-    ("M_O_of_speeds", "", "N m", "M_O from both speeds and v_0 (17)"),
-    ("M_I_of_speeds", "", "N m", "M_I from both speeds and v_0 (19)"),
-    ("M_O_of_M_I", "", "N m", "M_O from M_I (11)"),
-    ("M_I_of_M_O", "", "N m", "M_I from M_O (20)"),
-    ("lift_off", "", "N", "longitudinal force at which the belt lifts off, K"),
-    ("slack_force", "", "N", "longitudinal force where the belt enters the output pulley (2.218)"),
-    ("tight_force", "", "N", "longitudinal force where the belt enters the input pulley (7)"),
-    ("slack_tension", "", "N", "tractive tension where the belt enters the output pulley"),
-    ("tight_tension", "", "N", "tractive tension where the belt enters the input pulley"),
-    ("sliding_O", "", "rad", "Φ_O from both speeds and v_0 (22)"),
-    ("sliding_I", "", "rad", "Φ_I from both speeds and v_0 (25)"),
-    ("F_CO_of_speeds", "", "N", "F_CO from both speeds and v_0 (23)"),
-    ("F_CI_of_speeds", "", "N", "F_CI from both speeds and v_0 (26)"),
-    ("F_slip_O", "", "N", "F_CO at which the belt slides on all of the output pulley, from M_O and v_0"),
-    ("F_slip_I", "", "N", "F_CI at which the belt slides on all of the input pulley, from M_I and v_0"),
+    row("v_0_O", "", "m/s", "v_0 at no torque, from F_CO and r ω (2.220)").identity("BeltSpeedFromOutputForce", ""),
+    row("v_0_I", "", "m/s", "v_0 at no torque, from F_CI and r ω (15)").identity("BeltSpeedFromInputForce", ""),
+    row("omega_O_of_M_O", "", "rad/s", "ω_O from ω_I, M_O and v_0 (21)").identity("OutputSpeedFromTorque", ""),
+    row("omega_I_of_M_O", "", "rad/s", "ω_I from ω_O, M_O and v_0 (2)").identity("InputSpeedFromTorque", ""),
+    row("M_O_of_speeds", "", "N m", "M_O from both speeds and v_0 (17)").identity("OutputTorqueFromSpeeds", ""),
+    row("M_I_of_speeds", "", "N m", "M_I from both speeds and v_0 (19)").identity("InputTorqueFromSpeeds", ""),
+    row("M_O_of_M_I", "", "N m", "M_O from M_I (11)").identity("OutputTorqueFromInput", ""),
+    row("M_I_of_M_O", "", "N m", "M_I from M_O (20)").identity("InputTorqueFromOutput", ""),
+    row("lift_off", "", "N", "longitudinal force at which the belt lifts off, K").identity("LiftOffForce", ""),
+    row("slack_force", "", "N", "longitudinal force where the belt enters the output pulley (2.218)"),
+    row("tight_force", "", "N", "longitudinal force where the belt enters the input pulley (7)"),
+    row("slack_tension", "", "N", "tractive tension where the belt enters the output pulley"),
+    row("tight_tension", "", "N", "tractive tension where the belt enters the input pulley"),
+    row("sliding_O", "", "rad", "Φ_O from both speeds and v_0 (22)").identity("OutputSlidingAngle", ""),
+    row("sliding_I", "", "rad", "Φ_I from both speeds and v_0 (25)").identity("InputSlidingAngle", ""),
+    row("F_CO_of_speeds", "", "N", "F_CO from both speeds and v_0 (23)").identity("OutputForceFromSpeeds", ""),
+    row("F_CI_of_speeds", "", "N", "F_CI from both speeds and v_0 (26)").identity("InputForceFromSpeeds", ""),
+    row("F_slip_O", "", "N", "F_CO at which the belt slides on all of the output pulley, from M_O and v_0")
+        .identity("OutputSlipForce", ""),
+    row("F_slip_I", "", "N", "F_CI at which the belt slides on all of the input pulley, from M_I and v_0")
+        .identity("InputSlipForce", ""),
 ];
 
 /// The pulleys: suffix, half contact angle, sign of friction on the sliding arc.
@@ -163,9 +169,9 @@ impl Side {
     }
 }
 
-fn sheet(steps: &[Row], outputs: &'static [Row]) -> Result<Sheet, Error> {
+fn sheet(steps: &[Row], outputs: Table) -> Result<Sheet, Error> {
     let steps: Vec<Row> = STEPS.iter().chain(steps).copied().collect();
-    let mut sheet = Sheet::new(INPUTS, &steps, outputs)?;
+    let mut sheet = Sheet::new(("SimpleDriveInput", INPUTS), &steps, outputs)?;
     let plan = &mut sheet.plan;
     for (text, reason) in [
         ("r_I", "a length"),
@@ -195,7 +201,7 @@ fn sheet(steps: &[Row], outputs: &'static [Row]) -> Result<Sheet, Error> {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn residuals() -> Result<BoundaryModel, Error> {
-    let mut sheet = sheet(&[], RESIDUALS)?;
+    let mut sheet = sheet(&[], ("SimpleDriveResidual", RESIDUALS))?;
     let plan = &mut sheet.plan;
     plan.derived("ratio_O", OUTPUT.ratio()?, "(2.216)")?;
     plan.derived("ratio_I", INPUT.ratio()?, "(10)")?;
@@ -215,7 +221,7 @@ pub fn residuals() -> Result<BoundaryModel, Error> {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn closed() -> Result<BoundaryModel, Error> {
-    let mut sheet = sheet(CLOSED_STEPS, CLOSED)?;
+    let mut sheet = sheet(CLOSED_STEPS, ("SimpleDriveOutput", CLOSED))?;
     no_load(&mut sheet, OUTPUT, "2.220")?;
     no_load(&mut sheet, INPUT, "(15)")?;
     let plan = &mut sheet.plan;

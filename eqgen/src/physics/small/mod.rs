@@ -5,14 +5,20 @@ pub mod drive;
 pub mod pulley;
 pub mod sizing;
 
-use super::model::{BoundaryModel, Model};
-use super::notation::Symbol;
-use crate::dimension::{Dimension, Dimensions};
+use super::model::{BoundaryModel, Model, Role};
+pub use super::notation::Row;
+use super::notation::{self, Symbol};
+use crate::dimension::Dimensions;
 use crate::error::Error;
 use crate::plan::Plan;
 
-/// (name, symbol, SI unit, meaning)
-pub type Row = (&'static str, &'static str, &'static str, &'static str);
+/// A table of symbols, and the name of the generated enum that identifies them.
+type Table = (&'static str, &'static [Row]);
+
+/// A row from name, printed symbol, SI unit and meaning.
+const fn row(name: &'static str, symbol: &'static str, unit: &'static str, doc: &'static str) -> Row {
+    notation::row(name, symbol, unit, 0, doc)
+}
 
 /// All small models, in the order in which they are emitted.
 ///
@@ -41,39 +47,39 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
 /// A set of formulae on the way: inputs from outside, steps between, and outputs, each a step of its own name.
 struct Sheet {
     plan: Plan,
-    inputs: &'static [Row],
-    outputs: &'static [Row],
+    inputs: Table,
+    outputs: Table,
 }
 
 impl Sheet {
     /// An empty sheet; `steps` are the symbols between inputs and outputs.
-    fn new(inputs: &'static [Row], steps: &[Row], outputs: &'static [Row]) -> Result<Self, Error> {
-        let dimensions = |rows: &[Row]| rows.iter().map(|row| (row.0.to_owned(), symbol(row).dimension)).collect();
-        let mut extra: Dimensions = dimensions(inputs);
-        extra.extend::<Dimensions>(dimensions(steps));
-        extra.extend::<Dimensions>(dimensions(outputs));
-        let plan = Plan::new(inputs.iter().map(|row| row.0.to_owned()).collect(), extra)?;
+    fn new(inputs: Table, steps: &[Row], outputs: Table) -> Result<Self, Error> {
+        let rows = inputs.1.iter().chain(steps).chain(outputs.1);
+        let extra: Dimensions = rows.map(|row| (row.name.to_owned(), Symbol::from(row).dimension)).collect();
+        let plan = Plan::new(inputs.1.iter().map(|row| row.name.to_owned()).collect(), extra)?;
         Ok(Self { plan, inputs, outputs })
     }
 
     fn finish(self, name: &str, doc: &str) -> BoundaryModel {
-        let equation = |row: &Row| match row.2 {
-            "" => (row.0.to_owned(), row.3.to_owned()),
-            unit => (row.0.to_owned(), format!("{}, {}", row.3, unit.replace(' ', "·"))),
+        let output = |row: &Row| {
+            let source = self.plan.step(row.name).map_or("", |step| step.source);
+            Symbol { source, ..identified(row) }
         };
         BoundaryModel {
             name: name.to_owned(),
             doc: doc.to_owned(),
-            plan: self.plan,
             ends: Vec::new(),
             integrals: Vec::new(),
-            constants: self.inputs.iter().map(symbol).collect(),
-            equations: self.outputs.iter().map(equation).collect(),
+            constants: self.inputs.1.iter().map(identified).collect(),
+            equations: self.outputs.1.iter().map(output).collect(),
+            role: Role::Formulae { inputs: self.inputs.0, outputs: self.outputs.0 },
+            plan: self.plan,
         }
     }
 }
 
-fn symbol(&(name, symbol, unit, doc): &Row) -> Symbol {
-    let dimension = Dimension::of_unit(unit).unwrap_or_else(|| unreachable!("unit of {name}"));
-    Symbol { name: name.to_owned(), symbol: symbol.to_owned(), unit, dimension, doc: doc.to_owned() }
+/// The symbol of a row; without a variant of its own it is known by its name's words.
+fn identified(row: &Row) -> Symbol {
+    let symbol = Symbol::from(row);
+    if symbol.variant.is_empty() { Symbol { variant: notation::camel_case(row.name), ..symbol } } else { symbol }
 }

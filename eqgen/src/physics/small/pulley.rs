@@ -3,55 +3,55 @@
 
 use symbolica::atom::AtomCore;
 
-use super::{Row, Sheet};
+use super::{Row, Sheet, row};
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
 use crate::physics::model::BoundaryModel;
 use crate::plan::{Function, read};
 
 const INPUTS: &[Row] = &[
-    ("V_A", "V_A", "m/s", "velocity of branch A along its port"),
-    ("F_A", "F_A", "N", "tension of branch A"),
-    ("V_B", "V_B", "m/s", "velocity of branch B, away from the pulley"),
-    ("F_B", "F_B", "N", "tension of branch B"),
-    ("omega", "ω_S", "rad/s", "speed of the pulley"),
-    ("alpha", "dω_S/dt", "rad/s^2", "angular acceleration of the pulley"),
-    ("T_S", "T_S", "N m", "torque of the pulley on its shaft"),
-    ("R", "R", "m", "radius of the pulley"),
-    ("J", "J", "kg m^2", "moment of inertia of the pulley"),
-    ("b", "b", "N m s", "viscous damping of the bearing"),
-    ("rho", "ρ", "kg/m", "mass per length of the belt"),
-    ("wrap", "θ", "rad", "wrap angle"),
-    ("f", "f", "", "coefficient of friction of belt on pulley; f' of a V-belt"),
-    ("V_thr", "V_thr", "m/s", "friction velocity threshold"),
-    ("F_thr", "F_thr", "N", "force below which a branch counts as slack"),
+    row("V_A", "V_A", "m/s", "velocity of branch A along its port").identity("VelocityA", ""),
+    row("F_A", "F_A", "N", "tension of branch A").identity("TensionA", ""),
+    row("V_B", "V_B", "m/s", "velocity of branch B, away from the pulley").identity("VelocityB", ""),
+    row("F_B", "F_B", "N", "tension of branch B").identity("TensionB", ""),
+    row("omega", "ω_S", "rad/s", "speed of the pulley").identity("ShaftSpeed", ""),
+    row("alpha", "dω_S/dt", "rad/s^2", "angular acceleration of the pulley").identity("ShaftAcceleration", ""),
+    row("T_S", "T_S", "N m", "torque of the pulley on its shaft").identity("ShaftTorque", ""),
+    row("R", "R", "m", "radius of the pulley").identity("Radius", ""),
+    row("J", "J", "kg m^2", "moment of inertia of the pulley").identity("Inertia", ""),
+    row("b", "b", "N m s", "viscous damping of the bearing").identity("BearingDamping", ""),
+    row("rho", "ρ", "kg/m", "mass per length of the belt").identity("MassPerLength", ""),
+    row("wrap", "θ", "rad", "wrap angle").identity("WrapAngle", ""),
+    row("f", "f", "", "coefficient of friction of belt on pulley; f' of a V-belt").identity("FrictionCoefficient", ""),
+    row("V_thr", "V_thr", "m/s", "friction velocity threshold").identity("VelocityThreshold", ""),
+    row("F_thr", "F_thr", "N", "force below which a branch counts as slack").identity("ForceThreshold", ""),
 ];
 
 const STEPS: &[Row] = &[
-    ("V_rel", "V_rel", "m/s", "velocity of the belt against the rim"),
-    ("F_C", "F_C", "N", "centrifugal tension"),
-    ("reached", "tanh(4 V_rel/V_thr)", "", "share of the friction that is reached"),
-    ("mu", "μ", "", "instantaneous coefficient of friction"),
-    ("euler", "e^(μ θ)", "", "Euler's ratio"),
-    ("excess", "F_B − F_C", "N", "tension of branch B that presses the belt on the rim"),
-    ("size", "", "N", "the excess's size, rounded off at the force threshold"),
-    ("pressing", "", "N", "the excess where it is positive, 0 where it is not, rounded off at the force threshold"),
+    row("V_rel", "V_rel", "m/s", "velocity of the belt against the rim"),
+    row("F_C", "F_C", "N", "centrifugal tension"),
+    row("reached", "tanh(4 V_rel/V_thr)", "", "share of the friction that is reached"),
+    row("mu", "μ", "", "instantaneous coefficient of friction"),
+    row("euler", "e^(μ θ)", "", "Euler's ratio"),
+    row("excess", "F_B − F_C", "N", "tension of branch B that presses the belt on the rim"),
+    row("size", "", "N", "the excess's size, rounded off at the force threshold"),
+    row("pressing", "", "N", "the excess where it is positive, 0 where it is not, rounded off at the force threshold"),
 ];
 
 const OUTPUTS: &[Row] = &[
-    ("opposite", "", "m/s", "the ends move in opposite directions: V_A + V_B"),
-    ("equal", "", "m/s", "the ends move in the same direction: V_A − V_B"),
-    ("adhesion", "", "m/s", "an ideal belt does not slip: V_B − ω R"),
-    ("friction", "", "N", "Euler's relation between the tensions"),
-    ("torque", "", "N m", "balance of moments on the pulley"),
-    ("relative_velocity", "", "m/s", "velocity of the belt against the rim"),
-    ("centrifugal_tension", "", "N", "centrifugal tension"),
-    ("friction_coefficient", "", "", "instantaneous coefficient of friction"),
-    ("belt_power", "", "W", "power that the branches deliver"),
-    ("shaft_power", "", "W", "power that the shaft takes"),
-    ("friction_loss", "", "W", "power lost to sliding"),
-    ("bearing_loss", "", "W", "power lost in the bearing"),
-    ("kinetic_power", "", "W", "power that accelerates the pulley"),
+    row("opposite", "", "m/s", "the ends move in opposite directions: V_A + V_B"),
+    row("equal", "", "m/s", "the ends move in the same direction: V_A − V_B"),
+    row("adhesion", "", "m/s", "an ideal belt does not slip: V_B − ω R"),
+    row("friction", "", "N", "Euler's relation between the tensions"),
+    row("torque", "", "N m", "balance of moments on the pulley"),
+    row("relative_velocity", "", "m/s", "velocity of the belt against the rim"),
+    row("centrifugal_tension", "", "N", "centrifugal tension"),
+    row("friction_coefficient", "", "", "instantaneous coefficient of friction"),
+    row("belt_power", "", "W", "power that the branches deliver"),
+    row("shaft_power", "", "W", "power that the shaft takes"),
+    row("friction_loss", "", "W", "power lost to sliding"),
+    row("bearing_loss", "", "W", "power lost in the bearing"),
+    row("kinetic_power", "", "W", "power that accelerates the pulley"),
 ];
 
 /// Moments on the pulley: branches, shaft, bearing.
@@ -62,7 +62,7 @@ pub const MOMENTS: &str = "(F_B - F_A)*R - T_S - b*omega - J*alpha";
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn model() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(INPUTS, STEPS, OUTPUTS)?;
+    let mut sheet = Sheet::new(("BeltPulleyInput", INPUTS), STEPS, ("BeltPulleyOutput", OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("V_thr", "a threshold is positive")?;
     plan.nonzero("excess^2 + F_thr^2", "a threshold is positive")?;
@@ -94,33 +94,33 @@ pub fn model() -> Result<BoundaryModel, Error> {
 }
 
 const LIMIT_INPUTS: &[Row] = &[
-    ("f_face", "f", "", "coefficient of friction of belt on sheave face"),
-    ("groove", "Φ", "rad", "angle between the faces of a V-belt's sheave"),
-    ("f", "f", "", "coefficient of friction of belt on pulley; f' of a V-belt"),
-    ("wrap", "θ", "rad", "wrap angle"),
-    ("T_tight", "T_1", "N", "tension of the tight branch less the centrifugal tension"),
-    ("T_slack", "T_2", "N", "tension of the slack branch less the centrifugal tension"),
-    ("R", "R", "m", "radius of the pulley"),
-    ("V_thr", "V_thr", "m/s", "friction velocity threshold"),
+    row("f_face", "f", "", "coefficient of friction of belt on sheave face").identity("FaceFriction", ""),
+    row("groove", "Φ", "rad", "angle between the faces of a V-belt's sheave").identity("GrooveAngle", ""),
+    row("f", "f", "", "coefficient of friction of belt on pulley; f' of a V-belt").identity("FrictionCoefficient", ""),
+    row("wrap", "θ", "rad", "wrap angle").identity("WrapAngle", ""),
+    row("T_tight", "T_1", "N", "tension of the tight branch less the centrifugal tension").identity("TightTension", ""),
+    row("T_slack", "T_2", "N", "tension of the slack branch less the centrifugal tension").identity("SlackTension", ""),
+    row("R", "R", "m", "radius of the pulley").identity("Radius", ""),
+    row("V_thr", "V_thr", "m/s", "friction velocity threshold").identity("VelocityThreshold", ""),
 ];
 
 const LIMIT_STEPS: &[Row] = &[
-    ("ratio", "T_1/T_2", "", "tension ratio"),
-    ("log_ratio", "", "", "logarithm of the tension ratio"),
-    ("odds", "", "", "(1 + share)/(1 − share)"),
-    ("log_odds", "", "", "logarithm of the odds"),
-    ("capstan", "e^(f θ)", "", "largest tension ratio, computed first"),
-    ("used", "", "", "share, computed first"),
+    row("ratio", "T_1/T_2", "", "tension ratio"),
+    row("log_ratio", "", "", "logarithm of the tension ratio"),
+    row("odds", "", "", "(1 + share)/(1 − share)"),
+    row("log_odds", "", "", "logarithm of the odds"),
+    row("capstan", "e^(f θ)", "", "largest tension ratio, computed first"),
+    row("used", "", "", "share, computed first"),
 ];
 
 const LIMITS: &[Row] = &[
-    ("wedge_coefficient", "", "", "effective coefficient of friction of a V-belt, f'"),
-    ("tension_ratio", "", "", "tension ratio"),
-    ("largest_ratio", "", "", "tension ratio at which the whole contact slides: Euler's"),
-    ("mean_coefficient", "", "", "coefficient of friction that the tension ratio takes on the whole contact"),
-    ("share", "", "", "mean coefficient over the coefficient of friction"),
-    ("creep", "", "m/s", "size of V_rel at which the smooth law reaches that share"),
-    ("moment", "", "N m", "moment of the two tensions"),
+    row("wedge_coefficient", "", "", "effective coefficient of friction of a V-belt, f'"),
+    row("tension_ratio", "", "", "tension ratio"),
+    row("largest_ratio", "", "", "tension ratio at which the whole contact slides: Euler's"),
+    row("mean_coefficient", "", "", "coefficient of friction that the tension ratio takes on the whole contact"),
+    row("share", "", "", "mean coefficient over the coefficient of friction"),
+    row("creep", "", "m/s", "size of V_rel at which the smooth law reaches that share"),
+    row("moment", "", "N m", "moment of the two tensions"),
 ];
 
 /// What Euler's relation says of two tensions on a pulley.
@@ -128,7 +128,7 @@ const LIMITS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn limits() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(LIMIT_INPUTS, LIMIT_STEPS, LIMITS)?;
+    let mut sheet = Sheet::new(("BeltPulleyLimitInput", LIMIT_INPUTS), LIMIT_STEPS, ("BeltPulleyLimit", LIMITS))?;
     let plan = &mut sheet.plan;
     for (text, reason) in [
         ("sin(groove/2)", "a groove is open"),

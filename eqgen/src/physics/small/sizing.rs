@@ -4,43 +4,44 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::{Row, Sheet};
+use super::{Row, Sheet, row};
 use crate::derive::{solve_linear, substitute};
 use crate::error::Error;
 use crate::physics::model::BoundaryModel;
 use crate::plan::read;
 
 const INPUTS: &[Row] = &[
-    ("M_belt", "M_b", "kg", "mass of the belt"),
-    ("M_load", "M_l", "kg", "mass that the belt moves in a straight line"),
-    ("D_in", "D_in", "m", "diameter of the input pulley"),
-    ("D_out", "D_out", "m", "diameter of the output pulley"),
-    ("F", "F", "N", "external force on the belt, against its motion"),
-    ("F_f", "F_f", "N", "friction force on the linear load"),
-    ("T_out", "T_out", "N m", "torque that the application takes from the output pulley"),
-    ("I_p1", "I_p1", "kg m^2", "inertia of the input pulley"),
-    ("I_p2", "I_p2", "kg m^2", "inertia of the output pulley"),
-    ("I_RL", "I_RL", "kg m^2", "inertia of the rotary load on the output pulley"),
-    ("I_idlers", "I_i", "kg m^2", "inertia of all idlers as seen at the input"),
-    ("alpha", "dω/dt", "rad/s^2", "angular acceleration of the input"),
-    ("D", "D", "m", "diameter of an idler"),
-    ("I_idler", "I", "kg m^2", "inertia of an idler"),
+    row("M_belt", "M_b", "kg", "mass of the belt").identity("BeltMass", ""),
+    row("M_load", "M_l", "kg", "mass that the belt moves in a straight line").identity("LoadMass", ""),
+    row("D_in", "D_in", "m", "diameter of the input pulley").identity("InputDiameter", ""),
+    row("D_out", "D_out", "m", "diameter of the output pulley").identity("OutputDiameter", ""),
+    row("F", "F", "N", "external force on the belt, against its motion").identity("ExternalForce", ""),
+    row("F_f", "F_f", "N", "friction force on the linear load").identity("FrictionForce", ""),
+    row("T_out", "T_out", "N m", "torque that the application takes from the output pulley")
+        .identity("OutputTorque", ""),
+    row("I_p1", "I_p1", "kg m^2", "inertia of the input pulley").identity("InputPulleyInertia", ""),
+    row("I_p2", "I_p2", "kg m^2", "inertia of the output pulley").identity("OutputPulleyInertia", ""),
+    row("I_RL", "I_RL", "kg m^2", "inertia of the rotary load on the output pulley").identity("RotaryLoadInertia", ""),
+    row("I_idlers", "I_i", "kg m^2", "inertia of all idlers as seen at the input").identity("IdlerInertia", ""),
+    row("alpha", "dω/dt", "rad/s^2", "angular acceleration of the input").identity("Acceleration", ""),
+    row("D", "D", "m", "diameter of an idler").identity("IdlerDiameter", ""),
+    row("I_idler", "I", "kg m^2", "inertia of an idler").identity("OwnInertia", ""),
 ];
 
 const OUTPUTS: &[Row] = &[
-    ("ratio", "", "", "diameter of the output over that of the input pulley, n (3.25)"),
-    ("load_inertia", "", "kg m^2", "inertia of belt and linear load at the input, I_L (3.22)"),
-    ("rotating_inertia", "", "kg m^2", "inertia of all that rotates at the input, I_p (3.21)"),
-    ("total_inertia", "", "kg m^2", "inertia at the input, I_tot (3.21), (3.27)"),
-    ("external_torque", "", "N m", "torque of the external force at the input, T_ext (3.23)"),
-    ("friction_torque", "", "N m", "torque of the friction force at the input, T_f (3.24)"),
-    ("input_torque", "", "N m", "torque that the load torque takes at the input, T_i (3.26)"),
-    ("steady_torque", "", "N m", "torque at the input at constant speed"),
-    ("acceleration_torque", "", "N m", "torque at the input that accelerates the inertia"),
-    ("drive_torque", "", "N m", "torque at the input, all together"),
+    row("ratio", "", "", "diameter of the output over that of the input pulley, n (3.25)"),
+    row("load_inertia", "", "kg m^2", "inertia of belt and linear load at the input, I_L (3.22)"),
+    row("rotating_inertia", "", "kg m^2", "inertia of all that rotates at the input, I_p (3.21)"),
+    row("total_inertia", "", "kg m^2", "inertia at the input, I_tot (3.21), (3.27)"),
+    row("external_torque", "", "N m", "torque of the external force at the input, T_ext (3.23)"),
+    row("friction_torque", "", "N m", "torque of the friction force at the input, T_f (3.24)"),
+    row("input_torque", "", "N m", "torque that the load torque takes at the input, T_i (3.26)"),
+    row("steady_torque", "", "N m", "torque at the input at constant speed"),
+    row("acceleration_torque", "", "N m", "torque at the input that accelerates the inertia"),
+    row("drive_torque", "", "N m", "torque at the input, all together"),
 ];
 
-const IDLER: &[Row] = &[("reflected_inertia", "", "kg m^2", "inertia of an idler as seen at the input")];
+const IDLER: &[Row] = &[row("reflected_inertia", "", "kg m^2", "inertia of an idler as seen at the input")];
 
 /// A text in speeds of belt, output and idler, over what turns it into a quantity at the input: speeds cancel.
 fn at_input(text: &str, over: &str) -> Result<Atom, Error> {
@@ -66,7 +67,7 @@ fn torque(power: &str) -> Result<Atom, Error> {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn model() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(INPUTS, &[], OUTPUTS)?;
+    let mut sheet = Sheet::new(("DriveSizingInput", INPUTS), &[], ("DriveSizingOutput", OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("D_in", "a diameter")?;
     plan.nonzero("D_out", "a diameter")?;
@@ -91,7 +92,7 @@ pub fn model() -> Result<BoundaryModel, Error> {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn idler() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(INPUTS, &[], IDLER)?;
+    let mut sheet = Sheet::new(("DriveSizingInput", INPUTS), &[], ("DriveSizingIdlerOutput", IDLER))?;
     sheet.plan.nonzero("D", "a diameter")?;
     sheet.plan.derived("reflected_inertia", inertia("I_idler*omega_idler^2/2")?, "(3.21)")?;
     Ok(sheet.finish("drive_sizing_idler", "Inertia of an idler at the input of a belt drive."))

@@ -1,10 +1,10 @@
-//! The component beside the full model: what Euler's relation makes of the tensions that the full model finds.
+//! The belt pulley of [`small::pulley`](crate::small::pulley), a component, beside the full model: what Euler's relation makes of the tensions that the full model finds.
 
-use super::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
-use crate::drive::Constant;
-use crate::result::{Outcome, Pulley};
+use super::{Outcome, Pulley};
+use crate::model::{Constant, Constants, InternalError};
 use crate::small::formula::Inputs;
-use generated::BELT_PULLEY_LIMITS;
+use crate::small::pulley::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
+use generated::{BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput};
 use serde::Serialize;
 
 /// Force below which the component counts a branch as slack, N: far below any tension of a drive.
@@ -78,16 +78,18 @@ impl Grip {
 
 /// Compares both pulleys of a solved drive with the component, whose friction velocity threshold is the case's: with
 /// `viscous-coulomb` friction the speed at which that reaches its coefficient, with `tanh` the same law.
-pub fn compare(outcome: &Outcome, grip: Grip) -> Comparison {
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn compare(outcome: &Outcome, grip: Grip) -> Result<Comparison, InternalError> {
     let result = &outcome.result;
     let belt = grip.belt(outcome);
     // From the solution: a radius may have been solved for.
-    let constants = outcome.solved.solution.constants();
-    let radius = |radius: Constant| constants.get(radius.index()).copied().unwrap_or(f64::NAN);
-    Comparison {
-        primary: pulley(outcome, belt, &result.primary, radius(Constant::PrimaryRadius), true),
-        secondary: pulley(outcome, belt, &result.secondary, radius(Constant::SecondaryRadius), false),
-    }
+    let constants = Constants::try_from(outcome.solved.solution.constants())?;
+    Ok(Comparison {
+        primary: pulley(outcome, belt, &result.primary, constants[Constant::PrimaryRadius], true),
+        secondary: pulley(outcome, belt, &result.secondary, constants[Constant::SecondaryRadius], false),
+    })
 }
 
 fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving: bool) -> PulleyComparison {
@@ -110,15 +112,15 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
         false => (full.exit_tension, full.entry_tension),
     };
     let limits = Inputs::new(&BELT_PULLEY_LIMITS).with(&[
-        ("f", coefficient),
-        ("wrap", full.wrap_angle),
-        ("T_tight", tight_tension),
-        ("T_slack", slack_tension),
-        ("V_thr", component.velocity_threshold),
+        (BeltPulleyLimitInput::FrictionCoefficient, coefficient),
+        (BeltPulleyLimitInput::WrapAngle, full.wrap_angle),
+        (BeltPulleyLimitInput::TightTension, tight_tension),
+        (BeltPulleyLimitInput::SlackTension, slack_tension),
+        (BeltPulleyLimitInput::VelocityThreshold, component.velocity_threshold),
     ]);
     let outputs = limits.outputs();
-    let share = outputs.get("share");
-    let creep = (share < 1.0).then(|| outputs.get("creep"));
+    let share = outputs.get(BeltPulleyLimit::Share);
+    let creep = (share < 1.0).then(|| outputs.get(BeltPulleyLimit::Creep));
     // Branch A is where the belt enters; on the driving pulley the belt is slower than the rim.
     let ports = ports(&component, full, creep.unwrap_or(0.0) * if driving { -1.0 } else { 1.0 });
     let behaviour = component.behaviour(&ports);
@@ -126,10 +128,10 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
     PulleyComparison {
         tight_tension,
         slack_tension,
-        tension_ratio: outputs.get("tension_ratio"),
+        tension_ratio: outputs.get(BeltPulleyLimit::TensionRatio),
         wrap_angle: full.wrap_angle,
         effective_coefficient: (!ideal).then_some(coefficient),
-        largest_ratio: (!ideal).then(|| outputs.get("largest_ratio")),
+        largest_ratio: (!ideal).then(|| outputs.get(BeltPulleyLimit::LargestRatio)),
         share,
         sliding_speed: creep,
         full_min_sliding_speed: full.min_sliding_speed,

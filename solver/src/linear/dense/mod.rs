@@ -1,12 +1,20 @@
-//! The small dense system that is left for ends and constants, by faer: LU with partial pivoting, in one thread.
+//! The small dense system that is left for ends and constants: LU with partial pivoting, in one thread, by faer, or by
+//! nalgebra where the feature `faer` is off.
 //!
 //! Elimination with complete pivoting would reveal the rank at once, but takes 9, 25 and 57 µs for 30, 44 and 60 unknowns
 //! where partial pivoting, as called here, takes 5, 16 and 20 µs (x86-64 with AVX2; a substitution 1 to 3 µs either
 //! way). A pivot that is small beside the others raises a suspicion; singular values (some 300 µs) then tell.
 
-use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
-use faer::linalg::triangular_solve as triangular;
-use faer::{Mat, MatMut, MatRef, Par, Spec};
+#[cfg(feature = "faer")]
+mod by_faer;
+// With both at hand, tests compare them.
+#[cfg(any(test, not(feature = "faer")))]
+mod by_nalgebra;
+
+#[cfg(feature = "faer")]
+use by_faer::Factors;
+#[cfg(not(feature = "faer"))]
+use by_nalgebra::Factors;
 use nalgebra::{DMatrix, Dyn, SVD};
 
 /// `P S A = L U` of a square matrix, `S` the row scaling that makes each row's largest entry 1.
@@ -16,8 +24,8 @@ pub(crate) struct Lu {
     scaled: Vec<f64>,
     /// Scaling of the rows, in the original order.
     scale: Vec<f64>,
-    /// L below the diagonal (unit diagonal not stored), U above.
-    factors: Option<Mat<f64>>,
+    /// L and U.
+    factors: Option<Factors>,
     /// Which row stands where.
     rows: Vec<usize>,
     rank: usize,
@@ -42,15 +50,8 @@ impl Lu {
             row.iter_mut().for_each(|x| *x *= factor);
             self.scale.push(factor);
         }
-        let mut factors = self.factors.take().filter(|old| old.nrows() == n).unwrap_or_else(|| Mat::zeros(n, n));
-        factors.copy_from(MatRef::from_row_major_slice(&self.scaled, n, n));
-        self.rows.resize(n, 0);
-        let mut inverse = vec![0; n];
-        let mut memory =
-            faer::dyn_stack::MemBuffer::new(lu_in_place_scratch::<usize, f64>(n, n, Par::Seq, Spec::default()));
-        let stack = faer::dyn_stack::MemStack::new(&mut memory);
-        lu_in_place(factors.as_mut(), &mut self.rows, &mut inverse, Par::Seq, stack, Spec::default());
-        let pivots = (0..n).map(|i| factors[(i, i)].abs());
+        let factors = Factors::of(n, &self.scaled, &mut self.rows, self.factors.take());
+        let pivots = (0..n).map(|i| factors.pivot(i).abs());
         let largest = pivots.clone().fold(0.0, f64::max);
         // Written so that a NaN too is suspicious.
         let sound = pivots.clone().all(|pivot| pivot > SUSPICIOUS * largest && pivot.is_finite());
@@ -89,21 +90,14 @@ impl Lu {
     pub(crate) fn solve(&self, b: &mut [f64]) {
         let Some(factors) = &self.factors else { return };
         let mut x: Vec<f64> = self.rows.iter().map(|&row| b[row] * self.scale[row]).collect();
-        let n = x.len();
-        let mut column = MatMut::from_column_major_slice_mut(&mut x, n, 1);
-        triangular::solve_unit_lower_triangular_in_place(factors.as_ref(), column.as_mut(), Par::Seq);
-        triangular::solve_upper_triangular_in_place(factors.as_ref(), column, Par::Seq);
+        factors.solve(&mut x);
         b.copy_from_slice(&x);
     }
 
     /// Solves the transposed system in place. Meaningful only at full rank.
     pub(crate) fn solve_transposed(&self, b: &mut [f64]) {
         let Some(factors) = &self.factors else { return };
-        let n = b.len();
-        let mut column = MatMut::from_column_major_slice_mut(b, n, 1);
-        let transposed = factors.as_ref().transpose();
-        triangular::solve_lower_triangular_in_place(transposed, column.as_mut(), Par::Seq);
-        triangular::solve_unit_upper_triangular_in_place(transposed, column, Par::Seq);
+        factors.solve_transposed(b);
         let x = b.to_vec();
         for (&row, x) in self.rows.iter().zip(x) {
             b[row] = x * self.scale[row];
@@ -172,6 +166,39 @@ mod tests {
             // Rows of small entries determine little of the transposed system's solution.
             let largest = a[3 * i..3 * i + 3].iter().fold(0.0, |max: f64, a| max.max(a.abs()));
             assert!((c[i] - x[i]).abs() * largest < 1e-10);
+        }
+    }
+
+    #[cfg(feature = "faer")]
+    #[test]
+    fn both_libraries_choose_the_same_pivots_and_find_the_same_solutions() {
+        // Columns of very different size, and a different pivot order than that of the rows.
+        let n = 23;
+        let entry =
+            |i: usize, j: usize| ((7 * i * i + 3 * i * j + 5 * j) as f64).sin() * 10_f64.powi((j % 5) as i32 - 2);
+        let a: Vec<f64> = (0..n * n).map(|at| entry(at / n, at % n)).collect();
+        let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+        let by_faer = by_faer::Factors::of(n, &a, &mut ours, None);
+        let by_nalgebra = by_nalgebra::Factors::of(n, &a, &mut theirs, None);
+        assert_eq!(ours, theirs);
+        for i in 0..n {
+            let (ours, theirs) = (by_faer.pivot(i), by_nalgebra.pivot(i));
+            assert!((ours - theirs).abs() < 1e-10 * ours.abs(), "{i}: {ours} {theirs}");
+        }
+        assert!(ours.iter().enumerate().any(|(place, row)| place != *row));
+        let right: Vec<f64> = (0..n).map(|i| (i as f64).cos()).collect();
+        for solve in [
+            (
+                by_faer::Factors::solve as fn(&by_faer::Factors, &mut [f64]),
+                by_nalgebra::Factors::solve as fn(&_, &mut [f64]),
+            ),
+            (by_faer::Factors::solve_transposed, by_nalgebra::Factors::solve_transposed),
+        ] {
+            let (mut x, mut y) = (right.clone(), right.clone());
+            solve.0(&by_faer, &mut x);
+            solve.1(&by_nalgebra, &mut y);
+            let largest = x.iter().fold(0.0_f64, |max, x| max.max(x.abs()));
+            assert!(x.iter().zip(&y).all(|(x, y)| (x - y).abs() < 1e-10 * largest), "{x:?} {y:?}");
         }
     }
 }

@@ -1,0 +1,152 @@
+//! What an engineer asks first of a solved drive.
+
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+use super::schema::DriveResult;
+use crate::case::{Key, Resolved};
+
+/// Share of the friction at hand that ought to be left over; below, a drive is at the mercy of dust and damp.
+pub const WANTED_RESERVE: f64 = 0.2;
+/// Share below which the belt is about to slip as a whole.
+const SCANT_RESERVE: f64 = 0.05;
+
+/// How a drive stands against slip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Light {
+    /// The reserve is at least [`WANTED_RESERVE`].
+    Green,
+    /// There is a reserve, and not much.
+    Amber,
+    /// Nearly all friction is used: a little more torque, or a little less friction, and the belt slips.
+    Red,
+}
+
+impl Light {
+    /// By the share of the friction at hand that is left over.
+    pub fn of(slip_reserve: f64) -> Self {
+        match slip_reserve {
+            reserve if reserve >= WANTED_RESERVE => Self::Green,
+            reserve if reserve >= SCANT_RESERVE => Self::Amber,
+            _ => Self::Red,
+        }
+    }
+
+    /// In words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Green => "green: it does not slip",
+            Self::Amber => "amber: it holds with little to spare",
+            Self::Red => "red: it slips, or is about to",
+        }
+    }
+}
+
+/// A question and its answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Short, as a heading.
+    pub question: &'static str,
+    /// One line.
+    pub answer: String,
+}
+
+/// Does it slip, where do the watts go, what clamp does it take, what are the radii, and what was solved for.
+pub fn answers(result: &DriveResult<Resolved>) -> Vec<Answer> {
+    let mut answers = vec![
+        Answer { question: "does it slip?", answer: slip(result) },
+        Answer { question: "where do the watts go?", answer: watts(result) },
+        Answer { question: "what clamp?", answer: clamp(result) },
+        Answer { question: "radii and ratio", answer: radii(result) },
+    ];
+    answers.extend(found(result).map(|answer| Answer { question: "solved for", answer }));
+    answers
+}
+
+fn slip(result: &DriveResult<Resolved>) -> String {
+    let light = Light::of(result.slip_reserve);
+    format!("{}; {:.1} % of the friction at hand is in reserve", light.words(), 100.0 * result.slip_reserve)
+}
+
+fn watts(result: &DriveResult<Resolved>) -> String {
+    let energy = &result.energy;
+    let [primary, secondary] = [&result.primary, &result.secondary].map(|pulley| pulley.friction_loss);
+    let driving = if energy.power_in < 0.0 && energy.power_out < 0.0 {
+        let (power, delivered) = (-energy.power_out, -energy.power_in);
+        format!("{power:.0} W from the secondary, {delivered:.0} W to the primary")
+    } else {
+        format!("{:.0} W in, {:.0} W out", energy.power_in, energy.power_out)
+    };
+    let total = primary + secondary;
+    format!("{driving}; {total:.0} W of friction, {primary:.0} W on the primary and {secondary:.0} W on the secondary")
+}
+
+fn clamp(result: &DriveResult<Resolved>) -> String {
+    let (primary, secondary) = (&result.primary, &result.secondary);
+    let mut text = format!(
+        "{:.0} N axial on the primary, {:.0} N on the secondary, {:.0} N slack tension",
+        primary.axial_force, secondary.axial_force, primary.exit_tension
+    );
+    if let Some(tension) = tension_for(result, WANTED_RESERVE) {
+        let (percent, tension) = (100.0 * WANTED_RESERVE, rounded(tension));
+        let _ = write!(
+            text,
+            "; for {percent:.0} % reserve about {tension:.0} N slack (--reserve {percent:.0}% solves for it)"
+        );
+    }
+    text
+}
+
+/// The slack tension at which about `reserve` of the friction at hand is left over, N, for the same torque: the pressure, and
+/// with it the friction at hand, goes with the mean tension less the centrifugal one. Nothing if the drive has that reserve
+/// already, or without torque.
+pub fn tension_for(result: &DriveResult<Resolved>, reserve: f64) -> Option<f64> {
+    let primary = &result.primary;
+    let (used, wanted) = (1.0 - result.slip_reserve, 1.0 - reserve);
+    let centrifugal = result.belt.mass_flow.powi(2) / result.inputs.belt.mass_per_length;
+    let carried = primary.entry_tension - primary.exit_tension;
+    let pressing = 0.5 * (primary.entry_tension + primary.exit_tension) - centrifugal;
+    let tension = pressing * used / wanted + centrifugal - 0.5 * carried;
+    (used > wanted && carried != 0.0 && tension.is_finite() && tension > primary.exit_tension).then_some(tension)
+}
+
+/// To two digits: an estimate is not better.
+fn rounded(value: f64) -> f64 {
+    let unit = 10_f64.powf(value.log10().floor() - 1.0);
+    (value / unit).round() * unit
+}
+
+fn radii(result: &DriveResult<Resolved>) -> String {
+    let (primary, secondary) = (&result.primary, &result.secondary);
+    format!(
+        "{:.2} mm and {:.2} mm, ratio {:.4}; {:.0} and {:.0} rpm, speed ratio {:.4}",
+        1e3 * primary.radius,
+        1e3 * secondary.radius,
+        secondary.radius / primary.radius,
+        primary.speed * 30.0 / PI,
+        secondary.speed * 30.0 / PI,
+        secondary.speed / primary.speed,
+    )
+}
+
+/// Every value that was found for a key, in the key's own unit.
+fn found(result: &DriveResult<Resolved>) -> Option<String> {
+    let value = |(path, si): (&String, &f64)| {
+        let (number, unit) = Key::from_path(path).map_or((*si, String::new()), |key| key.entry().readable(*si));
+        format!("{path} = {number:.6} {unit}").trim_end().to_owned()
+    };
+    let all: Vec<String> = result.found.iter().map(value).collect();
+    (!all.is_empty()).then(|| all.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lights_change_at_their_reserves() {
+        let lights = [0.9, 0.2, 0.199, 0.05, 0.049, 0.0, -0.1, f64::NAN].map(Light::of);
+        use Light::{Amber, Green, Red};
+        assert_eq!(lights, [Green, Green, Amber, Amber, Red, Red, Red, Red]);
+    }
+}

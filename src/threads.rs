@@ -1,0 +1,90 @@
+//! Jobs on several threads with the feature `parallel`, one after the other without it.
+
+#[cfg(feature = "parallel")]
+mod pool {
+    use rayon::prelude::*;
+
+    pub(crate) use rayon::ScopeFifo as Scope;
+
+    /// A pool of so many threads (all cores if 0) cannot be had.
+    #[derive(Debug)]
+    pub(crate) struct NoThreads;
+
+    /// Runs what `begin` spawns, and what that spawns, first come, first served, on so many threads (0: all cores).
+    pub(crate) fn scope<'s>(threads: usize, begin: impl FnOnce(&Scope<'s>) + Send) -> Result<(), NoThreads> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| NoThreads)?;
+        pool.scope_fifo(begin);
+        Ok(())
+    }
+
+    /// What `item` gives for each number below `count`, in order, on so many threads (0: all cores).
+    pub(crate) fn map<T: Send>(
+        threads: usize,
+        count: usize,
+        item: impl Fn(usize) -> T + Sync + Send,
+    ) -> Result<Vec<T>, NoThreads> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| NoThreads)?;
+        Ok(pool.install(|| (0..count).into_par_iter().map(item).collect()))
+    }
+
+    /// What `of` makes of each item, in order, on all cores.
+    #[cfg(feature = "figures")]
+    pub(crate) fn collect<I: Sync, T: Send>(items: &[I], of: impl Fn(&I) -> T + Sync + Send) -> Vec<T> {
+        items.par_iter().map(of).collect()
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+mod pool {
+    use std::cell::RefCell;
+    use std::collections::VecDeque;
+
+    type Job<'s> = Box<dyn FnOnce(&Scope<'s>) + 's>;
+
+    /// Jobs that wait, in the order in which they were spawned.
+    pub(crate) struct Scope<'s>(RefCell<VecDeque<Job<'s>>>);
+
+    impl<'s> Scope<'s> {
+        /// Leaves a job for later.
+        pub(crate) fn spawn_fifo(&self, job: impl FnOnce(&Scope<'s>) + Send + 's) {
+            self.0.borrow_mut().push_back(Box::new(job));
+        }
+    }
+
+    /// Never: there is always the one thread.
+    #[derive(Debug)]
+    pub(crate) struct NoThreads;
+
+    /// Runs what `begin` spawns, and what that spawns, one job after the other.
+    pub(crate) fn scope<'s>(_threads: usize, begin: impl FnOnce(&Scope<'s>) + Send) -> Result<(), NoThreads> {
+        let scope = Scope(RefCell::default());
+        begin(&scope);
+        loop {
+            // The borrow ends before the job runs, for the job may spawn.
+            let next = scope.0.borrow_mut().pop_front();
+            match next {
+                Some(job) => job(&scope),
+                None => return Ok(()),
+            }
+        }
+    }
+
+    /// What `item` gives for each number below `count`, in order.
+    pub(crate) fn map<T: Send>(
+        _threads: usize,
+        count: usize,
+        item: impl Fn(usize) -> T + Sync + Send,
+    ) -> Result<Vec<T>, NoThreads> {
+        Ok((0..count).map(item).collect())
+    }
+
+    /// What `of` makes of each item, in order.
+    #[cfg(feature = "figures")]
+    pub(crate) fn collect<I: Sync, T: Send>(items: &[I], of: impl Fn(&I) -> T + Sync + Send) -> Vec<T> {
+        items.iter().map(of).collect()
+    }
+}
+
+#[cfg(feature = "figures")]
+pub(crate) use pool::collect;
+pub(crate) use pool::{Scope, map, scope};

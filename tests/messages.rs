@@ -1,0 +1,112 @@
+//! Every message that a user may meet, word for word: what was typed, the exit status, and what is said.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::fmt::Write;
+use std::io::Write as _;
+use std::process::{Command, Output, Stdio};
+
+fn run(arguments: &[&str], input: &str, folder: &std::path::Path) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+    command.args(arguments).current_dir(folder).env_remove("RUST_LOG").env("NO_COLOR", "1").env("COLUMNS", "110");
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+/// What was said, without the ends of lines that are blank.
+fn told(output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+fn transcript(commands: &[(&[&str], &str)]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = String::new();
+    for (arguments, input) in commands {
+        let output = run(arguments, input, folder.path());
+        writeln!(text, "$ sheave {}", arguments.join(" ").escape_debug()).unwrap();
+        if !input.is_empty() {
+            let shown: String = input.escape_debug().take(100).collect();
+            writeln!(text, "< {shown}").unwrap();
+        }
+        let status = output.status.code().unwrap();
+        writeln!(text, "? {status}\n{}", told(&output)).unwrap();
+        assert!(!text.contains('\u{1b}'), "an escape reaches the terminal: {text:?}");
+    }
+    text
+}
+
+#[test]
+fn inputs_that_do_not_mean_what_they_say() {
+    let all: &[(&[&str], &str)] = &[
+        (&["solve", "--set", "operating_point.primary_speed=3400"], ""),
+        (&["solve", "--set", "operating_point.slack_tension=60 lb"], ""),
+        (&["solve", "--set", "operating_point.primary_torque=60 lb*ft"], ""),
+        (&["solve", "--set", "sheave.friction_coefficient=0.4 1"], ""),
+        (&["solve", "--set", "operating_point.slip_reserve=120 %"], ""),
+        (&["solve", "--reserve", "20%", "--set", "drive.free=both"], ""),
+        (&["solve", "-"], "[sweep]\nover = [\"drive.ratio=1,2\"]\n"),
+        (&["limit", "--set", "operating_point.slip_reserve=0.2"], ""),
+        (&["size", "--set", "input.diameter=1e308 mm", "--set", "linear.mass=1e300 kg"], ""),
+        (&["solve", "-"], "\u{feff}[belt]\nlength = \"3 kg\"\n"),
+    ];
+    insta::assert_snapshot!("inputs", transcript(all));
+}
+
+#[test]
+fn nothing_of_a_text_reaches_the_terminal_raw() {
+    let long = format!("[belt]\nlength = \"{} kg\"\n", "1".repeat(70_000));
+    let far = format!("a = [{}]\n[belt]\nlength = 3\n", "1,".repeat(40_000));
+    let column = format!("belt = {{ {} length = \"3 kg\" }}\n", " ".repeat(70_000));
+    let all: &[(&[&str], &str)] = &[
+        (&["solve", "-"], &column),
+        (&["init", "-"], &column),
+        (&["solve", "--set", "belt.length=\u{1b}[31mred"], ""),
+        (&["solve", "--set", "\u{1b}]0;title\u{7}=1"], ""),
+        (&["solve", "--edition", "\u{1b}[2Jthesis"], ""),
+        (&["solve", "no\u{1b}[31mfile.toml"], ""),
+        (&["sweep", "--over", "drive.ratio=1,\u{9b}31m"], ""),
+        (&["sweep", "--over", "drive.ratio=1,2", "--out", "no\u{1b}[31mfolder/a.csv"], ""),
+        (&["solve", "-"], "# \u{202e}\n[belt]\nlength = \"\\u001b[31m\"\n\"\u{202e}\" = 3\n"),
+        (&["size", "--set", "input.diameter=\u{1b}[31m"], ""),
+        (&["solve", "-"], &long),
+        (&["solve", "-"], &far),
+        (&["sweep", "-"], &far),
+    ];
+    insta::assert_snapshot!("escapes", transcript(all));
+}
+
+#[test]
+fn results_that_need_a_warning_have_it() {
+    let warned = |arguments: &[&str]| {
+        let output = run(arguments, "", &std::env::temp_dir());
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
+        told(&output)
+    };
+    let base = ["solve", "--tol", "1e-3"];
+    let set = |settings: &[&'static str]| {
+        let settings = settings.iter().flat_map(|setting| ["--set", setting]);
+        warned(&base.into_iter().chain(settings).collect::<Vec<_>>())
+    };
+    assert_eq!(set(&[]), "");
+    assert!(set(&["drive.primary_radius=68 mm"]).contains("Only `drive.primary_radius` is given"));
+    let contradicts = set(&["belt.length=950 mm", "drive.primary_radius=68.3 mm", "drive.secondary_radius=68.3 mm"]);
+    assert!(contradicts.contains("`belt.length` = 950.0 mm contradicts the radii"), "{contradicts}");
+    assert!(set(&["edition=published"]).contains("the doing of the equations of edition `published`"));
+    let stiff = set(&["belt.bending_stiffness=5", "operating_point.primary_torque=5"]);
+    assert!(stiff.contains("in compression"), "{stiff}");
+    let idle = set(&["operating_point.primary_torque=0.1"]);
+    assert!(idle.contains("The secondary has to be driven") && !idle.contains("Energy is not conserved"), "{idle}");
+    let soft = set(&["belt.radial_stiffness=0.5 MPa", "operating_point.slack_tension=500 N"]);
+    assert!(soft.contains("of its radius"), "{soft}");
+    assert!(warned(&["solve", "--tol", "1e-3", "--sensitivities"]).contains("without either it shows nothing"));
+}
+
+#[test]
+fn the_summary_opens_with_answers() {
+    let output = run(&["solve", "--tol", "1e-3", "--reserve", "30%"], "", &std::env::temp_dir());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let answers: Vec<&str> = text.lines().skip(2).take_while(|line| !line.is_empty()).collect();
+    insta::assert_snapshot!("answers", answers.join("\n"));
+}
