@@ -7,44 +7,19 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)];
 ///Force of a compression spring.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<
+    CompressionSpringInput,
+    CompressionSpringOutput,
+> = FormulaKernel::new(BoundaryKernel {
     name: "compression_spring",
-    equations: &[
-        Equation {
-            name: "force",
-            doc: "force of the spring, N",
-        },
-        Equation {
-            name: "energy",
-            doc: "energy taken since s = 0, N·m",
-        },
-    ],
+    equations: CompressionSpringOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "F_0",
-            symbol: "F_0",
-            unit: "N",
-            doc: "force of the spring at s = 0",
-        },
-        Symbol {
-            name: "c",
-            symbol: "c",
-            unit: "N/m",
-            doc: "rate of the spring",
-        },
-        Symbol {
-            name: "s",
-            symbol: "s",
-            unit: "m",
-            doc: "travel by which the spring is compressed further",
-        },
-    ],
+    constants: CompressionSpringInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

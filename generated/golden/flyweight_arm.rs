@@ -53,114 +53,16 @@ const PATTERN: &[(usize, usize)] = &[
     (5, 9),
 ];
 ///Axial force of pivoted cam arms that bear on rollers.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<FlyweightArmInput, FlyweightArmOutput> = FormulaKernel::new(BoundaryKernel {
     name: "flyweight_arm",
-    equations: &[
-        Equation {
-            name: "force",
-            doc: "axial force of all flyweights on the movable sheave, N",
-        },
-        Equation {
-            name: "distance",
-            doc: "distance from the pivot to the roller's centre, at which the pitch curve is to be read, m",
-        },
-        Equation {
-            name: "distance_s",
-            doc: "its slope over the travel",
-        },
-        Equation {
-            name: "radius",
-            doc: "radius of the centre of mass from the shaft, m",
-        },
-        Equation {
-            name: "radius_s",
-            doc: "its slope over the travel without friction",
-        },
-        Equation {
-            name: "moment",
-            doc: "moment of the centrifugal forces about the pivots, N·m",
-        },
-    ],
+    equations: FlyweightArmOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "N",
-            symbol: "N",
-            unit: "",
-            doc: "number of flyweights",
-        },
-        Symbol {
-            name: "m",
-            symbol: "m",
-            unit: "kg",
-            doc: "mass of one flyweight",
-        },
-        Symbol {
-            name: "omega",
-            symbol: "ω",
-            unit: "rad/s",
-            doc: "speed of the pulley that carries the flyweights",
-        },
-        Symbol {
-            name: "s",
-            symbol: "s",
-            unit: "m",
-            doc: "travel of the movable sheave, positive where it closes",
-        },
-        Symbol {
-            name: "z_0",
-            symbol: "z_0",
-            unit: "m",
-            doc: "axial distance from the arm's pivot to the roller's centre at s = 0",
-        },
-        Symbol {
-            name: "R_pivot",
-            symbol: "R_p",
-            unit: "m",
-            doc: "radius of the arm's pivot from the shaft",
-        },
-        Symbol {
-            name: "R_roller",
-            symbol: "R_r",
-            unit: "m",
-            doc: "radius of the roller's centre from the shaft",
-        },
-        Symbol {
-            name: "l_m",
-            symbol: "l_m",
-            unit: "m",
-            doc: "distance of the arm's centre of mass from its pivot",
-        },
-        Symbol {
-            name: "delta",
-            symbol: "δ",
-            unit: "rad",
-            doc: "angle of the centre of mass in the arm",
-        },
-        Symbol {
-            name: "xi",
-            symbol: "ξ",
-            unit: "rad",
-            doc: "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve",
-        },
-        Symbol {
-            name: "xi_d",
-            symbol: "dξ/dd",
-            unit: "rad/m",
-            doc: "slope of the pitch curve over the distance",
-        },
-        Symbol {
-            name: "rho",
-            symbol: "ρ",
-            unit: "rad",
-            doc: "friction angle of the contact, negative where the sheave opens",
-        },
-    ],
+    constants: FlyweightArmInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -7,58 +7,16 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)];
 ///Axial force of flyweights that slide along a radius against a ramp.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<FlyweightRampInput, FlyweightRampOutput> = FormulaKernel::new(BoundaryKernel {
     name: "flyweight_ramp",
-    equations: &[
-        Equation {
-            name: "force",
-            doc: "axial force of all flyweights on the movable sheave, N",
-        },
-    ],
+    equations: FlyweightRampOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "N",
-            symbol: "N",
-            unit: "",
-            doc: "number of flyweights",
-        },
-        Symbol {
-            name: "m",
-            symbol: "m",
-            unit: "kg",
-            doc: "mass of one flyweight",
-        },
-        Symbol {
-            name: "omega",
-            symbol: "ω",
-            unit: "rad/s",
-            doc: "speed of the pulley that carries the flyweights",
-        },
-        Symbol {
-            name: "r",
-            symbol: "r",
-            unit: "m",
-            doc: "radius of a flyweight's centre of mass",
-        },
-        Symbol {
-            name: "r_s",
-            symbol: "dr/ds",
-            unit: "",
-            doc: "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius",
-        },
-        Symbol {
-            name: "rho",
-            symbol: "ρ",
-            unit: "rad",
-            doc: "friction angle of the contact, negative where the sheave opens",
-        },
-    ],
+    constants: FlyweightRampInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -7,52 +7,16 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4)];
 ///Axial force of flyweights whose radius times its slope over the shift is known.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<FlyweightTableInput, FlyweightTableOutput> = FormulaKernel::new(BoundaryKernel {
     name: "flyweight_table",
-    equations: &[
-        Equation {
-            name: "force",
-            doc: "axial force of all flyweights on the movable sheave, N",
-        },
-    ],
+    equations: FlyweightTableOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "N",
-            symbol: "N",
-            unit: "",
-            doc: "number of flyweights",
-        },
-        Symbol {
-            name: "m",
-            symbol: "m",
-            unit: "kg",
-            doc: "mass of one flyweight",
-        },
-        Symbol {
-            name: "omega",
-            symbol: "ω",
-            unit: "rad/s",
-            doc: "speed of the pulley that carries the flyweights",
-        },
-        Symbol {
-            name: "C",
-            symbol: "C",
-            unit: "m",
-            doc: "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench",
-        },
-        Symbol {
-            name: "lost",
-            symbol: "f",
-            unit: "",
-            doc: "share of the force that friction takes, negative where the sheave opens",
-        },
-    ],
+    constants: FlyweightTableInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -23,78 +23,16 @@ const PATTERN: &[(usize, usize)] = &[
     (2, 4),
 ];
 ///Axial force of a helix and its torsion spring.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<HelixInput, HelixOutput> = FormulaKernel::new(BoundaryKernel {
     name: "helix",
-    equations: &[
-        Equation {
-            name: "torque",
-            doc: "torque that the helix carries, N·m",
-        },
-        Equation {
-            name: "force",
-            doc: "axial force of the helix on the movable sheave, positive where it closes, N",
-        },
-        Equation {
-            name: "turn",
-            doc: "turn of the movable sheave over its travel, rad/m",
-        },
-    ],
+    equations: HelixOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "kappa",
-            symbol: "κ_t",
-            unit: "N·m/rad",
-            doc: "rate of the spring in torsion",
-        },
-        Symbol {
-            name: "phi_0",
-            symbol: "φ_0",
-            unit: "rad",
-            doc: "angle by which the spring is wound up when installed",
-        },
-        Symbol {
-            name: "phi",
-            symbol: "φ",
-            unit: "rad",
-            doc: "angle by which the movable sheave has turned on its helix",
-        },
-        Symbol {
-            name: "r_h",
-            symbol: "r_h",
-            unit: "m",
-            doc: "radius of the helix",
-        },
-        Symbol {
-            name: "tan_alpha",
-            symbol: "tan α",
-            unit: "",
-            doc: "tangent of the helix angle, measured from the plane of rotation",
-        },
-        Symbol {
-            name: "share",
-            symbol: "ζ",
-            unit: "",
-            doc: "share of the torque that the movable sheave carries",
-        },
-        Symbol {
-            name: "M",
-            symbol: "M",
-            unit: "N·m",
-            doc: "torque of the belt on the secondary",
-        },
-        Symbol {
-            name: "rho",
-            symbol: "ρ",
-            unit: "rad",
-            doc: "friction angle of the contact, negative where the sheave opens",
-        },
-    ],
+    constants: HelixInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -7,40 +7,16 @@
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2)];
 ///Travel of a movable sheave from the belt's radius.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<SheaveTravelInput, SheaveTravelOutput> = FormulaKernel::new(BoundaryKernel {
     name: "sheave_travel",
-    equations: &[
-        Equation {
-            name: "travel",
-            doc: "axial travel of the movable sheave, positive where it closes, m",
-        },
-    ],
+    equations: SheaveTravelOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "beta",
-            symbol: "β",
-            unit: "rad",
-            doc: "half angle of the groove",
-        },
-        Symbol {
-            name: "R",
-            symbol: "R",
-            unit: "m",
-            doc: "radius of the belt on the pulley",
-        },
-        Symbol {
-            name: "R_0",
-            symbol: "R_0",
-            unit: "m",
-            doc: "radius of the belt where the travel is zero",
-        },
-    ],
+    constants: SheaveTravelInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

@@ -353,6 +353,37 @@ pub fn flyweight_arm<N: Number>(inputs: &[N]) -> Vec<N> {
                 * ((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)))));
     vec![force, distance, distance_s, radius, radius_s, moment]
 }
+pub fn flyweight_roller<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let theta = inputs[3];
+    let R_pivot = inputs[4];
+    let l_roller = inputs[5];
+    let l_m = inputs[6];
+    let delta = inputs[7];
+    let h = inputs[8];
+    let h_x = inputs[9];
+    let rho = inputs[10];
+    let tan_rho = (rho).tan();
+    let sin_r = (theta).sin();
+    let cos_r = (theta).cos();
+    let gap = (R_pivot) + ((l_roller) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (h));
+    let along = (l_roller) * (cos_r);
+    let radius = (R_pivot) + ((l_m) * (((theta) + (delta)).sin()));
+    let moment = ((omega).power(2)) * (N) * (m) * (l_m) * (radius)
+        * (((theta) + (delta)).cos());
+    let h_t = (((N::number(1.0 / 1.0)) + ((tan_rho) * (h_x))).power(-1))
+        * (((N::number(-1.0 / 1.0)) * (tan_rho)) + (h_x));
+    let theta_s = (N::number(-1.0 / 1.0)) * ((l_roller).power(-1)) * (h_x)
+        * ((((h_x) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (cos_r))).power(-1));
+    let radius_s = (N::number(-1.0 / 1.0)) * (l_m) * ((l_roller).power(-1)) * (h_x)
+        * ((((h_x) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (cos_r))).power(-1))
+        * (((theta) + (delta)).cos());
+    let force = (N::number(-1.0 / 1.0)) * (moment) * ((l_roller).power(-1)) * (h_t)
+        * ((((N::number(-1.0 / 1.0)) * (cos_r)) + ((sin_r) * (h_t))).power(-1));
+    vec![force, gap, along, theta_s, radius, radius_s, moment]
+}
 pub fn compression_spring<N: Number>(inputs: &[N]) -> Vec<N> {
     let F_0 = inputs[0];
     let c = inputs[1];
@@ -418,8 +449,9 @@ pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
         ("belt_pulley_limits", belt_pulley_limits:: < N >), ("drive_sizing",
         drive_sizing:: < N >), ("drive_sizing_idler", drive_sizing_idler:: < N >),
         ("flyweight_table", flyweight_table:: < N >), ("flyweight_ramp", flyweight_ramp::
-        < N >), ("flyweight_arm", flyweight_arm:: < N >), ("compression_spring",
-        compression_spring:: < N >), ("helix", helix:: < N >), ("sheave_travel",
-        sheave_travel:: < N >), ("vehicle_load", vehicle_load:: < N >)
+        < N >), ("flyweight_arm", flyweight_arm:: < N >), ("flyweight_roller",
+        flyweight_roller:: < N >), ("compression_spring", compression_spring:: < N >),
+        ("helix", helix:: < N >), ("sheave_travel", sheave_travel:: < N >),
+        ("vehicle_load", vehicle_load:: < N >)
     ]
 }

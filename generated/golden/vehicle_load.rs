@@ -35,100 +35,16 @@ const PATTERN: &[(usize, usize)] = &[
     (3, 9),
 ];
 ///Torque that a vehicle takes from the secondary.
-pub(crate) const KERNEL: BoundaryKernel = BoundaryKernel {
+pub(crate) const KERNEL: FormulaKernel<VehicleLoadInput, VehicleLoadOutput> = FormulaKernel::new(BoundaryKernel {
     name: "vehicle_load",
-    equations: &[
-        Equation {
-            name: "speed",
-            doc: "speed of the vehicle, m/s",
-        },
-        Equation {
-            name: "resistance",
-            doc: "force of rolling, grade and air against the vehicle, N",
-        },
-        Equation {
-            name: "torque",
-            doc: "torque that the vehicle takes from the secondary, N·m",
-        },
-        Equation {
-            name: "torque_a",
-            doc: "change of that torque with acceleration, kg·m",
-        },
-    ],
+    equations: VehicleLoadOutput::SYMBOLS,
     ends: &[],
     integrals: &[],
-    constants: &[
-        Symbol {
-            name: "omega_S",
-            symbol: "ω_S",
-            unit: "rad/s",
-            doc: "speed of the secondary",
-        },
-        Symbol {
-            name: "i_f",
-            symbol: "i_f",
-            unit: "",
-            doc: "turns of the secondary for a turn of the wheel",
-        },
-        Symbol {
-            name: "r_w",
-            symbol: "r_w",
-            unit: "m",
-            doc: "rolling radius of the wheel",
-        },
-        Symbol {
-            name: "m_v",
-            symbol: "m_v",
-            unit: "kg",
-            doc: "mass of the vehicle with its driver",
-        },
-        Symbol {
-            name: "g_0",
-            symbol: "g",
-            unit: "m/s²",
-            doc: "acceleration of gravity",
-        },
-        Symbol {
-            name: "c_r",
-            symbol: "c_r",
-            unit: "",
-            doc: "coefficient of rolling resistance",
-        },
-        Symbol {
-            name: "tan_slope",
-            symbol: "tan α_g",
-            unit: "",
-            doc: "grade of the ground, rise over run",
-        },
-        Symbol {
-            name: "rho_air",
-            symbol: "ρ_air",
-            unit: "kg/m³",
-            doc: "density of the air",
-        },
-        Symbol {
-            name: "CdA",
-            symbol: "C_d A",
-            unit: "m²",
-            doc: "drag area",
-        },
-        Symbol {
-            name: "eta_f",
-            symbol: "η_f",
-            unit: "",
-            doc: "efficiency of the final drive",
-        },
-        Symbol {
-            name: "a",
-            symbol: "a",
-            unit: "m/s²",
-            doc: "acceleration of the vehicle",
-        },
-    ],
+    constants: VehicleLoadInput::SYMBOLS,
     pattern: PATTERN,
     value,
     jacobian: derivatives,
-};
+});
 ///Residuals.
 fn value(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
     assert!(ends.len() >= 0, "ends: too few values");

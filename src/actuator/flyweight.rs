@@ -108,7 +108,9 @@ impl Flyweights {
     /// locks or pulls.
     pub fn force(&self, speed: f64, travel: f64, shift: Shift) -> Result<FlyweightForce, ActuatorError> {
         let force = match &self.mechanism {
-            Mechanism::Coefficient { coefficient, lost } => self.by_coefficient(coefficient, *lost, speed, travel, shift),
+            Mechanism::Coefficient { coefficient, lost } => {
+                self.by_coefficient(coefficient, *lost, speed, travel, shift)
+            }
             Mechanism::Ramp { radius, friction_angle } => self.on_ramp(radius, *friction_angle, speed, travel, shift),
             Mechanism::RollerArm(arm) => self.with_roller(arm, speed, travel, shift)?,
             Mechanism::CamArm(arm) => self.with_cam(arm, speed, travel, shift),
@@ -117,7 +119,14 @@ impl Flyweights {
         if sound { Ok(force) } else { Err(ActuatorError::NoForce { travel, force: force.value }) }
     }
 
-    fn by_coefficient(&self, coefficient: &Profile, lost: f64, speed: f64, travel: f64, shift: Shift) -> FlyweightForce {
+    fn by_coefficient(
+        &self,
+        coefficient: &Profile,
+        lost: f64,
+        speed: f64,
+        travel: f64,
+        shift: Shift,
+    ) -> FlyweightForce {
         use FlyweightTableInput as Input;
         let jet = coefficient.at(travel);
         let formulae = Inputs::new(&FLYWEIGHT_TABLE).with(&[

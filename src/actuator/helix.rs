@@ -91,8 +91,7 @@ impl Helix {
         // The turn's slope is what counts; its table is dense enough that the cubic between its points follows it.
         const POINTS: usize = 201;
         let (first, last) = angle.domain();
-        let places: Vec<f64> =
-            (0..POINTS).map(|i| first + (last - first) * i as f64 / (POINTS - 1) as f64).collect();
+        let places: Vec<f64> = (0..POINTS).map(|i| first + (last - first) * i as f64 / (POINTS - 1) as f64).collect();
         let turns = places.iter().map(|place| slope.integral(*place) - slope.integral(0.0)).collect();
         Ok(Self::with_turn(radius, Profile::new(places, turns)?))
     }

@@ -247,14 +247,18 @@ mod tests {
         let line = Profile::new(vec![0.0, 0.5, 2.0], vec![1.0, 2.0, 5.0]).unwrap();
         for place in [-3.0, 0.0, 0.3, 1.7, 9.0] {
             let Jet { value, slope, .. } = line.at(place);
-            assert!((value - (1.0 + 2.0 * place)).abs() < 1e-14 && (slope - 2.0).abs() < 1e-14, "{place}: {value}, {slope}");
+            assert!(
+                (value - (1.0 + 2.0 * place)).abs() < 1e-14 && (slope - 2.0).abs() < 1e-14,
+                "{place}: {value}, {slope}"
+            );
         }
         assert!((line.integral(2.0) - 6.0).abs() < 1e-14 && (line.integral(-1.0) + 0.0).abs() < 1e-14);
     }
 
     #[test]
     fn what_is_wrong_with_a_table_is_said() {
-        let error = |places: &[f64], values: &[f64]| Profile::new(places.into(), values.into()).unwrap_err().to_string();
+        let error =
+            |places: &[f64], values: &[f64]| Profile::new(places.into(), values.into()).unwrap_err().to_string();
         assert_eq!(error(&[0.0], &[1.0]), "a profile has 1 points: expected two at the least");
         assert_eq!(error(&[0.0, 1.0], &[1.0]), "2 places and 1 values: expected as many of each");
         assert!(error(&[0.0, 1.0, 1.0], &[1.0; 3]).starts_with("point 3 stands at 1, not beyond the one before it"));

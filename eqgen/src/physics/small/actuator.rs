@@ -18,16 +18,20 @@ use crate::plan::{Function, read};
 const COUNT: Row = row("N", "N", "", "number of flyweights").identity("Count", "");
 const MASS: Row = row("m", "m", "kg", "mass of one flyweight").identity("Mass", "");
 const SPEED: Row = row("omega", "ω", "rad/s", "speed of the pulley that carries the flyweights").identity("Speed", "");
-const FRICTION: Row = row("rho", "ρ", "rad", "friction angle of the contact, negative where the sheave opens").identity("FrictionAngle", "");
+const FRICTION: Row = row("rho", "ρ", "rad", "friction angle of the contact, negative where the sheave opens")
+    .identity("FrictionAngle", "");
 const TANGENT: Row = row("tan_rho", "tan ρ", "", "friction coefficient of the contact, with the sign of ρ");
-const FORCE: Row = row("force", "F_fly", "N", "axial force of all flyweights on the movable sheave").identity("Force", "");
+const FORCE: Row =
+    row("force", "F_fly", "N", "axial force of all flyweights on the movable sheave").identity("Force", "");
 
 const TABLE_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    row("C", "C", "m", "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench").identity("Coefficient", ""),
-    row("lost", "f", "", "share of the force that friction takes, negative where the sheave opens").identity("Lost", ""),
+    row("C", "C", "m", "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench")
+        .identity("Coefficient", ""),
+    row("lost", "f", "", "share of the force that friction takes, negative where the sheave opens")
+        .identity("Lost", ""),
 ];
 
 /// A flyweight of which only r dr/ds is known, as (9.2) states it.
@@ -37,7 +41,8 @@ const TABLE_INPUTS: &[Row] = &[
 pub fn flyweight_table() -> Result<BoundaryModel, Error> {
     let mut sheet = Sheet::new(("FlyweightTableInput", TABLE_INPUTS), &[], ("FlyweightTableOutput", &[FORCE]))?;
     sheet.plan.primitive("force", "N*m*omega^2*C*(1 - lost)", "(9.2)")?;
-    Ok(sheet.finish("flyweight_table", "Axial force of flyweights whose radius times its slope over the shift is known."))
+    Ok(sheet
+        .finish("flyweight_table", "Axial force of flyweights whose radius times its slope over the shift is known."))
 }
 
 const RAMP_INPUTS: &[Row] = &[
@@ -45,7 +50,13 @@ const RAMP_INPUTS: &[Row] = &[
     MASS,
     SPEED,
     row("r", "r", "m", "radius of a flyweight's centre of mass").identity("Radius", ""),
-    row("r_s", "dr/ds", "", "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius").identity("RadiusSlope", ""),
+    row(
+        "r_s",
+        "dr/ds",
+        "",
+        "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius",
+    )
+    .identity("RadiusSlope", ""),
     FRICTION,
 ];
 
@@ -83,7 +94,13 @@ const ARM_INPUTS: &[Row] = &[
     row("R_roller", "R_r", "m", "radius of the roller's centre from the shaft").identity("RollerRadius", ""),
     row("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot").identity("MassDistance", ""),
     row("delta", "δ", "rad", "angle of the centre of mass in the arm").identity("MassAngle", ""),
-    row("xi", "ξ", "rad", "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve").identity("PitchAngle", ""),
+    row(
+        "xi",
+        "ξ",
+        "rad",
+        "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve",
+    )
+    .identity("PitchAngle", ""),
     row("xi_d", "dξ/dd", "rad/m", "slope of the pitch curve over the distance").identity("PitchSlope", ""),
     FRICTION,
 ];
@@ -102,7 +119,8 @@ const ARM_STEPS: &[Row] = &[
 
 const ARM_OUTPUTS: &[Row] = &[
     FORCE,
-    row("distance", "d", "m", "distance from the pivot to the roller's centre, at which the pitch curve is to be read").identity("Distance", ""),
+    row("distance", "d", "m", "distance from the pivot to the roller's centre, at which the pitch curve is to be read")
+        .identity("Distance", ""),
     row("distance_s", "dd/ds", "", "its slope over the travel").identity("DistanceSlope", ""),
     row("radius", "r_m", "m", "radius of the centre of mass from the shaft").identity("Radius", ""),
     row("radius_s", "dr_m/ds", "", "its slope over the travel without friction").identity("RadiusSlope", ""),
@@ -137,9 +155,8 @@ pub fn flyweight_arm() -> Result<BoundaryModel, Error> {
     plan.primitive("distance_s", "z/distance", "kinematics")?;
     // The arm turns by dθ/ds = dχ/ds − ξ_d dd/ds; virtual work makes M_c dθ = F ds. With friction the contact's force is
     // turned by ρ, which turns ε into ε + ρ.
-    let turn = |tangent: &str| {
-        read("dθ/ds", &format!("-((R_roller - R_pivot)/distance + {tangent}*z/distance)/distance"))
-    };
+    let turn =
+        |tangent: &str| read("dθ/ds", &format!("-((R_roller - R_pivot)/distance + {tangent}*z/distance)/distance"));
     let slope = read("slope", "l_m*cos_m")? * turn("tan_e")?;
     plan.derived("radius_s", slope, "kinematics")?;
     plan.derived("force", read("force", "moment")? * turn("tan_t")?, "virtual work")?;
@@ -150,12 +167,15 @@ const ROLLER_INPUTS: &[Row] = &[
     COUNT,
     MASS,
     SPEED,
-    row("theta", "θ", "rad", "angle of the arm from the shaft's axis outwards, pivot to roller").identity("ArmAngle", ""),
+    row("theta", "θ", "rad", "angle of the arm from the shaft's axis outwards, pivot to roller")
+        .identity("ArmAngle", ""),
     row("R_pivot", "R_p", "m", "radius of the arm's pivot from the shaft").identity("PivotRadius", ""),
     row("l_roller", "l_r", "m", "distance of the roller's centre from the pivot").identity("ArmLength", ""),
     row("l_m", "l_m", "m", "distance of the arm's centre of mass from its pivot").identity("MassDistance", ""),
-    row("delta", "δ", "rad", "angle from the line to the roller to that to the centre of mass").identity("MassAngle", ""),
-    row("h", "h", "m", "radius from the shaft to which the ramp lets the roller's centre, where the roller is").identity("RampRadius", ""),
+    row("delta", "δ", "rad", "angle from the line to the roller to that to the centre of mass")
+        .identity("MassAngle", ""),
+    row("h", "h", "m", "radius from the shaft to which the ramp lets the roller's centre, where the roller is")
+        .identity("RampRadius", ""),
     row("h_x", "dh/dx", "", "slope of that radius along the ramp").identity("RampSlope", ""),
     FRICTION,
 ];
@@ -169,7 +189,8 @@ const ROLLER_STEPS: &[Row] = &[
 
 const ROLLER_OUTPUTS: &[Row] = &[
     FORCE,
-    row("gap", "", "m", "radius that the roller's centre has beyond the ramp: zero where it bears on it").identity("Gap", ""),
+    row("gap", "", "m", "radius that the roller's centre has beyond the ramp: zero where it bears on it")
+        .identity("Gap", ""),
     row("along", "", "m", "how far the roller's centre lies from the pivot along the shaft").identity("Along", ""),
     row("theta_s", "dθ/ds", "rad/m", "turn of the arm over the travel, without friction").identity("AngleSlope", ""),
     row("radius", "r_m", "m", "radius of the centre of mass from the shaft").identity("Radius", ""),
@@ -183,7 +204,8 @@ const ROLLER_OUTPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn flyweight_roller() -> Result<BoundaryModel, Error> {
-    let mut sheet = Sheet::new(("FlyweightRollerInput", ROLLER_INPUTS), ROLLER_STEPS, ("FlyweightRollerOutput", ROLLER_OUTPUTS))?;
+    let mut sheet =
+        Sheet::new(("FlyweightRollerInput", ROLLER_INPUTS), ROLLER_STEPS, ("FlyweightRollerOutput", ROLLER_OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("l_roller", "the roller stands off the pivot")?;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
@@ -206,7 +228,8 @@ pub fn flyweight_roller() -> Result<BoundaryModel, Error> {
     plan.derived("theta_s", turn("h_x")?, "contact")?;
     plan.derived("radius_s", read("slope", "l_m*cos(theta + delta)")? * turn("h_x")?, "kinematics")?;
     plan.derived("force", read("force", "moment")? * turn("h_t")?, "virtual work")?;
-    Ok(sheet.finish("flyweight_roller", "Axial force of pivoted arms whose rollers bear on ramps of the movable sheave."))
+    Ok(sheet
+        .finish("flyweight_roller", "Axial force of pivoted arms whose rollers bear on ramps of the movable sheave."))
 }
 
 const SPRING_INPUTS: &[Row] = &[
@@ -220,8 +243,11 @@ const SPRING_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn spring() -> Result<BoundaryModel, Error> {
-    let outputs = &[row("force", "F_spring", "N", "force of the spring").identity("Force", ""), row("energy", "", "N m", "energy taken since s = 0").identity("Energy", "")];
-    let mut sheet = Sheet::new(("CompressionSpringInput", SPRING_INPUTS), &[], ("CompressionSpringOutput", outputs))?;
+    const OUTPUTS: &[Row] = &[
+        row("force", "F_spring", "N", "force of the spring").identity("Force", ""),
+        row("energy", "", "N m", "energy taken since s = 0").identity("Energy", ""),
+    ];
+    let mut sheet = Sheet::new(("CompressionSpringInput", SPRING_INPUTS), &[], ("CompressionSpringOutput", OUTPUTS))?;
     sheet.plan.primitive("force", "F_0 + c*s", "(9.3)")?;
     sheet.plan.primitive("energy", "F_0*s + c*s^2/2", "energy")?;
     Ok(sheet.finish("compression_spring", "Force of a compression spring."))
@@ -232,7 +258,8 @@ const HELIX_INPUTS: &[Row] = &[
     row("phi_0", "φ_0", "rad", "angle by which the spring is wound up when installed").identity("Pretension", ""),
     row("phi", "φ", "rad", "angle by which the movable sheave has turned on its helix").identity("Turn", ""),
     row("r_h", "r_h", "m", "radius of the helix").identity("Radius", ""),
-    row("tan_alpha", "tan α", "", "tangent of the helix angle, measured from the plane of rotation").identity("Tangent", ""),
+    row("tan_alpha", "tan α", "", "tangent of the helix angle, measured from the plane of rotation")
+        .identity("Tangent", ""),
     row("share", "ζ", "", "share of the torque that the movable sheave carries").identity("Share", ""),
     row("M", "M", "N m", "torque of the belt on the secondary").identity("Torque", ""),
     FRICTION,
@@ -243,12 +270,13 @@ const HELIX_INPUTS: &[Row] = &[
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn helix() -> Result<BoundaryModel, Error> {
-    let outputs = &[
+    const OUTPUTS: &[Row] = &[
         row("torque", "T_h", "N m", "torque that the helix carries").identity("Torque", ""),
-        row("force", "F_helix", "N", "axial force of the helix on the movable sheave, positive where it closes").identity("Force", ""),
+        row("force", "F_helix", "N", "axial force of the helix on the movable sheave, positive where it closes")
+            .identity("Force", ""),
         row("turn", "dφ/ds", "rad/m", "turn of the movable sheave over its travel").identity("TurnSlope", ""),
     ];
-    let mut sheet = Sheet::new(("HelixInput", HELIX_INPUTS), &[TANGENT], ("HelixOutput", outputs))?;
+    let mut sheet = Sheet::new(("HelixInput", HELIX_INPUTS), &[TANGENT], ("HelixOutput", OUTPUTS))?;
     let plan = &mut sheet.plan;
     plan.nonzero("r_h", "a radius")?;
     plan.nonzero("cos(rho)", "a friction angle stays below 90°")?;
@@ -275,8 +303,10 @@ const TRAVEL_INPUTS: &[Row] = &[
 /// If an equation is inconsistent; the message names it.
 pub fn travel() -> Result<BoundaryModel, Error> {
     let steps = &[row("tan_beta", "tan β", "", "tangent of the half angle")];
-    let outputs = &[row("travel", "s", "m", "axial travel of the movable sheave, positive where it closes").identity("Travel", "")];
-    let mut sheet = Sheet::new(("SheaveTravelInput", TRAVEL_INPUTS), steps, ("SheaveTravelOutput", outputs))?;
+    const OUTPUTS: &[Row] =
+        &[row("travel", "s", "m", "axial travel of the movable sheave, positive where it closes")
+            .identity("Travel", "")];
+    let mut sheet = Sheet::new(("SheaveTravelInput", TRAVEL_INPUTS), steps, ("SheaveTravelOutput", OUTPUTS))?;
     sheet.plan.nonzero("cos(beta)", "a groove is open")?;
     sheet.plan.apply("tan_beta", Function::Tan, &["beta"], "β")?;
     sheet.plan.primitive("travel", "2*tan_beta*(R - R_0)", "(9.2)")?;
@@ -306,15 +336,17 @@ pub fn vehicle() -> Result<BoundaryModel, Error> {
         row("tilt", "", "", "square of 1/cos of the grade's angle"),
         row("incline", "1/cos α_g", "", "length of the road over its run"),
     ];
-    let outputs = &[
+    const OUTPUTS: &[Row] = &[
         row("speed", "v", "m/s", "speed of the vehicle").identity("Speed", ""),
         row("resistance", "", "N", "force of rolling, grade and air against the vehicle").identity("Resistance", ""),
         row("torque", "", "N m", "torque that the vehicle takes from the secondary").identity("Torque", ""),
         row("torque_a", "", "kg m", "change of that torque with acceleration").identity("TorquePerAcceleration", ""),
     ];
-    let mut sheet = Sheet::new(("VehicleLoadInput", VEHICLE_INPUTS), steps, ("VehicleLoadOutput", outputs))?;
+    let mut sheet = Sheet::new(("VehicleLoadInput", VEHICLE_INPUTS), steps, ("VehicleLoadOutput", OUTPUTS))?;
     let plan = &mut sheet.plan;
-    for (text, reason) in [("i_f", "a ratio"), ("eta_f", "an efficiency"), ("incline", "at least one"), ("tilt", "at least one")] {
+    for (text, reason) in
+        [("i_f", "a ratio"), ("eta_f", "an efficiency"), ("incline", "at least one"), ("tilt", "at least one")]
+    {
         plan.nonzero(text, reason)?;
     }
     plan.primitive("tilt", "1 + tan_slope^2", "grade")?;
