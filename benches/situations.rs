@@ -101,7 +101,7 @@ fn drive(stream: &mut Stream, edition: &str) -> Result<(Case, Case), String> {
 
 fn main() -> Result<(), String> {
     let drives: usize = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(25);
-    let options = SolveOptions { tolerance: 1e-8, order: Order::Six, sensitivities: false };
+    let options = SolveOptions { tolerance: 1e-8, order: Order::Six, sensitivities: false, ..SolveOptions::default() };
     for edition in ["consistent", "thesis"] {
         let mut stream = Stream(2012);
         let (mut skipped, mut worst, mut seconds) = (0, 0.0_f64, Vec::new());

@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "{name:28} {:7.2}  {:7.2}  {:9.4} %  {:6.2}  {:+9.2e}",
             result.primary.axial_force,
             result.secondary.axial_force,
-            100.0 * result.efficiency.overall,
+            100.0 * result.efficiency.overall.unwrap_or(f64::NAN),
             energy.power_in - energy.power_out,
             energy.imbalance,
         );

@@ -9,6 +9,7 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod losses;
 pub mod model;
 pub mod plot;
 pub mod quantity;

@@ -23,7 +23,7 @@ fn set(key: &'static str, value: f64) -> (&'static str, String) {
 }
 
 fn accurate() -> SolveOptions {
-    SolveOptions { tolerance: 1e-9, order: Order::Six, sensitivities: false }
+    SolveOptions { tolerance: 1e-9, order: Order::Six, sensitivities: false, ..SolveOptions::default() }
 }
 
 fn rough() -> SolveOptions {
@@ -243,9 +243,9 @@ fn questions_without_an_answer_are_refused_with_their_reason() {
 
 #[test]
 fn what_cannot_be_reached_says_how_far_it_was() {
-    // Faster than without load: the secondary would have to drive.
+    // Faster than without load: the secondary drives.
     let fast = case(&[set("operating_point.speed_ratio", 1.02)]);
-    assert!(matches!(solve(&fast, &rough()), Err(Failure::Reversed { torque }) if torque < 0.0));
+    assert!(solve(&fast, &rough()).unwrap().constant(Constant::PrimaryTorque) < 0.0);
     // The belt would have to be far longer than the pulleys, at this ratio, allow.
     let far = case(&[set("operating_point.primary_axial_force", 1e6)]);
     match solve(&far, &rough()) {
@@ -332,7 +332,9 @@ fn a_case_file_may_ask_for_any_constant() {
     case.check_posed(&resolved).unwrap();
     let outcome = run(&resolved, &rough()).unwrap();
     let result = &outcome.result;
-    assert!((result.efficiency.overall - 0.96).abs() < 1e-8 && (result.secondary.axial_force - 600.0).abs() < 1e-5);
+    assert!(
+        (result.efficiency.overall.unwrap() - 0.96).abs() < 1e-8 && (result.secondary.axial_force - 600.0).abs() < 1e-5
+    );
     assert!(outcome.solved.constant(Constant::BendingStiffness) > 0.0);
     // What is written is read again.
     let inputs = serde_json::to_value(&resolved).unwrap();

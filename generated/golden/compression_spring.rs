@@ -3,6 +3,9 @@
 // Operations:
 //   value: 7 operations
 //   jacobian: 8 operations
+// Equations, with their numbers in the source:
+// - force (typed in): (9.3)
+// - energy (typed in): energy
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)];

@@ -3,6 +3,22 @@
 // Operations:
 //   value: 43 operations
 //   jacobian: 176 operations
+// Equations, with their numbers in the source:
+// - tan_rho (typed in): ρ
+// - z (typed in): kinematics
+// - distance (typed in): kinematics
+// - chi (typed in): kinematics
+// - theta (typed in): kinematics
+// - phi_m (typed in): kinematics
+// - sin_m (typed in): kinematics
+// - cos_m (typed in): kinematics
+// - radius (typed in): kinematics
+// - moment (typed in): centrifugal moment
+// - tan_e (typed in): pitch curve
+// - tan_t (derived): ρ
+// - distance_s (typed in): kinematics
+// - radius_s (derived): kinematics
+// - force (derived): virtual work
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,10 @@
 // Operations:
 //   value: 13 operations
 //   jacobian: 39 operations
+// Equations, with their numbers in the source:
+// - tan_rho (typed in): ρ
+// - radial (typed in): centrifugal force
+// - force (derived): balance on the ramp
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5)];

@@ -3,6 +3,18 @@
 // Operations:
 //   value: 39 operations
 //   jacobian: 147 operations
+// Equations, with their numbers in the source:
+// - tan_rho (typed in): ρ
+// - sin_r (typed in): kinematics
+// - cos_r (typed in): kinematics
+// - gap (typed in): contact
+// - along (typed in): kinematics
+// - radius (typed in): kinematics
+// - moment (typed in): centrifugal moment
+// - h_t (typed in): ρ
+// - theta_s (derived): contact
+// - radius_s (derived): kinematics
+// - force (derived): virtual work
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,8 @@
 // Operations:
 //   value: 6 operations
 //   jacobian: 19 operations
+// Equations, with their numbers in the source:
+// - force (typed in): (9.2)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2), (0, 3), (0, 4)];

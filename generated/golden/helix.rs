@@ -3,6 +3,11 @@
 // Operations:
 //   value: 18 operations
 //   jacobian: 50 operations
+// Equations, with their numbers in the source:
+// - tan_rho (typed in): ρ
+// - torque (typed in): moments on the movable sheave
+// - force (derived): balance on the helix
+// - turn (derived): kinematics
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,9 @@
 // Operations:
 //   value: 6 operations
 //   jacobian: 11 operations
+// Equations, with their numbers in the source:
+// - tan_beta (typed in): β
+// - travel (typed in): (9.2)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 1), (0, 2)];

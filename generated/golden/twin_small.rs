@@ -440,6 +440,112 @@ pub fn vehicle_load<N: Number>(inputs: &[N]) -> Vec<N> {
     let torque_a = ((i_f).power(-1)) * ((eta_f).power(-1)) * (r_w) * (m_v);
     vec![speed, resistance, torque, torque_a]
 }
+pub fn hysteresis_contact<N: Number>(inputs: &[N]) -> Vec<N> {
+    let T = inputs[0];
+    let theta = inputs[1];
+    let theta1 = inputs[2];
+    let theta2 = inputs[3];
+    let x = inputs[4];
+    let T_hat_1 = inputs[5];
+    let Phi = inputs[6];
+    let R = inputs[7];
+    let flow = inputs[8];
+    let EA = inputs[9];
+    let m_o = inputs[10];
+    let R_P = inputs[11];
+    let omega_P = inputs[12];
+    let theta_1 = (theta1) * ((Phi).power(-1));
+    let theta_2 = (theta2) * ((Phi).power(-2));
+    let arc = (((N::number(-1.0 / 1.0)) * (x)) + (R)) * (((theta).cos()).power(-1));
+    let G = (flow) * (m_o) * (R_P) * (omega_P);
+    let F = (EA) * (((T) * (m_o)) + ((G).power(2)))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    let V = (G) * ((T) + (EA))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    let stretch = ((EA).power(-1)) * ((EA) + (F));
+    let material = (Phi) * (arc) * ((stretch).power(-1));
+    let curvature = ((N::number(1.0 / 1.0)) + ((N::number(-1.0 / 1.0)) * (theta_1)))
+        * ((((N::number(-1.0 / 1.0)) * (x)) + (R)).power(-1)) * ((theta).cos());
+    let curvature_slope = (N::number(-1.0 / 1.0)) * (stretch)
+        * (((x) + ((N::number(-1.0 / 1.0)) * (R))).power(-2))
+        * (((theta_2) * ((theta).cos())) + ((theta).sin())
+            + ((N::number(-1.0 / 1.0)) * ((theta_1).power(2)) * ((theta).sin())))
+        * ((theta).cos());
+    let penetration_slope = (N::number(-1.0 / 1.0)) * (stretch) * ((theta).sin());
+    let strain = ((EA).power(-1)) * (F);
+    let strain_slope = (m_o) * (T_hat_1) * ((material).power(-1))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    vec![material, curvature, curvature_slope, strain, strain_slope, penetration_slope]
+}
+pub fn hysteresis_span<N: Number>(inputs: &[N]) -> Vec<N> {
+    let tau = inputs[0];
+    let vartheta1 = inputs[1];
+    let vartheta2 = inputs[2];
+    let tau_hat_1 = inputs[3];
+    let L = inputs[4];
+    let flow = inputs[5];
+    let EA = inputs[6];
+    let m_o = inputs[7];
+    let R_P = inputs[8];
+    let omega_P = inputs[9];
+    let G = (flow) * (m_o) * (R_P) * (omega_P);
+    let F = (EA) * (((tau) * (m_o)) + ((G).power(2)))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    let V = (G) * ((tau) + (EA))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    let stretch = ((EA).power(-1)) * ((EA) + (F));
+    let material = (L) * ((stretch).power(-1));
+    let curvature = (vartheta1) * ((L).power(-1));
+    let curvature_slope = (vartheta2) * ((L).power(-2)) * (stretch);
+    let strain = ((EA).power(-1)) * (F);
+    let strain_slope = (m_o) * (tau_hat_1) * ((material).power(-1))
+        * ((((EA) * (m_o)) + ((N::number(-1.0 / 1.0)) * ((G).power(2)))).power(-1));
+    vec![material, curvature, curvature_slope, strain, strain_slope]
+}
+pub fn hysteresis<N: Number>(inputs: &[N]) -> Vec<N> {
+    let flow = inputs[0];
+    let EA = inputs[1];
+    let m_o = inputs[2];
+    let R_P = inputs[3];
+    let omega_P = inputs[4];
+    let EI = inputs[5];
+    let k = inputs[6];
+    let beta = inputs[7];
+    let L_0 = inputs[8];
+    let G = (flow) * (m_o) * (R_P) * (omega_P);
+    let revolutions = ((m_o).power(-1)) * (G) * ((L_0).power(-1));
+    let bending = ((N::number(std::f64::consts::PI)).power(-1)) * (EI) * (L_0)
+        * (revolutions);
+    let groove = ((N::number(std::f64::consts::PI)).power(-1)) * (k) * (L_0)
+        * (revolutions) * ((beta).sin()) * (((beta).cos()).power(-1));
+    let cord = ((N::number(std::f64::consts::PI)).power(-1)) * (EA) * (L_0)
+        * (revolutions);
+    vec![revolutions, bending, groove, cord]
+}
+pub fn loss_balance<N: Number>(inputs: &[N]) -> Vec<N> {
+    let driving = inputs[0];
+    let overall = inputs[1];
+    let hysteresis = inputs[2];
+    let omega_P = inputs[3];
+    let omega_S = inputs[4];
+    let drag_P = inputs[5];
+    let drag_S = inputs[6];
+    let viscous_P = inputs[7];
+    let viscous_S = inputs[8];
+    let gear_efficiency = inputs[9];
+    let driven = (driving) * (overall);
+    let primary_drag = (omega_P) * (((omega_P) * (viscous_P)) + (drag_P));
+    let secondary_drag = (omega_S) * (((omega_S) * (viscous_S)) + (drag_S));
+    let gears = ((N::number(1.0 / 1.0)) + ((N::number(-1.0 / 1.0)) * (gear_efficiency)))
+        * ((driven) + ((N::number(-1.0 / 1.0)) * (hysteresis))
+            + ((N::number(-1.0 / 1.0)) * (primary_drag))
+            + ((N::number(-1.0 / 1.0)) * (secondary_drag)));
+    let total = (hysteresis) + (primary_drag) + (secondary_drag) + (gears);
+    let delivered = (driven) + ((N::number(-1.0 / 1.0)) * (total));
+    let efficiency = (overall)
+        + ((N::number(-1.0 / 1.0)) * ((driving).power(-1)) * (total));
+    vec![primary_drag, secondary_drag, gears, total, delivered, efficiency]
+}
 /// All twins by the names of their kernels.
 #[allow(clippy::type_complexity)]
 pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
@@ -452,6 +558,8 @@ pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
         < N >), ("flyweight_arm", flyweight_arm:: < N >), ("flyweight_roller",
         flyweight_roller:: < N >), ("compression_spring", compression_spring:: < N >),
         ("helix", helix:: < N >), ("sheave_travel", sheave_travel:: < N >),
-        ("vehicle_load", vehicle_load:: < N >)
+        ("vehicle_load", vehicle_load:: < N >), ("hysteresis_contact",
+        hysteresis_contact:: < N >), ("hysteresis_span", hysteresis_span:: < N >),
+        ("hysteresis", hysteresis:: < N >), ("loss_balance", loss_balance:: < N >)
     ]
 }

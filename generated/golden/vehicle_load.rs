@@ -3,6 +3,13 @@
 // Operations:
 //   value: 25 operations
 //   jacobian: 82 operations
+// Equations, with their numbers in the source:
+// - tilt (typed in): grade
+// - incline (typed in): grade
+// - speed (typed in): kinematics
+// - resistance (typed in): resistance
+// - torque (derived): power
+// - torque_a (derived): power
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

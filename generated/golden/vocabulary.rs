@@ -5802,6 +5802,1262 @@ impl Identity for VehicleLoadOutput {
         self as usize
     }
 }
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisContactInput {
+    /// T: tractive tension, N
+    T,
+    /// θ: inclination of the belt, rad
+    Theta,
+    /// θ̂': first derivative of θ along the region, rad
+    Theta1,
+    /// θ̂'': second derivative of θ along the region, rad
+    Theta2,
+    /// x: radial penetration, m
+    X,
+    /// T̂': derivative of T along the region, N
+    THat1,
+    /// Φ: wrap angle, rad
+    Phi,
+    /// R: nominal radius of the pulley, m
+    R,
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+}
+impl HysteresisContactInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 13] = [
+        Self::T,
+        Self::Theta,
+        Self::Theta1,
+        Self::Theta2,
+        Self::X,
+        Self::THat1,
+        Self::Phi,
+        Self::R,
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 13] = &[
+        Symbol {
+            name: "T",
+            symbol: "T",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "tractive tension",
+            source: "",
+        },
+        Symbol {
+            name: "theta",
+            symbol: "θ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "inclination of the belt",
+            source: "",
+        },
+        Symbol {
+            name: "theta1",
+            symbol: "θ\u{302}'",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "first derivative of θ along the region",
+            source: "",
+        },
+        Symbol {
+            name: "theta2",
+            symbol: "θ\u{302}''",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "second derivative of θ along the region",
+            source: "",
+        },
+        Symbol {
+            name: "x",
+            symbol: "x",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radial penetration",
+            source: "",
+        },
+        Symbol {
+            name: "T_hat_1",
+            symbol: "T\u{302}'",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "derivative of T along the region",
+            source: "",
+        },
+        Symbol {
+            name: "Phi",
+            symbol: "Φ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "wrap angle",
+            source: "",
+        },
+        Symbol {
+            name: "R",
+            symbol: "R",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the pulley",
+            source: "",
+        },
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisContactInput {
+    const COUNT: usize = 13;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisContactOutput {
+    /// dS/dŝ: unstretched length passed along the region, m; (5.55)
+    Material,
+    /// κ: curvature of the belt, M_b/EI, rad/m; (3.26)
+    Curvature,
+    /// dκ/dS: its slope along the unstretched belt, rad/m²; (3.26), (3.9)
+    CurvatureSlope,
+    /// ε: strain of the cord, F/EA; (3.9)
+    Strain,
+    /// dε/dS: its slope along the unstretched belt, 1/m; (3.9), (3.10)
+    StrainSlope,
+    /// dx/dS: slope of the penetration along the unstretched belt; (3.24), (3.9)
+    PenetrationSlope,
+}
+impl HysteresisContactOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Material,
+        Self::Curvature,
+        Self::CurvatureSlope,
+        Self::Strain,
+        Self::StrainSlope,
+        Self::PenetrationSlope,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "material",
+            symbol: "dS/dŝ",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length passed along the region",
+            source: "(5.55)",
+        },
+        Symbol {
+            name: "curvature",
+            symbol: "κ",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "curvature of the belt, M_b/EI",
+            source: "(3.26)",
+        },
+        Symbol {
+            name: "curvature_slope",
+            symbol: "dκ/dS",
+            unit: "rad/m²",
+            dimension: Dimension {
+                length: -2,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.26), (3.9)",
+        },
+        Symbol {
+            name: "strain",
+            symbol: "ε",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "strain of the cord, F/EA",
+            source: "(3.9)",
+        },
+        Symbol {
+            name: "strain_slope",
+            symbol: "dε/dS",
+            unit: "1/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.9), (3.10)",
+        },
+        Symbol {
+            name: "penetration_slope",
+            symbol: "dx/dS",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of the penetration along the unstretched belt",
+            source: "(3.24), (3.9)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisContactOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisSpanInput {
+    /// τ: tractive tension, N
+    Tau,
+    /// ϑ̂': first derivative of ϑ along the span, rad
+    Vartheta1,
+    /// ϑ̂'': second derivative of ϑ along the span, rad
+    Vartheta2,
+    /// τ̂': derivative of τ along the span, N
+    TauHat1,
+    /// L: arc length of the span, m
+    L,
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+}
+impl HysteresisSpanInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 10] = [
+        Self::Tau,
+        Self::Vartheta1,
+        Self::Vartheta2,
+        Self::TauHat1,
+        Self::L,
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 10] = &[
+        Symbol {
+            name: "tau",
+            symbol: "τ",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "tractive tension",
+            source: "",
+        },
+        Symbol {
+            name: "vartheta1",
+            symbol: "ϑ\u{302}'",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "first derivative of ϑ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "vartheta2",
+            symbol: "ϑ\u{302}''",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "second derivative of ϑ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "tau_hat_1",
+            symbol: "τ\u{302}'",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "derivative of τ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "L",
+            symbol: "L",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "arc length of the span",
+            source: "",
+        },
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisSpanInput {
+    const COUNT: usize = 10;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisSpanOutput {
+    /// dS/dŝ: unstretched length passed along the region, m; (5.56)
+    Material,
+    /// κ: curvature of the belt, M_b/EI, rad/m; (5.10)
+    Curvature,
+    /// dκ/dS: its slope along the unstretched belt, rad/m²; (5.11), (3.9)
+    CurvatureSlope,
+    /// ε: strain of the cord, F/EA; (3.9)
+    Strain,
+    /// dε/dS: its slope along the unstretched belt, 1/m; (3.9), (3.10)
+    StrainSlope,
+}
+impl HysteresisSpanOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 5] = [
+        Self::Material,
+        Self::Curvature,
+        Self::CurvatureSlope,
+        Self::Strain,
+        Self::StrainSlope,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 5] = &[
+        Symbol {
+            name: "material",
+            symbol: "dS/dŝ",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length passed along the region",
+            source: "(5.56)",
+        },
+        Symbol {
+            name: "curvature",
+            symbol: "κ",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "curvature of the belt, M_b/EI",
+            source: "(5.10)",
+        },
+        Symbol {
+            name: "curvature_slope",
+            symbol: "dκ/dS",
+            unit: "rad/m²",
+            dimension: Dimension {
+                length: -2,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(5.11), (3.9)",
+        },
+        Symbol {
+            name: "strain",
+            symbol: "ε",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "strain of the cord, F/EA",
+            source: "(3.9)",
+        },
+        Symbol {
+            name: "strain_slope",
+            symbol: "dε/dS",
+            unit: "1/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.9), (3.10)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisSpanOutput {
+    const COUNT: usize = 5;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisInput {
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+    /// EI: bending stiffness, N·m²
+    EI,
+    /// k: radial stiffness, N/m²
+    K,
+    /// β: half angle of the sheave's groove, rad
+    Beta,
+    /// L_0: unstretched length of the loop, m
+    L0,
+}
+impl HysteresisInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 9] = [
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+        Self::EI,
+        Self::K,
+        Self::Beta,
+        Self::L0,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 9] = &[
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "EI",
+            symbol: "EI",
+            unit: "N·m²",
+            dimension: Dimension {
+                length: 3,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "bending stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "k",
+            symbol: "k",
+            unit: "N/m²",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "radial stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "half angle of the sheave's groove",
+            source: "",
+        },
+        Symbol {
+            name: "L_0",
+            symbol: "L_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length of the loop",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisInput {
+    const COUNT: usize = 9;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisOutput {
+    /// f_1: revolutions of the belt a second, G/(m_o L_0), 1/s; (3.5)
+    Revolutions,
+    /// power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature, W·m²; (3.26)
+    Bending,
+    /// power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration, W/m²; (3.16)
+    Groove,
+    /// power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain, W; (3.9)
+    Cord,
+}
+impl HysteresisOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 4] = [
+        Self::Revolutions,
+        Self::Bending,
+        Self::Groove,
+        Self::Cord,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 4] = &[
+        Symbol {
+            name: "revolutions",
+            symbol: "f_1",
+            unit: "1/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 0,
+            },
+            doc: "revolutions of the belt a second, G/(m_o L_0)",
+            source: "(3.5)",
+        },
+        Symbol {
+            name: "bending",
+            symbol: "",
+            unit: "W·m²",
+            dimension: Dimension {
+                length: 4,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature",
+            source: "(3.26)",
+        },
+        Symbol {
+            name: "groove",
+            symbol: "",
+            unit: "W/m²",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration",
+            source: "(3.16)",
+        },
+        Symbol {
+            name: "cord",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain",
+            source: "(3.9)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisOutput {
+    const COUNT: usize = 4;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum LossBalanceInput {
+    /// P_1: power that the driving pulley takes in, W
+    Driving,
+    /// η: power that the driven pulley gives, but for the losses here, over that which the driving one takes
+    Overall,
+    /// P_h: power that hysteresis takes, W
+    Hysteresis,
+    /// ω_P: speed of the primary, rad/s
+    OmegaP,
+    /// ω_S: speed of the secondary, rad/s
+    OmegaS,
+    /// M_dP: torque that drags at the primary at every speed, N·m
+    DragP,
+    /// M_dS: torque that drags at the secondary at every speed, N·m
+    DragS,
+    /// c_P: torque that drags at the primary, per speed, N·m·s
+    ViscousP,
+    /// c_S: torque that drags at the secondary, per speed, N·m·s
+    ViscousS,
+    /// η_g: efficiency of what stands between the secondary and the shaft of interest
+    GearEfficiency,
+}
+impl LossBalanceInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 10] = [
+        Self::Driving,
+        Self::Overall,
+        Self::Hysteresis,
+        Self::OmegaP,
+        Self::OmegaS,
+        Self::DragP,
+        Self::DragS,
+        Self::ViscousP,
+        Self::ViscousS,
+        Self::GearEfficiency,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 10] = &[
+        Symbol {
+            name: "driving",
+            symbol: "P_1",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the driving pulley takes in",
+            source: "",
+        },
+        Symbol {
+            name: "overall",
+            symbol: "η",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "power that the driven pulley gives, but for the losses here, over that which the driving one takes",
+            source: "",
+        },
+        Symbol {
+            name: "hysteresis",
+            symbol: "P_h",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that hysteresis takes",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_S",
+            symbol: "ω_S",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "drag_P",
+            symbol: "M_dP",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that drags at the primary at every speed",
+            source: "",
+        },
+        Symbol {
+            name: "drag_S",
+            symbol: "M_dS",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that drags at the secondary at every speed",
+            source: "",
+        },
+        Symbol {
+            name: "viscous_P",
+            symbol: "c_P",
+            unit: "N·m·s",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -1,
+                angle: 0,
+            },
+            doc: "torque that drags at the primary, per speed",
+            source: "",
+        },
+        Symbol {
+            name: "viscous_S",
+            symbol: "c_S",
+            unit: "N·m·s",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -1,
+                angle: 0,
+            },
+            doc: "torque that drags at the secondary, per speed",
+            source: "",
+        },
+        Symbol {
+            name: "gear_efficiency",
+            symbol: "η_g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "efficiency of what stands between the secondary and the shaft of interest",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for LossBalanceInput {
+    const COUNT: usize = 10;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum LossBalanceOutput {
+    /// power that drags at the primary, W; drag
+    PrimaryDrag,
+    /// power that drags at the secondary, W; drag
+    SecondaryDrag,
+    /// power lost between the secondary and the shaft of interest, W; gears
+    Gears,
+    /// power that hysteresis, drag and gears take, W; balance of power
+    Total,
+    /// power that arrives, W; balance of power
+    Delivered,
+    /// power that arrives over power that goes in; (6.9) with losses
+    Efficiency,
+}
+impl LossBalanceOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::PrimaryDrag,
+        Self::SecondaryDrag,
+        Self::Gears,
+        Self::Total,
+        Self::Delivered,
+        Self::Efficiency,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "primary_drag",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that drags at the primary",
+            source: "drag",
+        },
+        Symbol {
+            name: "secondary_drag",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that drags at the secondary",
+            source: "drag",
+        },
+        Symbol {
+            name: "gears",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power lost between the secondary and the shaft of interest",
+            source: "gears",
+        },
+        Symbol {
+            name: "total",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that hysteresis, drag and gears take",
+            source: "balance of power",
+        },
+        Symbol {
+            name: "delivered",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that arrives",
+            source: "balance of power",
+        },
+        Symbol {
+            name: "efficiency",
+            symbol: "",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "power that arrives over power that goes in",
+            source: "(6.9) with losses",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for LossBalanceOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
 impl Output {
     /// The belts whose drives have this output.
     pub const fn theories(self) -> &'static [BeltTheory] {

@@ -154,6 +154,14 @@ formulae! {
         "Torques and inertia at the input of a belt drive (3.21) to (3.27).",
     drive_sizing_idler DRIVE_SIZING_IDLER DriveSizingInput DriveSizingIdlerOutput
         "Inertia of an idler at the input of a belt drive.",
+    hysteresis_contact HYSTERESIS_CONTACT HysteresisContactInput HysteresisContactOutput
+        "What hysteresis follows along the belt in a groove.",
+    hysteresis_span HYSTERESIS_SPAN HysteresisSpanInput HysteresisSpanOutput
+        "What hysteresis follows along the free belt.",
+    hysteresis HYSTERESIS HysteresisInput HysteresisOutput
+        "Power that a harmonic of what runs around with the belt loses.",
+    loss_balance LOSS_BALANCE LossBalanceInput LossBalanceOutput
+        "What arrives once hysteresis, drag and gears have had their share.",
     flyweight_table FLYWEIGHT_TABLE FlyweightTableInput FlyweightTableOutput
         "Axial force of flyweights whose radius times its slope over the shift is known (9.2).",
     flyweight_ramp FLYWEIGHT_RAMP FlyweightRampInput FlyweightRampOutput

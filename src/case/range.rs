@@ -23,8 +23,16 @@ pub struct Range {
 }
 
 impl Range {
+    /// Every finite number, whatever its sign.
+    pub const ANY: Self = Self { low: Bound::None, high: Bound::None };
+
     /// Above zero.
     pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
+
+    /// From zero up to and with `high`.
+    pub const fn up_to(high: f64) -> Self {
+        Self { low: Bound::Closed(0.0), high: Bound::Closed(high) }
+    }
 
     /// Above zero, up to and with `high`.
     pub const fn positive_to(high: f64) -> Self {
@@ -72,6 +80,7 @@ impl fmt::Display for Words<'_> {
             Bound::Closed(low) => bound("", "from", low).map(|()| " and ")?,
         };
         match self.range.high {
+            Bound::None if self.range.low == Bound::None => write!(f, "of either sign"),
             Bound::None => Ok(()),
             Bound::Open(high) => bound(and, "below", high),
             Bound::Closed(high) => bound(and, "up to", high),

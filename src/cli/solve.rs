@@ -64,8 +64,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         // Before the work: a folder that cannot be had makes it worthless.
         output::create_folder(folder)?;
     }
-    let options =
-        SolveOptions { tolerance: arguments.tol, order: arguments.order, sensitivities: arguments.sensitivities };
+    let options = SolveOptions {
+        tolerance: arguments.tol,
+        order: arguments.order,
+        sensitivities: arguments.sensitivities,
+        ..SolveOptions::default()
+    };
     match solve(&case, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
         Err(failure) => Err(arguments.failed(&case, &failure)),

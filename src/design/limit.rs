@@ -94,7 +94,7 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
     start.operating_point.load = Load::SpeedRatio(1.0);
     let easy = Question::of(&start).constants[Constant::PrimaryTorque];
     start.operating_point.load = Load::PrimaryTorque(match case.operating_point.load {
-        Load::PrimaryTorque(torque) => torque.min(easy),
+        Load::PrimaryTorque(torque) if torque > 0.0 => torque.min(easy),
         _ => easy,
     });
     let solved = solve(&start, &options.solve)?;
@@ -131,7 +131,9 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         return Err(DesignError::Given { key: Key::Free, expected });
     }
     let guess = Question::of(case).constants;
-    let least = TIGHT * guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    // Where the secondary drives, the strand that leaves the primary is the tight one.
+    let pull = guess[Constant::PrimaryTorque] / guess[Constant::PrimaryRadius];
+    let least = TIGHT * pull.abs() + (-pull).max(0.0);
     let mut start = case.clone();
     let mut tension = guess[Constant::SlackTension].max(least);
     let mut first = None;

@@ -47,7 +47,9 @@ pub(super) fn approach(
     stats += *followed.solution.stats();
     let continuation_steps = from.continuation_steps + accepted(&followed);
     match polished(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
-        Ok(solution) => Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution }),
+        Ok(solution) => {
+            Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
+        }
         Err((last, cause)) => Err(Failure::approaching(&belt, question, Some(&last), Box::new(cause))),
     }
 }

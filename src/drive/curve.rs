@@ -110,6 +110,7 @@ pub fn trace(
             solution: point.solution,
             stats: Stats::default(),
             continuation_steps: 0,
+            route: None,
         };
         (point.kind, solved)
     };

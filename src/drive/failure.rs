@@ -59,6 +59,15 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// The belt's temperature does not settle.
+    #[error(
+        "the balance of the belt's heat has no end: at {temperature:.1} K it is still warming or cooling; give a larger \
+         `thermal.heat_transfer`, or smaller softenings"
+    )]
+    Temperature {
+        /// Temperature reached, K.
+        temperature: f64,
+    },
     /// No clamp that was tried leaves the margin against slip that is asked for.
     #[error(
         "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \
@@ -77,14 +86,6 @@ pub enum Failure {
     /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
     #[error("a margin against slip is prescribed: a single boundary value problem has none")]
     MarginGiven,
-    /// What is prescribed holds only if the secondary drives.
-    #[error(
-        "what is prescribed holds only at a primary torque of {torque:.4} N·m, where the secondary drives the primary"
-    )]
-    Reversed {
-        /// Primary torque, N·m.
-        torque: f64,
-    },
 }
 
 /// How far a prescribed value was approached, SI.
@@ -121,7 +122,6 @@ impl Failure {
     /// tension, for it is loose belts that are lost.
     pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
         let key = |failure: &Self| match failure {
-            Self::Reversed { .. } => (-2.0, 0.0),
             Self::Unreached { .. } => (-1.0, 0.0),
             Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
             _ => (f64::INFINITY, f64::INFINITY),

@@ -3,6 +3,7 @@
 mod approach;
 mod ask;
 mod belt;
+mod budget;
 mod curve;
 mod estimate;
 mod failure;
@@ -14,9 +15,11 @@ mod posedness;
 mod predict;
 mod question;
 mod region;
+mod route;
 mod solve;
 mod solved;
 mod start;
+mod tuning;
 mod warm;
 
 pub use crate::model::{Constant, Constants, IllPosed, Output};
@@ -27,6 +30,8 @@ pub use inputs::inputs;
 pub use outputs::{OutputGradients, OutputValues};
 pub use question::{Known, Question, Swap};
 pub use region::RegionId;
+pub(crate) use region::Source;
+pub use route::Route;
 pub use solve::{SolveOptions, solve, solve_question};
 pub use solved::Solved;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

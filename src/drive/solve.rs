@@ -1,13 +1,15 @@
 //! From a question to a solution, from nothing.
 
-use solver::continuation::{PathOptions, Ramp, follow};
+use solver::continuation::{PathOptions, follow_observed};
 use solver::{Guess, Options, Order, Solution, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
+use super::budget::Budget;
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
+use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
 use crate::case::{Model, Resolved};
@@ -30,6 +32,9 @@ const LEG_STEPS: usize = 400;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
+/// Newton iterations of a solve from nothing, unless asked otherwise.
+pub const WORK_LIMIT: usize = 14_000;
+
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SolveOptions {
@@ -39,11 +44,13 @@ pub struct SolveOptions {
     pub order: Order,
     /// Whether derivatives of the outputs with respect to the given constants are wanted.
     pub sensitivities: bool,
+    /// Newton iterations that a solve from nothing may take, over all routes that it tries.
+    pub work_limit: usize,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, work_limit: WORK_LIMIT }
     }
 }
 
@@ -87,9 +94,8 @@ pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions
             }
         };
         for order in [together, one_by_one] {
-            match order(model, &near, question, options).and_then(driven) {
+            match order(model, &near, question, options) {
                 Ok(solved) => return Ok(solved),
-                Err(reversed @ Failure::Reversed { .. }) => return Err(reversed),
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
@@ -128,12 +134,6 @@ fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &Solve
     Ok(here)
 }
 
-/// The drive must be driven by its primary.
-fn driven(solved: Solved) -> Result<Solved, Failure> {
-    let torque = solved.constant(Constant::PrimaryTorque);
-    if torque > 0.0 { Ok(solved) } else { Err(Failure::Reversed { torque }) }
-}
-
 fn rough(options: &SolveOptions) -> Options {
     Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
 }
@@ -155,55 +155,52 @@ fn way(model: &Model, solve: Options) -> PathOptions {
     }
 }
 
-/// A question without swaps.
+/// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
 fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     let target = &question.constants;
     let belt = Belt::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    for tension in start::tensions(target) {
-        let begin = start::easy(target, tension);
-        match climb(model, &belt, &begin, target, options) {
+    let mut budget = Budget::new(options.work_limit);
+    for route in Route::ALL {
+        let begin = route.begin(target);
+        let given = budget.part(options.work_limit / Route::ALL.len());
+        let mut left = given;
+        let climbed = climb(model, &belt, route, &begin, target, options, &mut left);
+        budget.take(&given, &left);
+        match climbed {
             Ok((solution, stats, continuation_steps)) => {
-                return Ok(Solved { question: question.clone(), belt, solution, stats, continuation_steps });
+                let (question, route) = (question.clone(), Some(route));
+                return Ok(Solved { question, belt, solution, stats, continuation_steps, route });
             }
-            Err(next) => failure = Some(Failure::farther(failure, next)),
+            Err(next) => {
+                let spent = given.left() - left.left();
+                tracing::debug!("the route by {} was lost after {spent} Newton iterations: {next}", route.name());
+                failure = Some(Failure::farther(failure, next));
+            }
+        }
+        if budget.is_spent() {
+            break;
         }
     }
     Err(failure.unwrap_or(Failure::NoEquations))
 }
 
-/// The legs of the way from an easy drive to the case, in order: each moves some constants to where the case has them.
-fn legs(begin: &Constants, target: &Constants) -> Vec<Ramp> {
-    let ends = |constant: Constant| (constant.index(), begin[constant], target[constant]);
-    let linear = |ramp: Ramp, (at, from, to): (usize, f64, f64)| ramp.linear(at, from, to);
-    let geometric = |ramp: Ramp, (at, from, to): (usize, f64, f64)| ramp.geometric(at, from, to);
-    let torque = linear(Ramp::new(), ends(Constant::PrimaryTorque));
-    let threshold = geometric(Ramp::new(), ends(Constant::SlipThreshold));
-    let tension = ends(Constant::SlackTension);
-    if target[Constant::SlackTension] > begin[Constant::SlackTension] {
-        vec![geometric(torque, tension), threshold]
-    } else if target[Constant::SlackTension] < begin[Constant::SlackTension] {
-        // A loose belt may transmit the torque only once friction is what the case says.
-        vec![torque, threshold, geometric(Ramp::new(), tension)]
-    } else {
-        vec![torque, threshold]
-    }
-}
-
 fn climb(
     model: &Model,
     belt: &Belt,
+    route: Route,
     begin: &Constants,
     target: &Constants,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<(Solution, Stats, usize), Failure> {
-    let legs = legs(begin, target);
+    let legs = route.legs(begin, target);
     let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
     let (count, mut stats, mut steps, mut found) = (legs.len(), Stats::default(), 0, None::<Solution>);
     for (index, path) in legs.into_iter().enumerate() {
         let solver = if index + 1 == count { options.solver() } else { rough(options) };
         let guess = found.as_ref().map_or_else(|| start::guess(belt, begin), Guess::from);
-        let followed = follow(belt, &guess, &path, &unknowns, &way(model, lenient(&solver)))
+        let followed = follow_observed(belt, &guess, &path, &unknowns, &way(model, lenient(&solver)), budget)
             .map_err(|error| Failure::of(error.last.as_deref(), error.cause))?;
         stats += *followed.solution.stats();
         steps += accepted(&followed);

@@ -5,6 +5,7 @@ use solver::{Solution, Stats};
 
 use super::belt::Belt;
 use super::question::Question;
+use super::route::Route;
 use crate::model::Constant;
 
 /// A solved drive.
@@ -20,6 +21,8 @@ pub struct Solved {
     pub stats: Stats,
     /// Continuation steps in all.
     pub continuation_steps: usize,
+    /// The route from the start on which it was found, if it was found from nothing.
+    pub route: Option<Route>,
 }
 
 impl Solved {

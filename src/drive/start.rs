@@ -1,4 +1,4 @@
-//! The cold start: a belt of constant tension on two tangent lines, from nothing but the case.
+//! The start: a belt of constant tension on two tangent lines, from nothing but the drive's constants.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,26 +6,8 @@ use solver::{Guess, Problem};
 
 use super::belt::Belt;
 use super::region::RegionId;
+use super::tuning::{DEEPEST_GUESS, INTERVALS, PENETRATION_SHARE, RISE};
 use crate::model::{Constant, Constants, State};
-
-/// Torque, N·m, at which the straight belt is a good enough guess for Newton's method.
-const START_TORQUE: f64 = 0.5;
-/// Slip threshold, m/s, at which friction is still linear almost everywhere.
-const START_SLIP_THRESHOLD: f64 = 1.0;
-/// Mesh intervals of each region at the start.
-const START_INTERVALS: usize = 40;
-
-/// Slack tension of the start, N, if the case's is higher: a tighter belt sinks too deep for the straight guess.
-const HIGHEST_TENSION: f64 = 150.0;
-/// Slack tension of the start over EI/R² of the smaller pulley, if the case's is lower: a looser belt does not wrap.
-const LOWEST_TENSION: f64 = 1.7;
-/// Factors on the start's tension, tried in turn.
-const ATTEMPTS: [f64; 4] = [1.0, 2.0, 0.5, 4.0];
-
-/// Share of the tension that the groove's elasticity carries, against friction, in the start's penetration.
-const PENETRATION_SHARE: f64 = 0.8;
-/// Share of the wrap over which the start's penetration rises from zero.
-const RISE: f64 = 0.1;
 
 /// Fills the unknown constants of the drive with those of a tight, inextensible belt on tangent lines.
 pub(super) fn constants(given: &Constants) -> Constants {
@@ -44,26 +26,44 @@ pub(super) fn constants(given: &Constants) -> Constants {
     start
 }
 
-/// Slack tensions to start from, the most promising first.
-pub(super) fn tensions(target: &Constants) -> impl Iterator<Item = f64> {
-    let radius = target[Constant::PrimaryRadius].min(target[Constant::SecondaryRadius]);
-    let lowest = LOWEST_TENSION * target[Constant::BendingStiffness] / radius.powi(2);
-    let first = target[Constant::SlackTension].clamp(lowest.min(HIGHEST_TENSION), HIGHEST_TENSION).max(lowest);
-    ATTEMPTS.into_iter().map(move |factor| first * factor)
+/// As [`constants`], for a belt that is stretched by its tension and by its own inertia, and sinks into its grooves: it
+/// runs with the rims where it has sunk to.
+///
+/// A belt of speed V and tractive tension T carries the force T + m_o V² that stretches it; from (3.11) its mass flow is
+/// g = v (1 − ε_c)/(1 + T/EA) with v = V/(R_P ω_P) and ε_c the share of EA that inertia takes, to first order.
+pub(super) fn stretched(given: &Constants) -> Constants {
+    let mut start = constants(given);
+    let [primary, secondary] = [Constant::PrimaryRadius, Constant::SecondaryRadius].map(|radius| {
+        let sunk = depth(given, radius) / given[radius];
+        1.0 - sunk
+    });
+    start[Constant::SpeedRatio] *= primary / secondary;
+    start[Constant::Flow] = flow(given, primary);
+    start
 }
 
-/// The case's drive at a small torque and that slack tension, with friction that is linear in the sliding speed.
-pub(super) fn easy(target: &Constants, tension: f64) -> Constants {
-    let mut easy = target.clone();
-    easy[Constant::PrimaryTorque] = target[Constant::PrimaryTorque].min(START_TORQUE);
-    easy[Constant::SlipThreshold] = target[Constant::SlipThreshold].max(START_SLIP_THRESHOLD);
-    easy[Constant::SlackTension] = tension;
-    easy
+/// Mass flow g of a belt whose speed is `v` R_P ω_P, at the slack tension: the root of V = G (T + EA)/(EA m_o − G²) for
+/// which the belt runs forward under tension.
+fn flow(given: &Constants, v: f64) -> f64 {
+    let stiffness = given[Constant::LongitudinalStiffness];
+    let rim = given[Constant::PrimaryRadius] * given[Constant::PrimarySpeed];
+    // With G = m_o U g: v = g (1 + T/EA)/(1 − c g²), c = m_o U²/EA.
+    let inertia = given[Constant::MassPerLength] * rim * rim / stiffness;
+    let stretch = 1.0 + given[Constant::SlackTension] / stiffness;
+    // c v g² + (1 + T/EA) g − v = 0, in the form that does not cancel.
+    2.0 * v / (stretch + (stretch * stretch + 4.0 * inertia * v * v).sqrt())
+}
+
+/// How far the start's belt sinks into a groove, m.
+fn depth(given: &Constants, radius: Constant) -> f64 {
+    let depth = PENETRATION_SHARE * given[Constant::SlackTension]
+        / (given[Constant::RadialStiffness] * given[radius] * given[Constant::HalfAngle].tan());
+    depth.min(DEEPEST_GUESS * given[radius])
 }
 
 /// The straight belt as a guess.
 pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
-    Guess::uniform(belt.layout(), START_INTERVALS, &constants.0, |region, s, y| {
+    Guess::uniform(belt.layout(), INTERVALS, &constants.0, |region, s, y| {
         if let Some(region) = RegionId::ALL.get(region) {
             let kernel = belt.kernel(*region);
             for (value, of) in y.iter_mut().zip(kernel.states) {
@@ -77,11 +77,7 @@ pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
 fn state(region: RegionId, state: State, s: f64, constants: &Constants) -> f64 {
     let tension = constants[Constant::SlackTension];
     let slope = constants[Constant::PrimaryOrientation] - FRAC_PI_2;
-    let penetration = |radius: Constant| {
-        let depth = PENETRATION_SHARE * tension
-            / (constants[Constant::RadialStiffness] * constants[radius] * constants[Constant::HalfAngle].tan());
-        depth * (s.min(1.0 - s) / RISE).min(1.0)
-    };
+    let penetration = |radius: Constant| depth(constants, radius) * (s.min(1.0 - s) / RISE).min(1.0);
     match (state, region) {
         (State::Tension | State::SpanTension, _) => tension,
         (State::Penetration, RegionId::Primary) => penetration(Constant::PrimaryRadius),

@@ -106,7 +106,7 @@ fn along(
     }
     let polished = polished(&belt, here, &options.solver(), false, &mut stats);
     let solution = polished.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
-    Ok(Solved { question, belt, stats, continuation_steps: steps, solution })
+    Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
 /// How far a case is from a solution: the largest factor between the given constants of both; infinite where they

@@ -81,10 +81,12 @@ fn rpm(speed: f64) -> f64 {
 
 fn headline(html: &mut String, outcome: &Outcome) {
     let result = &outcome.result;
+    // Where neither pulley drives the other, there is none.
+    let share = |share: Option<f64>| share.map_or_else(|| "none".to_owned(), |share| format!("{:.2} %", 100.0 * share));
     let items = [
-        (format!("{:.2} %", 100.0 * result.efficiency.overall), "overall efficiency"),
-        (format!("{:.2} %", 100.0 * result.efficiency.speed), "speed efficiency"),
-        (format!("{:.2} %", 100.0 * result.efficiency.torque), "torque efficiency"),
+        (share(result.efficiency.overall), "overall efficiency"),
+        (share(result.efficiency.speed), "speed efficiency"),
+        (share(result.efficiency.torque), "torque efficiency"),
         (format!("{:.1} N", result.primary.axial_force), "axial force, primary"),
         (format!("{:.1} N", result.secondary.axial_force), "axial force, secondary"),
         (format!("{:+.2} mm", 1e3 * result.belt.length_error), "drive against belt length"),
@@ -142,7 +144,12 @@ fn energy(html: &mut String, outcome: &Outcome, split: &LossSplit) {
     row(html, "power out", &watt(energy.power_out), "");
     row(html, "friction loss", &watt(energy.friction_loss), "");
     row(html, "stretch work", &watt(energy.stretch_work), "");
-    row(html, "unaccounted for", &watt(energy.closure * energy.power_in), "");
+    row(
+        html,
+        "unaccounted for",
+        &watt(energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work),
+        "",
+    );
     *html += "</table><h2>Friction loss</h2><table><tr><th>W</th><th class=\"n\">primary</th><th class=\"n\">secondary</th><th class=\"n\">both</th><th></th></tr>";
     type Part = (&'static str, fn(&Mechanisms) -> f64);
     let parts: [Part; 6] = [

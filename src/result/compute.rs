@@ -197,6 +197,13 @@ const SECONDARY: PulleyOutputs = PulleyOutputs {
     exit_tension: Output::SecondaryExitTension,
 };
 
+/// The pulley that drives the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Driving {
+    Primary,
+    Secondary,
+}
+
 /// What a solution is read from.
 pub struct Reading<'a> {
     solved: &'a Solved,
@@ -272,12 +279,34 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// Efficiencies.
+    /// Efficiencies, of the driven pulley over the driving one.
     pub fn efficiency(&self) -> Result<Efficiency, InternalError> {
+        let driving = self.driving()?;
+        let driven_over_driving = |secondary_over_primary: Output| -> Result<Option<f64>, InternalError> {
+            let value = self.outputs.get(secondary_over_primary)?;
+            Ok(driving.map(|driving| match driving {
+                Driving::Primary => value,
+                Driving::Secondary => 1.0 / value,
+            }))
+        };
         Ok(Efficiency {
-            speed: self.outputs.get(Output::EfficiencySpeed)?,
-            torque: self.outputs.get(Output::EfficiencyTorque)?,
-            overall: self.outputs.get(Output::EfficiencyOverall)?,
+            speed: driven_over_driving(Output::EfficiencySpeed)?,
+            torque: driven_over_driving(Output::EfficiencyTorque)?,
+            overall: driven_over_driving(Output::EfficiencyOverall)?,
+            overall_with_losses: None,
+        })
+    }
+
+    /// The pulley that drives the other, by the powers; none where one of them is zero or both pulleys feed the belt's losses.
+    fn driving(&self) -> Result<Option<Driving>, InternalError> {
+        let power_in = self.outputs.get(Output::EnergyPowerIn)?;
+        let power_out = self.outputs.get(Output::EnergyPowerOut)?;
+        Ok(if power_in > 0.0 && power_out > 0.0 {
+            Some(Driving::Primary)
+        } else if power_in < 0.0 && power_out < 0.0 {
+            Some(Driving::Secondary)
+        } else {
+            None
         })
     }
 
@@ -285,7 +314,7 @@ impl<'a> Reading<'a> {
     pub fn belt(&self, length: f64) -> Result<BeltResult, InternalError> {
         let unstretched_length = self.outputs.get(Output::BeltUnstretchedLength)?;
         let mass_flow = self.outputs.get(Output::BeltMassFlow)?;
-        Ok(BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length })
+        Ok(BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length, temperature: None })
     }
 
     /// The energy audit.

@@ -4,11 +4,13 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 use super::sensitivity::Sensitivities;
+use crate::losses::{Heat, Losses};
 
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
 
-/// Everything a solved drive tells. Torques, powers and speeds are positive numbers.
+/// Everything a solved drive tells. Torques and powers are positive where the primary drives and the secondary delivers; where
+/// the secondary drives, as in engine braking, both pulleys' are negative.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DriveResult<I> {
     /// [`SCHEMA`].
@@ -41,6 +43,12 @@ pub struct DriveResult<I> {
     pub belt: BeltResult,
     /// The energy audit.
     pub energy: Energy,
+    /// Power that is lost besides friction, where it is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub losses: Option<Losses>,
+    /// Heat, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thermal: Option<Heat>,
     /// How the solution was found.
     pub solver: SolverReport,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
@@ -53,9 +61,9 @@ pub struct DriveResult<I> {
 pub struct Pulley {
     /// Speed of rotation, rad/s.
     pub speed: f64,
-    /// Torque, N·m (5.54).
+    /// Torque, N·m (5.54): into the primary, out of the secondary; negative where the secondary drives.
     pub torque: f64,
-    /// Power, W.
+    /// Power, W: into the primary, out of the secondary; negative where the secondary drives.
     pub power: f64,
     /// Axial force between the sheaves, N (5.58).
     pub axial_force: f64,
@@ -107,15 +115,20 @@ pub struct Span {
     pub max_tension: f64,
 }
 
-/// Efficiencies as fractions.
+/// Efficiencies as fractions, of the driven pulley over the driving one. The primary drives where both powers are positive,
+/// the secondary where both are negative; where neither drives the other (no torque, or so little that both pulleys only
+/// cover the belt's losses), there is no efficiency and all three are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Efficiency {
-    /// ω_S R_S/(ω_P R_P) (6.7).
-    pub speed: f64,
-    /// M_out R_P/(M_in R_S) (6.8).
-    pub torque: f64,
-    /// Power out over power in (6.9).
-    pub overall: f64,
+    /// Rim speed of the driven pulley over that of the driving one, ω_S R_S/(ω_P R_P) (6.7) where the primary drives.
+    pub speed: Option<f64>,
+    /// Rim force of the driven pulley over that of the driving one, M_out R_P/(M_in R_S) (6.8) where the primary drives.
+    pub torque: Option<f64>,
+    /// Power out over power in (6.9): the product of the other two.
+    pub overall: Option<f64>,
+    /// The same with hysteresis, drag and gears taken off what arrives, where they are told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overall_with_losses: Option<f64>,
 }
 
 /// The belt as a whole.
@@ -127,6 +140,9 @@ pub struct BeltResult {
     pub unstretched_length: f64,
     /// What the drive needs less what the belt has, m.
     pub length_error: f64,
+    /// Temperature, K, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<f64>,
 }
 
 /// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.
@@ -138,12 +154,13 @@ pub struct Energy {
     pub power_out: f64,
     /// Power that friction turns to heat on both pulleys, W.
     pub friction_loss: f64,
-    /// (power_in − power_out − friction_loss)/power_in.
+    /// (power_in − power_out − friction_loss)/power_in; no number (`null` in JSON) without power in.
     pub imbalance: f64,
     /// Power that the belt's stretching takes from the energy of bending and squeezing, W: moment and pressure are given
     /// per stretched length, so that a piece of belt that grows shorter carries a little less.
     pub stretch_work: f64,
-    /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for.
+    /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for; no number
+    /// (`null` in JSON) without power in.
     pub closure: f64,
 }
 

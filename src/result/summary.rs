@@ -44,13 +44,24 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
     text.push('\n');
     pulleys(&mut text, &result.primary, &result.secondary);
     let percent = |fraction: f64| 100.0 * fraction;
-    let _ = writeln!(
-        text,
-        "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque",
-        percent(efficiency.overall),
-        percent(efficiency.speed),
-        percent(efficiency.torque),
-    );
+    match (efficiency.overall, efficiency.speed, efficiency.torque) {
+        (Some(overall), Some(speed), Some(torque)) => {
+            let driving = if result.primary.power < 0.0 { ", the secondary driving" } else { "" };
+            let _ = writeln!(
+                text,
+                "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque{driving}",
+                percent(overall),
+                percent(speed),
+                percent(torque),
+            );
+        }
+        _ => {
+            let _ = writeln!(text, "\n  efficiency                       none: neither pulley drives the other");
+        }
+    }
+    // Of the larger power: without torque, the secondary alone covers the losses.
+    let rest = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
+    let unaccounted = percent(rest / energy.power_in.abs().max(energy.power_out.abs()));
     let _ = writeln!(
         text,
         "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {} % unaccounted for",
@@ -59,8 +70,32 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
         energy.friction_loss,
         if energy.stretch_work < 0.0 { '−' } else { '+' },
         energy.stretch_work.abs(),
-        unsigned_zero(&format!("{:.4}", percent(energy.closure))),
+        unsigned_zero(&format!("{unaccounted:.4}")),
     );
+    if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
+        let _ = writeln!(
+            text,
+            "  with all losses           {:>11.2} % overall: hysteresis {:.1} W (bending {:.1}, groove {:.1}, cord {:.1}), drag {:.1} W, \
+             gears {:.1} W",
+            percent(overall),
+            losses.bending + losses.groove + losses.cord,
+            losses.bending,
+            losses.groove,
+            losses.cord,
+            losses.drag,
+            losses.gears,
+        );
+    }
+    if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
+        let _ = writeln!(
+            text,
+            "  belt temperature          {:>11.1} °C: {:.1} W into the belt, {:.1} W into the primary's sheaves, {:.1} W into the secondary's",
+            temperature - 273.15,
+            heat.belt,
+            heat.primary,
+            heat.secondary,
+        );
+    }
     let _ = writeln!(
         text,
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",

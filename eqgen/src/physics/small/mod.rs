@@ -2,6 +2,7 @@
 
 pub mod actuator;
 pub mod drive;
+pub mod hysteresis;
 pub mod pulley;
 pub mod sizing;
 
@@ -41,7 +42,7 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         actuator::travel()?,
         actuator::vehicle()?,
     ];
-    Ok(models.into_iter().map(Model::Boundary).collect())
+    Ok(models.into_iter().chain(hysteresis::models()?).map(Model::Boundary).collect())
 }
 
 /// A set of formulae on the way: inputs from outside, steps between, and outputs, each a step of its own name.

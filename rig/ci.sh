@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy, formatting.
+# Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web rust-web-src where no nightly Rust is
+# installed; what is missing is installed where apt-get may be used, and is an error otherwise.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+missing=()
+command -v avr-gcc >/dev/null || missing+=(gcc-avr avr-libc)
+[ -f /usr/include/simavr/sim_avr.h ] || missing+=(libsimavr-dev simavr)
+rustup run nightly rustc --version >/dev/null 2>&1 || dpkg -s rustc-web rust-web-src >/dev/null 2>&1 \
+  || missing+=(rustc-web rust-web-src)
+if [ "${#missing[@]}" -gt 0 ]; then
+  if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+    apt-get update -qq && apt-get install -y -qq "${missing[@]}" >/dev/null
+  else
+    echo "missing: ${missing[*]} (apt-get install ${missing[*]})" >&2
+    exit 1
+  fi
+fi
+
+cargo fmt --all --check
+(cd firmware && cargo fmt --check)
+cargo clippy --workspace --all-targets --locked -- -D warnings
+cargo test --locked
+firmware=$(./build-firmware.sh)
+# Larger stack frames are addressed by code that changes the flags between a comparison and its branch.
+if avr-objdump -d "$firmware" | grep -qE 'subi\s+r28'; then
+  echo "the firmware has a stack frame of more than 63 bytes: compose in place instead" >&2
+  exit 1
+fi
+avr-size "$firmware"
+cargo test --locked -p rig-simulator
+cat target/simavr-speed.md target/simavr-latency.md

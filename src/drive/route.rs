@@ -1,0 +1,101 @@
+//! The ways from the start to a case: from which easy drive, and in which order its constants become those of the case.
+
+use solver::continuation::Ramp;
+
+use super::start;
+use super::tuning::{
+    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER, TORQUE,
+};
+use crate::model::{Constant, Constants};
+
+/// A way from the start to a case. Those tried first are those that solve most drives for the least work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Route {
+    /// At the case's slack tension, or as near to it as the straight belt permits.
+    Direct,
+    /// From a tighter belt.
+    Tight,
+    /// From a larger slip threshold.
+    Threshold,
+    /// From a lighter belt: the same as from a lower speed, where inertia counts less.
+    Speed,
+    /// From a belt that bends more easily.
+    Bending,
+    /// From a looser belt.
+    Loose,
+    /// From a much tighter belt.
+    Tighter,
+}
+
+impl Route {
+    /// All routes, in the order in which they are tried.
+    pub const ALL: [Self; 7] =
+        [Self::Direct, Self::Tight, Self::Threshold, Self::Speed, Self::Bending, Self::Loose, Self::Tighter];
+
+    /// Name in messages and tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Direct => "direct",
+            Self::Tight => "tight",
+            Self::Threshold => "slip threshold",
+            Self::Speed => "speed",
+            Self::Bending => "bending stiffness",
+            Self::Loose => "loose",
+            Self::Tighter => "tighter",
+        }
+    }
+
+    /// The easy drive from which the case is approached.
+    pub(super) fn begin(self, target: &Constants) -> Constants {
+        let mut easy = target.clone();
+        let threshold = if self == Self::Threshold { LARGE_THRESHOLD * THRESHOLD } else { THRESHOLD };
+        let speed = target[Constant::PrimaryRadius] * target[Constant::PrimarySpeed];
+        easy[Constant::SlipThreshold] = target[Constant::SlipThreshold].max(threshold * speed);
+        let factor = match self {
+            Self::Tight => TIGHT,
+            Self::Tighter => TIGHTER,
+            Self::Loose => LOOSE,
+            _ => 1.0,
+        };
+        let radius = target[Constant::PrimaryRadius].min(target[Constant::SecondaryRadius]);
+        let square = radius * radius;
+        let highest = DEEPEST * target[Constant::RadialStiffness] * square * target[Constant::HalfAngle].tan();
+        let lowest = LEAST_WRAPPED * target[Constant::BendingStiffness] / square;
+        let tension = factor * target[Constant::SlackTension].clamp(lowest.min(highest), highest);
+        easy[Constant::SlackTension] = tension;
+        let softest = if self == Self::Bending { HARD_BENDING } else { 1.0 };
+        easy[Constant::BendingStiffness] =
+            softest * target[Constant::BendingStiffness].min(tension / factor * square / LEAST_WRAPPED);
+        if self == Self::Speed {
+            easy[Constant::MassPerLength] *= LIGHT;
+        }
+        let torque = target[Constant::PrimaryTorque];
+        let most = TORQUE * tension * target[Constant::PrimaryRadius];
+        easy[Constant::PrimaryTorque] = torque.clamp(-most, most);
+        start::stretched(&easy)
+    }
+
+    /// The legs of the way, in order: each moves some constants to where the case has them.
+    pub(super) fn legs(self, begin: &Constants, target: &Constants) -> Vec<Ramp> {
+        let moves = |constant: Constant| begin[constant] != target[constant];
+        let linear = |ramp: Ramp, at: Constant| ramp.linear(at.index(), begin[at], target[at]);
+        let geometric = |ramp: Ramp, at: Constant| ramp.geometric(at.index(), begin[at], target[at]);
+        let mut legs = Vec::new();
+        let stiff = [Constant::BendingStiffness, Constant::MassPerLength].into_iter().filter(|at| moves(*at));
+        let tighter = target[Constant::SlackTension] > begin[Constant::SlackTension];
+        let driven = target[Constant::PrimaryTorque] >= 0.0;
+        let torque = linear(Ramp::new(), Constant::PrimaryTorque);
+        if tighter && !driven {
+            // The loose strand of an engine that brakes is the one whose tension is not given.
+            legs.push(geometric(Ramp::new(), Constant::SlackTension));
+        }
+        legs.extend(stiff.map(|at| geometric(Ramp::new(), at)));
+        legs.push(if tighter && driven { geometric(torque, Constant::SlackTension) } else { torque });
+        legs.push(geometric(Ramp::new(), Constant::SlipThreshold));
+        if !tighter && moves(Constant::SlackTension) {
+            // A loose belt may transmit the torque only once friction is what the case says.
+            legs.push(geometric(Ramp::new(), Constant::SlackTension));
+        }
+        legs
+    }
+}
