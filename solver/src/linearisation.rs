@@ -8,6 +8,7 @@ use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::magnitude::Magnitudes;
 use crate::measure::intervals;
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -78,7 +79,8 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let grids = guess.grids();
         let x = guess.iterate(&grids);
         let plan = Arc::new(Plan::new(layout, solution.unknowns()));
-        let system = System { problem, layout, plan, tableau: solution.order().tableau(), grids };
+        let magnitudes = Magnitudes::stated(layout);
+        let system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
         Self::at(system, x, Stats::default())
     }
 
