@@ -206,15 +206,26 @@ fn the_commands_say_what_the_library_finds() {
         (program.status.code(), String::from_utf8(program.stdout).unwrap(), String::from_utf8(program.stderr).unwrap())
     };
     let thesis = ["--tol", "1e-4", "--edition", "thesis", "--set", "operating_point.slack_tension=20"];
-    let (status, text, _) = sheave(&[&["limit"], &thesis[..]].concat());
+    let (status, text, _) = sheave(&[&["limit", "--stall"], &thesis[..]].concat());
     assert_eq!(status, Some(0));
     assert!(
         text.contains("smallest slack tension for a primary torque of 18.00 N·m") && text.contains("18.34"),
         "{text}"
     );
-    let (status, text, _) = sheave(&[&["limit", "--json"], &thesis[..]].concat());
+    let (status, text, _) = sheave(&[&["limit", "--stall", "--json"], &thesis[..]].concat());
     let object: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((status, &object["smallest_clamp"]["slack_tension"]["kind"]), (Some(0), &"collapse".into()));
+    // Without being asked for the stall, it stops where a drive stops being of use, at a clamp that can be given.
+    let base = ["limit", "--json", "--tol", "1e-4"];
+    let (status, text, _) = sheave(&base);
+    let object: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let clamp = &object["smallest_clamp"]["slack_tension"];
+    assert_eq!((status, &clamp["kind"]), (Some(0), &"speed_efficiency".into()));
+    let tension = format!("operating_point.slack_tension={}", clamp["value"]);
+    let (status, text, _) = sheave(&["solve", "--json", "--tol", "1e-4", "--set", &tension]);
+    let solved: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(status, Some(0));
+    assert!((solved["efficiency"]["speed"].as_f64().unwrap() - 0.95).abs() < 1e-3);
     let (status, text, _) = sheave(&[&["optimum", "--json"], &thesis[..]].concat());
     let object: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((status, &object["bound"]), (Some(0), &"inner".into()));

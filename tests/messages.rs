@@ -49,6 +49,7 @@ fn inputs_that_do_not_mean_what_they_say() {
         (&["solve", "-"], "[sweep]\nover = [\"drive.ratio=1,2\"]\n"),
         (&["limit", "--set", "operating_point.slip_reserve=0.2"], ""),
         (&["size", "--set", "input.diameter=1e308 mm", "--set", "linear.mass=1e300 kg"], ""),
+        (&["solve", "-"], "[belt]\nlength = \"3 kg\"\nlenght = 3\n[sheave]\nhalf_angle = \"50 deg\"\n"),
         (&["solve", "-"], "\u{feff}[belt]\nlength = \"3 kg\"\n"),
     ];
     insta::assert_snapshot!("inputs", transcript(all));
@@ -95,7 +96,9 @@ fn results_that_need_a_warning_have_it() {
     assert!(contradicts.contains("`belt.length` = 950.0 mm contradicts the radii"), "{contradicts}");
     assert!(set(&["edition=published"]).contains("the doing of the equations of edition `published`"));
     let stiff = set(&["belt.bending_stiffness=5", "operating_point.primary_torque=5"]);
-    assert!(stiff.contains("in compression"), "{stiff}");
+    assert!(stiff.contains("by its speed alone"), "{stiff}");
+    let slow = set(&["operating_point.primary_speed=300 rpm", "operating_point.slack_tension=1 N"]);
+    assert!(slow.contains("The belt is in compression"), "{slow}");
     let idle = set(&["operating_point.primary_torque=0.1"]);
     assert!(idle.contains("The secondary has to be driven") && !idle.contains("Energy is not conserved"), "{idle}");
     let soft = set(&["belt.radial_stiffness=0.5 MPa", "operating_point.slack_tension=500 N"]);

@@ -1,8 +1,8 @@
 //! Symbolica on one thread of one process.
 //!
-//! Without a licence key Symbolica runs one instance per machine and one thread in it. All symbolic work of a
-//! process goes through the one worker thread here, and processes queue on a lock file in the temporary
-//! directory; who has to wait says so on standard error.
+//! Without a licence key Symbolica runs one instance for each user and one thread in it. All symbolic work of a
+//! process goes through the one worker thread here, and processes queue on a lock file in a folder of the
+//! user's; who has to wait says so on standard error.
 
 use std::fs::{File, TryLockError};
 use std::io;
@@ -76,10 +76,17 @@ fn start() -> Result<Mutex<mpsc::Sender<Job>>, String> {
     Ok(Mutex::new(send))
 }
 
-/// The lock that lets one process on the machine at Symbolica; held until the process ends.
+/// The lock that lets one process of this user at Symbolica; held until the process ends. Symbolica counts instances by user.
 fn machine_lock() -> Result<File, String> {
-    let folder = std::env::temp_dir();
-    let (file, path) = lock_file(&folder).map_err(|error| format!("lock file in {}: {error}", folder.display()))?;
+    let mut refused = Vec::new();
+    let opened = folders().into_iter().find_map(|folder| match lock_file(&folder) {
+        Ok(opened) => Some(opened),
+        Err(error) => {
+            refused.push(format!("{}: {error}", folder.display()));
+            None
+        }
+    });
+    let (file, path) = opened.ok_or_else(|| format!("no lock file can be had: {}", refused.join("; ")))?;
     let describe = |error: io::Error| format!("lock file {}: {error}", path.display());
     match file.try_lock() {
         Ok(()) => {}
@@ -93,41 +100,62 @@ fn machine_lock() -> Result<File, String> {
     Ok(file)
 }
 
-/// The lock file, which another user may have made: reading it is enough to lock it. If even that is denied, one of this
-/// user's own, as Symbolica counts instances by user.
-fn lock_file(folder: &Path) -> io::Result<(File, PathBuf)> {
-    let shared = folder.join(LOCK_FILE);
-    match open_or_create(&shared) {
-        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => {
-            let user = ["USER", "LOGNAME"].iter().find_map(|name| std::env::var(name).ok()).unwrap_or_default();
-            let user: String = user.chars().filter(char::is_ascii_alphanumeric).collect();
-            let own = folder.join(format!("{user}-{LOCK_FILE}"));
-            open_or_create(&own).map(|file| (file, own))
-        }
-        opened => opened.map(|file| (file, shared)),
-    }
+/// Folders for the lock file, the best first: places of this user alone, where nobody else can put a pipe or a link in its way,
+/// and for users without a home one of their own among the temporary files.
+fn folders() -> Vec<PathBuf> {
+    let variable = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let user = ["USER", "LOGNAME", "USERNAME"].iter().find_map(|name| std::env::var(name).ok()).unwrap_or_default();
+    let user: String = user.chars().filter(char::is_ascii_alphanumeric).collect();
+    let own = [
+        variable("XDG_RUNTIME_DIR"),
+        variable("XDG_CACHE_HOME"),
+        variable("HOME").map(|home| home.join(".cache")),
+        variable("LOCALAPPDATA"),
+    ];
+    let own = own.into_iter().flatten().map(|folder| folder.join("sheave"));
+    own.chain([std::env::temp_dir().join(format!("sheave-{user}"))]).collect()
 }
 
-fn open_or_create(path: &Path) -> io::Result<File> {
-    match File::open(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-        opened => return opened,
+/// Opens the lock file in a folder, and makes both where they are missing. Nothing is opened that is no regular file: a pipe
+/// would block, a link lead elsewhere. Reading is enough to lock.
+fn lock_file(folder: &Path) -> io::Result<(File, PathBuf)> {
+    make_private(folder)?;
+    if !std::fs::symlink_metadata(folder)?.is_dir() {
+        return Err(io::Error::other("this is no folder"));
     }
-    match File::create_new(path) {
-        // Another process was faster.
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => File::open(path),
-        created => created,
+    let path = folder.join(LOCK_FILE);
+    match File::create_new(&path) {
+        Ok(file) => return Ok((file, path)),
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+        Err(error) => return Err(error),
     }
+    if !std::fs::symlink_metadata(&path)?.is_file() {
+        return Err(io::Error::other(format!("{LOCK_FILE} is no regular file; remove it")));
+    }
+    File::open(&path).map(|file| (file, path))
+}
+
+/// A folder, with those above it, that only this user enters.
+fn make_private(folder: &Path) -> io::Result<()> {
+    let mut builder = std::fs::DirBuilder::new();
+    builder.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.create(folder)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{LOCK_FILE, lock_file};
+    use super::{LOCK_FILE, folders, lock_file};
+    use std::path::PathBuf;
+
+    fn folder(name: &str) -> PathBuf {
+        std::env::temp_dir().join(format!("sheave-lock-{name}-{}", std::process::id()))
+    }
 
     #[test]
     fn a_lock_file_that_cannot_be_written_locks() {
-        let folder = std::env::temp_dir().join(format!("sheave-lock-{}", std::process::id()));
-        std::fs::create_dir(&folder).unwrap();
+        let folder = folder("read-only");
         let (first, path) = lock_file(&folder).unwrap();
         assert_eq!(path, folder.join(LOCK_FILE));
         let mut permissions = std::fs::metadata(&path).unwrap().permissions();
@@ -138,6 +166,28 @@ mod tests {
         assert!(second.try_lock().is_err());
         drop(first);
         second.try_lock().unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_is_no_file_neither_blocks_nor_is_followed() {
+        let folder = folder("foreign");
+        std::fs::create_dir(&folder).unwrap();
+        let path = folder.join(LOCK_FILE);
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        assert!(lock_file(&folder).unwrap_err().to_string().contains("no regular file"));
+        std::fs::remove_file(&path).unwrap();
+        let target = folder.join("nowhere");
+        std::os::unix::fs::symlink(&target, &path).unwrap();
+        assert!(lock_file(&folder).unwrap_err().to_string().contains("no regular file"));
+        assert!(!target.exists());
+        std::fs::remove_file(&path).unwrap();
+        // Nor a folder that is a link, and there is always another to try.
+        let link = folder.join("link");
+        std::os::unix::fs::symlink(&folder, &link).unwrap();
+        assert!(lock_file(&link).is_err());
+        assert!(!folders().is_empty());
         std::fs::remove_dir_all(&folder).unwrap();
     }
 }

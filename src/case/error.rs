@@ -291,12 +291,36 @@ struct Inner {
     problem: Problem,
     /// The first is the one at fault.
     places: Vec<Place>,
+    /// What else is wrong with the same text.
+    others: Vec<CaseError>,
 }
+
+/// Other mistakes of one text that are kept: more help nobody.
+const MOST_OTHERS: usize = 19;
 
 impl CaseError {
     /// A problem, the place at fault, then others that have to do with it.
     pub(crate) fn new(problem: Problem, places: impl IntoIterator<Item = Place>) -> Self {
-        Self(Box::new(Inner { problem, places: places.into_iter().collect() }))
+        Self(Box::new(Inner { problem, places: places.into_iter().collect(), others: Vec::new() }))
+    }
+
+    /// One error for all that is wrong with a text, the first with the others behind it; none if nothing is.
+    pub(crate) fn all(errors: Vec<Self>) -> Option<Self> {
+        let mut errors = errors.into_iter();
+        let mut first = errors.next()?;
+        first.0.others.extend(errors.take(MOST_OTHERS));
+        Some(first)
+    }
+
+    /// Each mistake of the text as an error of its own, this one first.
+    pub fn into_each(mut self) -> Vec<Self> {
+        let others = std::mem::take(&mut self.0.others);
+        [self].into_iter().chain(others).collect()
+    }
+
+    /// What else is wrong with the same text.
+    pub fn others(&self) -> &[Self] {
+        &self.0.others
     }
 
     /// A text that cannot be read.
@@ -369,7 +393,8 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.0.problem.to_string()))
+        f.write_str(&printable(&self.0.problem.to_string()))?;
+        self.0.others.iter().try_for_each(|other| write!(f, "; {other}"))
     }
 }
 

@@ -67,7 +67,8 @@ impl Case {
     /// Reads a case from the text of a case file; `name` is shown in errors.
     ///
     /// # Errors
-    /// The first thing that is wrong, in the order of the text as far as one key alone is concerned: see [`Problem`].
+    /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`Problem`] and
+    /// [`CaseError::others`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
         let mut case = Self::base();
         // What some editors put at the front of a file.
@@ -81,10 +82,11 @@ impl Case {
                 [Place { source: source.clone(), key: span.clone(), value: span }],
             )
         })?;
+        let mut errors = Vec::new();
         for (key, value) in in_order(table.get_ref()) {
-            case.read_top(&source, key, value)?;
+            case.read_top(&source, key, value, &mut errors);
         }
-        Ok(case)
+        CaseError::all(errors).map_or(Ok(case), Err)
     }
 
     /// A key at the top of a file: `edition`, or a section with its keys.
@@ -93,24 +95,27 @@ impl Case {
         source: &Arc<Source>,
         key: &Spanned<Cow<'_, str>>,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), CaseError> {
+        errors: &mut Vec<CaseError>,
+    ) {
         let name = key.get_ref();
         let place = Place { source: source.clone(), key: key.span(), value: value.span() };
         if name == SWAP {
-            return self.read_swaps(source, value, place);
+            errors.extend(self.read_swaps(source, value, place).err());
+            return;
         }
         if !super::keys::sections().any(|section| section == name) {
-            return self.insert(name, raw(value.get_ref()), place);
+            errors.extend(self.insert(name, raw(value.get_ref()), place).err());
+            return;
         }
         let DeValue::Table(table) = value.get_ref() else {
             let (path, given) = (name.to_string(), kind(value.get_ref()));
-            return Err(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+            errors.push(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+            return;
         };
         for (key, value) in in_order(table) {
             let place = Place { source: source.clone(), key: key.span(), value: value.span() };
-            self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place)?;
+            errors.extend(self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place).err());
         }
-        Ok(())
     }
 
     /// The key `swap`: a list of texts.

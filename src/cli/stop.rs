@@ -28,7 +28,9 @@ impl Stop {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                tell(&format!("{:?}", miette::Report::new(error)));
+                for error in error.into_each() {
+                    tell(&format!("{:?}", miette::Report::new(error)));
+                }
                 ExitCode::from(2)
             }
             Self::Refused(report) => {

@@ -18,6 +18,11 @@ const DEEP: f64 = 0.3;
 /// Compression over the largest tension beyond which it is more than the solution's tolerance.
 const COMPRESSION: f64 = 1e-6;
 
+/// Zero of the Celsius scale, K.
+const CELSIUS: f64 = 273.15;
+/// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
+const HOT: f64 = 71.0 + CELSIUS;
+
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
     let mut said = Vec::new();
@@ -32,7 +37,16 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(deep("secondary", &result.secondary));
     said.extend(length(outcome));
     said.extend(energy(outcome));
+    said.extend(outcome.no_losses.map(|reason| format!("No losses besides friction are told: {reason}.")));
+    said.extend(hot(outcome));
     said
+}
+
+/// A belt that will not last.
+fn hot(outcome: &Outcome) -> Option<String> {
+    let temperature = outcome.result.belt.temperature.filter(|temperature| *temperature > HOT)?;
+    let celsius = temperature - CELSIUS;
+    Some(format!("The belt is hot: {celsius:.1} °C, above the 71 °C up to which it lasts long."))
 }
 
 /// A state at the nodes of a region.
@@ -77,7 +91,8 @@ fn powers(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// A belt that is pushed somewhere, which a belt does not bear.
+/// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without what the
+/// belt's own inertia adds.
 fn compression(outcome: &Outcome) -> Option<String> {
     let places = [
         (RegionId::Primary, State::Tension, "on the primary"),
@@ -90,10 +105,17 @@ fn compression(outcome: &Outcome) -> Option<String> {
     let least = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
     let (lowest, place) =
         tensions.iter().map(|(values, place)| (least(values), place)).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let centrifugal = outcome.result.belt.mass_flow.powi(2) / outcome.result.inputs.belt.mass_per_length;
+    let whole = lowest + centrifugal;
     (lowest < -COMPRESSION * largest).then(|| {
+        let consequence = if whole < 0.0 {
+            format!("The belt is in compression {place}: its tension falls to {whole:.1} N there, of which")
+        } else {
+            format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
+        };
         format!(
-            "The belt is in compression {place}: the tractive tension falls to {lowest:.1} N there. A belt buckles or \
-             jumps instead; clamp it tighter, or use a belt that bends more easily."
+            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at such a \
+             place; clamp it tighter, or use one that bends more easily."
         )
     })
 }
