@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
+use sheave::model::{Constant, Field, Integral, Output, RegionConstant, State};
 
 /// The four packages of the workspace.
 const SHEAVE: &str = "sheave";
@@ -82,5 +83,120 @@ fn only_the_drive_joins_equations_and_solver() {
     for package in all.keys() {
         let joins = depends(&all, package, GENERATED) && depends(&all, package, SOLVER);
         assert_eq!(joins, package == SHEAVE, "{package}");
+    }
+}
+
+/// The code of `src/`, file by file: path within it, and its lines without comments and without tests.
+fn code() -> Vec<(String, Vec<String>)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut paths = Vec::new();
+    files(&root, &mut paths);
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "rs"));
+    assert!(paths.len() > 50, "the sources were not found");
+    let lines = |path: &PathBuf| {
+        let text = std::fs::read_to_string(path).unwrap();
+        let name = path.strip_prefix(&root).unwrap().to_str().unwrap().replace('\\', "/");
+        let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+        let lines = code.lines().filter(|line| !line.trim_start().starts_with("//")).map(str::to_owned);
+        (name, lines.collect())
+    };
+    paths.iter().map(lines).collect()
+}
+
+/// The top modules of `src/` and those that each refers to by `crate::`.
+fn imports(code: &[(String, Vec<String>)]) -> BTreeMap<String, BTreeSet<String>> {
+    let top = |path: &str| path.split('/').next().unwrap_or_default().trim_end_matches(".rs").to_owned();
+    let modules: BTreeSet<String> = code.iter().map(|(path, _)| top(path)).collect();
+    let mut graph: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    // `cli` and `main` are the program, not the library.
+    for (path, lines) in
+        code.iter().filter(|(path, _)| !path.starts_with("cli/") && path != "main.rs" && path != "lib.rs")
+    {
+        let from = top(path);
+        for line in lines {
+            let targets = line
+                .split("crate::")
+                .skip(1)
+                .map(|rest| rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>());
+            let others = targets.filter(|to| modules.contains(to) && *to != from);
+            graph.entry(from.clone()).or_default().extend(others);
+        }
+    }
+    graph
+}
+
+/// A circle of modules, if there is one.
+fn circle(graph: &BTreeMap<String, BTreeSet<String>>) -> Option<Vec<String>> {
+    let mut left = graph.clone();
+    // A module that imports nothing that is left is on no circle.
+    loop {
+        let names: BTreeSet<String> = left.keys().cloned().collect();
+        let free: Vec<String> =
+            left.iter().filter(|(_, to)| to.is_disjoint(&names)).map(|(name, _)| name.clone()).collect();
+        if free.is_empty() {
+            break;
+        }
+        left.retain(|name, _| !free.contains(name));
+    }
+    (!left.is_empty()).then(|| left.into_keys().collect())
+}
+
+#[test]
+fn modules_import_each_other_in_one_direction() {
+    let graph = imports(&code());
+    assert!(graph["drive"].contains("case") && graph["result"].contains("drive"), "imports were not read: {graph:?}");
+    assert_eq!(circle(&graph), None, "modules of src import each other in a circle: {graph:#?}");
+    // The check itself can fail.
+    let mut broken = graph;
+    broken.entry("case".into()).or_default().insert("drive".into());
+    assert!(circle(&broken).is_some_and(|names| names.contains(&"case".to_owned())));
+}
+
+/// Names of all generated states, fields, integrals, constants and outputs.
+fn generated_names() -> BTreeSet<&'static str> {
+    let mut names = BTreeSet::new();
+    names.extend(State::ALL.map(State::name));
+    names.extend(Field::ALL.map(Field::name));
+    names.extend(Integral::ALL.map(Integral::name));
+    names.extend(RegionConstant::ALL.map(RegionConstant::name));
+    names.extend(Constant::ALL.map(Constant::name));
+    names.extend(Output::ALL.map(Output::name));
+    names
+}
+
+/// Whether a line decides by a generated name: compares one with a text, matches one, or looks one up.
+fn matches_a_name(line: &str, names: &BTreeSet<&str>) -> bool {
+    let compared = ["symbol.name ==", ".name() ==", "equation.name ==", "name() == name"];
+    if compared.iter().any(|text| line.contains(text)) {
+        return true;
+    }
+    let parts: Vec<&str> = line.split('"').collect();
+    parts.windows(3).enumerate().filter(|(at, _)| at % 2 == 0).any(|(_, part)| {
+        let (before, text, after) = (part[0].trim_end(), part[1], part[2].trim_start());
+        let looked_up = [".get(", ".state(", ".field(", ".integral(", ".set(", "named(", "column("];
+        let arm = after.starts_with("=>") || after.starts_with("| \"") || after.starts_with(", Self::");
+        names.contains(text) && (arm || looked_up.iter().any(|call| before.ends_with(call)))
+    })
+}
+
+#[test]
+fn no_generated_name_is_matched_as_a_string() {
+    let names = generated_names();
+    let mut found = Vec::new();
+    for (path, lines) in code() {
+        // A unit of temperature, not the belt's tension.
+        let unit = |line: &str| path == "bench/sheet.rs" && line.contains("\"degF\"");
+        let lines = lines.iter().filter(|line| !unit(line) && matches_a_name(line, &names));
+        found.extend(lines.map(|line| format!("{path}: {}", line.trim())));
+    }
+    assert!(found.is_empty(), "generated names are matched as strings:\n{}", found.join("\n"));
+    // The check itself can fail.
+    for line in [
+        "let x = kernel.states.iter().position(|symbol| symbol.name == \"x\")?;",
+        "\"T\" | \"tau\" => tension,",
+        "(\"sigma\", Self::Primary) => return Some(Source::One),",
+        "let value = outputs.get(\"efficiency.overall\");",
+    ] {
+        assert!(matches_a_name(line, &names), "{line}");
     }
 }

@@ -176,13 +176,14 @@ fn mistakes_are_named() {
         ("outside_circumference = \"875.1 mm\"", "outside_circumference = \"8 mm\"", "deeper"),
         ("mass = \"375 g\"", "mass = \"375 kg\"", "out of range"),
         ("[length]", "[[length]]\n[lengths]", "unknown key `lengths`"),
-        ("[yarns]", "yarns = 3\n[yarn]", "expected a table of keys"),
         ("slope = \"1747 N/mm\"", "csv = \"nowhere.csv\"", "cannot read `nowhere.csv`"),
         ("[yarns]", "[yarns", "not valid TOML"),
     ] {
         let text = refused(from, to);
         assert!(text.contains(words), "{to}: {text}");
     }
+    let error = Description::parse("b.toml", "yarns = 3").unwrap_err();
+    assert!(said(&error).contains("`yarns` is an integer: expected a table of keys"), "{error}");
     let lumped = std::fs::read_to_string(example("g-force.toml")).unwrap();
     let error = Description::parse("b.toml", &lumped).unwrap().evaluate(Some(300.0)).unwrap_err();
     assert!(said(&error).contains("nothing says how"), "{error}");

@@ -66,6 +66,17 @@ pub struct Step {
     pub source: &'static str,
 }
 
+/// A law that is typed in as a balance, and that steps are solved from: `left = right`.
+#[derive(Debug, Clone)]
+pub struct Law {
+    /// Left side.
+    pub left: Atom,
+    /// Right side.
+    pub right: Atom,
+    /// Number in the thesis.
+    pub source: &'static str,
+}
+
 /// A divisor that is known to stay away from zero.
 #[derive(Debug, Clone)]
 pub struct Guard {
@@ -82,6 +93,8 @@ pub struct Plan {
     pub inputs: Vec<String>,
     /// Steps.
     pub steps: Vec<Step>,
+    /// Laws that steps are derived from.
+    pub laws: Vec<Law>,
     /// Divisors that do not vanish.
     pub guards: Vec<Guard>,
     own: Vec<notation::Symbol>,
@@ -110,8 +123,15 @@ impl Plan {
     }
 
     fn on(inputs: Vec<String>, own: Vec<notation::Symbol>, notation: Dimensions) -> Result<Self, Error> {
-        let mut plan =
-            Self { inputs: Vec::new(), steps: Vec::new(), guards: Vec::new(), own, notation, known: Dimensions::new() };
+        let mut plan = Self {
+            inputs: Vec::new(),
+            steps: Vec::new(),
+            laws: Vec::new(),
+            guards: Vec::new(),
+            own,
+            notation,
+            known: Dimensions::new(),
+        };
         for input in inputs {
             let dimension = plan.in_notation("inputs", &input)?;
             plan.known.insert(input.clone(), dimension);
@@ -126,6 +146,26 @@ impl Plan {
     /// If `text` cannot be read, uses an unknown symbol or has a term of the wrong dimension.
     pub fn primitive(&mut self, name: &str, text: &str, source: &'static str) -> Result<(), Error> {
         let value = read(name, text)?;
+        self.push(name, Definition::Expression(value), Origin::Primitive, source)
+    }
+
+    /// Types in the law `left = right`, from which steps are derived.
+    ///
+    /// # Errors
+    /// If a side cannot be read, uses an unknown symbol, or has a term of another dimension than the other side.
+    pub fn law(&mut self, left: &str, right: &str, source: &'static str) -> Result<(), Error> {
+        let (left, right) = (read("law", left)?, read("law", right)?);
+        let dimension = dimension::dimension("law", &left, &self.notation)?;
+        dimension::check("law", &right, dimension, &self.notation)?;
+        self.laws.push(Law { left, right, source });
+        Ok(())
+    }
+
+    /// Types in `name = value`, where `value` is put together from texts.
+    ///
+    /// # Errors
+    /// As [`Plan::primitive`].
+    pub fn typed(&mut self, name: &str, value: Atom, source: &'static str) -> Result<(), Error> {
         self.push(name, Definition::Expression(value), Origin::Primitive, source)
     }
 

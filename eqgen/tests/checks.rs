@@ -108,3 +108,25 @@ fn dimensions_of_sums_and_powers() {
     })
     .unwrap();
 }
+
+/// What a reader is told of the conditions: that the belt's curvature and shear follow from bending, and that all else is
+/// typed in.
+#[test]
+fn conditions_say_whether_they_are_typed_in_or_derived() {
+    symbolic(|| {
+        for shear in [Shear::Linearised, Shear::Full] {
+            let set = boundary::model(Ends::Continuous, shear).unwrap();
+            let of = |origin: Origin| {
+                let steps = set.equations.iter().filter_map(|equation| set.plan.step(&equation.name));
+                steps.filter(|step| step.origin == origin).map(|step| step.name.clone()).collect::<Vec<_>>()
+            };
+            let (typed, derived) = (of(Origin::Primitive), of(Origin::Derived));
+            assert_eq!((typed.len(), derived.len()), (18, 8));
+            assert!(
+                derived.iter().all(|name| name.starts_with("curvature") || name.starts_with("shear")),
+                "{derived:?}"
+            );
+        }
+    })
+    .unwrap();
+}

@@ -3,6 +3,28 @@
 // Operations:
 //   value: 49 operations
 //   jacobian: 110 operations
+// Equations, with their numbers in the source:
+// - V_rel (typed in): V_rel
+// - F_C (typed in): F_C
+// - reached (typed in): μ
+// - mu (typed in): μ
+// - euler (typed in): F_fr
+// - excess (typed in): F_fr
+// - size (typed in): F_thr
+// - pressing (typed in): F_thr
+// - opposite (typed in): belt direction
+// - equal (typed in): belt direction
+// - adhesion (typed in): ideal belt
+// - friction (typed in): F_fr
+// - torque (derived): T_S
+// - relative_velocity (typed in): V_rel
+// - centrifugal_tension (typed in): F_C
+// - friction_coefficient (typed in): μ
+// - belt_power (typed in): power
+// - shaft_power (derived): power
+// - friction_loss (typed in): power
+// - bearing_loss (typed in): power
+// - kinetic_power (typed in): power
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,20 @@
 // Operations:
 //   value: 22 operations
 //   jacobian: 67 operations
+// Equations, with their numbers in the source:
+// - ratio (typed in): F_fr
+// - log_ratio (typed in): F_fr
+// - capstan (typed in): F_fr
+// - wedge_coefficient (typed in): f'
+// - tension_ratio (typed in): F_fr
+// - largest_ratio (typed in): F_fr
+// - mean_coefficient (typed in): F_fr
+// - used (typed in): μ
+// - share (typed in): μ
+// - odds (typed in): μ
+// - log_odds (typed in): μ
+// - creep (typed in): μ
+// - moment (derived): T_S
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,34 @@
 // Operations:
 //   value: 169 operations
 //   jacobian: 497 operations
+// Equations, with their numbers in the source:
+// - s_2 (typed in): a region ends where its variable is 1
+// - penetration_P1 (typed in): (5.51)
+// - penetration_P2 (typed in): (5.51)
+// - penetration_S1 (typed in): (5.51)
+// - penetration_S2 (typed in): (5.51)
+// - tension_P1 (typed in): (5.47)
+// - tension_P2 (typed in): (5.48)
+// - tension_S1 (typed in): (5.49)
+// - tension_S2 (typed in): (5.50)
+// - direction_P1 (typed in): (5.21), (5.35)
+// - direction_P2 (typed in): (5.22), (5.36)
+// - direction_S1 (typed in): (5.23), (5.37)
+// - direction_S2 (typed in): (5.24), (5.38)
+// - curvature_P1 (derived): (5.39)
+// - curvature_P2 (derived): (5.40)
+// - curvature_S1 (derived): (5.41)
+// - curvature_S2 (derived): (5.42)
+// - shear_P1 (derived): (3.33), (3.43)
+// - shear_P2 (derived): (3.33), (3.43)
+// - shear_S1 (derived): (3.33), (3.43)
+// - shear_S2 (derived): (3.33), (3.43)
+// - closure_X_s (typed in): (5.29) to (5.32)
+// - closure_Y_s (typed in): (5.29) to (5.32)
+// - closure_X_t (typed in): (5.27), (5.28), (5.33), (5.34)
+// - closure_Y_t (typed in): (5.27), (5.28), (5.33), (5.34)
+// - torque (typed in): 5.3.5
+// - slack_tension (typed in): 5.3.5
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -5,6 +5,56 @@
 //   jacobian: 132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once
 //   full: 210 add, 521 mul, 7 div, 2 sqrt, 3 fn a point; 122 once
 //   fields: 15 add, 41 mul, 4 div, 2 sqrt, 4 fn a point; 22 once
+// Equations, with their numbers in the source:
+// - theta_1 (typed in): (5.2)
+// - theta_2 (typed in): (5.3)
+// - G (typed in): definition of the flow coefficient
+// - F (derived): (3.10)
+// - V (derived): (3.11)
+// - omega (typed in): definition of the speed ratio
+// - r (typed in): (3.1)
+// - arc (typed in): (3.4)
+// - tan_theta (typed in): (3.24)
+// - v_r (typed in): (3.12)
+// - v_t (typed in): (3.12)
+// - v_0 (typed in): guard: replaces |v| = 0 by 1e-12 m/s; smooth, and without effect elsewhere
+// - speed (typed in): (3.12)
+// - slip (typed in): Fig. 3.6
+// - saturation (typed in): smooth law
+// - mu (typed in): Fig. 3.6
+// - face_speed (typed in): (3.13), (3.14)
+// - f_r (typed in): (3.13) to (3.15)
+// - f_t (typed in): (3.13) to (3.15)
+// - p (typed in): (3.16) to (3.18)
+// - q (typed in): (3.7)
+// - n (typed in): (3.20)
+// - t (typed in): (3.21)
+// - M_b (derived): (3.32)
+// - Q (derived): (3.33)
+// - theta_30 (derived): (3.35)
+// - Q_theta3 (derived): (3.35)
+// - theta_3 (derived): (3.41)
+// - T_hat_1 (derived): (3.31), (5.5)
+// - theta_hat_3 (derived): (5.4), (5.6)
+// - x_hat_1 (derived): (3.24)
+// - stretch (typed in): (3.9)
+// - axial (typed in): (5.57)
+// - loss_radial (typed in): power of friction
+// - loss_tangential (typed in): power of friction
+// - loss (typed in): power of friction
+// - M_hat_1 (typed in): (5.54)
+// - A_hat_1 (typed in): (5.58)
+// - L_o_hat_1 (typed in): (5.55)
+// - W_hat_1 (typed in): energy
+// - A_x_hat_1 (typed in): moment of (5.58)
+// - A_y_hat_1 (typed in): moment of (5.58)
+// - V_T (derived): (3.11)
+// - stored (typed in): energy of bending less that of squeezing
+// - E_hat_1 (typed in): energy
+// - gamma_a (typed in): (3.13)
+// - gamma (typed in): Fig. 6.8
+// - beta_s (typed in): (3.14)
+// - loss_phi (typed in): power of friction
 
 ///The belt in a groove: full shear, tanh friction.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {

@@ -3,6 +3,17 @@
 // Operations:
 //   value: 28 operations
 //   jacobian: 69 operations
+// Equations, with their numbers in the source:
+// - ratio (derived): (3.25)
+// - load_inertia (derived): (3.22)
+// - rotating_inertia (derived): (3.21), (3.27)
+// - total_inertia (typed in): (3.21), (3.27)
+// - external_torque (derived): (3.23)
+// - friction_torque (derived): (3.24)
+// - input_torque (derived): (3.26)
+// - steady_torque (typed in): 3.3
+// - acceleration_torque (typed in): 3.3
+// - drive_torque (typed in): 3.3
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,8 @@
 // Operations:
 //   value: 5 operations
 //   jacobian: 13 operations
+// Equations, with their numbers in the source:
+// - reflected_inertia (derived): (3.21)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 2), (0, 12), (0, 13)];

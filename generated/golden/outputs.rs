@@ -3,6 +3,53 @@
 // Operations:
 //   value: 70 operations
 //   jacobian: 142 operations
+// Equations, with their numbers in the source:
+// - s_2 (typed in): a region ends where its variable is 1
+// - binding_P (typed in): 6.1.2
+// - binding_S (typed in): 6.1.2
+// - primary__speed (typed in): 5.1
+// - primary__torque (typed in): (5.54)
+// - primary__power (typed in): 6.2
+// - primary__axial_force (typed in): (5.58)
+// - primary__wrap_angle (typed in): (5.1)
+// - primary__entry_angle (typed in): (3.2)
+// - primary__exit_angle (typed in): (3.2)
+// - primary__orientation_angle (typed in): (5.17) to (5.20)
+// - primary__resultant_x (typed in): (6.3), (6.5)
+// - primary__resultant_y (typed in): (6.4), (6.5)
+// - primary__binding_moment (typed in): 6.1.2
+// - primary__friction_loss (typed in): power of friction
+// - primary__entry_tension (typed in): (3.6)
+// - primary__exit_tension (typed in): (3.6)
+// - secondary__speed (typed in): 5.1
+// - secondary__torque (typed in): (5.54)
+// - secondary__power (typed in): 6.2
+// - secondary__axial_force (typed in): (5.58)
+// - secondary__wrap_angle (typed in): (5.1)
+// - secondary__entry_angle (typed in): (3.2)
+// - secondary__exit_angle (typed in): (3.2)
+// - secondary__orientation_angle (typed in): (5.17) to (5.20)
+// - secondary__resultant_x (typed in): (6.3), (6.6)
+// - secondary__resultant_y (typed in): (6.4), (6.6)
+// - secondary__binding_moment (typed in): 6.1.2
+// - secondary__friction_loss (typed in): power of friction
+// - secondary__entry_tension (typed in): (3.6)
+// - secondary__exit_tension (typed in): (3.6)
+// - tight_span__arc_length (typed in): (5.9)
+// - tight_span__unstretched_length (typed in): (5.56)
+// - slack_span__arc_length (typed in): (5.9)
+// - slack_span__unstretched_length (typed in): (5.56)
+// - efficiency__speed (typed in): (6.7)
+// - efficiency__torque (typed in): (6.8)
+// - efficiency__overall (typed in): (6.9)
+// - belt__mass_flow (typed in): (3.5)
+// - belt__unstretched_length (typed in): (5.55), (5.56)
+// - energy__power_in (typed in): energy balance
+// - energy__power_out (typed in): energy balance
+// - energy__friction_loss (typed in): power of friction
+// - energy__stretch_work (typed in): energy balance
+// - energy__imbalance (typed in): energy balance
+// - energy__closure (typed in): energy balance
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,21 @@
 // Operations:
 //   value: 73 operations
 //   jacobian: 286 operations
+// Equations, with their numbers in the source:
+// - tan_delta (typed in): (5)
+// - K (derived): formula of K, 1.2
+// - L_Oin (derived): (2.218)
+// - L_Iin (derived): (7)
+// - ratio_O (derived): (2.216)
+// - ratio_I (derived): (10)
+// - log_O (typed in): (2.221), (16)
+// - Phi_O (derived): (2.221), (16)
+// - log_I (typed in): (2.221), (16)
+// - Phi_I (derived): (2.221), (16)
+// - speed_O (derived): (2)
+// - speed_I (derived): (18)
+// - axial_O (derived): (5)
+// - axial_I (derived): (13)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

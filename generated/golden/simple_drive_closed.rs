@@ -3,6 +3,44 @@
 // Operations:
 //   value: 141 operations
 //   jacobian: 632 operations
+// Equations, with their numbers in the source:
+// - tan_delta (typed in): (5)
+// - K (derived): formula of K, 1.2
+// - L_Oin (derived): (2.218)
+// - L_Iin (derived): (7)
+// - a_O (derived): 2.220
+// - b_O (derived): 2.220
+// - c_O (derived): 2.220
+// - root_O (typed in): 2.220
+// - v_0_O (typed in): 2.220
+// - a_I (derived): (15)
+// - b_I (derived): (15)
+// - c_I (derived): (15)
+// - root_I (typed in): (15)
+// - v_0_I (typed in): (15)
+// - omega_O_of_M_O (derived): (21)
+// - omega_I_of_M_O (derived): (2)
+// - M_O_of_speeds (derived): (17)
+// - M_I_of_speeds (derived): (19)
+// - M_O_of_M_I (derived): (11)
+// - M_I_of_M_O (derived): (20)
+// - lift_off (typed in): 1.2
+// - slack_force (typed in): 1.2
+// - tight_force (typed in): 1.2
+// - slack_tension (derived): (12)
+// - tight_tension (derived): (12)
+// - ratio_O (typed in): (22)
+// - ratio_I (typed in): (25)
+// - log_O (typed in): (2.221), (16)
+// - Phi_O (derived): (2.221), (16)
+// - log_I (typed in): (2.221), (16)
+// - Phi_I (derived): (2.221), (16)
+// - sliding_O (derived): (22), (25)
+// - F_CO_of_speeds (derived): (23), (26)
+// - F_slip_O (derived): (5) and (13) where all of the contact slides
+// - sliding_I (derived): (22), (25)
+// - F_CI_of_speeds (derived): (23), (26)
+// - F_slip_I (derived): (5) and (13) where all of the contact slides
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

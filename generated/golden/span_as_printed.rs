@@ -5,6 +5,23 @@
 //   jacobian: 17 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 58 once
 //   full: 34 add, 55 mul, 1 div, 0 sqrt, 1 fn a point; 86 once
 //   fields: 2 add, 5 mul, 0 div, 0 sqrt, 0 fn a point; 13 once
+// Equations, with their numbers in the source:
+// - vartheta_1 (typed in): (5.10)
+// - vartheta_2 (typed in): (5.11)
+// - M_b (typed in): (3.26)
+// - Q (typed in): (3.43)
+// - G (typed in): definition of the flow coefficient
+// - F (derived): (3.10)
+// - V (derived): (3.11)
+// - tau_hat_1 (as printed): (C) rhs(21)
+// - vartheta_hat_3 (as printed): (C) rhs(24)
+// - stretch (typed in): (3.9)
+// - X_hat_1 (typed in): (5.25)
+// - Y_hat_1 (typed in): (5.26)
+// - L_o_hat_1 (typed in): (5.56)
+// - V_T (derived): (3.11)
+// - stored (typed in): energy of bending
+// - E_hat_1 (typed in): energy
 
 ///The free belt as Appendix C prints it: L² on the wrong side.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {

@@ -5,6 +5,21 @@
 //   jacobian: 6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once
 //   full: 15 add, 22 mul, 1 div, 0 sqrt, 1 fn a point; 32 once
 //   fields: 2 add, 3 mul, 0 div, 0 sqrt, 0 fn a point; 9 once
+// Equations, with their numbers in the source:
+// - G (typed in): definition of the flow coefficient
+// - F (derived): (3.10)
+// - V (derived): (3.11)
+// - M_b (typed in): a string carries no moment
+// - Q (typed in): a string carries no moment
+// - tau_hat_1 (typed in): a free string is straight, its tension constant
+// - vartheta_hat_1 (typed in): a free string is straight, its tension constant
+// - stretch (typed in): (3.9)
+// - X_hat_1 (typed in): (5.25)
+// - Y_hat_1 (typed in): (5.26)
+// - L_o_hat_1 (typed in): (5.56)
+// - V_T (derived): (3.11)
+// - stored (typed in): energy of bending
+// - E_hat_1 (typed in): energy
 
 ///The free belt without bending stiffness: a straight line.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {

@@ -3983,6 +3983,3081 @@ impl Identity for DriveSizingIdlerOutput {
         self as usize
     }
 }
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightTableInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// C: r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench, m
+    Coefficient,
+    /// f: share of the force that friction takes, negative where the sheave opens
+    Lost,
+}
+impl FlyweightTableInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 5] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Coefficient,
+        Self::Lost,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 5] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "C",
+            symbol: "C",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench",
+            source: "",
+        },
+        Symbol {
+            name: "lost",
+            symbol: "f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "share of the force that friction takes, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightTableInput {
+    const COUNT: usize = 5;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightTableOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; (9.2)
+    Force,
+}
+impl FlyweightTableOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Force];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "(9.2)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightTableOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRampInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// r: radius of a flyweight's centre of mass, m
+    Radius,
+    /// dr/ds: slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius
+    RadiusSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightRampInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "r",
+            symbol: "r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of a flyweight's centre of mass",
+            source: "",
+        },
+        Symbol {
+            name: "r_s",
+            symbol: "dr/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRampInput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRampOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; balance on the ramp
+    Force,
+}
+impl FlyweightRampOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Force];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "balance on the ramp",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRampOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightArmInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// s: travel of the movable sheave, positive where it closes, m
+    Travel,
+    /// z_0: axial distance from the arm's pivot to the roller's centre at s = 0, m
+    Start,
+    /// R_p: radius of the arm's pivot from the shaft, m
+    PivotRadius,
+    /// R_r: radius of the roller's centre from the shaft, m
+    RollerRadius,
+    /// l_m: distance of the arm's centre of mass from its pivot, m
+    MassDistance,
+    /// δ: angle of the centre of mass in the arm, rad
+    MassAngle,
+    /// ξ: angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve, rad
+    PitchAngle,
+    /// dξ/dd: slope of the pitch curve over the distance, rad/m
+    PitchSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightArmInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 12] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Travel,
+        Self::Start,
+        Self::PivotRadius,
+        Self::RollerRadius,
+        Self::MassDistance,
+        Self::MassAngle,
+        Self::PitchAngle,
+        Self::PitchSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 12] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "s",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "travel of the movable sheave, positive where it closes",
+            source: "",
+        },
+        Symbol {
+            name: "z_0",
+            symbol: "z_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "axial distance from the arm's pivot to the roller's centre at s = 0",
+            source: "",
+        },
+        Symbol {
+            name: "R_pivot",
+            symbol: "R_p",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the arm's pivot from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "R_roller",
+            symbol: "R_r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the roller's centre from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "l_m",
+            symbol: "l_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the arm's centre of mass from its pivot",
+            source: "",
+        },
+        Symbol {
+            name: "delta",
+            symbol: "δ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the centre of mass in the arm",
+            source: "",
+        },
+        Symbol {
+            name: "xi",
+            symbol: "ξ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve",
+            source: "",
+        },
+        Symbol {
+            name: "xi_d",
+            symbol: "dξ/dd",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "slope of the pitch curve over the distance",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightArmInput {
+    const COUNT: usize = 12;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightArmOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; virtual work
+    Force,
+    /// d: distance from the pivot to the roller's centre, at which the pitch curve is to be read, m; kinematics
+    Distance,
+    /// dd/ds: its slope over the travel; kinematics
+    DistanceSlope,
+    /// r_m: radius of the centre of mass from the shaft, m; kinematics
+    Radius,
+    /// dr_m/ds: its slope over the travel without friction; kinematics
+    RadiusSlope,
+    /// M_c: moment of the centrifugal forces about the pivots, N·m; centrifugal moment
+    Moment,
+}
+impl FlyweightArmOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Force,
+        Self::Distance,
+        Self::DistanceSlope,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::Moment,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "virtual work",
+        },
+        Symbol {
+            name: "distance",
+            symbol: "d",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance from the pivot to the roller's centre, at which the pitch curve is to be read",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "distance_s",
+            symbol: "dd/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius",
+            symbol: "r_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the centre of mass from the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius_s",
+            symbol: "dr_m/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel without friction",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "moment",
+            symbol: "M_c",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "moment of the centrifugal forces about the pivots",
+            source: "centrifugal moment",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightArmOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRollerInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// θ: angle of the arm from the shaft's axis outwards, pivot to roller, rad
+    ArmAngle,
+    /// R_p: radius of the arm's pivot from the shaft, m
+    PivotRadius,
+    /// l_r: distance of the roller's centre from the pivot, m
+    ArmLength,
+    /// l_m: distance of the arm's centre of mass from its pivot, m
+    MassDistance,
+    /// δ: angle from the line to the roller to that to the centre of mass, rad
+    MassAngle,
+    /// h: radius from the shaft to which the ramp lets the roller's centre, where the roller is, m
+    RampRadius,
+    /// dh/dx: slope of that radius along the ramp
+    RampSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightRollerInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 11] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::ArmAngle,
+        Self::PivotRadius,
+        Self::ArmLength,
+        Self::MassDistance,
+        Self::MassAngle,
+        Self::RampRadius,
+        Self::RampSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 11] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "theta",
+            symbol: "θ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the arm from the shaft's axis outwards, pivot to roller",
+            source: "",
+        },
+        Symbol {
+            name: "R_pivot",
+            symbol: "R_p",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the arm's pivot from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "l_roller",
+            symbol: "l_r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the roller's centre from the pivot",
+            source: "",
+        },
+        Symbol {
+            name: "l_m",
+            symbol: "l_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the arm's centre of mass from its pivot",
+            source: "",
+        },
+        Symbol {
+            name: "delta",
+            symbol: "δ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle from the line to the roller to that to the centre of mass",
+            source: "",
+        },
+        Symbol {
+            name: "h",
+            symbol: "h",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius from the shaft to which the ramp lets the roller's centre, where the roller is",
+            source: "",
+        },
+        Symbol {
+            name: "h_x",
+            symbol: "dh/dx",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of that radius along the ramp",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRollerInput {
+    const COUNT: usize = 11;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRollerOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; virtual work
+    Force,
+    /// radius that the roller's centre has beyond the ramp: zero where it bears on it, m; contact
+    Gap,
+    /// how far the roller's centre lies from the pivot along the shaft, m; kinematics
+    Along,
+    /// dθ/ds: turn of the arm over the travel, without friction, rad/m; contact
+    AngleSlope,
+    /// r_m: radius of the centre of mass from the shaft, m; kinematics
+    Radius,
+    /// dr_m/ds: its slope over the travel without friction; kinematics
+    RadiusSlope,
+    /// M_c: moment of the centrifugal forces about the pivots, N·m; centrifugal moment
+    Moment,
+}
+impl FlyweightRollerOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 7] = [
+        Self::Force,
+        Self::Gap,
+        Self::Along,
+        Self::AngleSlope,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::Moment,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 7] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "virtual work",
+        },
+        Symbol {
+            name: "gap",
+            symbol: "",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius that the roller's centre has beyond the ramp: zero where it bears on it",
+            source: "contact",
+        },
+        Symbol {
+            name: "along",
+            symbol: "",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "how far the roller's centre lies from the pivot along the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "theta_s",
+            symbol: "dθ/ds",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "turn of the arm over the travel, without friction",
+            source: "contact",
+        },
+        Symbol {
+            name: "radius",
+            symbol: "r_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the centre of mass from the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius_s",
+            symbol: "dr_m/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel without friction",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "moment",
+            symbol: "M_c",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "moment of the centrifugal forces about the pivots",
+            source: "centrifugal moment",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRollerOutput {
+    const COUNT: usize = 7;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum CompressionSpringInput {
+    /// F_0: force of the spring at s = 0, N
+    Preload,
+    /// c: rate of the spring, N/m
+    Rate,
+    /// s: travel by which the spring is compressed further, m
+    Travel,
+}
+impl CompressionSpringInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::Preload, Self::Rate, Self::Travel];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "F_0",
+            symbol: "F_0",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of the spring at s = 0",
+            source: "",
+        },
+        Symbol {
+            name: "c",
+            symbol: "c",
+            unit: "N/m",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "rate of the spring",
+            source: "",
+        },
+        Symbol {
+            name: "s",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "travel by which the spring is compressed further",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for CompressionSpringInput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum CompressionSpringOutput {
+    /// F_spring: force of the spring, N; (9.3)
+    Force,
+    /// energy taken since s = 0, N·m; energy
+    Energy,
+}
+impl CompressionSpringOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 2] = [Self::Force, Self::Energy];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 2] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_spring",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of the spring",
+            source: "(9.3)",
+        },
+        Symbol {
+            name: "energy",
+            symbol: "",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "energy taken since s = 0",
+            source: "energy",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for CompressionSpringOutput {
+    const COUNT: usize = 2;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HelixInput {
+    /// κ_t: rate of the spring in torsion, N·m/rad
+    TorsionRate,
+    /// φ_0: angle by which the spring is wound up when installed, rad
+    Pretension,
+    /// φ: angle by which the movable sheave has turned on its helix, rad
+    Turn,
+    /// r_h: radius of the helix, m
+    Radius,
+    /// tan α: tangent of the helix angle, measured from the plane of rotation
+    Tangent,
+    /// ζ: share of the torque that the movable sheave carries
+    Share,
+    /// M: torque of the belt on the secondary, N·m
+    Torque,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl HelixInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 8] = [
+        Self::TorsionRate,
+        Self::Pretension,
+        Self::Turn,
+        Self::Radius,
+        Self::Tangent,
+        Self::Share,
+        Self::Torque,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 8] = &[
+        Symbol {
+            name: "kappa",
+            symbol: "κ_t",
+            unit: "N·m/rad",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: -1,
+            },
+            doc: "rate of the spring in torsion",
+            source: "",
+        },
+        Symbol {
+            name: "phi_0",
+            symbol: "φ_0",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle by which the spring is wound up when installed",
+            source: "",
+        },
+        Symbol {
+            name: "phi",
+            symbol: "φ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle by which the movable sheave has turned on its helix",
+            source: "",
+        },
+        Symbol {
+            name: "r_h",
+            symbol: "r_h",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the helix",
+            source: "",
+        },
+        Symbol {
+            name: "tan_alpha",
+            symbol: "tan α",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "tangent of the helix angle, measured from the plane of rotation",
+            source: "",
+        },
+        Symbol {
+            name: "share",
+            symbol: "ζ",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "share of the torque that the movable sheave carries",
+            source: "",
+        },
+        Symbol {
+            name: "M",
+            symbol: "M",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque of the belt on the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HelixInput {
+    const COUNT: usize = 8;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HelixOutput {
+    /// T_h: torque that the helix carries, N·m; moments on the movable sheave
+    Torque,
+    /// F_helix: axial force of the helix on the movable sheave, positive where it closes, N; balance on the helix
+    Force,
+    /// dφ/ds: turn of the movable sheave over its travel, rad/m; kinematics
+    TurnSlope,
+}
+impl HelixOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::Torque, Self::Force, Self::TurnSlope];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "torque",
+            symbol: "T_h",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that the helix carries",
+            source: "moments on the movable sheave",
+        },
+        Symbol {
+            name: "force",
+            symbol: "F_helix",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of the helix on the movable sheave, positive where it closes",
+            source: "balance on the helix",
+        },
+        Symbol {
+            name: "turn",
+            symbol: "dφ/ds",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "turn of the movable sheave over its travel",
+            source: "kinematics",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HelixOutput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum SheaveTravelInput {
+    /// β: half angle of the groove, rad
+    HalfAngle,
+    /// R: radius of the belt on the pulley, m
+    Radius,
+    /// R_0: radius of the belt where the travel is zero, m
+    Start,
+}
+impl SheaveTravelInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::HalfAngle, Self::Radius, Self::Start];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "half angle of the groove",
+            source: "",
+        },
+        Symbol {
+            name: "R",
+            symbol: "R",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the belt on the pulley",
+            source: "",
+        },
+        Symbol {
+            name: "R_0",
+            symbol: "R_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the belt where the travel is zero",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for SheaveTravelInput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum SheaveTravelOutput {
+    /// s: axial travel of the movable sheave, positive where it closes, m; (9.2)
+    Travel,
+}
+impl SheaveTravelOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Travel];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "travel",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "axial travel of the movable sheave, positive where it closes",
+            source: "(9.2)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for SheaveTravelOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum VehicleLoadInput {
+    /// ω_S: speed of the secondary, rad/s
+    SecondarySpeed,
+    /// i_f: turns of the secondary for a turn of the wheel
+    FinalRatio,
+    /// r_w: rolling radius of the wheel, m
+    WheelRadius,
+    /// m_v: mass of the vehicle with its driver, kg
+    Mass,
+    /// g: acceleration of gravity, m/s²
+    Gravity,
+    /// c_r: coefficient of rolling resistance
+    RollingResistance,
+    /// tan α_g: grade of the ground, rise over run
+    Grade,
+    /// ρ_air: density of the air, kg/m³
+    AirDensity,
+    /// C_d A: drag area, m²
+    DragArea,
+    /// η_f: efficiency of the final drive
+    FinalEfficiency,
+    /// a: acceleration of the vehicle, m/s²
+    Acceleration,
+}
+impl VehicleLoadInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 11] = [
+        Self::SecondarySpeed,
+        Self::FinalRatio,
+        Self::WheelRadius,
+        Self::Mass,
+        Self::Gravity,
+        Self::RollingResistance,
+        Self::Grade,
+        Self::AirDensity,
+        Self::DragArea,
+        Self::FinalEfficiency,
+        Self::Acceleration,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 11] = &[
+        Symbol {
+            name: "omega_S",
+            symbol: "ω_S",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "i_f",
+            symbol: "i_f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "turns of the secondary for a turn of the wheel",
+            source: "",
+        },
+        Symbol {
+            name: "r_w",
+            symbol: "r_w",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "rolling radius of the wheel",
+            source: "",
+        },
+        Symbol {
+            name: "m_v",
+            symbol: "m_v",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of the vehicle with its driver",
+            source: "",
+        },
+        Symbol {
+            name: "g_0",
+            symbol: "g",
+            unit: "m/s²",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -2,
+                angle: 0,
+            },
+            doc: "acceleration of gravity",
+            source: "",
+        },
+        Symbol {
+            name: "c_r",
+            symbol: "c_r",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "coefficient of rolling resistance",
+            source: "",
+        },
+        Symbol {
+            name: "tan_slope",
+            symbol: "tan α_g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "grade of the ground, rise over run",
+            source: "",
+        },
+        Symbol {
+            name: "rho_air",
+            symbol: "ρ_air",
+            unit: "kg/m³",
+            dimension: Dimension {
+                length: -3,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "density of the air",
+            source: "",
+        },
+        Symbol {
+            name: "CdA",
+            symbol: "C_d A",
+            unit: "m²",
+            dimension: Dimension {
+                length: 2,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "drag area",
+            source: "",
+        },
+        Symbol {
+            name: "eta_f",
+            symbol: "η_f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "efficiency of the final drive",
+            source: "",
+        },
+        Symbol {
+            name: "a",
+            symbol: "a",
+            unit: "m/s²",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -2,
+                angle: 0,
+            },
+            doc: "acceleration of the vehicle",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for VehicleLoadInput {
+    const COUNT: usize = 11;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum VehicleLoadOutput {
+    /// v: speed of the vehicle, m/s; kinematics
+    Speed,
+    /// force of rolling, grade and air against the vehicle, N; resistance
+    Resistance,
+    /// torque that the vehicle takes from the secondary, N·m; power
+    Torque,
+    /// change of that torque with acceleration, kg·m; power
+    TorquePerAcceleration,
+}
+impl VehicleLoadOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 4] = [
+        Self::Speed,
+        Self::Resistance,
+        Self::Torque,
+        Self::TorquePerAcceleration,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 4] = &[
+        Symbol {
+            name: "speed",
+            symbol: "v",
+            unit: "m/s",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -1,
+                angle: 0,
+            },
+            doc: "speed of the vehicle",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "resistance",
+            symbol: "",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of rolling, grade and air against the vehicle",
+            source: "resistance",
+        },
+        Symbol {
+            name: "torque",
+            symbol: "",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that the vehicle takes from the secondary",
+            source: "power",
+        },
+        Symbol {
+            name: "torque_a",
+            symbol: "",
+            unit: "kg·m",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "change of that torque with acceleration",
+            source: "power",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for VehicleLoadOutput {
+    const COUNT: usize = 4;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisContactInput {
+    /// T: tractive tension, N
+    T,
+    /// θ: inclination of the belt, rad
+    Theta,
+    /// θ̂': first derivative of θ along the region, rad
+    Theta1,
+    /// θ̂'': second derivative of θ along the region, rad
+    Theta2,
+    /// x: radial penetration, m
+    X,
+    /// T̂': derivative of T along the region, N
+    THat1,
+    /// Φ: wrap angle, rad
+    Phi,
+    /// R: nominal radius of the pulley, m
+    R,
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+}
+impl HysteresisContactInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 13] = [
+        Self::T,
+        Self::Theta,
+        Self::Theta1,
+        Self::Theta2,
+        Self::X,
+        Self::THat1,
+        Self::Phi,
+        Self::R,
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 13] = &[
+        Symbol {
+            name: "T",
+            symbol: "T",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "tractive tension",
+            source: "",
+        },
+        Symbol {
+            name: "theta",
+            symbol: "θ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "inclination of the belt",
+            source: "",
+        },
+        Symbol {
+            name: "theta1",
+            symbol: "θ\u{302}'",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "first derivative of θ along the region",
+            source: "",
+        },
+        Symbol {
+            name: "theta2",
+            symbol: "θ\u{302}''",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "second derivative of θ along the region",
+            source: "",
+        },
+        Symbol {
+            name: "x",
+            symbol: "x",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radial penetration",
+            source: "",
+        },
+        Symbol {
+            name: "T_hat_1",
+            symbol: "T\u{302}'",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "derivative of T along the region",
+            source: "",
+        },
+        Symbol {
+            name: "Phi",
+            symbol: "Φ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "wrap angle",
+            source: "",
+        },
+        Symbol {
+            name: "R",
+            symbol: "R",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the pulley",
+            source: "",
+        },
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisContactInput {
+    const COUNT: usize = 13;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisContactOutput {
+    /// dS/dŝ: unstretched length passed along the region, m; (5.55)
+    Material,
+    /// κ: curvature of the belt, M_b/EI, rad/m; (3.26)
+    Curvature,
+    /// dκ/dS: its slope along the unstretched belt, rad/m²; (3.26), (3.9)
+    CurvatureSlope,
+    /// ε: strain of the cord, F/EA; (3.9)
+    Strain,
+    /// dε/dS: its slope along the unstretched belt, 1/m; (3.9), (3.10)
+    StrainSlope,
+    /// dx/dS: slope of the penetration along the unstretched belt; (3.24), (3.9)
+    PenetrationSlope,
+}
+impl HysteresisContactOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Material,
+        Self::Curvature,
+        Self::CurvatureSlope,
+        Self::Strain,
+        Self::StrainSlope,
+        Self::PenetrationSlope,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "material",
+            symbol: "dS/dŝ",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length passed along the region",
+            source: "(5.55)",
+        },
+        Symbol {
+            name: "curvature",
+            symbol: "κ",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "curvature of the belt, M_b/EI",
+            source: "(3.26)",
+        },
+        Symbol {
+            name: "curvature_slope",
+            symbol: "dκ/dS",
+            unit: "rad/m²",
+            dimension: Dimension {
+                length: -2,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.26), (3.9)",
+        },
+        Symbol {
+            name: "strain",
+            symbol: "ε",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "strain of the cord, F/EA",
+            source: "(3.9)",
+        },
+        Symbol {
+            name: "strain_slope",
+            symbol: "dε/dS",
+            unit: "1/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.9), (3.10)",
+        },
+        Symbol {
+            name: "penetration_slope",
+            symbol: "dx/dS",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of the penetration along the unstretched belt",
+            source: "(3.24), (3.9)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisContactOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisSpanInput {
+    /// τ: tractive tension, N
+    Tau,
+    /// ϑ̂': first derivative of ϑ along the span, rad
+    Vartheta1,
+    /// ϑ̂'': second derivative of ϑ along the span, rad
+    Vartheta2,
+    /// τ̂': derivative of τ along the span, N
+    TauHat1,
+    /// L: arc length of the span, m
+    L,
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+}
+impl HysteresisSpanInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 10] = [
+        Self::Tau,
+        Self::Vartheta1,
+        Self::Vartheta2,
+        Self::TauHat1,
+        Self::L,
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 10] = &[
+        Symbol {
+            name: "tau",
+            symbol: "τ",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "tractive tension",
+            source: "",
+        },
+        Symbol {
+            name: "vartheta1",
+            symbol: "ϑ\u{302}'",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "first derivative of ϑ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "vartheta2",
+            symbol: "ϑ\u{302}''",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "second derivative of ϑ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "tau_hat_1",
+            symbol: "τ\u{302}'",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "derivative of τ along the span",
+            source: "",
+        },
+        Symbol {
+            name: "L",
+            symbol: "L",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "arc length of the span",
+            source: "",
+        },
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisSpanInput {
+    const COUNT: usize = 10;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisSpanOutput {
+    /// dS/dŝ: unstretched length passed along the region, m; (5.56)
+    Material,
+    /// κ: curvature of the belt, M_b/EI, rad/m; (5.10)
+    Curvature,
+    /// dκ/dS: its slope along the unstretched belt, rad/m²; (5.11), (3.9)
+    CurvatureSlope,
+    /// ε: strain of the cord, F/EA; (3.9)
+    Strain,
+    /// dε/dS: its slope along the unstretched belt, 1/m; (3.9), (3.10)
+    StrainSlope,
+}
+impl HysteresisSpanOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 5] = [
+        Self::Material,
+        Self::Curvature,
+        Self::CurvatureSlope,
+        Self::Strain,
+        Self::StrainSlope,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 5] = &[
+        Symbol {
+            name: "material",
+            symbol: "dS/dŝ",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length passed along the region",
+            source: "(5.56)",
+        },
+        Symbol {
+            name: "curvature",
+            symbol: "κ",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "curvature of the belt, M_b/EI",
+            source: "(5.10)",
+        },
+        Symbol {
+            name: "curvature_slope",
+            symbol: "dκ/dS",
+            unit: "rad/m²",
+            dimension: Dimension {
+                length: -2,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(5.11), (3.9)",
+        },
+        Symbol {
+            name: "strain",
+            symbol: "ε",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "strain of the cord, F/EA",
+            source: "(3.9)",
+        },
+        Symbol {
+            name: "strain_slope",
+            symbol: "dε/dS",
+            unit: "1/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope along the unstretched belt",
+            source: "(3.9), (3.10)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisSpanOutput {
+    const COUNT: usize = 5;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisInput {
+    /// g: mass flow over that of an unstretched belt at the primary's nominal speed
+    Flow,
+    /// EA: longitudinal stiffness, N
+    EA,
+    /// m_o: mass per length, unloaded, kg/m
+    MO,
+    /// R_P: nominal radius of the primary, m
+    RP,
+    /// ω_P: angular speed of the primary, rad/s
+    OmegaP,
+    /// EI: bending stiffness, N·m²
+    EI,
+    /// k: radial stiffness, N/m²
+    K,
+    /// β: half angle of the sheave's groove, rad
+    Beta,
+    /// L_0: unstretched length of the loop, m
+    L0,
+}
+impl HysteresisInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 9] = [
+        Self::Flow,
+        Self::EA,
+        Self::MO,
+        Self::RP,
+        Self::OmegaP,
+        Self::EI,
+        Self::K,
+        Self::Beta,
+        Self::L0,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 9] = &[
+        Symbol {
+            name: "flow",
+            symbol: "g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass flow over that of an unstretched belt at the primary's nominal speed",
+            source: "",
+        },
+        Symbol {
+            name: "EA",
+            symbol: "EA",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "longitudinal stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "m_o",
+            symbol: "m_o",
+            unit: "kg/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass per length, unloaded",
+            source: "",
+        },
+        Symbol {
+            name: "R_P",
+            symbol: "R_P",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "nominal radius of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "angular speed of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "EI",
+            symbol: "EI",
+            unit: "N·m²",
+            dimension: Dimension {
+                length: 3,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "bending stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "k",
+            symbol: "k",
+            unit: "N/m²",
+            dimension: Dimension {
+                length: -1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "radial stiffness",
+            source: "",
+        },
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "half angle of the sheave's groove",
+            source: "",
+        },
+        Symbol {
+            name: "L_0",
+            symbol: "L_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "unstretched length of the loop",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisInput {
+    const COUNT: usize = 9;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HysteresisOutput {
+    /// f_1: revolutions of the belt a second, G/(m_o L_0), 1/s; (3.5)
+    Revolutions,
+    /// power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature, W·m²; (3.26)
+    Bending,
+    /// power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration, W/m²; (3.16)
+    Groove,
+    /// power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain, W; (3.9)
+    Cord,
+}
+impl HysteresisOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 4] = [
+        Self::Revolutions,
+        Self::Bending,
+        Self::Groove,
+        Self::Cord,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 4] = &[
+        Symbol {
+            name: "revolutions",
+            symbol: "f_1",
+            unit: "1/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 0,
+            },
+            doc: "revolutions of the belt a second, G/(m_o L_0)",
+            source: "(3.5)",
+        },
+        Symbol {
+            name: "bending",
+            symbol: "",
+            unit: "W·m²",
+            dimension: Dimension {
+                length: 4,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that bending loses, over tan δ_n |B_n|²/n, B_n of the curvature",
+            source: "(3.26)",
+        },
+        Symbol {
+            name: "groove",
+            symbol: "",
+            unit: "W/m²",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the groove's squeezing loses, over tan δ_n |B_n|²/n, B_n of the penetration",
+            source: "(3.16)",
+        },
+        Symbol {
+            name: "cord",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the cord's stretching loses, over tan δ_n |B_n|²/n, B_n of the strain",
+            source: "(3.9)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HysteresisOutput {
+    const COUNT: usize = 4;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum LossBalanceInput {
+    /// P_1: power that the driving pulley takes in, W
+    Driving,
+    /// η: power that the driven pulley gives, but for the losses here, over that which the driving one takes
+    Overall,
+    /// P_h: power that hysteresis takes, W
+    Hysteresis,
+    /// ω_P: speed of the primary, rad/s
+    OmegaP,
+    /// ω_S: speed of the secondary, rad/s
+    OmegaS,
+    /// M_dP: torque that drags at the primary at every speed, N·m
+    DragP,
+    /// M_dS: torque that drags at the secondary at every speed, N·m
+    DragS,
+    /// c_P: torque that drags at the primary, per speed, N·m·s
+    ViscousP,
+    /// c_S: torque that drags at the secondary, per speed, N·m·s
+    ViscousS,
+    /// η_g: efficiency of what stands between the secondary and the shaft of interest
+    GearEfficiency,
+}
+impl LossBalanceInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 10] = [
+        Self::Driving,
+        Self::Overall,
+        Self::Hysteresis,
+        Self::OmegaP,
+        Self::OmegaS,
+        Self::DragP,
+        Self::DragS,
+        Self::ViscousP,
+        Self::ViscousS,
+        Self::GearEfficiency,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 10] = &[
+        Symbol {
+            name: "driving",
+            symbol: "P_1",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that the driving pulley takes in",
+            source: "",
+        },
+        Symbol {
+            name: "overall",
+            symbol: "η",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "power that the driven pulley gives, but for the losses here, over that which the driving one takes",
+            source: "",
+        },
+        Symbol {
+            name: "hysteresis",
+            symbol: "P_h",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that hysteresis takes",
+            source: "",
+        },
+        Symbol {
+            name: "omega_P",
+            symbol: "ω_P",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the primary",
+            source: "",
+        },
+        Symbol {
+            name: "omega_S",
+            symbol: "ω_S",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "drag_P",
+            symbol: "M_dP",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that drags at the primary at every speed",
+            source: "",
+        },
+        Symbol {
+            name: "drag_S",
+            symbol: "M_dS",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that drags at the secondary at every speed",
+            source: "",
+        },
+        Symbol {
+            name: "viscous_P",
+            symbol: "c_P",
+            unit: "N·m·s",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -1,
+                angle: 0,
+            },
+            doc: "torque that drags at the primary, per speed",
+            source: "",
+        },
+        Symbol {
+            name: "viscous_S",
+            symbol: "c_S",
+            unit: "N·m·s",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -1,
+                angle: 0,
+            },
+            doc: "torque that drags at the secondary, per speed",
+            source: "",
+        },
+        Symbol {
+            name: "gear_efficiency",
+            symbol: "η_g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "efficiency of what stands between the secondary and the shaft of interest",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for LossBalanceInput {
+    const COUNT: usize = 10;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum LossBalanceOutput {
+    /// power that drags at the primary, W; drag
+    PrimaryDrag,
+    /// power that drags at the secondary, W; drag
+    SecondaryDrag,
+    /// power lost between the secondary and the shaft of interest, W; gears
+    Gears,
+    /// power that hysteresis, drag and gears take, W; balance of power
+    Total,
+    /// power that arrives, W; balance of power
+    Delivered,
+    /// power that arrives over power that goes in; (6.9) with losses
+    Efficiency,
+}
+impl LossBalanceOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::PrimaryDrag,
+        Self::SecondaryDrag,
+        Self::Gears,
+        Self::Total,
+        Self::Delivered,
+        Self::Efficiency,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "primary_drag",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that drags at the primary",
+            source: "drag",
+        },
+        Symbol {
+            name: "secondary_drag",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that drags at the secondary",
+            source: "drag",
+        },
+        Symbol {
+            name: "gears",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power lost between the secondary and the shaft of interest",
+            source: "gears",
+        },
+        Symbol {
+            name: "total",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that hysteresis, drag and gears take",
+            source: "balance of power",
+        },
+        Symbol {
+            name: "delivered",
+            symbol: "",
+            unit: "W",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -3,
+                angle: 0,
+            },
+            doc: "power that arrives",
+            source: "balance of power",
+        },
+        Symbol {
+            name: "efficiency",
+            symbol: "",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "power that arrives over power that goes in",
+            source: "(6.9) with losses",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for LossBalanceOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
 impl Output {
     /// The belts whose drives have this output.
     pub const fn theories(self) -> &'static [BeltTheory] {

@@ -48,6 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for point in &branch.points {
         let name = match point.kind {
             PointKind::Regular => "",
+            PointKind::BranchPoint => "branch point",
             PointKind::Fold => "fold (known: 3.513830719)",
             PointKind::Event(_) => "u(1/2) = 3",
             PointKind::End => "end of the range",

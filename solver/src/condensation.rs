@@ -6,6 +6,7 @@ use crate::collocation::factor::{Factorisation, input_scales};
 use crate::collocation::plan::Plan;
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
+use crate::magnitude::Magnitudes;
 use crate::measure::intervals;
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -38,7 +39,8 @@ impl Condensation {
         let grids = guess.grids();
         let x = guess.iterate(&grids);
         let plan = Arc::new(Plan::complete(layout));
-        let mut system = System { problem, layout, plan, tableau: solution.order().tableau(), grids };
+        let magnitudes = Magnitudes::stated(layout);
+        let mut system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
         let (mut work, mut stats) = (system.work(), Stats::default());
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
         let evaluated = system.evaluate(&x, Derivatives::All, &mut work, &mut stats);

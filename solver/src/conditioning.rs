@@ -50,9 +50,10 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
     /// κ1 and γ1: row sums of the inverse's columns that belong to the boundary equations.
     fn boundary_reaction(&self) -> (f64, f64) {
         let mut sums: Option<Correction> = None;
-        for (equation, scale) in self.factorisation.boundary_scale.iter().enumerate() {
+        let sizes = self.system.boundary_sizes(&self.work, &self.factorisation.scales);
+        for (equation, size) in sizes.iter().enumerate() {
             let mut rhs = self.no_rhs();
-            rhs.boundary[equation] = *scale;
+            rhs.boundary[equation] = size.terms;
             let mut dx = self.factorisation.solve(&self.system, rhs);
             dx.u.iter_mut().flatten().for_each(|lane| *lane = lane.abs());
             dx.c.iter_mut().for_each(|c| *c = c.abs());

@@ -1,6 +1,7 @@
 //! Why there is no solution. Names, not indices.
 
 use crate::problem::{Layout, LayoutError, Points};
+use crate::solution::Shortfall;
 use std::fmt;
 use thiserror::Error;
 
@@ -277,6 +278,16 @@ pub enum SolveError {
         /// Wanted.
         tolerance: f64,
     },
+    /// A solution was found, but its estimated error exceeds the tolerance and could not be brought below it.
+    #[error("the estimated error is {estimate:.1e} for a tolerance of {tolerance:.1e}: {because}")]
+    Inaccurate {
+        /// Estimated error, largest component relative to typical magnitudes.
+        estimate: f64,
+        /// Wanted.
+        tolerance: f64,
+        /// What stood in the way of a smaller error.
+        because: Shortfall,
+    },
     /// The work that the call was allowed is spent: [`Options::work_limit`](crate::Options::work_limit).
     #[error("the right-hand side was evaluated at {points} points: more than the work limit of {limit}")]
     WorkLimit {
@@ -293,7 +304,14 @@ pub enum SolveError {
 impl SolveError {
     /// Whether no other way of solving can help: the input is wrong, the work is spent, or the caller asked to stop.
     pub fn is_final(&self) -> bool {
-        !matches!(self, Self::Newton { .. } | Self::MeshLimit { .. } | Self::Boundary { .. } | Self::Steps { .. })
+        !matches!(
+            self,
+            Self::Newton { .. }
+                | Self::MeshLimit { .. }
+                | Self::Boundary { .. }
+                | Self::Inaccurate { .. }
+                | Self::Steps { .. }
+        )
     }
 
     /// What to try.
@@ -317,6 +335,14 @@ impl SolveError {
                 "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
             }
             Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
+            Self::Inaccurate { because: Shortfall::Rounding, .. } => {
+                "The problem amplifies rounding errors: ask for less, scale its equations, or state the solution in terms that \
+                 are not small differences of large ones. To have the solution as it is, set accept_inaccurate."
+            }
+            Self::Inaccurate { .. } => {
+                "Allow more intervals and meshes, or use order six; an error estimate near 1 means that the solution may be \
+                 spurious. To have the solution as it is, set accept_inaccurate."
+            }
             Self::WorkLimit { .. } => {
                 "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge may have \
                  no solution."

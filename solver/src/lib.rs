@@ -30,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! - [`bvp`]: a problem stated by two closures, in a few lines.
 //! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
@@ -43,6 +44,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod budget;
+pub mod bvp;
 mod collocation;
 mod condensation;
 mod conditioning;
@@ -51,13 +53,17 @@ pub mod error;
 mod guess;
 mod linear;
 mod linearisation;
+mod magnitude;
 mod measure;
 pub mod mesh;
 pub mod model;
 mod newton;
 mod observer;
 mod options;
+mod orientation;
+mod phase;
 pub mod problem;
+mod progress;
 mod refine;
 mod run;
 mod solution;
@@ -78,7 +84,8 @@ pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
 pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
 pub use observer::{Event, Observer, Silent};
-pub use options::{Control, Options, Order};
+pub use options::{ComponentTolerance, Control, Options, Order, Which};
+pub use orientation::{BranchCheck, Orientation};
 pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
 pub use solution::{Accuracy, MeshRecord, RegionSolution, Shortfall, Solution};
 pub use solve::{solve, solve_observed};

@@ -8,6 +8,7 @@ use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::magnitude::Magnitudes;
 use crate::measure::intervals;
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -62,6 +63,8 @@ pub struct Functional {
     pub inputs: Vec<f64>,
     /// With respect to states at nodes: `(region, node, state, derivative)`.
     pub nodes: Vec<(usize, usize, usize, f64)>,
+    /// With respect to integrals over single intervals: `(region, interval, integral, derivative)`.
+    pub intervals: Vec<(usize, usize, usize, f64)>,
 }
 
 impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
@@ -76,7 +79,8 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let grids = guess.grids();
         let x = guess.iterate(&grids);
         let plan = Arc::new(Plan::new(layout, solution.unknowns()));
-        let system = System { problem, layout, plan, tableau: solution.order().tableau(), grids };
+        let magnitudes = Magnitudes::stated(layout);
+        let system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
         Self::at(system, x, Stats::default())
     }
 
@@ -160,7 +164,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let mut u = Vec::new();
         for (region, plan) in plan.regions.iter().enumerate() {
             let grid = &self.system.grids[region];
-            let mut nodes = self.inactive_weights(region, integrals, &mut gradient);
+            let mut nodes = self.integral_weights(region, integrals, &functional.intervals, &mut gradient);
             let stride = grid.node_stride();
             for i in 0..plan.n {
                 nodes[i * stride] += ends[plan.first_end + i];
@@ -188,13 +192,25 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         gradient
     }
 
-    /// Weights on integrals that the Newton matrix does not hold, as weights on nodes and constants.
-    fn inactive_weights(&self, region: usize, integrals: &[f64], gradient: &mut [f64]) -> Vec<f64> {
+    /// Weights on integrals that the Newton matrix does not hold, and on those over single intervals, as weights on nodes and
+    /// constants.
+    fn integral_weights(
+        &self,
+        region: usize,
+        integrals: &[f64],
+        intervals: &[(usize, usize, usize, f64)],
+        gradient: &mut [f64],
+    ) -> Vec<f64> {
         let (grid, plan) = (&self.system.grids[region], &self.system.plan.regions[region]);
         let len = grid.interval_stride();
         let mut weights = vec![0.0; plan.rows * len];
         for k in (0..plan.rows - plan.n).filter(|k| !plan.active.contains(k)) {
             weights[(plan.n + k) * len..(plan.n + k + 1) * len].fill(integrals[plan.first_integral + k]);
+        }
+        for &(_, interval, k, weight) in intervals.iter().filter(|(r, ..)| *r == region) {
+            if interval < grid.intervals() && k < plan.rows - plan.n {
+                weights[(plan.n + k) * len + grid.position(interval)] += weight;
+            }
         }
         if weights.iter().all(|&weight| weight == 0.0) {
             return vec![0.0; plan.n * grid.node_stride()];

@@ -12,6 +12,7 @@ use crate::problem::Problem;
 use crate::solution::RegionSolution;
 use crate::stats::Stats;
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 /// What Newton's iteration left on one set of meshes, with its continuous extension and defects.
 pub(crate) struct Solved<'a, P: Problem + ?Sized> {
@@ -19,6 +20,8 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     pub converged: Converged,
     pub extensions: Vec<Extension>,
     pub defects: Vec<Defects>,
+    /// The estimated error, once it has been asked for.
+    estimate: OnceCell<f64>,
 }
 
 impl<'a, P: Problem + ?Sized> Solved<'a, P> {
@@ -41,7 +44,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
             extensions.push(extension);
             defects.push(defect);
         }
-        Ok(Self { system, converged, extensions, defects })
+        Ok(Self { system, converged, extensions, defects, estimate: OnceCell::new() })
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
@@ -64,8 +67,12 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     /// The continuous extension S has the error `e = S - y` with `e' = f_y e + (S' - f(S))` to first order; the
     /// collocation equations linearised at S, solved for the integrals of the defect over the intervals, give e.
     ///
-    /// Infinite if the right-hand side is undefined where the estimate needs it.
+    /// Infinite if the right-hand side is undefined where the estimate needs it. Computed once.
     pub(crate) fn error_estimate(&self, stats: &mut Stats) -> f64 {
+        *self.estimate.get_or_init(|| self.estimate_error(stats))
+    }
+
+    fn estimate_error(&self, stats: &mut Stats) -> f64 {
         let factorisation = &self.converged.factorisation;
         let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: self.converged.work.g.clone() };
         for (region, defects) in self.defects.iter().enumerate() {
@@ -99,9 +106,9 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
     pub(crate) fn worst_boundary_residual(&self) -> (f64, String) {
-        let scale = &self.converged.factorisation.boundary_scale;
-        let relative = |(g, scale): (&f64, &f64)| if *g == 0.0 { 0.0 } else { g.abs() / scale };
-        let residuals = self.converged.work.g.iter().zip(scale).map(relative);
+        let Converged { work, factorisation, .. } = &self.converged;
+        let sizes = self.system.boundary_sizes(work, &factorisation.scales);
+        let residuals = work.g.iter().zip(&sizes).map(|(&g, size)| size.relative(g));
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         worst.map_or((0.0, String::new()), |(i, residual)| (residual, self.system.layout.equations[i].clone()))
     }

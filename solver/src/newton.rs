@@ -28,18 +28,27 @@ pub(crate) struct Limits {
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
     pub stagnation: f64,
-    /// Whether to take steps that are no progress. Insisting on progress at every step can lead into a corner where the
-    /// matrix is singular; a few steps that are none can lead out of it.
-    pub bold: bool,
+    /// Whether every step must be progress. That can lead into a corner where the matrix is singular; a few steps that are
+    /// none can lead out of it.
+    pub insistent: bool,
 }
 
-/// A bold iteration tries every correction in full, halves it as long as that is no progress, and takes this fraction
+/// An iteration that does not insist on progress tries every correction in full, halves it as long as that is no progress, and takes this fraction
 /// of it whatever comes of it. Estimates of the Lipschitz constant are not used: where it is needed, they mislead.
-const BOLD_DAMPING: f64 = 1.0 / 16.0;
+const FORCED_DAMPING: f64 = 1.0 / 16.0;
 
 /// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is
 /// good enough to measure the mesh with, if not for a solution.
 const STAGNANT: f64 = 1e-3;
+
+/// How often a singular matrix is stepped away from in one iteration.
+const ESCAPES: usize = 6;
+/// How often at most the step that led to one is shortened first,
+const SHORTENED: usize = 3;
+/// and the factor on it.
+const SHORTER: f64 = 0.5;
+/// How far to go along the direction that it does not see, in typical magnitudes; farther each time.
+const NUDGE: f64 = 0.05;
 
 /// Where the iteration ended, with what it held.
 #[derive(Debug, Clone)]
@@ -52,6 +61,8 @@ pub(crate) struct Converged {
     pub contraction: f64,
     /// The first correction was already negligible.
     pub at_once: bool,
+    /// No step was damped, and none was taken away from a singular matrix.
+    pub full_steps: bool,
     /// The iteration ended short of its tolerance, at a correction small enough to go on with.
     pub stagnated: Option<NewtonError>,
 }
@@ -66,6 +77,18 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     factorisation: Factorisation,
     iteration: usize,
     contraction: Option<f64>,
+    /// How often a singular matrix has been stepped away from.
+    escapes: usize,
+    /// Whether no step has been damped.
+    full_steps: bool,
+}
+
+/// The step that led to the present iterate.
+struct Taken {
+    from: Iterate,
+    scales: Scales,
+    dx: Correction,
+    damping: f64,
 }
 
 /// How far a damped step got.
@@ -114,6 +137,8 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         factorisation: Factorisation::new(system),
         iteration: 0,
         contraction: None,
+        escapes: 0,
+        full_steps: true,
     };
     newton.run(start.clone())
 }
@@ -122,8 +147,13 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn run(mut self, mut x: Iterate) -> Result<Converged, Failure> {
         // The last damping factor, correction and simplified correction: they predict the next damping factor.
         let mut before: Option<(f64, f64, Correction)> = None;
+        let mut taken: Option<Taken> = None;
         loop {
-            self.linearise(&x)?;
+            if let Err(error) = self.linearise(&x) {
+                x = self.escape(&x, &mut taken, error)?;
+                before = None;
+                continue;
+            }
             let dx = self.correction();
             let size = self.system.norm(&dx);
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
@@ -140,19 +170,45 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 Step::Done(x) => return self.finish(x, None),
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
                 Step::Moved { x: next, simplified, damping, contraction } => {
-                    x = next;
+                    let (from, scales) = (std::mem::replace(&mut x, next), self.factorisation.scales.clone());
+                    self.full_steps &= damping == 1.0;
+                    taken = Some(Taken { from, scales, dx, damping });
                     if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
                         match self.simplified_steps(x, &simplified, contraction)? {
                             (next, true) => return self.finish(next, None),
                             (next, false) => x = next,
                         }
-                        before = None;
+                        (before, taken) = (None, None);
                     } else {
                         before = Some((damping, size, simplified));
                     }
                 }
             }
         }
+    }
+
+    /// Where to go on from an iterate whose matrix is singular: a shorter step to it; else along the direction that the
+    /// matrix does not see, to one side and the other.
+    ///
+    /// # Errors
+    /// The one given, if it is no accident of this iterate or if enough has been tried.
+    fn escape(&mut self, x: &Iterate, taken: &mut Option<Taken>, error: NewtonError) -> Result<Iterate, Failure> {
+        let accident = matches!(&error, NewtonError::Singular { rank, .. } if *rank > 0);
+        if !accident || self.escapes >= ESCAPES {
+            return Err(error.into());
+        }
+        self.escapes += 1;
+        self.budget.check(self.stats).map_err(Failure::Interrupted)?;
+        if self.escapes <= SHORTENED
+            && let Some(taken) = taken
+        {
+            taken.damping *= SHORTER;
+            return Ok(self.system.stepped(&taken.from, &taken.scales, taken.damping, &taken.dx));
+        }
+        let side = if self.escapes % 2 == 1 { 1.0 } else { -1.0 };
+        let direction = self.factorisation.null_correction(self.system);
+        let length = side * self.escapes as f64 * NUDGE / self.system.largest(&direction);
+        Ok(self.system.stepped(x, &self.factorisation.scales, length, &direction))
     }
 
     fn linearise(&mut self, x: &Iterate) -> Result<(), NewtonError> {
@@ -184,7 +240,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     }
 
     fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, Failure> {
-        let mut damping = if self.limits.bold { 1.0 } else { first };
+        let mut damping = if self.limits.insistent { first } else { 1.0 };
         let mut reduced = false;
         let largest = self.system.largest(dx);
         let smallest = if largest <= STAGNANT { 0.01 } else { self.limits.smallest_damping };
@@ -211,12 +267,12 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if self.contraction.is_none() && damping == 1.0 {
                 self.contraction = Some(contraction);
             }
-            let forced = self.limits.bold && damping <= BOLD_DAMPING && contraction.is_finite();
+            let forced = !self.limits.insistent && damping <= FORCED_DAMPING && contraction.is_finite();
             if !(contraction < 1.0 || forced) {
                 reduced = true;
                 let half = damping / 2.0;
-                damping = match self.limits.bold {
-                    false if estimate.is_finite() => estimate.min(half).max(damping / 10.0),
+                damping = match self.limits.insistent {
+                    true if estimate.is_finite() => estimate.min(half).max(damping / 10.0),
                     _ => half,
                 };
                 continue;
@@ -278,6 +334,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             factorisation: self.factorisation,
             contraction: self.contraction.unwrap_or(0.0),
             at_once: self.iteration == 1 && self.contraction.is_none(),
+            full_steps: self.full_steps && self.escapes == 0,
             stagnated,
         })
     }
@@ -390,7 +447,7 @@ impl Converged {
     pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
         let mut factorisation = Factorisation::new(system);
         factorisation.scales = system.scales(&x);
-        Self { x, work, factorisation, contraction: 0.0, at_once: true, stagnated: None }
+        Self { x, work, factorisation, contraction: 0.0, at_once: true, full_steps: true, stagnated: None }
     }
 
     /// The scales a converged iterate was solved with.

@@ -34,21 +34,62 @@ pub enum Control {
     /// The defect.
     Defect,
     /// The defect, and where that is not enough also the estimated true error: the defect is then held to less, as far
-    /// as the mesh may grow and rounding allows. A solution whose error could not be brought down says so, and how
-    /// inaccurate it is: [`Solution::accuracy`](crate::Solution::accuracy).
+    /// as the mesh may grow and rounding allows. A solution whose error could not be brought down is refused, unless
+    /// [`Options::accept_inaccurate`] is set.
     #[default]
     Error,
 }
 
+/// One component of a solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Which {
+    /// A state, by the indices of its region and within the region.
+    State {
+        /// Index of the region.
+        region: usize,
+        /// Index of the state in the region.
+        state: usize,
+    },
+    /// A constant, by its index in the layout.
+    Constant(usize),
+}
+
+/// Tolerances of one component, in place of those for all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ComponentTolerance {
+    /// Whose.
+    pub of: Which,
+    /// Relative to the component's largest magnitude over its region. Default: [`Options::tolerance`].
+    pub relative: Option<f64>,
+    /// In the component's own unit. Default: `tolerance` times the scale that the layout states for the component; if it
+    /// states none, [`Options::absolute_tolerance`].
+    pub absolute: Option<f64>,
+}
+
 /// Tolerances and limits.
+///
+/// A component is held to `max(relative * |y|, absolute)`, with |y| its largest magnitude over the region. By default
+/// both tolerances are [`tolerance`](Self::tolerance), so that what is much smaller than 1 is known to 1e-6 only, however
+/// small it is: where such a component matters, state its [`scale`](crate::State::scale) in the layout, or lower the absolute
+/// tolerance here.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Order of the method.
     pub order: Order,
     /// What `tolerance` bounds.
     pub control: Control,
-    /// Largest relative defect of the solution; see [`Solution::max_defect`](crate::Solution::max_defect).
+    /// Relative tolerance: largest relative defect of the solution (see
+    /// [`Solution::max_defect`](crate::Solution::max_defect)) and, as `control` says, largest error.
     pub tolerance: f64,
+    /// Absolute tolerance of all components for which the layout states no scale: SciPy's and SUNDIALS' `atol`. Default: as
+    /// `tolerance`.
+    pub absolute_tolerance: Option<f64>,
+    /// Components with tolerances of their own; the later entry counts.
+    pub components: Vec<ComponentTolerance>,
+    /// Whether a solution whose estimated error exceeds the tolerance, and could not be brought below it, is a success
+    /// all the same. It says so then: [`Accuracy::Short`](crate::Accuracy::Short). If not, it is
+    /// [`SolveError::Inaccurate`]. Default: false.
+    pub accept_inaccurate: bool,
     /// Largest boundary residual, relative to the largest term of its equation. Default: as `tolerance`.
     pub boundary_tolerance: Option<f64>,
     /// Largest component of the last Newton correction, relative to typical magnitudes. Default: a hundredth of
@@ -83,6 +124,9 @@ impl Default for Options {
             order: Order::default(),
             control: Control::default(),
             tolerance: 1e-6,
+            absolute_tolerance: None,
+            components: Vec::new(),
+            accept_inaccurate: false,
             boundary_tolerance: None,
             newton_tolerance: None,
             max_iterations: 50,
@@ -107,6 +151,20 @@ impl Options {
         self.newton_tolerance.unwrap_or_else(|| (0.01 * self.tolerance).max(1e-13))
     }
 
+    /// For a tolerance that is not tighter than this one: every other tolerance grows in proportion.
+    pub(crate) fn loosened(&self, tolerance: f64) -> Self {
+        let mut options = self.clone();
+        options.tolerance = tolerance.max(self.tolerance);
+        let factor = options.tolerance / self.tolerance;
+        let loosen = |value: &mut Option<f64>| *value = value.map(|value| value * factor);
+        loosen(&mut options.absolute_tolerance);
+        for component in &mut options.components {
+            loosen(&mut component.relative);
+            loosen(&mut component.absolute);
+        }
+        options
+    }
+
     /// The work limit in force.
     pub fn work_limit(&self) -> usize {
         self.work_limit.unwrap_or_else(|| POINTS_PER_INTERVAL.saturating_mul(self.max_intervals))
@@ -124,7 +182,12 @@ impl Options {
             ("newton_tolerance", self.newton_tolerance()),
             ("smallest_damping", self.smallest_damping),
         ];
-        for (name, value) in positive {
+        let stated = [("absolute_tolerance", self.absolute_tolerance)];
+        let components = self.components.iter().flat_map(|component| {
+            [("relative tolerance of a component", component.relative), ("its absolute tolerance", component.absolute)]
+        });
+        let stated = stated.into_iter().chain(components).filter_map(|(name, value)| Some((name, value?)));
+        for (name, value) in positive.into_iter().chain(stated) {
             if !(value.is_finite() && value > 0.0) {
                 return Err(SolveError::Option { name, value, expected: "a positive number" });
             }

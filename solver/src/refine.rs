@@ -41,8 +41,21 @@ pub(crate) struct Measure {
     defects: Vec<f64>,
 }
 
-pub(crate) fn measure(defects: &Defects, tolerance: f64) -> Measure {
-    let mut controlled = defects.relative.clone();
+/// Whether defects that rounding explains count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Rounding {
+    Counted,
+    /// Not those up to this size: finer meshes would only raise them.
+    Excused(f64),
+}
+
+pub(crate) fn measure(defects: &Defects, tolerance: f64, rounding: Rounding) -> Measure {
+    let known = |(&defect, &floor): (&f64, &f64)| match rounding {
+        Rounding::Excused(most) if defect <= floor.min(most) => defect.min(tolerance),
+        Rounding::Excused(_) | Rounding::Counted => defect,
+    };
+    let relative: Vec<f64> = defects.relative.iter().zip(&defects.rounding).map(known).collect();
+    let mut controlled = relative.clone();
     let mut failing: Vec<usize> = (0..controlled.len()).filter(|&j| !(controlled[j] <= tolerance)).collect();
     failing.sort_by(|&i, &j| defects.contribution[i].total_cmp(&defects.contribution[j]));
     let mut integral = 0.0;
@@ -54,21 +67,34 @@ pub(crate) fn measure(defects: &Defects, tolerance: f64) -> Measure {
         controlled[j] = tolerance;
     }
     let worst = (0..controlled.len()).max_by(|&i, &j| controlled[i].total_cmp(&controlled[j])).unwrap_or(0);
-    let excused = (0..controlled.len()).any(|j| defects.relative[j] > controlled[j]);
-    let largest = controlled.iter().zip(&defects.relative).filter(|(c, r)| c == r);
+    let excused = (0..controlled.len()).any(|j| relative[j] > controlled[j]);
+    let largest = controlled.iter().zip(&relative).filter(|(c, r)| c == r);
     let largest = largest.fold(0.0_f64, |max, (c, _)| if c.is_nan() { f64::INFINITY } else { max.max(*c) });
     Measure { largest: if excused { largest.max(integral) } else { largest }, worst, defects: controlled }
 }
 
-/// Decides on one region's mesh. `order`: exponent of the interval length in the defect.
-pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f64, max_intervals: usize) -> Verdict {
+/// What is wanted of a mesh.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wish {
+    /// Largest defect.
+    pub tolerance: f64,
+    /// Exponent of the interval length in the defect.
+    pub order: f64,
+    pub max_intervals: usize,
+    /// Whether intervals are split where they are if few are too long; if not, all are redistributed.
+    pub split_few: bool,
+}
+
+/// Decides on one region's mesh.
+pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
+    let &Wish { tolerance, order, max_intervals, split_few } = wish;
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
-    let wish = |j: usize| {
+    let length_of = |j: usize| {
         let excess = (measure.defects[j] / (SAFETY * tolerance)).max(1e-12);
         (mesh[j + 1] - mesh[j]) * excess.powf(-1.0 / order).min(LONGER)
     };
-    let mut wanted: Vec<f64> = (0..intervals).map(|j| wish(j).min(length / FEWEST as f64)).collect();
+    let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
     let count = needed(mesh, &wanted).ceil();
     if measure.largest <= tolerance {
@@ -77,15 +103,18 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f6
         return if grossly { Verdict::Coarsen(equidistribute(mesh, &wanted, coarse)) } else { Verdict::Keep };
     }
     let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
-    let new = if failing as f64 <= FEW * intervals as f64 || failing <= 2 {
-        let pieces = |&defect: &f64| {
-            if defect <= tolerance {
-                1
-            } else {
-                (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
-            }
-        };
-        split(mesh, &measure.defects.iter().map(pieces).collect::<Vec<_>>())
+    let few = split_few && (failing as f64 <= FEW * intervals as f64 || failing <= 2);
+    let split_into = |&defect: &f64| {
+        if defect <= tolerance {
+            1
+        } else {
+            (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
+        }
+    };
+    let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();
+    // What would be more intervals than may be is redistributed over as many as may be.
+    let new = if few && (pieces.iter().sum::<usize>() <= max_intervals || intervals >= max_intervals) {
+        split(mesh, &pieces)
     } else {
         // Far from the asymptotic regime the estimate is not to be trusted.
         let growth = if measure.largest > 0.1 { 2.0 } else { 4.0 };
@@ -94,10 +123,88 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, tolerance: f64, order: f6
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
         equidistribute(mesh, &wanted, target.clamp(least.min(most), most) as usize)
     };
-    let too_fine =
-        new.windows(2).any(|pair| pair[1] - pair[0] <= 8.0 * f64::EPSILON * pair[0].abs().max(pair[1].abs()));
-    if too_fine || new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) {
+    let new = distinct(new);
+    if new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) || new == mesh {
         return Verdict::Exhausted;
     }
     Verdict::Refine(new)
+}
+
+/// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.
+fn distinct(mesh: Vec<f64>) -> Vec<f64> {
+    let close = |a: f64, b: f64| b - a <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+    if !mesh.windows(2).any(|pair| close(pair[0], pair[1])) {
+        return mesh;
+    }
+    let end = mesh[mesh.len() - 1];
+    let mut kept = vec![mesh[0]];
+    for &node in &mesh[1..mesh.len() - 1] {
+        if !close(kept[kept.len() - 1], node) && !close(node, end) {
+            kept.push(node);
+        }
+    }
+    kept.push(end);
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn measured(relative: Vec<f64>, wish: &Wish) -> Measure {
+        let (rounding, state) = (vec![0.0; relative.len()], vec![0; relative.len()]);
+        // Whatever is too large moves the solution by more than the tolerance.
+        let contribution = vec![1.0; relative.len()];
+        let defects = Defects { relative, contribution, rounding, state, ..Defects::default() };
+        measure(&defects, wish.tolerance, Rounding::Counted)
+    }
+
+    const WISH: Wish = Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true };
+
+    #[test]
+    fn a_mesh_that_would_be_too_large_is_made_as_large_as_may_be() {
+        let mesh: Vec<f64> = (0..=10).map(f64::from).collect();
+        let mut relative = vec![1e-7; 10];
+        relative[3] = 1.0;
+        // Four parts of one interval would make thirteen.
+        let Verdict::Refine(new) = verdict(&mesh, &measured(relative.clone(), &WISH), &WISH) else { panic!("refused") };
+        assert_eq!(new.len() - 1, 12);
+        let shortest = new.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        assert!(shortest < 0.5, "{new:?}");
+        let room = Wish { max_intervals: 13, ..WISH };
+        let split = verdict(&mesh, &measured(relative.clone(), &room), &room);
+        assert!(matches!(split, Verdict::Refine(new) if new.len() - 1 == 13));
+        let full = Wish { max_intervals: 10, ..WISH };
+        assert_eq!(verdict(&mesh, &measured(relative, &full), &full), Verdict::Exhausted);
+    }
+
+    #[test]
+    fn intervals_down_to_rounding_do_not_keep_others_from_being_split() {
+        let next = 1.0 + 4.0 * f64::EPSILON;
+        let mesh = vec![0.0, 0.5, 1.0, next, 1.5, 2.0];
+        let Verdict::Refine(new) = verdict(&mesh, &measured(vec![1.0, 1e-7, 1.0, 1e-7, 1e-7], &WISH), &WISH) else {
+            panic!("refused")
+        };
+        assert!(new.len() > mesh.len() && new.windows(2).all(|pair| pair[0] < pair[1]), "{new:?}");
+        assert!(new.contains(&0.25), "{new:?}");
+        // Where nothing can be split, there is nothing to be had.
+        let verdict = verdict(&[1.0, next], &measured(vec![1.0], &WISH), &WISH);
+        assert_eq!(verdict, Verdict::Exhausted);
+    }
+
+    #[test]
+    fn rounding_excuses_a_defect_up_to_a_limit_and_no_further() {
+        let defects = |relative: f64| Defects {
+            relative: vec![relative],
+            contribution: vec![1.0],
+            rounding: vec![1e-9],
+            state: vec![0],
+            ..Defects::default()
+        };
+        let largest = |relative, rounding| measure(&defects(relative), 1e-12, rounding).largest;
+        assert!(largest(5e-10, Rounding::Excused(1e-6)) <= 1e-12);
+        assert_eq!(largest(5e-10, Rounding::Counted), 5e-10);
+        assert_eq!(largest(2e-9, Rounding::Excused(1e-6)), 2e-9);
+        assert_eq!(largest(5e-10, Rounding::Excused(1e-10)), 5e-10);
+    }
 }

@@ -6,19 +6,23 @@ use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
 use crate::error::{NewtonError, SolveError};
+use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, intervals};
 use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
+use crate::orientation::{BranchCheck, Orientation};
+use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
-use crate::refine::{Measure, Verdict, measure, verdict};
+use crate::progress::{Found, Next, Progress, Rescue, measured};
+use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
 use crate::solution::{Accuracy, MeshRecord, Shortfall, Solution};
-use crate::start::{Start, halved, transfer, twice};
+use crate::start::{Start, halved, transfer};
 use crate::stats::Stats;
 use std::sync::Arc;
 
-/// A defect is a difference of slopes: on N intervals it is known to about N times this.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Defects are held to no less than this: each is known to a few units in the last place at best.
+const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 /// Defects held to less must bring the estimated error below this fraction of the least so far,
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
@@ -38,58 +42,11 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub contraction: f64,
     /// Whether a guess that is a solution already keeps its mesh, whatever its estimated error.
     pub keep: bool,
+    /// Whether the last solve's solution is the one that its start leads to.
+    pub check: BranchCheck,
+    orientation: Option<Orientation>,
     /// Why the last solve ended if not for a small estimated error.
     shortfall: Shortfall,
-}
-
-/// State of one solve.
-struct Progress<'a, P: Problem + ?Sized> {
-    rescue: Rescue,
-    /// What defects are held to at present.
-    target: f64,
-    /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
-    fallback: Option<Solved<'a, P>>,
-    /// Least estimated error so far that exceeds the tolerance: the fallback's.
-    error: f64,
-    /// Meshes since it last fell.
-    vain: usize,
-    coarsening: bool,
-    /// The solution that the present meshes were made from, while the tolerance is not met.
-    coarser: Option<Solved<'a, P>>,
-    fallback_doubled: bool,
-}
-
-impl<P: Problem + ?Sized> Progress<'_, P> {
-    /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once.
-    fn doubled(&mut self) -> Option<Start> {
-        if self.coarsening {
-            return None;
-        }
-        if let Some(coarser) = self.coarser.take() {
-            return Some(transfer(&coarser, twice(&coarser)));
-        }
-        let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;
-        self.fallback_doubled = true;
-        Some(transfer(fallback, twice(fallback)))
-    }
-}
-
-/// What is tried when Newton's iteration fails: halved meshes, then the same again boldly.
-struct Rescue {
-    halvings: usize,
-    bold: bool,
-    /// The guess, as long as no mesh has brought convergence.
-    origin: Option<Start>,
-}
-
-/// What to do about a solution whose defects meet their target.
-enum Next {
-    Accept,
-    /// The fallback is the better one.
-    Fallback,
-    Remesh(Vec<Vec<f64>>),
-    /// The fallback may remain the better one.
-    Tighten(Vec<Vec<f64>>),
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
@@ -111,89 +68,114 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             history: Vec::new(),
             contraction: 0.0,
             keep: true,
+            check: BranchCheck::Kept,
+            orientation: None,
             shortfall: Shortfall::Uncontrolled,
         }
     }
 
-    /// Solves and improves the meshes until they pass.
+    /// Solves and improves the meshes until they pass: see [`phase`](crate::phase).
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
-        let origin = (self.options.rescues > 0).then(|| start.clone());
-        let rescue = Rescue { halvings: 0, bold: false, origin };
-        let (target, error) = (self.options.tolerance, f64::INFINITY);
-        let mut progress = Progress {
-            rescue,
-            target,
-            fallback: None,
-            error,
-            vain: 0,
-            coarsening: false,
-            coarser: None,
-            fallback_doubled: false,
-        };
+        let mut progress = Progress::new(self.options, &start);
         self.shortfall = Shortfall::Uncontrolled;
-        for attempt in 0..self.options.max_meshes {
-            let solved = match self.solve_on(start, attempt == 0, progress.rescue.bold) {
-                Ok(solved) => solved,
-                Err(Stop::Error(error)) if error.is_interruption() => return Err(error),
-                Err(Stop::Error(error)) => return progress.fallback.ok_or(error),
-                Err(Stop::Newton(failed, error)) => {
-                    if let Some(meshes) = progress.doubled() {
-                        start = meshes;
-                        continue;
-                    }
-                    if let Some(fallback) = progress.fallback {
-                        return Ok(fallback);
-                    }
-                    start = self.rescued(*failed, error, &mut progress.rescue)?;
-                    continue;
-                }
+        (self.check, self.orientation) = (BranchCheck::Kept, None);
+        for _ in 0..self.options.max_meshes {
+            let found = self.solve_on(start, &mut progress)?;
+            let finding = self.judge(&found, &progress);
+            let action = action(progress.phase, finding);
+            start = match self.act(action, found, &mut progress)? {
+                Next::On(start) => start,
+                Next::Done(solved) => return Ok(*solved),
             };
-            let solved = match progress.rescue.origin.take() {
-                Some(origin) if attempt == 0 && solved.converged.at_once => self.unless_worse(solved, origin)?,
-                _ => solved,
-            };
-            let measures = measured(&solved, progress.target);
-            let passes = measures.iter().all(|measure| measure.largest <= progress.target);
-            if progress.coarsening && !passes {
-                return progress.fallback.ok_or_else(|| self.out_of_meshes());
-            }
-            if !passes {
-                start = match self.refined(&solved, &measures, progress.target) {
-                    Ok(meshes) => transfer(&solved, meshes),
-                    Err(error) => return progress.fallback.ok_or(error),
-                };
-                progress.coarser = Some(solved);
-                continue;
-            }
-            if let Some(error) = solved.converged.stagnated.clone() {
-                let intervals = intervals(&solved.system.grids);
-                return progress.fallback.ok_or(SolveError::Newton { error, intervals });
-            }
-            let again = self.keep && attempt == 0 && solved.converged.at_once;
-            match self.improve(&solved, again, &mut progress) {
-                Next::Accept => return Ok(solved),
-                Next::Fallback => return Ok(progress.fallback.unwrap_or(solved)),
-                Next::Remesh(meshes) => {
-                    start = transfer(&solved, meshes);
-                    progress.fallback = Some(solved);
-                }
-                Next::Tighten(meshes) => {
-                    start = transfer(&solved, meshes);
-                    progress.coarser = None;
-                    if progress.vain == 0 {
-                        (progress.fallback, progress.fallback_doubled) = (Some(solved), false);
-                    }
-                }
-            }
+            progress.phase = phase_after(progress.phase, action);
+            progress.first = false;
         }
         progress.fallback.ok_or_else(|| self.out_of_meshes())
+    }
+
+    /// What has been found on the present meshes.
+    fn judge(&mut self, found: &Found<'a, P>, progress: &Progress<'a, P>) -> Finding {
+        let Found::Solved(solved) = found else { return Finding::Failed };
+        let measures = measured(solved, progress.target, progress.rounding());
+        if measures.iter().any(|measure| !(measure.largest <= progress.target)) {
+            return Finding::Rough;
+        }
+        if solved.converged.stagnated.is_some() {
+            return Finding::Unconverged;
+        }
+        let known = self.keep && progress.first && solved.converged.at_once;
+        if known && self.options.accept_inaccurate {
+            self.shortfall = Shortfall::WarmStart;
+            return Finding::Good;
+        }
+        if self.options.control == Control::Error && !(solved.error_estimate(&mut self.stats) <= self.options.tolerance)
+        {
+            return Finding::Inaccurate;
+        }
+        let coarser = |verdict: &Verdict| matches!(verdict, Verdict::Coarsen(_));
+        let oversized = !known && self.verdicts(solved, &measures, progress).iter().any(coarser);
+        if oversized { Finding::Oversized } else { Finding::Good }
+    }
+
+    /// Does what the table says.
+    fn act(
+        &mut self,
+        action: Action,
+        found: Found<'a, P>,
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Next<'a, P>, SolveError> {
+        let solved = match found {
+            Found::Solved(solved) => solved,
+            Found::Failed(start, error) => return self.rescued(action, *start, error, progress),
+            Found::Undefined(error) => return progress.fallback.take().map(Next::done).ok_or(error),
+        };
+        match action {
+            Action::Accept => Ok(Next::Done(solved)),
+            Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.out_of_meshes()),
+            Action::GiveUp | Action::Rescue => {
+                let intervals = intervals(&solved.system.grids);
+                let failed = |error| SolveError::Newton { error, intervals };
+                let error = solved.converged.stagnated.map_or_else(|| self.out_of_meshes(), failed);
+                progress.fallback.take().map(Next::done).ok_or(error)
+            }
+            Action::Refine => {
+                let measures = measured(&solved, progress.target, progress.rounding());
+                progress.note(measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest)));
+                if progress.is_stuck()
+                    && let Some(fallback) = progress.fallback.take()
+                {
+                    self.shortfall = Shortfall::Rounding;
+                    return Ok(Next::done(fallback));
+                }
+                match self.refined(&solved, &measures, progress) {
+                    Ok(meshes) => {
+                        let start = transfer(&solved, meshes);
+                        progress.coarser = Some(*solved);
+                        Ok(Next::On(start))
+                    }
+                    Err(error) => progress.fallback.take().map(Next::done).ok_or(error),
+                }
+            }
+            Action::Tighten => Ok(self.tightened(solved, progress)),
+            Action::Coarsen => {
+                let measures = measured(&solved, progress.target, progress.rounding());
+                let verdicts = self.verdicts(&solved, &measures, progress).into_iter();
+                let meshes = verdicts.zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
+                    Verdict::Coarsen(mesh) => mesh,
+                    Verdict::Keep | Verdict::Refine(_) | Verdict::Exhausted => grid.mesh.clone(),
+                });
+                let start = transfer(&solved, meshes.collect());
+                progress.fallback = Some(*solved);
+                Ok(Next::On(start))
+            }
+        }
     }
 
     /// A guess that was a solution, without its negligible correction if that makes a defect exceed the tolerance: where
     /// the equations are stiff, they tell more of a solution than the tolerance of Newton's iteration.
     fn unless_worse(&mut self, mut solved: Solved<'a, P>, origin: Start) -> Result<Solved<'a, P>, SolveError> {
         let tolerance = self.options.tolerance;
-        if measured(&solved, tolerance).iter().all(|measure| measure.largest <= tolerance) {
+        if measured(&solved, tolerance, Rounding::Counted).iter().all(|measure| measure.largest <= tolerance) {
             return Ok(solved);
         }
         let converged = &mut solved.converged;
@@ -207,13 +189,17 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     }
 
     /// Newton's iteration on one set of meshes.
-    fn solve_on(&mut self, start: Start, first: bool, bold: bool) -> Result<Solved<'a, P>, Stop> {
+    ///
+    /// # Errors
+    /// Only those that end the solve at once.
+    fn solve_on(&mut self, start: Start, progress: &mut Progress<'a, P>) -> Result<Found<'a, P>, SolveError> {
         let Start { grids, x } = start;
         let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let outcome = newton::solve(&system, &x, self.limits(bold), &mut self.stats, self.observer, self.budget);
-        if first {
+        let limits = self.limits(progress.rescue.insistent);
+        let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
+        if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
         }
         let mut record = MeshRecord {
@@ -225,133 +211,172 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Ok(converged) => converged,
             Err(failure) => {
                 self.history.push(record);
-                return Err(match failure {
-                    newton::Failure::Newton(error) => Stop::Newton(Box::new(Start { grids: system.grids, x }), error),
-                    newton::Failure::Interrupted(error) => Stop::Error(error),
-                });
+                self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
+                return match failure {
+                    newton::Failure::Newton(error) => {
+                        Ok(Found::Failed(Box::new(Start { grids: system.grids, x }), error))
+                    }
+                    newton::Failure::Interrupted(error) => Err(error),
+                };
             }
         };
-        let solved = Solved::new(system, converged, &mut self.stats).map_err(Stop::Error)?;
-        record.defects = measured(&solved, self.options.tolerance).iter().map(|measure| measure.largest).collect();
+        let orientation = converged.factorisation.orientation();
+        let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
+        self.check = self.check.and(check).across(self.orientation, orientation);
+        self.orientation = orientation.or(self.orientation);
+        let solved = match Solved::new(system, converged, &mut self.stats) {
+            Ok(solved) => solved,
+            Err(error) => return Ok(Found::Undefined(error)),
+        };
+        let measures = measured(&solved, self.options.tolerance, Rounding::Counted);
+        record.defects = measures.iter().map(|measure| measure.largest).collect();
         let defect = record.defects.iter().fold(0.0, |max: f64, defect| max.max(*defect));
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
-        self.budget.notify(self.observer, &event, &self.stats).map_err(Stop::Error)?;
-        Ok(solved)
+        self.budget.notify(self.observer, &event, &self.stats)?;
+        let solved = match progress.rescue.origin.take() {
+            Some(origin) if progress.first && solved.converged.at_once => self.unless_worse(solved, origin)?,
+            _ => solved,
+        };
+        Ok(Found::Solved(Box::new(solved)))
     }
 
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
         let (plan, tableau) = (self.plan.clone(), self.options.order.tableau());
-        System { problem: self.problem, layout: self.layout, plan, tableau, grids }
+        let magnitudes = Magnitudes::new(self.layout, self.options);
+        System { problem: self.problem, layout: self.layout, plan, tableau, magnitudes, grids }
     }
 
-    fn limits(&self, bold: bool) -> Limits {
+    fn limits(&self, insistent: bool) -> Limits {
         Limits {
             tolerance: self.options.newton_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
-            bold,
+            insistent,
         }
     }
 
-    /// A failed iteration may succeed on finer meshes, or boldly.
-    fn rescued(&self, failed: Start, error: NewtonError, rescue: &mut Rescue) -> Result<Start, SolveError> {
+    /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
+    fn rescued(
+        &self,
+        action: Action,
+        failed: Start,
+        error: NewtonError,
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Next<'a, P>, SolveError> {
+        if action == Action::Rescue
+            && let Some(start) = progress.doubled()
+        {
+            return Ok(Next::On(start));
+        }
+        if let Some(fallback) = progress.fallback.take() {
+            return Ok(Next::done(fallback));
+        }
         let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
             NewtonError::NonFinite(_) => true,
-            _ => false,
+            NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
+        let rescue = &mut progress.rescue;
         if !hopeless && rescue.halvings < self.options.rescues && 2 * largest <= self.options.max_intervals {
             rescue.halvings += 1;
-            return Ok(halved(&failed));
+            return Ok(Next::On(halved(&failed)));
         }
         match rescue.origin.take() {
             Some(origin) if !hopeless => {
-                *rescue = Rescue { halvings: 0, bold: true, origin: None };
-                Ok(origin)
+                *rescue = Rescue { halvings: 0, insistent: false, origin: None };
+                Ok(Next::On(origin))
             }
             _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
         }
     }
 
     /// Finer meshes where the defects are too large.
-    fn refined(&self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Result<Vec<Vec<f64>>, SolveError> {
-        let mut meshes = Vec::new();
-        for (region, verdict) in self.verdicts(solved, measures, target).into_iter().enumerate() {
+    ///
+    /// # Errors
+    /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's may.
+    fn refined(
+        &self,
+        solved: &Solved<'a, P>,
+        measures: &[Measure],
+        progress: &Progress<'a, P>,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let tighter = progress.target < self.options.tolerance;
+        let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
+        for (region, verdict) in self.verdicts(solved, measures, progress).into_iter().enumerate() {
+            let old = &solved.system.grids[region].mesh;
             meshes.push(match verdict {
-                Verdict::Keep | Verdict::Coarsen(_) => solved.system.grids[region].mesh.clone(),
-                Verdict::Refine(mesh) => mesh,
-                Verdict::Exhausted => return Err(self.exhausted(region, solved, &measures[region])),
+                Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
+                Verdict::Refine(mesh) => {
+                    changed = true;
+                    mesh
+                }
+                Verdict::Exhausted => {
+                    refused = refused.or(Some(region));
+                    old.clone()
+                }
             });
         }
-        Ok(meshes)
+        match refused {
+            Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
+            _ => Ok(meshes),
+        }
     }
 
-    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Vec<Verdict> {
-        let order = self.options.order.tableau().defect_order;
-        let most = self.options.max_intervals;
+    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], progress: &Progress<'a, P>) -> Vec<Verdict> {
+        let wish = Wish {
+            tolerance: progress.target,
+            order: self.options.order.tableau().defect_order,
+            max_intervals: self.options.max_intervals,
+            split_few: progress.split_few(),
+        };
         let regions = solved.system.grids.iter().zip(measures);
-        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, target, order, most)).collect()
-    }
-
-    /// Defects meet their target: is the estimated error small enough, are the meshes not far too fine?
-    fn improve(&mut self, solved: &Solved<'a, P>, again: bool, progress: &mut Progress<'a, P>) -> Next {
-        if again {
-            self.shortfall = Shortfall::WarmStart;
-            return Next::Accept;
-        }
-        let tolerance = self.options.tolerance;
-        if self.options.control == Control::Error {
-            let error = solved.error_estimate(&mut self.stats);
-            if !(error <= tolerance) {
-                if progress.coarsening {
-                    return Next::Fallback;
-                }
-                return self.tightened(solved, error, progress);
-            }
-        }
-        let verdicts = self.verdicts(solved, &measured(solved, progress.target), progress.target);
-        if !verdicts.iter().any(|verdict| matches!(verdict, Verdict::Coarsen(_))) {
-            return Next::Accept;
-        }
-        progress.coarsening = true;
-        let meshes = verdicts.into_iter().zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
-            Verdict::Coarsen(mesh) => mesh,
-            _ => grid.mesh.clone(),
-        });
-        Next::Remesh(meshes.collect())
+        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()
     }
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
-    fn tightened(&mut self, solved: &Solved<'a, P>, error: f64, progress: &mut Progress<'a, P>) -> Next {
+    fn tightened(&mut self, solved: Box<Solved<'a, P>>, progress: &mut Progress<'a, P>) -> Next<'a, P> {
+        let error = solved.error_estimate(&mut self.stats);
         self.shortfall = Shortfall::Rounding;
-        progress.vain = if error <= PROGRESS * progress.error { 0 } else { progress.vain + 1 };
-        let best = if error < progress.error { Next::Accept } else { Next::Fallback };
+        progress.stalled = if error <= PROGRESS * progress.error { 0 } else { progress.stalled + 1 };
+        let better = error < progress.error;
         progress.error = progress.error.min(error);
-        if progress.vain >= PATIENCE {
-            return best;
+        if progress.stalled < PATIENCE
+            && let Some(start) = self.tighter(&solved, error, progress)
+        {
+            progress.coarser = None;
+            if better {
+                progress.fallback = Some(*solved);
+                progress.fallback_doubled &= progress.stalled > 0;
+            }
+            return Next::On(start);
         }
-        let largest = measured(solved, progress.target).iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
+        match progress.fallback.take() {
+            Some(fallback) if !better => Next::done(fallback),
+            _ => Next::Done(solved),
+        }
+    }
+
+    /// Meshes for the largest defects below the present ones that ask for others; none if rounding or the limits of the
+    /// meshes stand in the way.
+    fn tighter(&mut self, solved: &Solved<'a, P>, error: f64, progress: &mut Progress<'a, P>) -> Option<Start> {
+        let measures = measured(solved, progress.target, progress.rounding());
+        let largest = measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
         let mut target = (0.5 * largest * self.options.tolerance / error).min(0.5 * progress.target);
-        let intervals = solved.system.grids.iter().map(Grid::intervals).max().unwrap_or(0);
-        let floor = ROUNDING * intervals as f64;
-        while progress.target > floor {
-            progress.target = target.max(floor);
+        while progress.target > LEAST_TARGET {
+            progress.target = target.max(LEAST_TARGET);
             target *= 0.5;
-            let measures = measured(solved, progress.target);
+            let measures = measured(solved, progress.target, progress.rounding());
             if measures.iter().all(|measure| measure.largest <= progress.target) {
                 continue;
             }
             // What ends the solve from here on is that finer meshes are not had.
             self.shortfall = Shortfall::Mesh;
-            return match self.refined(solved, &measures, progress.target) {
-                Ok(meshes) => Next::Tighten(meshes),
-                Err(_) => best,
-            };
+            return self.refined(solved, &measures, progress).ok().map(|meshes| transfer(solved, meshes));
         }
-        best
+        None
     }
 
     fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
@@ -402,11 +427,19 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Err(SolveError::Boundary { equation, residual, tolerance });
         }
         let error_estimate = solved.error_estimate(&mut self.stats);
-        Ok(self.solution(solved, error_estimate))
+        let solution = self.solution(solved, error_estimate);
+        match solution.accuracy {
+            Accuracy::Short { estimate, tolerance, because }
+                if self.options.control == Control::Error && !self.options.accept_inaccurate =>
+            {
+                Err(SolveError::Inaccurate { estimate, tolerance, because })
+            }
+            Accuracy::Met | Accuracy::Short { .. } => Ok(solution),
+        }
     }
 
     fn solution(&self, solved: &Solved<'_, P>, error_estimate: f64) -> Solution {
-        let measures = measured(solved, self.options.tolerance);
+        let measures = measured(solved, self.options.tolerance, Rounding::Counted);
         let accuracy = if error_estimate <= self.options.tolerance {
             Accuracy::Met
         } else {
@@ -421,6 +454,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,
             accuracy,
+            orientation: solved.converged.factorisation.orientation(),
+            branch_check: self.check,
             stats: self.stats,
             history: self.history.clone(),
         }
@@ -432,14 +467,4 @@ impl<P: Problem + ?Sized> Drop for Run<'_, '_, P> {
     fn drop(&mut self) {
         self.budget.charge(&self.stats);
     }
-}
-
-/// Why there is no converged iterate on a set of meshes.
-enum Stop {
-    Newton(Box<Start>, NewtonError),
-    Error(SolveError),
-}
-
-fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64) -> Vec<Measure> {
-    solved.defects.iter().map(|defects| measure(defects, target)).collect()
 }

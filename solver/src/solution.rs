@@ -4,8 +4,10 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::interpolant::{Basis, Extension};
 use crate::collocation::{Iterate, System};
 use crate::options::Order;
+use crate::orientation::{BranchCheck, Orientation};
 use crate::problem::{Layout, Problem};
 use crate::stats::Stats;
+use std::fmt;
 
 /// One region of a [`Solution`].
 #[derive(Debug, Clone)]
@@ -162,13 +164,24 @@ pub enum Accuracy {
     },
 }
 
+impl fmt::Display for Shortfall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Uncontrolled => "only the defects were held to the tolerance",
+            Self::WarmStart => "the guess was a solution already, and was kept with its mesh",
+            Self::Mesh => "finer meshes are not allowed, or could not be solved on",
+            Self::Rounding => "smaller defects would be rounding errors",
+        })
+    }
+}
+
 /// Why a solution was not refined until its estimated error met the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shortfall {
     /// Only the defects were to meet the tolerance: [`Control::Defect`](crate::Control::Defect).
     Uncontrolled,
-    /// The guess was a solution already, and was kept with its mesh.
+    /// The guess was a solution already, and was kept with its mesh, since inaccurate solutions are accepted.
     WarmStart,
     /// Finer meshes were not allowed, or could not be solved on.
     Mesh,
@@ -187,6 +200,8 @@ pub struct Solution {
     pub(crate) max_boundary_residual: f64,
     pub(crate) error_estimate: f64,
     pub(crate) accuracy: Accuracy,
+    pub(crate) orientation: Option<Orientation>,
+    pub(crate) branch_check: BranchCheck,
     pub(crate) stats: Stats,
     pub(crate) history: Vec<MeshRecord>,
 }
@@ -236,6 +251,17 @@ impl Solution {
         self.accuracy
     }
 
+    /// Sign of the determinant of the problem linearised there; none if that is singular or not known.
+    pub fn orientation(&self) -> Option<Orientation> {
+        self.orientation
+    }
+
+    /// Whether this is known to be the solution that the guess leads to, where the problem has several; after a
+    /// continuation, the one that the start of the path leads to.
+    pub fn branch_check(&self) -> BranchCheck {
+        self.branch_check
+    }
+
     /// What it cost.
     pub fn stats(&self) -> &Stats {
         &self.stats
@@ -251,7 +277,8 @@ impl Solution {
         self.regions.iter().map(RegionSolution::intervals).sum()
     }
 
-    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`.
+    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`; the orientation
+    /// does not.
     pub(crate) fn restricted(mut self, layout: &Layout, unknowns: &[usize]) -> Self {
         for (region, inner) in self.regions.iter_mut().zip(&layout.regions) {
             region.integrals.truncate(inner.integrals.len());
@@ -259,6 +286,7 @@ impl Solution {
         }
         self.constants.truncate(layout.constants.len());
         self.unknowns = unknowns.to_vec();
+        self.orientation = None;
         self
     }
 }

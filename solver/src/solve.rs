@@ -4,6 +4,7 @@ use crate::budget::Budget;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::Guess;
+use crate::magnitude;
 use crate::observer::{Observer, Silent};
 use crate::options::Options;
 use crate::problem::{Layout, Problem};
@@ -64,6 +65,7 @@ pub(crate) fn solve_within(
 pub(crate) fn check(layout: &Layout, guess: &Guess, unknowns: &[usize], options: &Options) -> Result<(), SolveError> {
     options.check()?;
     layout.check()?;
+    magnitude::check(layout, options)?;
     guess.check(layout)?;
     let constants = layout.constants.len();
     for (i, &index) in unknowns.iter().enumerate() {

@@ -4,7 +4,8 @@
 
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Accuracy, Control, Guess, Layout, Linearisation, Options, Order, Problem, Region, Shortfall, Solution, solve,
+    Accuracy, Control, Guess, Layout, Linearisation, Options, Order, Problem, Region, Shortfall, Solution, SolveError,
+    solve,
 };
 use std::f64::consts::PI;
 
@@ -37,10 +38,14 @@ impl Model for Linear {
     }
 }
 
-fn solved(model: Linear, eps: f64, options: &Options) -> Solution {
+fn attempted(model: Linear, eps: f64, options: &Options) -> Result<Solution, SolveError> {
     let problem = Differentiated::new(model).unwrap();
     let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
-    solve(&problem, &guess, &[], options).unwrap()
+    solve(&problem, &guess, &[], options)
+}
+
+fn solved(model: Linear, eps: f64, options: &Options) -> Solution {
+    attempted(model, eps, options).unwrap()
 }
 
 /// Both amplify defects a thousandfold: holding the defects to the tolerance leaves an error of 300 tolerances.
@@ -62,28 +67,38 @@ fn defects_are_held_to_less_until_the_error_is_small() {
 }
 
 #[test]
-fn an_error_that_exceeds_the_tolerance_says_so_and_why() {
-    let short = |options: &Options, eps: f64| match solved(Linear::Resonant, eps, options).accuracy() {
-        Accuracy::Met => panic!("met"),
-        Accuracy::Short { estimate, tolerance, because } => {
-            assert!(estimate > tolerance && tolerance == options.tolerance);
-            because
-        }
+fn a_solution_that_misses_its_tolerance_is_refused_and_says_why() {
+    let short = |options: &Options, eps: f64| {
+        let accepting = Options { accept_inaccurate: true, ..options.clone() };
+        let Accuracy::Short { estimate, tolerance, because } = solved(Linear::Resonant, eps, &accepting).accuracy()
+        else {
+            panic!("met")
+        };
+        assert!(estimate > tolerance && tolerance == options.tolerance);
+        let refused = attempted(Linear::Resonant, eps, options).unwrap_err();
+        assert_eq!(refused, SolveError::Inaccurate { estimate, tolerance, because });
+        assert!(refused.to_string().contains(&because.to_string()), "{refused}");
+        because
     };
-    let loose = Options { control: Control::Defect, ..Options::default() };
-    assert_eq!(short(&loose, 1e-5), Shortfall::Uncontrolled);
     let few = Options { max_intervals: 100, ..Options::default() };
     assert_eq!(short(&few, 1e-5), Shortfall::Mesh);
     let all = Options { tolerance: 1e-10, newton_tolerance: Some(1e-6), order: Order::Six, ..Options::default() };
     assert_eq!(short(&all, 1e-9), Shortfall::Rounding);
-    // A warm start keeps its mesh, and says that its error is what it was.
-    let problem = Differentiated::new(Linear::Resonant).unwrap();
+    // Whoever asks for small defects only has what was asked for.
+    let loose = Options { control: Control::Defect, ..Options::default() };
     let first = solved(Linear::Resonant, 1e-5, &loose);
-    let again = solve(&problem, &Guess::from(&first), &[], &Options::default()).unwrap();
-    assert_eq!(again.stats().newton_iterations, 1);
-    assert!(matches!(again.accuracy(), Accuracy::Short { because: Shortfall::WarmStart, .. }));
+    assert!(matches!(first.accuracy(), Accuracy::Short { because: Shortfall::Uncontrolled, .. }));
+    let problem = Differentiated::new(Linear::Resonant).unwrap();
     let kappa = Linearisation::new(&problem, &first).unwrap().conditioning().kappa();
     assert!(kappa > 1e4, "{kappa}");
+    // From there on the error is brought down; unless inaccurate solutions do, which keep their mesh.
+    let better = solve(&problem, &Guess::from(&first), &[], &Options::default()).unwrap();
+    assert_eq!(better.accuracy(), Accuracy::Met);
+    assert!(better.intervals() > first.intervals());
+    let accepting = Options { accept_inaccurate: true, ..Options::default() };
+    let again = solve(&problem, &Guess::from(&first), &[], &accepting).unwrap();
+    assert_eq!((again.stats().newton_iterations, again.intervals()), (1, first.intervals()));
+    assert!(matches!(again.accuracy(), Accuracy::Short { because: Shortfall::WarmStart, .. }));
 }
 
 /// The solver starts no threads; whoever wants them solves in several.

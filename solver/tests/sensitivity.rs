@@ -70,7 +70,7 @@ fn tangents_and_adjoints_agree_with_differences_of_solves() {
             .map(|input| {
                 let mut weights = vec![0.0; size];
                 weights[input] = 1.0;
-                linearisation.gradient(&Functional { inputs: weights, nodes: Vec::new() })
+                linearisation.gradient(&Functional { inputs: weights, ..Functional::default() })
             })
             .collect();
         for constant in 0..5 {
@@ -107,7 +107,7 @@ fn an_adjoint_of_interior_values_agrees_with_the_tangent() {
     let linearisation = Linearisation::new(&problem, &solution).unwrap();
     let last = solution.regions()[1].intervals();
     let nodes = vec![(0, 3, 1, 2.0), (1, 0, 0, 0.5), (1, last - 1, 0, -1.0), (1, last, 1, 0.25)];
-    let gradient = linearisation.gradient(&Functional { inputs: Vec::new(), nodes: nodes.clone() });
+    let gradient = linearisation.gradient(&Functional { nodes: nodes.clone(), ..Functional::default() });
     for constant in 0..5 {
         let tangent = linearisation.sensitivity(constant);
         let forward: f64 = nodes.iter().map(|&(r, j, i, weight)| weight * tangent.regions[r].states[i][j]).sum();
@@ -184,4 +184,26 @@ fn what_is_singular_at_the_solution_is_named_by_the_condensation_too() {
     let error = Condensation::new(&twice, &solution).unwrap_err();
     assert!(error.to_string().contains("have rank 3 of 4"), "{error}");
     assert_eq!(error.to_string(), Linearisation::new(&twice, &solution).map(|_| ()).unwrap_err().to_string());
+}
+
+#[test]
+fn weights_on_single_intervals_add_up_to_those_on_integrals() {
+    let problem = Differentiated::new(Rod).unwrap();
+    let solution = solved(&CONSTANTS, Order::Four);
+    let linearisation = Linearisation::new(&problem, &solution).unwrap();
+    let layout = problem.layout();
+    let mut first = layout.ends();
+    for (region, part) in solution.regions().iter().enumerate() {
+        for k in 0..part.integrals().len() {
+            let mut inputs = vec![0.0; layout.inputs()];
+            inputs[first + k] = 1.0;
+            let whole = linearisation.gradient(&Functional { inputs, ..Functional::default() });
+            let intervals = (0..part.intervals()).map(|interval| (region, interval, k, 1.0)).collect();
+            let parts = linearisation.gradient(&Functional { intervals, ..Functional::default() });
+            for (whole, parts) in whole.iter().zip(&parts) {
+                assert!((whole - parts).abs() < 1e-9 * (1.0 + whole.abs()), "{region} {k}: {whole} and {parts}");
+            }
+        }
+        first += part.integrals().len();
+    }
 }

@@ -1,7 +1,7 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
 use super::range::Range;
-use crate::model::{Choice, Edition, Ends, Free, Friction, Shear, Spans};
+use crate::model::{Choice, Edition, Ends, Free, Friction, Include, Shear, Spans};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
@@ -19,6 +19,8 @@ pub enum Key {
     LongitudinalStiffness,
     BendingStiffness,
     RadialStiffness,
+    LossTangent,
+    CordLossTangent,
     HalfAngle,
     FrictionCoefficient,
     SlipThreshold,
@@ -38,6 +40,18 @@ pub enum Key {
     SecondaryAxialForce,
     SlipReserve,
     FrictionUtilization,
+    Losses,
+    PrimaryDrag,
+    SecondaryDrag,
+    PrimaryDragPerSpeed,
+    SecondaryDragPerSpeed,
+    GearEfficiency,
+    Ambient,
+    HeatTransfer,
+    FrictionShare,
+    ReferenceTemperature,
+    BendingSoftening,
+    RadialSoftening,
 }
 
 /// What is known of a key.
@@ -89,6 +103,10 @@ const NM2: Unit = Unit::decimal("N*m^2", 0, Dimension::BENDING_STIFFNESS);
 const MPA: Unit = Unit::decimal("MPa", 6, Dimension::PRESSURE);
 const DEG: Unit = Unit::new("deg", 0, PI, 180.0, Dimension::ANGLE);
 const M_PER_S: Unit = Unit::decimal("m/s", 0, Dimension::SPEED);
+const NM_S: Unit = Unit::decimal("N*m*s", 0, Dimension::DRAG_PER_SPEED);
+const K: Unit = Unit::decimal("K", 0, Dimension::TEMPERATURE);
+const PER_K: Unit = Unit::decimal("1/K", 0, Dimension::PER_TEMPERATURE);
+const W_PER_K: Unit = Unit::decimal("W/K", 0, Dimension::HEAT_TRANSFER);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
 /// A quantity of the base case.
@@ -112,7 +130,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, d
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 29] = [
+pub static TABLE: [Entry; 43] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -133,6 +151,10 @@ pub static TABLE: [Entry; 29] = [
         "bending moment over curvature; not used by `edition = \"string\"`"),
     entry(Key::RadialStiffness, "belt.radial_stiffness", "k", base(MPA, Range::POSITIVE, 18.71),
         "radial force per length over radial penetration"),
+    entry(Key::LossTangent, "belt.loss_tangent", "tan δ", base(NUMBER, Range::up_to(10.0), 1.0 / 8.2),
+        "loss over storage modulus of bending and squeezing; 0: no hysteresis"),
+    entry(Key::CordLossTangent, "belt.cord_loss_tangent", "tan δ_c", base(NUMBER, Range::up_to(10.0), 0.0),
+        "loss over storage modulus of the cord's stretching"),
     entry(Key::HalfAngle, "sheave.half_angle", "β", base(DEG, Range::positive_below(45.0), 12.0),
         "half the angle between the flanks of the groove"),
     entry(Key::FrictionCoefficient, "sheave.friction_coefficient", "μ_k", base(NUMBER, Range::positive_to(5.0), 0.4),
@@ -171,6 +193,30 @@ pub static TABLE: [Entry; 29] = [
         "share of the friction at hand that is to be left over: the clamp that does it is found"),
     entry(Key::FrictionUtilization, "operating_point.friction_utilization", "", other(PERCENT, Range::positive_below(100.0), 80.0),
         "share of the friction at hand that is to be used, 1 less the slip reserve"),
+    entry(Key::Losses, "losses.include", "", choice(Include::CHOICES, None),
+        "whether losses besides friction are told; on unless the edition has none"),
+    entry(Key::PrimaryDrag, "losses.primary_drag", "M_dP", base(NM, Range::up_to(1e4), 0.0),
+        "torque that bearings and seals of the primary take at every speed"),
+    entry(Key::SecondaryDrag, "losses.secondary_drag", "M_dS", base(NM, Range::up_to(1e4), 0.0),
+        "torque that bearings and seals of the secondary take at every speed"),
+    entry(Key::PrimaryDragPerSpeed, "losses.primary_drag_per_speed", "c_P", base(NM_S, Range::up_to(1e3), 0.0),
+        "torque that drags at the primary, over its speed"),
+    entry(Key::SecondaryDragPerSpeed, "losses.secondary_drag_per_speed", "c_S", base(NM_S, Range::up_to(1e3), 0.0),
+        "torque that drags at the secondary, over its speed"),
+    entry(Key::GearEfficiency, "losses.gear_efficiency", "η_g", base(NUMBER, Range::positive_to(1.0), 1.0),
+        "efficiency of gears between the secondary and the shaft of interest"),
+    entry(Key::Ambient, "thermal.ambient", "T_a", other(K, Range::positive_to(2000.0), 298.15),
+        "temperature of the air around the belt; degC and degF are understood"),
+    entry(Key::HeatTransfer, "thermal.heat_transfer", "h", other(W_PER_K, Range::positive_to(1e5), 10.0),
+        "heat that the belt gives off over its excess of temperature"),
+    entry(Key::FrictionShare, "thermal.friction_share", "", base(NUMBER, Range::up_to(1.0), 0.5),
+        "share of the friction loss that heats the belt; the rest heats the sheaves"),
+    entry(Key::ReferenceTemperature, "thermal.reference", "T_0", base(K, Range::positive_to(2000.0), 333.15),
+        "temperature at which the belt's stiffnesses are given"),
+    entry(Key::BendingSoftening, "thermal.bending_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
+        "share by which the bending stiffness falls per kelvin"),
+    entry(Key::RadialSoftening, "thermal.radial_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
+        "share by which the radial stiffness falls per kelvin"),
 ];
 
 /// No key is longer.
@@ -313,7 +359,10 @@ mod tests {
             assert_eq!(entry.key as usize, index, "{}", entry.path);
             assert_eq!(Key::from_path(entry.path), Some(entry.key));
         }
-        assert_eq!(sections().collect::<Vec<_>>(), ["model", "belt", "sheave", "drive", "operating_point"]);
+        assert_eq!(
+            sections().collect::<Vec<_>>(),
+            ["model", "belt", "sheave", "drive", "operating_point", "losses", "thermal"]
+        );
     }
 
     #[test]

@@ -29,6 +29,11 @@ impl Range {
     /// Above zero.
     pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
 
+    /// From zero up to and with `high`.
+    pub const fn up_to(high: f64) -> Self {
+        Self { low: Bound::Closed(0.0), high: Bound::Closed(high) }
+    }
+
     /// Above zero, up to and with `high`.
     pub const fn positive_to(high: f64) -> Self {
         Self { low: Bound::Open(0.0), high: Bound::Closed(high) }

@@ -5,7 +5,9 @@ use super::exchange::Exchange;
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
+use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
+use super::thermal::{Thermal, thermal};
 use crate::model::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -27,6 +29,10 @@ pub struct Resolved {
     pub drive: Drive,
     /// The operating point.
     pub operating_point: OperatingPoint,
+    /// Losses besides friction.
+    pub losses: Losses,
+    /// Heat, if the belt's temperature is to be found.
+    pub thermal: Option<Thermal>,
     /// Constants that are found for outputs that are prescribed.
     pub swaps: Vec<Exchange>,
     /// What was found, SI, for keys that were solved for; nothing before a case is solved.
@@ -108,6 +114,8 @@ impl Case {
             },
             drive,
             operating_point: OperatingPoint::resolve(self, drive.free)?,
+            losses: losses(self, edition)?,
+            thermal: thermal(self)?,
             swaps: self.swaps.iter().map(|(exchange, _)| exchange.clone()).collect(),
             found: Vec::new(),
         })
@@ -221,7 +229,7 @@ fn is_free(free: Option<Free>, radius: Key) -> bool {
 impl Resolved {
     /// Every key with its value, in the order of the table; given to [`Case::set`], they make the same case again.
     pub fn settings(&self) -> Vec<(Key, Setting)> {
-        let Self { edition, model, belt, sheave, drive, operating_point, swaps: _, found: _ } = self;
+        let Self { edition, model, belt, sheave, drive, operating_point, losses, thermal, swaps: _, found: _ } = self;
         let mut settings = vec![(Key::Edition, Setting::Name(edition.name()))];
         if let Some(bending) = model.bending {
             settings.push((Key::Shear, Setting::Name(bending.shear.name())));
@@ -244,6 +252,8 @@ impl Resolved {
         ];
         let numbers = given.into_iter().filter(|(key, _)| !is_free(drive.free, *key)).chain(operating_point.settings());
         settings.extend(numbers.map(|(key, value)| (key, Setting::Number(value))));
+        settings.extend(losses.settings());
+        settings.extend(thermal.iter().flat_map(Thermal::settings));
         settings.extend(drive.free.map(|free| (Key::Free, Setting::Name(free.name()))));
         settings.sort_by_key(|(key, _)| *key);
         settings

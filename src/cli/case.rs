@@ -3,7 +3,7 @@
 use clap::Args;
 use clap::builder::PossibleValue;
 use clap::builder::PossibleValuesParser;
-use sheave::case::{Case, CaseError, Edition, Key, Resolved};
+use sheave::case::{Case, CaseError, Edition, Include, Key, Resolved};
 use sheave::study::{Axis, StudyError, StudyFile};
 use std::io::{self, Read};
 use std::path::PathBuf;
@@ -27,6 +27,15 @@ pub struct CaseArguments {
     /// Edition of the equations, in place of the case's
     #[arg(long, value_name = "E", value_parser = edition_parser())]
     edition: Option<String>,
+    /// Losses besides friction (hysteresis, drag, gears), in place of the case's losses.include
+    #[arg(long, value_name = "on|off", value_parser = losses_parser())]
+    losses: Option<String>,
+}
+
+/// Whether losses are told, by name.
+fn losses_parser() -> PossibleValuesParser {
+    let values = Include::CHOICES.iter().map(|choice| PossibleValue::new(choice.name).help(choice.doc));
+    PossibleValuesParser::new(values)
 }
 
 /// How messages name standard input.
@@ -85,6 +94,9 @@ impl CaseArguments {
         self.swap.iter().try_for_each(|swap| case.swap(swap))?;
         if let Some(edition) = &self.edition {
             case.set(Key::Edition.path(), edition)?;
+        }
+        if let Some(losses) = &self.losses {
+            case.set(Key::Losses.path(), losses)?;
         }
         Ok(case)
     }

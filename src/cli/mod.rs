@@ -1,9 +1,12 @@
 //! What the commands share; each command has a file of its own.
 
 mod belt;
+mod bench_data;
 mod case;
+mod compare;
 mod derive;
 mod design;
+mod dyno;
 mod init;
 mod keys;
 mod limit;
@@ -49,6 +52,9 @@ enum Command {
     Size(size::Arguments),
     Belt(belt::Arguments),
     Radii(radii::Arguments),
+    Dyno(dyno::Arguments),
+    Compare(compare::Arguments),
+    BenchData(bench_data::Arguments),
     Keys(keys::Arguments),
 }
 
@@ -77,6 +83,9 @@ pub fn run() -> ExitCode {
         Command::Size(arguments) => size::run(arguments),
         Command::Belt(arguments) => belt::run(arguments),
         Command::Radii(arguments) => radii::run(arguments),
+        Command::Dyno(arguments) => dyno::run(arguments),
+        Command::Compare(arguments) => compare::run(arguments),
+        Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
     });
     match outcome {

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::case::Key;
 use crate::drive::Failure;
+use crate::losses::NoLosses;
 use crate::model::InternalError;
 use solver::SolveError;
 
@@ -28,6 +29,9 @@ pub enum DesignError {
     /// The equations are singular where a derivative is needed.
     #[error("a solution on the way has no derivatives: {0}")]
     Singular(#[from] SolveError),
+    /// The efficiency sought has losses in it that cannot be told.
+    #[error("the efficiency with losses has no optimum: {0}")]
+    Losses(#[from] NoLosses),
 }
 
 impl DesignError {
@@ -36,7 +40,7 @@ impl DesignError {
         match self {
             Self::Given { .. } => true,
             Self::Start(failure) => failure.is_bad_input(),
-            Self::Singular(_) | Self::Internal(_) => false,
+            Self::Singular(_) | Self::Internal(_) | Self::Losses(_) => false,
         }
     }
 }

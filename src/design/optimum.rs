@@ -2,7 +2,8 @@
 //!
 //! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping. The
 //! efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That derivative comes
-//! of the factorisation that Newton's method holds, by one transposed solve.
+//! of the factorisation that Newton's method holds, by one transposed solve. A case that asks for losses besides friction
+//! (`losses.include = "on"`) has the efficiency with these maximised.
 
 use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};
@@ -12,7 +13,8 @@ use super::limit::clamped;
 use super::state::State;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve_from};
-use crate::model::{Constant, Constants, Output};
+use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients, losses};
+use crate::model::{Constant, Constants, Include, Output};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -90,8 +92,9 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     trials.extend(search.march(&start, -1.0)?);
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
     let mut best: Option<(f64, Trial, Bound)> = None;
+    let told = search.case.clone();
     let mut offer = |trial: Trial, bound: Bound| -> Result<(), DesignError> {
-        let efficiency = State::of(&trial.solved)?.overall_efficiency;
+        let efficiency = efficiency(&told, &trial.solved, options)?;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
         }
@@ -127,7 +130,7 @@ impl Search {
     fn trial(&mut self, solved: Solved) -> Result<Trial, DesignError> {
         self.evaluations += 1;
         let tension = solved.constant(Constant::SlackTension);
-        let slope = tension * gradient(&solved)?;
+        let slope = tension * gradient(&self.case, &solved, &self.options)?;
         Ok(Trial { solved, place: tension.ln(), slope })
     }
 
@@ -189,10 +192,32 @@ impl Search {
     }
 }
 
-/// d(overall efficiency)/d(slack tension), 1/N.
-fn gradient(solved: &Solved) -> Result<f64, DesignError> {
+/// Whether the efficiency sought is that with losses besides friction: if the case asks for them.
+fn with_losses(case: &Resolved) -> bool {
+    case.losses.include == Some(Include::On)
+}
+
+/// The efficiency sought.
+fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+    if with_losses(case) {
+        return Ok(losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance)?.efficiency);
+    }
+    Ok(State::of(solved)?.overall_efficiency)
+}
+
+/// d(efficiency sought)/d(slack tension), 1/N.
+fn gradient(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+    if with_losses(case) {
+        return match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
+            Ok(gradients) => Ok(Constants::try_from(gradients.efficiency.as_slice())?[Constant::SlackTension]),
+            Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
+            Err(NoDerivatives::Internal(error)) => Err(error.into()),
+            Err(NoDerivatives::Solve(error)) => Err(error.into()),
+        };
+    }
     let (_, gradients) = solved.belt.output_gradients(&solved.solution)?;
-    let functional = Functional { inputs: gradients.get(Output::EfficiencyOverall)?.to_vec(), nodes: Vec::new() };
+    let inputs = gradients.get(Output::EfficiencyOverall)?.to_vec();
+    let functional = Functional { inputs, ..Functional::default() };
     let gradient = Linearisation::new(&solved.belt, &solved.solution)?.gradient(&functional);
     Ok(Constants::try_from(gradient.as_slice())?[Constant::SlackTension])
 }

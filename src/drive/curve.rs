@@ -87,6 +87,7 @@ pub fn trace(
         largest_step: LARGEST_STEP,
         max_points: MAX_POINTS,
         max_iterations: MAX_ITERATIONS,
+        branch_points: false,
         ..BranchOptions::default()
     };
     let traced = trace_observed(&belt, &start, parameter, &unknowns, &options, &[&excess], &mut observer);

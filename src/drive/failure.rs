@@ -59,6 +59,15 @@ pub enum Failure {
         /// What the solver says of the next step.
         cause: Box<SolveError>,
     },
+    /// The belt's temperature does not settle.
+    #[error(
+        "the balance of the belt's heat has no end: at {temperature:.1} K it is still warming or cooling; give a larger \
+         `thermal.heat_transfer`, or smaller softenings"
+    )]
+    Temperature {
+        /// Temperature reached, K.
+        temperature: f64,
+    },
     /// No clamp that was tried leaves the margin against slip that is asked for.
     #[error(
         "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} N it is \

@@ -30,6 +30,7 @@ pub use inputs::inputs;
 pub use outputs::{OutputGradients, OutputValues};
 pub use question::{Known, Question, Swap};
 pub use region::RegionId;
+pub(crate) use region::Source;
 pub use route::Route;
 pub use solve::{SolveOptions, solve, solve_question};
 pub use solved::Solved;

@@ -43,7 +43,7 @@ impl RegionId {
     }
 
     /// What stands for a kernel's local constant in this region; `None` if it has no meaning here.
-    pub(super) const fn source(self, local: RegionConstant) -> Option<Source> {
+    pub(crate) const fn source(self, local: RegionConstant) -> Option<Source> {
         let constant = match (local, self) {
             (RegionConstant::PulleySpeedRatio, Self::Primary) => return Some(Source::One),
             (RegionConstant::PulleySpeedRatio, Self::Secondary) => Constant::SpeedRatio,
@@ -75,7 +75,7 @@ impl RegionId {
 
 /// What a local constant of a kernel stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Source {
+pub(crate) enum Source {
     /// This constant of the drive.
     Constant(usize),
     /// The number one (the primary's own speed ratio).

@@ -110,6 +110,16 @@ choices! {
     }
 }
 
+choices! {
+    /// Whether losses besides friction are told.
+    Include {
+        /// hysteresis, drag and gears are taken off what arrives
+        On = "on",
+        /// friction is the only loss
+        Off = "off",
+    }
+}
+
 /// What is computed: the edition's choices, or finer ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Model {

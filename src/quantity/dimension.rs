@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Exponents of length, mass, time and plane angle.
+/// Exponents of length, mass, time, plane angle and temperature.
 ///
 /// The angle counts as a dimension of its own although SI derives it from lengths: so an angle given for a friction
 /// coefficient, or a frequency for an angular speed (a silent factor of 2π), is refused.
@@ -16,10 +16,12 @@ pub struct Dimension {
     pub time: i8,
     /// Exponent of the radian.
     pub angle: i8,
+    /// Exponent of the kelvin.
+    pub temperature: i8,
 }
 
 /// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 14] = [
+const NAMED: [(Dimension, &str); 18] = [
     (Dimension::NONE, "a plain number"),
     (Dimension::LENGTH, "a length"),
     (Dimension::MASS, "a mass"),
@@ -34,6 +36,10 @@ const NAMED: [(Dimension, &str); 14] = [
     (Dimension::POWER, "a power"),
     (Dimension::MASS_PER_LENGTH, "a mass per length"),
     (Dimension::BENDING_STIFFNESS, "a bending stiffness"),
+    (Dimension::DRAG_PER_SPEED, "a torque over a speed"),
+    (Dimension::TEMPERATURE, "a temperature"),
+    (Dimension::PER_TEMPERATURE, "a share per kelvin"),
+    (Dimension::HEAT_TRANSFER, "a power over a difference of temperatures"),
 ];
 
 impl Dimension {
@@ -66,9 +72,19 @@ impl Dimension {
     /// Newton metre squared.
     pub const BENDING_STIFFNESS: Self = Self::new(3, 1, -2, 0);
 
+    /// Newton metre second per radian: a torque over a speed of rotation, written N*m*s.
+    pub const DRAG_PER_SPEED: Self = Self::new(2, 1, -1, 0);
+
+    /// Kelvin.
+    pub const TEMPERATURE: Self = Self { temperature: 1, ..Self::NONE };
+    /// Per kelvin.
+    pub const PER_TEMPERATURE: Self = Self { temperature: -1, ..Self::NONE };
+    /// Watt per kelvin.
+    pub const HEAT_TRANSFER: Self = Self { temperature: -1, ..Self::POWER };
+
     /// From the exponents of length, mass, time and angle.
     pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {
-        Self { length, mass, time, angle }
+        Self { length, mass, time, angle, temperature: 0 }
     }
 
     /// This dimension times `other` to the power `exponent`; `None` when an exponent leaves the range of `i8`.
@@ -79,13 +95,14 @@ impl Dimension {
             mass: add(self.mass, other.mass)?,
             time: add(self.time, other.time)?,
             angle: add(self.angle, other.angle)?,
+            temperature: add(self.temperature, other.temperature)?,
         })
     }
 }
 
 impl From<generated::Dimension> for Dimension {
     fn from(generated::Dimension { length, mass, time, angle }: generated::Dimension) -> Self {
-        Self { length, mass, time, angle }
+        Self { length, mass, time, angle, temperature: 0 }
     }
 }
 
@@ -95,7 +112,8 @@ impl fmt::Display for Dimension {
             return f.write_str(name);
         }
         f.write_str("a quantity in ")?;
-        let exponents = [("m", self.length), ("kg", self.mass), ("s", self.time), ("rad", self.angle)];
+        let exponents =
+            [("m", self.length), ("kg", self.mass), ("s", self.time), ("rad", self.angle), ("K", self.temperature)];
         let mut separator = "";
         for (symbol, exponent) in exponents.into_iter().filter(|(_, exponent)| *exponent != 0) {
             write!(f, "{separator}{symbol}")?;

@@ -8,7 +8,7 @@
 //! ```
 
 use super::unit::{self, Scale};
-use super::{Quantity, QuantityError};
+use super::{Dimension, Quantity, QuantityError};
 
 /// Deepest nesting of parentheses.
 const DEPTH: usize = 8;
@@ -18,6 +18,14 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, QuantityError> {
     let (number, rest) = split_number(text);
     let value = number.parse::<f64>().map_err(|_| no_number(text))?;
     let rest = rest.trim();
+    if let Some(si) = on_shifted_scale(value, rest) {
+        let dimension = Dimension::TEMPERATURE;
+        return if si.is_finite() {
+            Ok(Quantity { si, dimension, bare: false })
+        } else {
+            Err(QuantityError::NotFinite)
+        };
+    }
     let scale = match unit::workshop(rest) {
         Some(scale) => scale,
         None if rest.is_empty() => Scale::ONE,
@@ -28,6 +36,15 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, QuantityError> {
         return Err(QuantityError::NotFinite);
     }
     Ok(Quantity { si, dimension: scale.dimension, bare: rest.is_empty() })
+}
+
+/// A temperature on a scale whose zero is not the absolute one, in K; such a unit stands alone.
+fn on_shifted_scale(value: f64, unit: &str) -> Option<f64> {
+    match unit {
+        "degC" | "°C" => Some(value + 273.15),
+        "degF" | "°F" => Some((value + 459.67) / 1.8),
+        _ => None,
+    }
 }
 
 fn no_number(text: &str) -> QuantityError {

@@ -116,7 +116,7 @@ const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
 /// 1 lbf = 44482216152605e-13 N.
 const LBF: f64 = 44_482_216_152_605.0;
 
-static SYMBOLS: [Symbol; 33] = [
+static SYMBOLS: [Symbol; 34] = [
     si("m", 0, Dimension::LENGTH),
     plain("in", -4, 254.0, 1.0, Dimension::LENGTH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
@@ -149,6 +149,7 @@ static SYMBOLS: [Symbol; 33] = [
     si("W", 0, Dimension::POWER),
     plain("hp", -17, 550.0 * 3048.0 * LBF, 1.0, Dimension::POWER),
     plain("%", -2, 1.0, 1.0, Dimension::NONE),
+    si("K", 0, Dimension::TEMPERATURE),
     plain("1", 0, 1.0, 1.0, Dimension::NONE),
 ];
 

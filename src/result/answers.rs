@@ -78,7 +78,13 @@ fn watts(result: &DriveResult<Resolved>) -> String {
         format!("{:.0} W in, {:.0} W out", energy.power_in, energy.power_out)
     };
     let total = primary + secondary;
-    format!("{driving}; {total:.0} W of friction, {primary:.0} W on the primary and {secondary:.0} W on the secondary")
+    let besides = result
+        .losses
+        .as_ref()
+        .map_or(String::new(), |losses| format!("; besides, {:.0} W of hysteresis, drag and gears", losses.total));
+    format!(
+        "{driving}; {total:.0} W of friction, {primary:.0} W on the primary and {secondary:.0} W on the secondary{besides}"
+    )
 }
 
 fn clamp(result: &DriveResult<Resolved>) -> String {

@@ -293,6 +293,7 @@ impl<'a> Reading<'a> {
             speed: driven_over_driving(Output::EfficiencySpeed)?,
             torque: driven_over_driving(Output::EfficiencyTorque)?,
             overall: driven_over_driving(Output::EfficiencyOverall)?,
+            overall_with_losses: None,
         })
     }
 
@@ -313,7 +314,7 @@ impl<'a> Reading<'a> {
     pub fn belt(&self, length: f64) -> Result<BeltResult, InternalError> {
         let unstretched_length = self.outputs.get(Output::BeltUnstretchedLength)?;
         let mass_flow = self.outputs.get(Output::BeltMassFlow)?;
-        Ok(BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length })
+        Ok(BeltResult { mass_flow, unstretched_length, length_error: unstretched_length - length, temperature: None })
     }
 
     /// The energy audit.

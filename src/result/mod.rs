@@ -17,6 +17,7 @@ pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
 pub use profile::write_profile;
 pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
+use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
 pub use warnings::warnings;
@@ -24,6 +25,7 @@ pub use warnings::warnings;
 use crate::case::{Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::losses::{NoLosses, REFERENCE_TEMPERATURE, close, losses, settle};
 use crate::model::InternalError;
 
 /// A solved case: the result object, and the solution it was read from.
@@ -33,6 +35,8 @@ pub struct Outcome {
     pub result: DriveResult<Resolved>,
     /// The solution.
     pub solved: Solved,
+    /// Why losses are not told although nobody declined them.
+    pub no_losses: Option<NoLosses>,
 }
 
 /// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
@@ -49,21 +53,46 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     interpret(case, options, solved, start)
 }
 
-/// Reads a solution of a case, found since `start`.
+/// Reads a solution of a case, found since `start`; where the case asks for the belt's temperature, the solution at that.
 ///
 /// # Errors
-/// [`Failure::Sensitivities`].
+/// [`Failure::Sensitivities`]; with heat, as [`run`].
 pub fn interpret(
     case: &Resolved,
     options: &SolveOptions,
     solved: Solved,
     start: Stopwatch,
 ) -> Result<Outcome, Failure> {
+    let (solved, heat) = match &case.thermal {
+        Some(thermal) => settle(case, thermal, solved, options).map(|(solved, heat)| (solved, Some(heat)))?,
+        None => (solved, None),
+    };
+    let temperature = heat.map_or(REFERENCE_TEMPERATURE, |heat| heat.temperature);
     let mut result = read(case, options, &solved, start)?;
+    result.belt.temperature = heat.map(|heat| heat.temperature);
+    result.thermal = heat;
     if options.sensitivities {
-        result.sensitivities = Some(sensitivities(&solved)?);
+        let mut derivatives = sensitivities(&solved)?;
+        if case.losses.wanted() {
+            add_losses(&mut derivatives, case, options, temperature, &solved)?;
+        }
+        if let (Some(thermal), Some(heat)) = (&case.thermal, &heat) {
+            close(&mut derivatives, thermal, heat);
+        }
+        result.sensitivities = Some(derivatives);
     }
-    Ok(Outcome { result, solved })
+    let told = case.losses.wanted().then(|| losses(case, &solved, temperature, options.tolerance));
+    let no_losses = match told {
+        None => None,
+        Some(Err(NoLosses::Internal(error))) => return Err(error.into()),
+        Some(Err(reason)) => Some(reason),
+        Some(Ok(losses)) => {
+            result.efficiency.overall_with_losses = result.efficiency.overall.map(|_| losses.efficiency);
+            result.losses = Some(losses);
+            None
+        }
+    };
+    Ok(Outcome { result, solved, no_losses })
 }
 
 fn read(
@@ -92,6 +121,8 @@ fn read(
         friction_utilization,
         belt: reading.belt(case.belt.length)?,
         energy: reading.energy()?,
+        losses: None,
+        thermal: None,
         solver: SolverReport {
             order: options.order.number(),
             tolerance: options.tolerance,

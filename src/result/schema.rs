@@ -4,6 +4,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 use super::sensitivity::Sensitivities;
+use crate::losses::{Heat, Losses};
 
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
@@ -42,6 +43,12 @@ pub struct DriveResult<I> {
     pub belt: BeltResult,
     /// The energy audit.
     pub energy: Energy,
+    /// Power that is lost besides friction, where it is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub losses: Option<Losses>,
+    /// Heat, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thermal: Option<Heat>,
     /// How the solution was found.
     pub solver: SolverReport,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
@@ -119,6 +126,9 @@ pub struct Efficiency {
     pub torque: Option<f64>,
     /// Power out over power in (6.9): the product of the other two.
     pub overall: Option<f64>,
+    /// The same with hysteresis, drag and gears taken off what arrives, where they are told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overall_with_losses: Option<f64>,
 }
 
 /// The belt as a whole.
@@ -130,6 +140,9 @@ pub struct BeltResult {
     pub unstretched_length: f64,
     /// What the drive needs less what the belt has, m.
     pub length_error: f64,
+    /// Temperature, K, where the case says what cools the belt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<f64>,
 }
 
 /// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.

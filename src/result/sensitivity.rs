@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use solver::Condensation;
 
-use crate::case::{constant_label, output_label};
-use crate::drive::{Failure, Solved};
+use crate::case::{Resolved, constant_label, output_label};
+use crate::drive::{Failure, SolveOptions, Solved};
+use crate::losses::{NoDerivatives, NoLosses, gradients};
 use crate::model::Constant;
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
@@ -29,6 +30,33 @@ pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, Failure> {
         (output.name().to_owned(), given.iter().map(|(rates, name)| (name.clone(), derivative(rates))).collect())
     });
     Ok(rows.collect())
+}
+
+/// Adds the derivatives of the losses besides friction; nothing where there are none to tell.
+///
+/// # Errors
+/// [`Failure::Sensitivities`].
+pub fn add_losses(
+    to: &mut Sensitivities,
+    case: &Resolved,
+    options: &SolveOptions,
+    temperature: f64,
+    solved: &Solved,
+) -> Result<(), Failure> {
+    let gradients = match gradients(case, solved, temperature, options.tolerance) {
+        Ok(gradients) => gradients,
+        Err(NoDerivatives::Internal(error) | NoDerivatives::Losses(NoLosses::Internal(error))) => {
+            return Err(error.into());
+        }
+        Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => return Ok(()),
+        Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
+    };
+    let given = given(solved);
+    for (name, gradient) in gradients.by_constant {
+        let value = |at: usize| gradient.get(at).copied().unwrap_or(f64::NAN);
+        to.insert(name.to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
+    }
+    Ok(())
 }
 
 /// Places of what is given among the problem's constants, with their names.

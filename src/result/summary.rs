@@ -72,6 +72,30 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
         energy.stretch_work.abs(),
         unsigned_zero(&format!("{unaccounted:.4}")),
     );
+    if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
+        let _ = writeln!(
+            text,
+            "  with all losses           {:>11.2} % overall: hysteresis {:.1} W (bending {:.1}, groove {:.1}, cord {:.1}), drag {:.1} W, \
+             gears {:.1} W",
+            percent(overall),
+            losses.bending + losses.groove + losses.cord,
+            losses.bending,
+            losses.groove,
+            losses.cord,
+            losses.drag,
+            losses.gears,
+        );
+    }
+    if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
+        let _ = writeln!(
+            text,
+            "  belt temperature          {:>11.1} °C: {:.1} W into the belt, {:.1} W into the primary's sheaves, {:.1} W into the secondary's",
+            temperature - 273.15,
+            heat.belt,
+            heat.primary,
+            heat.secondary,
+        );
+    }
     let _ = writeln!(
         text,
         "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",

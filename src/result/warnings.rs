@@ -18,6 +18,11 @@ const DEEP: f64 = 0.3;
 /// Compression over the largest tension beyond which it is more than the solution's tolerance.
 const COMPRESSION: f64 = 1e-6;
 
+/// Zero of the Celsius scale, K.
+const CELSIUS: f64 = 273.15;
+/// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
+const HOT: f64 = 71.0 + CELSIUS;
+
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
     let mut said = Vec::new();
@@ -32,7 +37,16 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(deep("secondary", &result.secondary));
     said.extend(length(outcome));
     said.extend(energy(outcome));
+    said.extend(outcome.no_losses.map(|reason| format!("No losses besides friction are told: {reason}.")));
+    said.extend(hot(outcome));
     said
+}
+
+/// A belt that will not last.
+fn hot(outcome: &Outcome) -> Option<String> {
+    let temperature = outcome.result.belt.temperature.filter(|temperature| *temperature > HOT)?;
+    let celsius = temperature - CELSIUS;
+    Some(format!("The belt is hot: {celsius:.1} °C, above the 71 °C up to which it lasts long."))
 }
 
 /// A state at the nodes of a region.

@@ -43,6 +43,15 @@ impl Writer {
         if self.style == Style::Latex { latex(symbol) } else { symbol.to_owned() }
     }
 
+    /// The derivative of a symbol along its region.
+    pub fn rate(&self, name: &str) -> String {
+        let (symbol, along) = (self.symbol(name), self.symbol("s"));
+        match self.style {
+            Style::Latex => format!(r"\frac{{\mathrm{{d}} {symbol}}}{{\mathrm{{d}} {along}}}"),
+            Style::Unicode => format!("d{symbol}/d{along}"),
+        }
+    }
+
     /// The right side of a step.
     pub fn definition(&self, definition: &Definition) -> String {
         match definition {
@@ -299,6 +308,13 @@ const GREEK: [(char, &str); 18] = [
 
 /// A symbol of the notation in LaTeX: `θ̂''_P1` → `\hat{\theta}''_{P1}`.
 pub fn latex(symbol: &str) -> String {
+    // A derivative, and stiffnesses whose names are two letters.
+    if let Some((above, below)) = symbol.strip_prefix('d').and_then(|rest| rest.split_once("/d")) {
+        return format!(r"\frac{{\mathrm{{d}} {}}}{{\mathrm{{d}} {}}}", latex(above), latex(below));
+    }
+    if matches!(symbol, "EA" | "EI") {
+        return format!(r"\mathit{{{symbol}}}");
+    }
     let words = ["sin", "cos", "tan"]
         .into_iter()
         .fold(symbol.to_owned(), |text, word| text.replace(word, &format!("\\{word} ")));
@@ -324,7 +340,9 @@ pub fn latex(symbol: &str) -> String {
                 while let Some(part) = characters.next_if(|next| next.is_alphanumeric()) {
                     index.push_str(&greek(part));
                 }
-                format!("_{{{}}}", index.trim_end())
+                // A word is upright, a variable is not.
+                let is_word = index.len() > 1 && index.chars().all(|letter| letter.is_ascii_lowercase());
+                if is_word { format!(r"_{{\mathrm{{{index}}}}}") } else { format!("_{{{}}}", index.trim_end()) }
             }
             other => greek(other),
         };

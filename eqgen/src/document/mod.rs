@@ -8,14 +8,14 @@ use std::collections::BTreeSet;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::derive::{linear_in, linearise};
+use crate::derive::linearise;
 use crate::emit::SourceFile;
 use crate::error::Error;
 use crate::physics::beam::{Bending, SMALL, Shear};
 use crate::physics::edition::{EDITIONS, Edition};
 use crate::physics::model::{BoundaryModel, RegionModel};
-use crate::physics::{beam, contact, kinematics, notation, span, string};
-use crate::plan::{Definition, Guard, Origin, Step, read};
+use crate::physics::{beam, notation};
+use crate::plan::{Definition, Guard, Origin, Plan, Step, read};
 
 /// How a derivation is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,6 +72,8 @@ struct Line {
 
 enum Side {
     Symbol(String),
+    /// The derivative of a state or an integral along its region.
+    Derivative(String),
     Expression(Atom),
     Definition(Definition),
 }
@@ -93,7 +95,8 @@ struct Derivation {
 impl Derivation {
     fn of(edition: &Edition) -> Result<Self, Error> {
         let (groove, span, ends) = (edition.contact()?, edition.span()?, edition.boundary()?);
-        let mut sections = vec![typed_in(edition)?];
+        let plans = [&groove.plan, &span.plan, &ends.plan];
+        let mut sections = vec![typed_in(plans)];
         if let Some(bending) = edition.bending {
             sections.push(bending_off_path()?);
             sections.push(bending_on_path(bending.shear)?);
@@ -101,7 +104,7 @@ impl Derivation {
         sections.push(region("The belt in a groove", GROOVE, &groove));
         sections.push(region("The free belt", SPAN, &span));
         sections.push(conditions(&ends));
-        let plans = [&groove.plan, &span.plan, &ends.plan];
+        sections.push(system(&groove, &span, &ends));
         let mut seen = BTreeSet::new();
         let guards = plans.iter().flat_map(|plan| plan.guards.iter().cloned());
         let guards = guards.filter(|guard| seen.insert(guard.divisor.to_string())).collect();
@@ -150,42 +153,50 @@ fn line(left: &str, right: Atom, source: &str, origin: Origin) -> Line {
     Line { left: Side::Symbol(left.into()), right: Side::Expression(right), source: source.into(), origin }
 }
 
-/// `text` = 0.
-fn balance(text: &str, source: &str) -> Result<Line, Error> {
-    let left = Side::Expression(read("balance", text)?);
-    let right = Side::Expression(Atom::num(0));
-    Ok(Line { left, right, source: source.into(), origin: Origin::Primitive })
+/// The laws and the steps of the plans that are typed in, each once.
+fn typed_in(plans: [&Plan; 3]) -> Section {
+    let mut lines: Vec<Line> = Vec::new();
+    let mut seen = BTreeSet::new();
+    let laws = plans.into_iter().flat_map(|plan| &plan.laws);
+    for law in laws.filter(|law| seen.insert((law.left.to_string(), law.right.to_string()))) {
+        let (left, right) = (Side::Expression(law.left.clone()), Side::Expression(law.right.clone()));
+        lines.push(Line { left, right, source: law.source.into(), origin: Origin::Primitive });
+    }
+    let count = |origin: Origin| {
+        let mut names = BTreeSet::new();
+        let steps = plans.into_iter().flat_map(|plan| &plan.steps).filter(|step| step.origin == origin);
+        steps.filter(|step| names.insert(&step.name)).count()
+    };
+    let text = format!(
+        "These are the laws from which equations are derived. Beside them {} definitions, friction laws and conditions are \
+         typed in where they are used, {} steps are derived, and {} stand as a source prints them.",
+        count(Origin::Primitive),
+        count(Origin::Derived),
+        count(Origin::Printed),
+    );
+    Section { title: "Laws", text, lines }
 }
 
-fn typed_in(edition: &Edition) -> Result<Section, Error> {
-    let typed = |left: &str, text: &str, source: &str| -> Result<Line, Error> {
-        Ok(line(left, read(left, text)?, source, Origin::Primitive))
-    };
-    let mut lines = vec![
-        typed("psi", kinematics::PSI, "(3.2)")?,
-        typed("arc", kinematics::ARC, "(3.1), (3.4)")?,
-        typed("x_1", kinematics::SLOPE, "(3.24)")?,
-        balance("F - G*V - T", "(3.6)")?,
-        typed("V", kinematics::SPEED, "(3.5), (3.8), (3.9)")?,
-    ];
-    if edition.bending.is_some() {
-        lines.push(typed("M_b", "EI*psi_s", "(3.26)")?);
-        lines.push(typed("Q", "M_b_1/arc", "(3.27), (3.33)")?);
-        let shear = linear_in(&read("Q_1", contact::NORMAL_MOMENTUM)?, "Q_theta3")?;
-        let normal = (shear.rest - read("Q_1", "Q_1")?).expand();
-        lines.push(Line {
-            left: Side::Expression(normal),
-            ..balance("0", "(3.28), with the sign of Q' that (3.47) has")?
-        });
-        lines.push(typed("T_1", contact::TANGENTIAL_MOMENTUM, "(3.29)")?);
-        lines.push(balance(span::TANGENTIAL_MOMENTUM, "(3.44)")?);
-        lines.push(balance(span::NORMAL_MOMENTUM, "(3.47)")?);
-    } else {
-        lines.push(balance(string::NORMAL_MOMENTUM, "(3.20)")?);
-        lines.push(typed("T_1", "t", "(3.21)")?);
+/// The first-order system that the kernels compute: each derivative along the region is the step named.
+fn system(groove: &RegionModel, span: &RegionModel, ends: &BoundaryModel) -> Section {
+    let mut lines = Vec::new();
+    for model in [groove, span] {
+        let of = model.states.iter().chain(model.integrals);
+        for (name, row) in of.zip(model.rows) {
+            let step = model.plan.step(row);
+            let right = step.map_or(Side::Symbol((*row).into()), |step| Side::Definition(step.definition.clone()));
+            let source = step.map_or("definition", |step| step.source).to_owned();
+            let origin = step.map_or(Origin::Primitive, |step| step.origin);
+            lines.push(Line { left: Side::Derivative((*name).into()), right, source, origin });
+        }
     }
-    let text = "Everything else follows from these, the friction law and the conditions at the ends.".into();
-    Ok(Section { title: "What is typed in", text, lines })
+    let (states, conditions) = (2 * (groove.states.len() + span.states.len()), ends.equations.len());
+    let text = format!(
+        "Two grooves and two spans: {states} states, and {conditions} conditions where they meet, which determine {} unknown \
+         constants too. The rates of the states come first in each kind of region, then those of its integrals.",
+        conditions - states
+    );
+    Section { title: "The assembled system", text, lines }
 }
 
 fn bending_off_path() -> Result<Section, Error> {
@@ -262,7 +273,7 @@ struct Page {
 impl Page {
     fn head(&self, title: &str) -> String {
         let note = "Generated from eqgen/src/physics; numbers are those of the thesis, (C) and (D) its appendices.";
-        let marks = "p: typed in; d: derived; !: as the thesis prints it.";
+        let marks = "Each equation says whether it is typed in or derived, or stands as the thesis prints it.";
         match self.format {
             Format::Text => format!("{}\n\n{note}\n{marks}\n", title.replace('`', "")),
             Format::Markdown => format!("# {title}\n\n{note}\n{marks}\n"),
@@ -289,34 +300,39 @@ impl Page {
     }
 
     fn section(&self, section: &Section) -> String {
-        let lines: String = section.lines.iter().map(|line| self.line(line)).collect();
-        format!("{}\n{}\n{lines}", self.title(section.title), self.prose(&section.text))
+        let lines: Vec<String> = section.lines.iter().filter_map(|line| self.line(line)).collect();
+        let formulas = match self.format {
+            Format::Text => lines.concat(),
+            _ if lines.is_empty() => String::new(),
+            Format::Markdown => format!("$$\n\\begin{{align}}\n{}\n\\end{{align}}\n$$\n", lines.join(" \\\\\n")),
+            Format::Latex => format!("\\begin{{align}}\n{}\n\\end{{align}}\n", lines.join(" \\\\\n")),
+        };
+        format!("{}\n{}\n\n{formulas}", self.title(section.title), self.prose(&section.text))
     }
 
-    fn line(&self, line: &Line) -> String {
+    /// A line of an aligned block; nothing for a function that has a name of its own for the generated code's sake.
+    fn line(&self, line: &Line) -> Option<String> {
         let (left, right) = (self.side(&line.left), self.side(&line.right));
         if left == right {
-            return String::new(); // a function that has a name of its own for the sake of the generated code
+            return None;
         }
-        let mark = match line.origin {
-            Origin::Primitive => "p",
-            Origin::Derived => "d",
-            Origin::Printed => "!",
+        let origin = match line.origin {
+            Origin::Primitive => "typed in",
+            Origin::Derived => "derived",
+            Origin::Printed => "as printed",
         };
         let source = &line.source;
-        match self.format {
-            Format::Text => format!("  {mark}  {left} = {right}    [{source}]\n"),
-            Format::Markdown => format!("\n$${left} = {right}$$\n\n{mark}, {source}\n"),
-            Format::Latex => {
-                let source = self.prose(source);
-                format!("\\begin{{equation*}} {left} = {right} \\quad\\text{{{mark}, {source}}} \\end{{equation*}}\n")
-            }
-        }
+        Some(match self.format {
+            Format::Text => format!("  {left} = {right}    [{source}; {origin}]\n"),
+            Format::Markdown => format!("{left} &= {} \\tag*{{{source}; {origin}}}", broken(&right)),
+            Format::Latex => format!("{left} &= {} \\tag*{{{}; {origin}}}", broken(&right), self.prose(source)),
+        })
     }
 
     fn side(&self, side: &Side) -> String {
         match side {
             Side::Symbol(name) => self.writer.symbol(name),
+            Side::Derivative(name) => self.writer.rate(name),
             Side::Expression(value) => self.writer.expression(value),
             Side::Definition(definition) => self.writer.definition(definition),
         }
@@ -368,6 +384,22 @@ impl Page {
         });
         words.collect::<Vec<String>>().join(" ")
     }
+}
+
+/// A long sum on several lines of an aligned block: broken before a term, outside all brackets.
+fn broken(formula: &str) -> String {
+    const LONGEST: usize = 150;
+    let (mut text, mut line, mut depth) = (String::new(), 0, 0_i32);
+    for word in formula.split_inclusive(' ') {
+        if line > LONGEST && depth == 0 && matches!(word.trim_end(), "+" | "-") {
+            text += "\\notag \\\\\n&\\quad {} ";
+            line = 0;
+        }
+        depth += word.matches(['{', '(', '[']).count() as i32 - word.matches(['}', ')', ']']).count() as i32;
+        line += word.len();
+        text += word;
+    }
+    text
 }
 
 /// Absolute values without the bar that ends a table's cell.

@@ -22,6 +22,7 @@ use quote::quote;
 use crate::error::Error;
 use crate::physics::model::Model;
 use crate::physics::notation;
+use crate::plan::{Origin, Plan};
 
 /// A kernel as tokens.
 #[derive(Debug)]
@@ -69,11 +70,20 @@ pub fn file(model: &Model, provenance: Provenance) -> Result<SourceFile, Error> 
     let name = format!("{}.rs", emitted.name);
     let tokens = |error: syn::Error| Error::Tokens { file: name.clone(), message: error.to_string() };
     let parsed: syn::File = syn::parse2(emitted.tokens.clone()).map_err(tokens)?;
-    let text = format!("{}\n{}", header(&emitted, provenance), prettyplease::unparse(&parsed));
+    let text = format!("{}\n{}", header(&emitted, model.plan(), provenance), prettyplease::unparse(&parsed));
     Ok(SourceFile { name, text })
 }
 
-fn header(emitted: &Emitted, provenance: Provenance) -> String {
+/// How an equation came about, in words.
+fn origin(origin: Origin) -> &'static str {
+    match origin {
+        Origin::Primitive => "(typed in)",
+        Origin::Derived => "(derived)",
+        Origin::Printed => "(as printed)",
+    }
+}
+
+fn header(emitted: &Emitted, plan: &Plan, provenance: Provenance) -> String {
     let Provenance { source, command } = provenance;
     let mut lines = vec![
         format!("// {}: {}", emitted.name, emitted.doc),
@@ -81,6 +91,8 @@ fn header(emitted: &Emitted, provenance: Provenance) -> String {
         "// Operations:".to_owned(),
     ];
     lines.extend(emitted.counts.iter().map(|(name, count)| format!("//   {name}: {count}")));
+    lines.push("// Equations, with their numbers in the source:".to_owned());
+    lines.extend(plan.steps.iter().map(|step| format!("// - {} {}: {}", step.name, origin(step.origin), step.source)));
     lines.join("\n") + "\n"
 }
 

@@ -94,6 +94,9 @@ pub fn add_bending(plan: &mut Plan, form: Shear) -> Result<(), Error> {
     plan.nonzero("EI", "the belt resists bending")?;
     plan.nonzero("R", "a pulley has a radius")?;
     plan.nonzero("R + 2*x", "x stays far below R")?;
+    plan.law("psi", PSI, "(3.2)")?;
+    plan.law("M_b", "EI*psi_s", "(3.26)")?;
+    plan.law("Q", "M_b_1/arc", "(3.27), (3.33)")?;
     let bending = Bending::derive()?;
     let (shear, shear_1) = bending.on_path(form)?;
     let Linear { coefficient, rest } = linear_in(&shear_1, "theta_3")?;

@@ -263,8 +263,16 @@ impl Equations {
         BoundaryModel { name, doc, plan, ends, integrals, constants, equations, role: Role::Conditions }
     }
 
+    /// Adds a condition that follows from other relations.
     fn add(&mut self, name: String, value: Atom, doc: String, source: &'static str) -> Result<(), Error> {
         self.plan.derived(&name, value, source)?;
+        self.list(name, doc, source);
+        Ok(())
+    }
+
+    /// Adds a condition that is typed in.
+    fn typed(&mut self, name: String, value: Atom, doc: String, source: &'static str) -> Result<(), Error> {
+        self.plan.typed(&name, value, source)?;
         self.list(name, doc, source);
         Ok(())
     }
@@ -279,19 +287,24 @@ impl Equations {
     fn penetration(&mut self, end: &Interface) -> Result<(), Error> {
         let at = end.contact;
         let value = read(at, &format!("x_{at}/R_{}", end.pulley))?;
-        self.add(format!("penetration_{at}"), value, format!("x_{at} = 0, over R"), end.numbers[0])
+        self.typed(format!("penetration_{at}"), value, format!("x_{at} = 0, over R"), end.numbers[0])
     }
 
     fn tension(&mut self, end: &Interface) -> Result<(), Error> {
         let (at, span) = (end.contact, end.span);
         let value = read(at, &format!("T_{at} - tau_{span}"))?;
-        self.add(format!("tension_{at}"), value, format!("T_{at} = τ_{span}"), end.numbers[1])
+        self.typed(format!("tension_{at}"), value, format!("T_{at} = τ_{span}"), end.numbers[1])
     }
 
     fn direction(&mut self, end: &Interface) -> Result<(), Error> {
         let (at, span) = (end.contact, end.span);
         let value = read(at, &format!("{} - vartheta_{span}", end.direction))?;
-        self.add(format!("direction_{at}"), value, format!("the belt's direction at {at} is ϑ_{span}"), end.numbers[2])
+        self.typed(
+            format!("direction_{at}"),
+            value,
+            format!("the belt's direction at {at} is ϑ_{span}"),
+            end.numbers[2],
+        )
     }
 
     fn curvature(&mut self, end: &Interface, bending: &Bending) -> Result<(), Error> {
@@ -340,16 +353,16 @@ impl Equations {
             let text = format!("{} - ({}) - L_{span}*{axis}_{span}", to.position[index], from.position[index]);
             let value = read(axis, &text)? / from.radius()?;
             let doc = format!("the {axis} span {span} covers leads from {} to {}, over R", from.contact, to.contact);
-            self.add(format!("closure_{axis}_{span}"), value, doc, source)?;
+            self.typed(format!("closure_{axis}_{span}"), value, doc, source)?;
         }
         Ok(())
     }
 
     fn operating_point(&mut self) -> Result<(), Error> {
         let torque = read("torque", "M_P + M_in")?;
-        self.add("torque".into(), torque, "M_P = −M_in: friction on the belt drives it backwards".into(), "5.3.5")?;
+        self.typed("torque".into(), torque, "M_P = −M_in: friction on the belt drives it backwards".into(), "5.3.5")?;
         let slack = read("slack", "T_P2 - T_slack")?;
-        self.add("slack_tension".into(), slack, "T_P2 = T_slack".into(), "5.3.5")
+        self.typed("slack_tension".into(), slack, "T_P2 = T_slack".into(), "5.3.5")
     }
 }
 

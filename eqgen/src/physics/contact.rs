@@ -92,6 +92,8 @@ pub fn model(shear: Shear, law: Law) -> Result<RegionModel, Error> {
 /// Solves the momentum balances for the highest derivatives and writes them in φ̂.
 fn add_system(plan: &mut Plan) -> Result<(), Error> {
     plan.nonzero("Q_theta3", "a multiple of EI")?;
+    plan.law("T*(1 - theta_1)", "n + Q_1", "(3.28), with the sign of Q' that (3.47) has")?;
+    plan.law("T_1", TANGENTIAL_MOMENTUM, "(3.29)")?;
     let Linear { coefficient, rest } = linear_in(&read("theta_3", NORMAL_MOMENTUM)?, "theta_3")?;
     let load = linear_in(&rest, "theta_30")?;
     let highest = read("theta_30", "theta_30")? - load.rest / coefficient;
@@ -104,6 +106,7 @@ fn add_system(plan: &mut Plan) -> Result<(), Error> {
 
 /// x' (3.24) in φ̂.
 pub(super) fn add_path(plan: &mut Plan) -> Result<(), Error> {
+    plan.law("x_1", SLOPE, "(3.24)")?;
     let slope = read("x_1", SLOPE)?.replace(read("", "sin(theta)")?).with(read("", "tan_theta*cos(theta)")?);
     plan.derived("x_hat_1", read("Phi", "Phi")? * slope, "(3.24)")
 }

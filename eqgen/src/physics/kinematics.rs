@@ -43,6 +43,8 @@ pub fn add_stretch(plan: &mut Plan, tractive: &str) -> Result<(), Error> {
     plan.nonzero("EA", "a belt is stiff")?;
     plan.nonzero("EA*m_o - G^2", "G² = m_o EA is a belt at the speed of its own longitudinal waves")?;
     plan.primitive("G", "flow*m_o*R_P*omega_P", "definition of the flow coefficient")?;
+    plan.law(tractive, "F - G*V", "(3.6)")?;
+    plan.law("V", SPEED, "(3.5), (3.8), (3.9)")?;
     let (tension, speed) = stretch(tractive)?;
     plan.derived("F", tension, "(3.10)")?;
     plan.derived("V", speed, "(3.11)")

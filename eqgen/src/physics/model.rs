@@ -74,6 +74,14 @@ pub enum Model {
 }
 
 impl Model {
+    /// How everything is computed.
+    pub fn plan(&self) -> &Plan {
+        match self {
+            Model::Region(model) => &model.plan,
+            Model::Boundary(model) => &model.plan,
+        }
+    }
+
     /// Name of the kernel.
     pub fn name(&self) -> &str {
         match self {

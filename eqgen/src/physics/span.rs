@@ -79,6 +79,8 @@ pub fn model(equations: Equations) -> Result<RegionModel, Error> {
 }
 
 fn add_system(plan: &mut Plan) -> Result<(), Error> {
+    plan.law("tau_1", "-Q*vartheta_1", "(3.44)")?;
+    plan.law("tau*vartheta_1", "EI*vartheta_3", "(3.47)")?;
     let in_states = |text: &str, unknown: &str| -> Result<Atom, Error> {
         let solved = solve_linear(&substitute(&read(unknown, text)?, &[("Q", read("Q", SHEAR)?)]), unknown)?;
         let hats = [("vartheta_1", read("hat", "vartheta1/L")?), ("vartheta_2", read("hat", "vartheta2/L^2")?)];

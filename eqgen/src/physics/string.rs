@@ -52,6 +52,8 @@ pub fn contact_model(law: Law) -> Result<RegionModel, Error> {
     add_loads(&mut plan)?;
     plan.number("M_b", 0.0, NO_MOMENT)?;
     plan.number("Q", 0.0, NO_MOMENT)?;
+    plan.law("T*(1 - theta_1)", "n", "(3.20)")?;
+    plan.law("T_1", "t", "(3.21)")?;
     let turn = solve_linear(&read("theta_1", NORMAL_MOMENTUM)?, "theta_1")?;
     plan.derived("theta_1", turn, "(3.22)")?;
     let along = substitute(&read("T", TANGENTIAL_MOMENTUM)?, &[("Q", read("Q", "0")?)]);

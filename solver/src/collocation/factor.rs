@@ -9,6 +9,7 @@ use crate::linear::dense::Lu;
 use crate::linear::reflect::{Rows, with_rows};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
+use crate::orientation::Orientation;
 use crate::problem::Problem;
 
 /// One region: the stretches side by side, then the stretches one after another.
@@ -41,8 +42,6 @@ pub(crate) struct Factorisation {
     pub dense: Vec<f64>,
     /// `(equation, region, active integral, derivative)`.
     pub integral_entries: Vec<(usize, usize, usize, f64)>,
-    /// Largest dimensionless coefficient of each boundary equation.
-    pub boundary_scale: Vec<f64>,
 }
 
 struct FactorRegion<'a, 'b> {
@@ -189,7 +188,6 @@ impl Factorisation {
             border: Lu::default(),
             dense: Vec::new(),
             integral_entries: Vec::new(),
-            boundary_scale: Vec::new(),
         }
     }
 
@@ -244,34 +242,44 @@ impl Factorisation {
         let (ends, integrals) = (layout.ends(), layout.integrals());
         let input_scale = input_scales(&self.scales);
         self.integral_entries.clear();
-        self.boundary_scale.clear();
-        self.boundary_scale.resize(layout.equations.len(), 0.0);
         for (&(equation, input), &value) in layout.boundary_pattern.iter().zip(&work.dz) {
             let out = &mut self.dense[(first_row + equation) * size..(first_row + equation + 1) * size];
-            let mut magnitude = value.abs();
             if input < ends {
                 out[input] += value * input_scale[input];
-                magnitude *= input_scale[input];
             } else if input < ends + integrals {
                 let Some((region, k)) = locate_integral(&system.plan.regions, input - ends) else { continue };
                 self.integral_entries.push((equation, region, k, value));
                 add_integral(&system.plan.regions[region], &self.regions[region].top.end, k, value, first_unknown, out);
-                magnitude *= work.integrals[input - ends].abs();
             } else {
                 let constant = input - ends - integrals;
-                let scaled = value * self.scales.constants[constant];
-                magnitude = scaled.abs();
                 if let Some(u) = system.plan.unknowns.iter().position(|&index| index == constant) {
-                    out[first_unknown + u] += scaled;
+                    out[first_unknown + u] += value * self.scales.constants[constant];
                 }
             }
-            self.boundary_scale[equation] = self.boundary_scale[equation].max(magnitude);
         }
     }
 
     /// Rank of the dense system and its size.
     pub(crate) fn rank(&self) -> (usize, usize) {
         (self.border.rank(), self.border.size())
+    }
+
+    /// Sign of the determinant of the linearised problem; none if that is singular.
+    ///
+    /// With B the coefficients of an interval's right node, `[Q 0; A B]` becomes `[R F; 0 Q']` by n reflections, so that the
+    /// sign of det Q' is that of `(-1)^n det Q det B det R`; det B is positive on intervals that resolve the solution. The
+    /// reduced equations `P u_0 + Q u_N = r` are Q times `u_N - Φ u_0 = ...`: the sign of the dense system's determinant over
+    /// those of det Q is that of the boundary conditions' for the problem itself, whatever the mesh.
+    pub(crate) fn orientation(&self) -> Option<Orientation> {
+        let mut sign = self.border.determinant_sign();
+        for region in &self.regions {
+            let lanes = region.lanes.inverse_pivots().flat_map(|lane| lane.0.iter());
+            let positive = lanes.chain(region.top.inverse_pivots()).filter(|pivot| **pivot > 0.0).count();
+            if positive % 2 == 1 {
+                sign = -sign;
+            }
+        }
+        Orientation::of(sign)
     }
 
     /// A dimensionless direction in ends and unknowns that the singular dense system does not see.
@@ -322,6 +330,25 @@ impl Factorisation {
         }
         dense.extend_from_slice(&rhs.boundary);
         self.border.solve(&mut dense);
+        self.interiors(system, &rhs.regions, &tops, dense)
+    }
+
+    /// The direction that a singular matrix does not see, its largest end or unknown 1.
+    pub(crate) fn null_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Correction {
+        let grids = system.grids.iter().zip(&system.plan.regions);
+        let rhs: Vec<Vec<Lane>> = grids.map(|(grid, plan)| vec![Lane::ZERO; grid.steps * plan.n]).collect();
+        let tops: Vec<Vec<f64>> = system.plan.regions.iter().map(|plan| vec![0.0; W * plan.n]).collect();
+        self.interiors(system, &rhs, &tops, self.null_vector())
+    }
+
+    /// All nodes, from the ends and unknowns and from what elimination has left of the right-hand sides.
+    fn interiors<P: Problem + ?Sized>(
+        &self,
+        system: &System<'_, P>,
+        rhs: &[Vec<Lane>],
+        tops: &[Vec<f64>],
+        mut dense: Vec<f64>,
+    ) -> Correction {
         let c = dense.split_off(2 * system.plan.states());
         let mut u = Vec::new();
         for (region, plan) in system.plan.regions.iter().enumerate() {
@@ -332,7 +359,7 @@ impl Factorisation {
             let (first, last) = ends.split_at(plan.n);
             let backward = Backward {
                 factor: &self.regions[region],
-                rhs: &rhs.regions[region],
+                rhs: &rhs[region],
                 top: &tops[region],
                 constants: &constants,
                 first,

@@ -21,6 +21,9 @@ use crate::problem::{Points, Problem};
 use crate::stats::Stats;
 use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
 
+/// Relative error of a difference of node values.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// α and β of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
 pub(crate) struct Extension {
@@ -71,6 +74,8 @@ pub(crate) struct Defects {
     pub relative: Vec<f64>,
     /// What the interval's defect can move a state by, relative to its typical magnitude: `h |S' - f| / Y`.
     pub contribution: Vec<f64>,
+    /// What rounding alone may make of the relative defect: the slope is a difference of values over an interval.
+    pub rounding: Vec<f64>,
     /// State of the largest relative defect.
     pub state: Vec<usize>,
     /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
@@ -253,6 +258,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             sample.f.truncate(n * intervals);
             samples.push(sample.f);
         }
+        let rounding = self.rounding(&terms, scales);
         let mut defects = Defects { integrated: self.integrated(means), samples, ..Defects::default() };
         for j in 0..grid.intervals() {
             let p = grid.position(j);
@@ -261,9 +267,28 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             let contribution = (0..n).map(|i| absolute[i * intervals + p]).fold(0.0, f64::max);
             defects.relative.push(relative[state * intervals + p].sqrt());
             defects.contribution.push(contribution.sqrt());
+            defects.rounding.push(rounding[p]);
             defects.state.push(state);
         }
         Ok(defects)
+    }
+
+    /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It is
+    /// large where intervals are short although the solution hardly varies on them, and small in a layer.
+    fn rounding(&self, terms: &[f64], scales: &Scales) -> Vec<f64> {
+        let intervals = self.intervals();
+        let (a, b) = self.system.layout.regions[self.region].interval;
+        let length = b - a;
+        let mut out = vec![0.0; intervals];
+        for (i, &scale) in scales.states[self.region].iter().enumerate() {
+            let (y0, y1) = self.values(i);
+            let terms = &terms[i * intervals..(i + 1) * intervals];
+            elementwise(&mut out, [y0, y1, self.h(), terms], |most: f64, [y0, y1, h, terms]| {
+                let slope = if h > 0.0 { y0.abs().max(y1.abs()) / h } else { 0.0 };
+                most.max(ROUNDING * slope * length / (scale + terms * length))
+            });
+        }
+        out
     }
 
     /// `Σ |∂f/∂y| |y|` of each state, the larger of both nodes: `n * intervals`.

@@ -1,6 +1,7 @@
 //! A problem on given meshes as a system of algebraic equations, and its linearisation.
 
 pub(crate) mod assemble;
+pub(crate) mod boundary;
 pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
@@ -11,6 +12,7 @@ pub(crate) mod transpose;
 
 use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::largest;
+use crate::magnitude::Magnitudes;
 use crate::problem::{Layout, Problem};
 use crate::tableau::Tableau;
 use grid::Grid;
@@ -23,6 +25,7 @@ pub(crate) struct System<'p, P: Problem + ?Sized> {
     pub layout: &'p Layout,
     pub plan: Arc<Plan>,
     pub tableau: &'static Tableau,
+    pub magnitudes: Magnitudes,
     pub grids: Vec<Grid>,
 }
 
@@ -54,18 +57,15 @@ pub(crate) struct Correction {
 }
 
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// The larger of what the layout says (1 where it says nothing) and what the iterate shows.
+    /// Typical magnitudes at an iterate.
     pub(crate) fn scales(&self, x: &Iterate) -> Scales {
-        let states = self.layout.regions.iter().zip(&x.y).map(|(region, y)| {
-            let stride = y.len() / region.states.len();
+        let states = self.magnitudes.states.iter().zip(&x.y).map(|(magnitudes, y)| {
+            let stride = y.len() / magnitudes.len();
             let found = y.chunks_exact(stride).map(|y| largest(y.as_chunks::<W>().0.iter().map(|y| Lane(*y)), &[]));
-            region.states.iter().zip(found).map(|(state, found)| found.max(state.scale.unwrap_or(1.0))).collect()
+            magnitudes.iter().zip(found).map(|(magnitude, found)| magnitude.of(found)).collect()
         });
-        let constants = self.layout.constants.iter().zip(&x.constants);
-        Scales {
-            states: states.collect(),
-            constants: constants.map(|(constant, c)| c.abs().max(constant.scale.unwrap_or(1.0))).collect(),
-        }
+        let constants = self.magnitudes.constants.iter().zip(&x.constants);
+        Scales { states: states.collect(), constants: constants.map(|(magnitude, c)| magnitude.of(c.abs())).collect() }
     }
 
     /// `x + factor * dx`.

@@ -7,6 +7,7 @@ use super::plan::Plan;
 use super::transpose::Weights;
 use super::{Correction, Iterate, System};
 use crate::linear::scalar::{Lane, W};
+use crate::magnitude::Magnitudes;
 use crate::model::{Differentiated, Model, Scalar};
 use crate::problem::{Layout, Problem, Region};
 use crate::stats::Stats;
@@ -139,7 +140,8 @@ fn setup<'a>(
         })
         .collect();
     let constants = (0..layout.constants.len()).map(|_| random.next()).collect();
-    let system = System { problem, layout, plan: Arc::new(plan), tableau, grids };
+    let system =
+        System { problem, layout, plan: Arc::new(plan), tableau, magnitudes: Magnitudes::stated(layout), grids };
     let work = system.work();
     Setup { system, x: Iterate { y, constants }, work }
 }

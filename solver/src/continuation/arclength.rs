@@ -10,6 +10,7 @@
 //! region, so that the solver needs no other equation than those it has, and folds are regular points.
 
 use crate::guess::{Guess, RegionGuess};
+use crate::orientation::Orientation;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 use crate::solution::Solution;
 
@@ -28,6 +29,8 @@ pub struct Direction {
 pub(crate) struct Reference {
     pub solution: Solution,
     pub direction: Direction,
+    /// Of the problem that arclength extends; none at the start, where that is not solved.
+    pub orientation: Option<Orientation>,
 }
 
 impl Direction {
@@ -228,7 +231,7 @@ fn constant_squares(layout: &Layout, solution: &Solution) -> Vec<f64> {
 pub(crate) fn normalise(layout: &Layout, reference: &mut Reference) {
     let weights = state_weights(layout, &reference.solution);
     let squares = constant_squares(layout, &reference.solution);
-    let Reference { solution, direction: Direction { states, constants } } = reference;
+    let Reference { solution, direction: Direction { states, constants }, .. } = reference;
     let mut sum: f64 = constants.iter().zip(squares).map(|(rate, square)| rate * rate / square).sum();
     for (region, (direction, weights)) in states.iter().zip(&weights).enumerate() {
         let mesh = solution.regions()[region].mesh();

@@ -47,7 +47,8 @@ pub enum How {
 /// A solution, and how it was come by.
 #[derive(Debug, Clone)]
 pub struct Automatic {
-    /// The solution; its work counts are of the last attempt.
+    /// The solution; its work counts are of the last attempt. Its [`branch_check`](Solution::branch_check) says whether it is
+    /// known to be the one that the guess leads to.
     pub solution: Solution,
     /// How.
     pub how: How,
@@ -104,8 +105,11 @@ fn solve_any(
     let budget = Budget::new(options);
     let mut attempt = Attempt { problem, guess, unknowns, options, observer, budget: &budget, stats: Stats::default() };
     let mut outcome = solve_within(problem, guess, unknowns, &direct, attempt.observer, &budget);
-    let short = |solution: &Solution| matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. });
-    if intervals < options.max_intervals && outcome.as_ref().is_ok_and(short) {
+    let short = match &outcome {
+        Ok(solution) => matches!(solution.accuracy(), Accuracy::Short { because: Shortfall::Mesh, .. }),
+        Err(error) => matches!(error, SolveError::Inaccurate { because: Shortfall::Mesh, .. }),
+    };
+    if intervals < options.max_intervals && short {
         outcome = solve_within(problem, guess, unknowns, options, attempt.observer, &budget);
     }
     let failure = match outcome {
@@ -180,7 +184,7 @@ impl Attempt<'_> {
         let t = layout.constants.len() - 1;
         let mut start = self.guess.clone();
         start.constants.push(0.0);
-        let way = Options { tolerance: 1e-2, control: Control::Defect, ..self.options.clone() };
+        let way = Options { control: Control::Defect, ..self.options.loosened(1e-2) };
         let options = BranchOptions { solve: way, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
         let (unknowns, budget) = (self.unknowns, self.budget);
         let branch = match trace_within(&homotopy, &start, t, unknowns, &options, &[], self.observer, budget) {
@@ -196,8 +200,9 @@ impl Attempt<'_> {
         let mut end = Guess::from(&last.solution);
         end.constants.truncate(t);
         match solve_within(self.problem, &end, unknowns, self.options, self.observer, budget) {
-            Ok(solution) => {
+            Ok(mut solution) => {
                 self.stats += *solution.stats();
+                solution.branch_check = branch.check.and(solution.branch_check.placed(1.0));
                 Ok(Some((solution, How::Homotopy { points })))
             }
             Err(error) if error.is_interruption() => Err(error),

@@ -3,6 +3,7 @@
 use super::natural::positive;
 use crate::error::SolveError;
 use crate::options::Options;
+use crate::orientation::BranchCheck;
 use crate::solution::Solution;
 use crate::stats::Stats;
 use thiserror::Error;
@@ -28,6 +29,10 @@ pub struct BranchOptions {
     pub max_iterations: usize,
     /// Points, located ones included.
     pub max_points: usize,
+    /// Whether simple branch points, where another branch crosses, are looked for and located. They are seen by the
+    /// orientation of the problem that arclength extends, which changes there: two of them within one step are seen as
+    /// none, so that `largest_step` must be short enough to part them.
+    pub branch_points: bool,
 }
 
 impl Default for BranchOptions {
@@ -42,6 +47,7 @@ impl Default for BranchOptions {
             contraction: 0.1,
             max_iterations: 12,
             max_points: 200,
+            branch_points: true,
         }
     }
 }
@@ -73,6 +79,8 @@ pub enum PointKind {
     Regular,
     /// The parameter turns round.
     Fold,
+    /// Another branch crosses: see [`BranchOptions::branch_points`].
+    BranchPoint,
     /// The event of this index crosses zero.
     Event(usize),
     /// The parameter reaches the end of its range.
@@ -101,9 +109,16 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Work of all points.
     pub stats: Stats,
+    /// Whether the branch has been kept from its start to its end.
+    pub check: BranchCheck,
 }
 
 impl Branch {
+    /// The branch points, in order.
+    pub fn branch_points(&self) -> impl Iterator<Item = &BranchPoint> {
+        self.points.iter().filter(|point| point.kind == PointKind::BranchPoint)
+    }
+
     /// The folds, in order.
     pub fn folds(&self) -> impl Iterator<Item = &BranchPoint> {
         self.points.iter().filter(|point| point.kind == PointKind::Fold)

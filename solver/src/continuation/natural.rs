@@ -15,6 +15,7 @@ use crate::guess::Guess;
 use crate::measure::{Solved, intervals};
 use crate::observer::{Event, Observer, Silent};
 use crate::options::{Control, Options};
+use crate::orientation::BranchCheck;
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::solution::Solution;
@@ -183,11 +184,10 @@ pub(super) fn follow_within(
     check(layout, start, unknowns, &options.solve).map_err(early)?;
     options.check(from).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
-    let tolerance = options.tolerance.max(options.solve.tolerance);
-    let first = Options { tolerance, control: Control::Defect, ..options.solve.clone() };
+    let first = Options { control: Control::Defect, ..options.solve.loosened(options.tolerance) };
     let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
     let run = Run::new(problem, plan, &first, observer, budget);
-    Follower { run, path, options, way: &way, steps: Vec::new() }.follow(from)
+    Follower { run, path, options, way: &way, steps: Vec::new(), check: BranchCheck::Kept }.follow(from)
 }
 
 struct Follower<'a, 'o, P: Problem + ?Sized> {
@@ -197,6 +197,8 @@ struct Follower<'a, 'o, P: Problem + ?Sized> {
     /// How each step is solved.
     way: &'o Options,
     steps: Vec<StepRecord>,
+    /// Whether the branch has been kept so far.
+    check: BranchCheck,
 }
 
 impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
@@ -210,6 +212,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
             Err(cause) => return Err(PathError { lambda: 0.0, last: None, steps: self.steps, cause: Box::new(cause) }),
         };
         self.record(lambda, before, Some(&here));
+        self.check = self.run.check;
         self.run.options = self.way;
         let mut step = from.step.min(1.0);
         while lambda < 1.0 {
@@ -222,6 +225,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
             match self.step(&here, lambda, next) {
                 Ok(solved) => {
                     step = self.next_step(next - lambda, self.run.contraction);
+                    self.checked(&here, &solved, next);
                     (here, lambda) = (solved, next);
                     self.checkpoint(&here, lambda, step);
                 }
@@ -277,6 +281,12 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         });
     }
 
+    /// Whether the step from `here` to `there` has kept the branch.
+    fn checked(&mut self, here: &Solved<'_, P>, there: &Solved<'_, P>, lambda: f64) {
+        let [before, after] = [here, there].map(|solved| solved.converged.factorisation.orientation());
+        self.check = self.check.and(self.run.check.across(before, after).placed(lambda));
+    }
+
     fn checkpoint(&mut self, here: &Solved<'_, P>, position: f64, step: f64) {
         if self.run.observer.wants_checkpoints() {
             let guess = Guess { regions: here.guess(), constants: here.converged.x.constants.clone() };
@@ -285,7 +295,10 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
     }
 
     fn give_up(mut self, here: &Solved<'a, P>, lambda: f64, cause: SolveError) -> PathError {
-        let last = self.run.finish(here).ok().map(Box::new);
+        let mut last = self.run.finish(here).ok().map(Box::new);
+        if let Some(last) = &mut last {
+            last.branch_check = self.check;
+        }
         PathError { lambda, last, steps: self.steps, cause: Box::new(cause) }
     }
 
@@ -297,7 +310,10 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         let start = Start { grids: here.system.grids.clone(), x: here.converged.x.clone() };
         let outcome = self.run.refine(start).and_then(|solved| self.run.finish(&solved));
         match outcome {
-            Ok(solution) => Ok(Followed { solution, steps: self.steps }),
+            Ok(mut solution) => {
+                solution.branch_check = self.check.and(solution.branch_check.placed(1.0));
+                Ok(Followed { solution, steps: self.steps })
+            }
             Err(cause) => {
                 self.run.options = self.way;
                 Err(self.give_up(&here, 1.0, cause))

@@ -11,6 +11,7 @@ use crate::guess::{Guess, RegionGuess};
 use crate::linearisation::{Linearisation, Tangent};
 use crate::observer::{Event, Observer};
 use crate::options::Options;
+use crate::orientation::{BranchCheck, Orientation};
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::solution::Solution;
@@ -32,7 +33,11 @@ pub(super) struct Tracer<'a, 'e> {
     budget: &'a Budget,
     stats: Stats,
     points: Vec<BranchPoint>,
+    check: BranchCheck,
 }
+
+/// A branch point is located to this power of two of the step.
+const BISECTIONS: usize = 22;
 
 /// A zero of one of the watched functions lies between two points.
 struct Crossing {
@@ -56,7 +61,20 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
         let stats = Stats::default();
         let points = Vec::new();
-        Self { problem, parameter, unknowns, extended, options, way, events, observer, budget, stats, points }
+        Self {
+            problem,
+            parameter,
+            unknowns,
+            extended,
+            options,
+            way,
+            events,
+            observer,
+            budget,
+            stats,
+            points,
+            check: BranchCheck::Kept,
+        }
     }
 
     /// Traces from where `start` says: point, arclength and first step.
@@ -66,7 +84,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     ) -> Result<Branch, BranchError> {
         let traced = start(&mut self).and_then(|(here, arclength, step)| self.trace(here, arclength, step));
         match traced {
-            Ok(()) => Ok(Branch { points: self.points, stats: self.stats }),
+            Ok(()) => Ok(Branch { points: self.points, stats: self.stats, check: self.check }),
             Err(cause) => Err(BranchError { points: self.points, cause: Box::new(cause) }),
         }
     }
@@ -74,7 +92,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
         while self.points.len() < self.options.max_points {
-            let (next, contraction) = match self.advance(&here, step) {
+            let (next, contraction, check) = match self.advance(&here, step) {
                 Ok(found) => found,
                 Err(cause) if cause.is_interruption() => return Err(cause),
                 Err(cause) => {
@@ -86,8 +104,16 @@ impl<'a, 'e> Tracer<'a, 'e> {
                     continue;
                 }
             };
-            for crossing in self.crossings(&here, &next) {
-                let (at, found) = self.locate(&here, step, &crossing)?;
+            let crossings = self.crossings(&here, &next);
+            let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
+            // The sense of the first step is given, so that a branch point is told from one that is crossed.
+            let turned = if crossed { check } else { check.across(here.orientation, next.orientation) };
+            self.check = self.check.and(turned.placed(next.value(self.parameter)));
+            for crossing in crossings {
+                let (at, found) = match crossing.kind {
+                    PointKind::BranchPoint => self.locate_branch_point(&here, step, next.orientation)?,
+                    _ => self.locate(&here, step, &next, &crossing)?,
+                };
                 self.push(crossing.kind, arclength + at, &found);
                 if crossing.kind == PointKind::End {
                     return Ok(());
@@ -145,7 +171,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let solution = run.as_it_stands(Start::from(&from.guess))?;
         self.stats += run.stats;
         drop(run);
-        let (here, _) = self.advance(&Reference { solution, direction }, 0.0)?;
+        let (here, ..) = self.advance(&Reference { solution, direction, orientation: None }, 0.0)?;
         Ok(here)
     }
 
@@ -170,23 +196,34 @@ impl<'a, 'e> Tracer<'a, 'e> {
             states: tangent.regions.iter().map(|region| region.states.iter().map(scaled).collect()).collect(),
             constants: tangent.constants[..n].iter().map(|rate| sign * rate).collect(),
         };
-        let mut reference = Reference { solution, direction };
+        let mut reference = Reference { solution, direction, orientation: None };
         normalise(self.problem.layout(), &mut reference);
         reference
     }
 
     /// The solution at the distance `step`, its tangent, and Newton's first contraction.
-    fn advance(&mut self, here: &Reference, step: f64) -> Result<(Reference, f64), SolveError> {
+    fn advance(&mut self, here: &Reference, step: f64) -> Result<(Reference, f64, BranchCheck), SolveError> {
+        self.advance_from(here, step, here, 0.0)
+    }
+
+    /// As [`advance`](Self::advance), predicted from a point known to lie at the distance `known`.
+    fn advance_from(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        near: &Reference,
+        known: f64,
+    ) -> Result<(Reference, f64, BranchCheck), SolveError> {
         let arclength = Arclength::new(self.problem, here);
         let problem: &dyn Problem = &arclength;
-        let mut constants: Vec<f64> =
-            here.solution.constants().iter().zip(&here.direction.constants).map(|(c, rate)| c + step * rate).collect();
+        let rates = near.solution.constants().iter().zip(&near.direction.constants);
+        let mut constants: Vec<f64> = rates.map(|(c, rate)| c + (step - known) * rate).collect();
         constants.push(step);
-        let guess = Guess { regions: here.moved(step), constants };
+        let guess = Guess { regions: near.moved(step - known), constants };
         let plan = Plan::new(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.way, self.observer, self.budget);
         let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
-        let contraction = run.contraction;
+        let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;
         drop(run);
         let budget = self.budget;
@@ -199,13 +236,18 @@ impl<'a, 'e> Tracer<'a, 'e> {
         });
         self.stats += stats;
         let (solution, tangent) = found?;
+        let orientation = solution.orientation();
         let solution = solution.restricted(self.problem.layout(), self.unknowns);
-        Ok((self.reference(solution, &tangent, 1.0), contraction))
+        let reference = Reference { orientation, ..self.reference(solution, &tangent, 1.0) };
+        Ok((reference, contraction, check))
     }
 
     /// Zeros between two points, in the order in which they are passed.
     fn crossings(&self, a: &Reference, b: &Reference) -> Vec<Crossing> {
         let mut kinds = vec![PointKind::Fold];
+        if self.options.branch_points {
+            kinds.push(PointKind::BranchPoint);
+        }
         kinds.extend((0..self.events.len()).map(PointKind::Event));
         let (low, high) = self.options.range;
         let outside = |value: f64| !(low..=high).contains(&value);
@@ -222,6 +264,11 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn watched(&self, kind: PointKind, at: &Reference) -> f64 {
         match kind {
             PointKind::Regular => f64::NAN,
+            PointKind::BranchPoint => match at.orientation {
+                Some(Orientation::Positive) => 1.0,
+                Some(Orientation::Negative) => -1.0,
+                None => f64::NAN,
+            },
             PointKind::Fold => at.direction.constants[self.parameter],
             PointKind::Event(index) => self.events.get(index).map_or(f64::NAN, |event| event(&at.solution)),
             PointKind::End => {
@@ -233,15 +280,59 @@ impl<'a, 'e> Tracer<'a, 'e> {
         }
     }
 
+    /// Where the orientation changes to that `after` the step, by bisection: near a branch point the matrix is nearly
+    /// singular, and all that is asked of it is a sign.
+    fn locate_branch_point(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        after: Option<Orientation>,
+    ) -> Result<(f64, Reference), SolveError> {
+        let (mut low, mut high, mut best) = (0.0, step, None);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            match self.advance(here, middle) {
+                Ok((found, ..)) => {
+                    if found.orientation == after {
+                        high = middle;
+                    } else {
+                        low = middle;
+                    }
+                    best = Some((middle, found));
+                }
+                Err(cause) if cause.is_interruption() => return Err(cause),
+                // The matrix is singular: this is the place, as closely as it can be told.
+                Err(_) => break,
+            }
+        }
+        match best {
+            Some(found) => Ok(found),
+            None => Ok((low, self.advance(here, low)?.0)),
+        }
+    }
+
     /// Zero of the watched function by the Illinois method (M. Dowell and P. Jarratt, BIT 11 (1971) 168-174).
-    fn locate(&mut self, here: &Reference, step: f64, crossing: &Crossing) -> Result<(f64, Reference), SolveError> {
+    /// Each point is predicted from the nearest that is known.
+    fn locate(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        next: &Reference,
+        crossing: &Crossing,
+    ) -> Result<(f64, Reference), SolveError> {
         let (mut a, mut b) = (0.0, step);
         let (mut fa, mut fb) = crossing.values;
         let small = 1e-10 * (fa.abs() + fb.abs());
         let mut best: Option<(f64, f64, Reference)> = None;
         for _ in 0..40 {
             let at = (a * fb - b * fa) / (fb - fa);
-            let (found, _) = self.advance(here, at)?;
+            let mut near = if at <= 0.5 * step { (here, 0.0) } else { (next, step) };
+            if let Some((_, place, found)) =
+                best.as_ref().filter(|(_, place, _)| (place - at).abs() < (near.1 - at).abs())
+            {
+                near = (found, *place);
+            }
+            let (found, ..) = self.advance_from(here, at, near.0, near.1)?;
             let f = self.watched(crossing.kind, &found);
             if best.as_ref().is_none_or(|best| f.abs() < best.0.abs()) {
                 best = Some((f, at, found));

@@ -133,6 +133,12 @@ impl<T: Scalar> Chain<T> {
         self.sizes
     }
 
+    /// Reciprocals of all diagonal entries of R.
+    pub(crate) fn inverse_pivots(&self) -> impl Iterator<Item = &T> {
+        let nodes = self.data.chunks_exact(kept_len(self.sizes));
+        nodes.flat_map(|data| kept(self.sizes, data).inverse)
+    }
+
     /// Eliminates the interior nodes `1..steps`.
     #[inline(always)]
     pub(crate) fn factor<R: Rows>(&mut self, rows: R, mut intervals: impl Intervals<T>) {

@@ -2,6 +2,7 @@
 
 use super::{Chapters, Family};
 use crate::case::Key;
+use crate::model::Output;
 use crate::study::Table;
 use serde::{Deserialize, Serialize};
 
@@ -161,7 +162,7 @@ fn rises(values: &[f64]) -> usize {
 
 fn range_statements(range: &Table) -> Vec<Check> {
     let column = |name: &str| (0..range.rows.len()).map(|row| range.number(row, name)).collect::<Vec<_>>();
-    let (primary, secondary) = (column("primary.axial_force"), column("secondary.axial_force"));
+    let (primary, secondary) = (column(Output::PrimaryAxialForce.name()), column(Output::SecondaryAxialForce.name()));
     let smaller = primary.iter().zip(&secondary).filter(|(primary, secondary)| primary <= secondary).count();
     let (first, last) = (0, primary.len().saturating_sub(1));
     let difference = |row: usize| Some(primary.get(row)? - secondary.get(row)?);
@@ -172,8 +173,12 @@ fn range_statements(range: &Table) -> Vec<Check> {
         statement("6.2.3", "secondary axial force falls from low to high range", rises(&secondary)),
         statement("6.2.3", "the primary's axial force is the larger", smaller),
         statement("6.2.3", "their difference is larger in high range than in low", usize::from(!grows)),
-        statement("6.2.4", "torque loss grows from low to high range", rises(&column("efficiency.torque"))),
-        statement("6.2.4", "speed loss falls from low to high range", rises(&negated(column("efficiency.speed")))),
+        statement("6.2.4", "torque loss grows from low to high range", rises(&column(Output::EfficiencyTorque.name()))),
+        statement(
+            "6.2.4",
+            "speed loss falls from low to high range",
+            rises(&negated(column(Output::EfficiencySpeed.name()))),
+        ),
     ]
 }
 

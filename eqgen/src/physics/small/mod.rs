@@ -1,6 +1,8 @@
 //! Small models beside the full one: formulae in named inputs, without regions and ends.
 
+pub mod actuator;
 pub mod drive;
+pub mod hysteresis;
 pub mod pulley;
 pub mod sizing;
 
@@ -31,8 +33,16 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         pulley::limits()?,
         sizing::model()?,
         sizing::idler()?,
+        actuator::flyweight_table()?,
+        actuator::flyweight_ramp()?,
+        actuator::flyweight_arm()?,
+        actuator::flyweight_roller()?,
+        actuator::spring()?,
+        actuator::helix()?,
+        actuator::travel()?,
+        actuator::vehicle()?,
     ];
-    Ok(models.into_iter().map(Model::Boundary).collect())
+    Ok(models.into_iter().chain(hysteresis::models()?).map(Model::Boundary).collect())
 }
 
 /// A set of formulae on the way: inputs from outside, steps between, and outputs, each a step of its own name.

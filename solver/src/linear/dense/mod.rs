@@ -81,6 +81,13 @@ impl Lu {
         self.rank
     }
 
+    /// Sign of the determinant of the matrix: 1 or -1; 0 if the rank is deficient.
+    pub(crate) fn determinant_sign(&self) -> f64 {
+        let Some(factors) = self.factors.as_ref().filter(|_| self.rank == self.size()) else { return 0.0 };
+        let pivots: f64 = (0..self.size()).map(|i| factors.pivot(i).signum()).product();
+        pivots * permutation_sign(&self.rows)
+    }
+
     /// Number of unknowns.
     pub(crate) fn size(&self) -> usize {
         self.scale.len()
@@ -117,9 +124,40 @@ impl Lu {
     }
 }
 
+/// 1 for an even permutation, -1 for an odd one.
+fn permutation_sign(rows: &[usize]) -> f64 {
+    let (mut seen, mut sign) = (vec![false; rows.len()], 1.0);
+    for start in 0..rows.len() {
+        let (mut at, mut length) = (start, 0);
+        while !seen[at] {
+            seen[at] = true;
+            (at, length) = (rows[at], length + 1);
+        }
+        if length > 0 && length % 2 == 0 {
+            sign = -sign;
+        }
+    }
+    sign
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_determinant_has_its_sign() {
+        let mut lu = Lu::default();
+        for (matrix, sign) in [
+            ([2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 4.0], 1.0),
+            ([0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0], -1.0),
+            ([0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0], 1.0),
+            ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0], -1.0),
+            (DEFICIENT, 0.0),
+        ] {
+            lu.factor(3, &matrix);
+            assert_eq!(lu.determinant_sign(), sign, "{matrix:?}");
+        }
+    }
 
     /// Rows 0 and 2 are multiples of each other.
     const DEFICIENT: [f64; 9] = [1.0, 2.0, 3.0, 0.0, 1.0, -1.0, 1e5, 2e5, 3e5];

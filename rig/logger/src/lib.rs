@@ -1,0 +1,14 @@
+//! The dynamometer's logger: the same code on a real rig and on a simulated one.
+
+pub mod calibration;
+pub mod hardware;
+pub mod interlock;
+pub mod journal;
+pub mod replay;
+pub mod runs;
+pub mod session;
+pub mod settle;
+pub mod simulated;
+pub mod steady;
+pub mod watch;
+pub mod web;

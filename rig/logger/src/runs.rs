@@ -1,0 +1,188 @@
+//! A run's folder: always new, with its journal, its metadata, and the files that `sheave dyno` reads.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use rig_core::{Frame, Identity};
+use serde::{Deserialize, Serialize};
+
+use crate::calibration::Calibration;
+use crate::journal::{JOURNAL, Journal, Record};
+use crate::steady::Point;
+
+/// What a run was made with; `run.toml` beside the data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Metadata {
+    /// Program that wrote it.
+    pub logger: String,
+    /// Seconds since 1970 at the start, by the logger's clock.
+    pub started_unix: u64,
+    /// "simulated" or "linux".
+    pub rig: String,
+    /// Firmware version, as the device said.
+    pub firmware: String,
+    /// What the time stamps count: the device's clock, µs in a tick.
+    pub tick_microseconds: u8,
+    /// Revolutions that a speed is taken over.
+    pub revolutions: u8,
+    /// Gear reduction between the secondary and the brake's shaft, already within the calibration.
+    pub reduction: String,
+    /// From converter value to torque at the secondary, (9.1).
+    pub calibration: Calibration,
+}
+
+impl Metadata {
+    /// Metadata of a run that begins now.
+    #[must_use]
+    pub fn now(rig: &str, identity: &Identity, calibration: Calibration) -> Self {
+        let [major, minor, patch] = identity.firmware;
+        let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+        Self {
+            logger: format!("sheave-rig {}", env!("CARGO_PKG_VERSION")),
+            started_unix: since.map_or(0, |duration| duration.as_secs()),
+            rig: rig.to_owned(),
+            firmware: format!("{major}.{minor}.{patch}"),
+            tick_microseconds: identity.tick_microseconds,
+            revolutions: identity.revolutions,
+            reduction: "32:61".to_owned(),
+            calibration,
+        }
+    }
+}
+
+/// Creates the first folder `run-0001`, `run-0002`, … that does not exist yet, with the metadata in it.
+///
+/// # Errors
+/// If nothing can be created there.
+pub fn create(parent: &Path, metadata: &Metadata) -> io::Result<PathBuf> {
+    fs::create_dir_all(parent)?;
+    for number in 1..=999_999u32 {
+        let folder = parent.join(format!("run-{number:04}"));
+        match fs::create_dir(&folder) {
+            Ok(()) => {
+                let text = toml::to_string(metadata).map_err(io::Error::other)?;
+                write(&folder, "run.toml", &text)?;
+                return Ok(folder);
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::Error::other(format!("{} holds a million runs already", parent.display())))
+}
+
+/// Writes a whole file beside its place, synchronises it, and renames it.
+fn write(folder: &Path, name: &str, text: &str) -> io::Result<()> {
+    let beside = folder.join(format!("{name}.tmp"));
+    let mut file = File::create(&beside)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    fs::rename(&beside, folder.join(name))?;
+    File::open(folder)?.sync_all()
+}
+
+/// Reads a run's metadata.
+///
+/// # Errors
+/// If the file is missing or not as it should be.
+pub fn metadata(folder: &Path) -> io::Result<Metadata> {
+    toml::from_str(&fs::read_to_string(folder.join("run.toml"))?).map_err(io::Error::other)
+}
+
+/// What an export did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exported {
+    /// Frames in the journal.
+    pub frames: usize,
+    /// Operating points with a file of each channel.
+    pub points: usize,
+    /// Lines of the journal that were no records; at most one after a power cut.
+    pub bad_lines: usize,
+}
+
+/// One channel: time stamps of the device in µs, and values. A value whose stamp has not changed is the same one again.
+#[derive(Default)]
+struct Channel {
+    text: String,
+    last: Option<u64>,
+}
+
+impl Channel {
+    fn add(&mut self, stamp: Option<u64>, value: &str) {
+        if stamp.is_some() && stamp != self.last {
+            self.last = stamp;
+            if let Some(stamp) = stamp {
+                self.text.push_str(&format!("{stamp},{value}\n"));
+            }
+        }
+    }
+}
+
+/// Makes of a journal: `log.csv` of the whole run (timestamp_ms, primary_rpm, secondary_rpm, torque), and for each
+/// operating
+/// point the files P_n, S_n, ADC_n and TORQUE_n of Appendix H. May be repeated at any time; the journal is never
+/// touched.
+///
+/// # Errors
+/// If the folder cannot be read or written.
+pub fn export(folder: &Path) -> io::Result<Exported> {
+    let calibration = metadata(folder)?.calibration;
+    let journal = Journal::read(&folder.join(JOURNAL))?;
+    let mut log = String::from("timestamp_ms,primary_rpm,secondary_rpm,torque\n");
+    let mut exported = Exported { frames: 0, points: 0, bad_lines: journal.bad_lines.len() };
+    let mut point: Option<(u32, [Channel; 4])> = None;
+    for record in &journal.records {
+        match record {
+            Record::Frame { at, bytes } => {
+                let Ok(frame) = Frame::from_bytes(bytes) else { continue };
+                exported.frames += 1;
+                let snapshot = &frame.snapshot;
+                let (p, s) = (snapshot.primary.speed.rpm_exact(), snapshot.secondary.speed.rpm_exact());
+                let torque = calibration.torque(snapshot.torque);
+                log.push_str(&format!("{:.3},{p:.3},{s:.3},{torque:.4}\n", *at as f64 * 1e-3));
+                let Some((_, channels)) = &mut point else { continue };
+                let stamp = |at: Option<rig_core::Instant>| at.map(rig_core::Instant::microseconds);
+                let converted = stamp(snapshot.torque_at);
+                let [primary, secondary, adc, torques] = channels;
+                primary.add(stamp(snapshot.primary.last_pulse), &format!("{p:.3}"));
+                secondary.add(stamp(snapshot.secondary.last_pulse), &format!("{s:.3}"));
+                adc.add(converted, &snapshot.torque.to_string());
+                torques.add(converted, &format!("{torque:.5}"));
+            }
+            Record::Point { number, begins: true, .. } => point = Some((*number, Default::default())),
+            Record::Point { begins: false, .. } => {
+                let Some((number, channels)) = point.take() else { continue };
+                exported.points += 1;
+                for (name, channel) in ["P", "S", "ADC", "TORQUE"].iter().zip(channels) {
+                    write(folder, &format!("{name}_{number}.csv"), &channel.text)?;
+                }
+            }
+            Record::Temperature { .. } | Record::Note { .. } => {}
+        }
+    }
+    write(folder, "log.csv", &log)?;
+    Ok(exported)
+}
+
+/// Writes the points of a test as `points.csv`, in the columns that `sheave compare` reads.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_points(folder: &Path, points: &[Point]) -> io::Result<()> {
+    let mut text = String::from(
+        "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,secondary_torque_sd,n_torque,\
+         duration_s,settling_s,settled\n",
+    );
+    for point in points {
+        let numbers = [point.primary_rpm, point.secondary_rpm, point.torque];
+        let columns: Vec<String> = numbers.iter().map(|(mean, sd)| format!("{mean:.4},{sd:.4}")).collect();
+        let (settling, seconds) = (point.settling_ms as f64 * 1e-3, point.duration);
+        let (pass, number, conversions, settled) = (point.pass, point.number, point.conversions, point.settled);
+        text.push_str(&format!(
+            "{pass},{number},{},{conversions},{seconds:.4},{settling:.3},{settled}\n",
+            columns.join(",")
+        ));
+    }
+    write(folder, "points.csv", &text)
+}

@@ -1,0 +1,200 @@
+//! Problems stated by two closures.
+//!
+//! Bratu's problem `u'' = -exp(u)`, `u(0) = u(1) = 0`:
+//!
+//! ```
+//! use solver::{Options, bvp::Bvp};
+//!
+//! let string = Bvp::new(
+//!     &["u", "slope"],
+//!     (0.0, 1.0),
+//!     |_x, y, _p, f| (f[0], f[1]) = (y[1], -y[0].exp()),
+//!     |a, b, _p, g| (g[0], g[1]) = (a[0], b[0]),
+//! );
+//! let solution = string.solve(&Options::default())?;
+//! assert!((solution.regions()[0].eval(0.5)[0] - 0.14053921).abs() < 1e-6);
+//! # Ok::<(), solver::SolveError>(())
+//! ```
+//!
+//! One region, no integrals: for more there are [`Model`](crate::model::Model) and [`Problem`]. A [`Bvp`] is a
+//! [`Problem`] itself, so that all of the library is open to it: continuation, sensitivities, conditioning.
+
+mod formulas;
+mod number;
+
+pub use formulas::{Differenced, Exact, Formulas};
+pub use number::Number;
+
+use crate::error::SolveError;
+use crate::guess::Guess;
+use crate::options::Options;
+use crate::problem::{Constant, Layout, Points, Problem, Region, Scope};
+use crate::solution::Solution;
+use crate::solve::solve;
+
+/// Intervals of a guess of which no number is said.
+const INTERVALS: usize = 10;
+
+/// `y' = f(x, y, p)` on an interval, with as many conditions `g(y(a), y(b), p) = 0` as states and unknown parameters.
+#[derive(Debug, Clone)]
+pub struct Bvp<M> {
+    formulas: M,
+    layout: Layout,
+    /// Values of the parameters: given, or guessed.
+    parameters: Vec<f64>,
+    unknowns: Vec<usize>,
+    intervals: usize,
+    /// Values of the states at the nodes of equal intervals, if they are not zero.
+    states: Option<Vec<Vec<f64>>>,
+}
+
+impl<F, B> Bvp<Exact<F, B>>
+where
+    F: Fn(f64, &[Number], &[Number], &mut [Number]),
+    B: Fn(&[Number], &[Number], &[Number], &mut [Number]),
+{
+    /// States by name, the interval, `f(x, y, p, out)` and `g(y(a), y(b), p, out)`. Derivatives are exact.
+    pub fn new(states: &[&str], interval: (f64, f64), f: F, bc: B) -> Self {
+        Self::with(states, interval, Exact { f, bc })
+    }
+}
+
+impl<F, B> Bvp<Differenced<F, B>>
+where
+    F: Fn(f64, &[f64], &[f64], &mut [f64]),
+    B: Fn(&[f64], &[f64], &[f64], &mut [f64]),
+{
+    /// As [`new`](Bvp::new), for closures of plain numbers, as where they call foreign code. Derivatives are forward
+    /// differences.
+    pub fn by_differences(states: &[&str], interval: (f64, f64), f: F, bc: B) -> Self {
+        Self::with(states, interval, Differenced { f, bc })
+    }
+}
+
+impl<M: Formulas> Bvp<M> {
+    /// With formulas that bring their own derivatives.
+    pub fn with(states: &[&str], interval: (f64, f64), formulas: M) -> Self {
+        let (layout, parameters, unknowns) = (layout(states, interval, &[], 0), Vec::new(), Vec::new());
+        Self { formulas, layout, parameters, unknowns, intervals: INTERVALS, states: None }
+    }
+
+    /// One more parameter, of a given value.
+    #[must_use]
+    pub fn given(self, name: &str, value: f64) -> Self {
+        self.parameter(name, value, false)
+    }
+
+    /// One more parameter that is to be found, near a value. It takes one more boundary condition.
+    #[must_use]
+    pub fn unknown(self, name: &str, near: f64) -> Self {
+        self.parameter(name, near, true)
+    }
+
+    fn parameter(mut self, name: &str, value: f64, unknown: bool) -> Self {
+        if unknown {
+            self.unknowns.push(self.parameters.len());
+        }
+        self.parameters.push(value);
+        let mut names: Vec<&str> = self.layout.constants.iter().map(|constant| constant.name.as_str()).collect();
+        names.push(name);
+        let region = &self.layout.regions[0];
+        let states: Vec<&str> = region.states.iter().map(|state| state.name.as_str()).collect();
+        self.layout = layout(&states, region.interval, &names, self.unknowns.len());
+        self
+    }
+
+    /// The guess `y(x)`, on so many equal intervals. Without one all states are guessed to be zero.
+    #[must_use]
+    pub fn guess(mut self, intervals: usize, y: impl Fn(f64, &mut [f64])) -> Self {
+        let guess = Guess::uniform(&self.layout, intervals, &self.parameters, |_, x, out| y(x, out));
+        self.intervals = intervals;
+        self.states = guess.regions.into_iter().next().map(|region| region.states);
+        self
+    }
+
+    /// The guess as the library's other functions take it.
+    pub fn start(&self) -> Guess {
+        let mut guess = Guess::uniform(&self.layout, self.intervals, &self.parameters, |_, _, y| y.fill(0.0));
+        if let (Some(region), Some(states)) = (guess.regions.first_mut(), &self.states) {
+            region.states.clone_from(states);
+        }
+        guess
+    }
+
+    /// Indices of the unknown parameters among all.
+    pub fn unknowns(&self) -> &[usize] {
+        &self.unknowns
+    }
+
+    /// Solves from the guess.
+    ///
+    /// # Errors
+    /// As [`solve`](crate::solve()).
+    pub fn solve(&self, options: &Options) -> Result<Solution, SolveError> {
+        solve(self, &self.start(), &self.unknowns, options)
+    }
+}
+
+fn layout(states: &[&str], interval: (f64, f64), parameters: &[&str], unknowns: usize) -> Layout {
+    let region = Region::dense("interval", interval, states, &[], parameters.len());
+    let equations: Vec<String> = (1..=states.len() + unknowns).map(|number| format!("condition {number}")).collect();
+    let equations: Vec<&str> = equations.iter().map(String::as_str).collect();
+    let mut layout = Layout::dense(vec![region], &[], &equations);
+    layout.constants = parameters.iter().map(|&name| Constant { name: name.to_owned(), scale: None }).collect();
+    let inputs = layout.inputs();
+    layout.boundary_pattern = (0..inputs).flat_map(|input| (0..equations.len()).map(move |row| (row, input))).collect();
+    // By columns, as the formulas write them.
+    let region = &mut layout.regions[0];
+    region.state_pattern.sort_by_key(|&(row, state)| (state, row));
+    region.constant_pattern.sort_by_key(|&(row, constant)| (constant, row));
+    layout
+}
+
+impl<M: Formulas> Problem for Bvp<M> {
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
+        let n = self.layout.regions[0].states.len();
+        let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
+        for j in 0..at.len {
+            y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
+            self.formulas.rhs(at.s[j], &y, constants, &mut out);
+            out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
+        }
+    }
+
+    fn rhs_jacobian(
+        &self,
+        _region: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        _scope: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    ) {
+        let n = self.layout.regions[0].states.len();
+        let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
+        let mut columns = vec![0.0; n * (n + constants.len())];
+        for j in 0..at.len {
+            y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
+            self.formulas.rhs_derivatives(at.s[j], &y, constants, &mut out, &mut columns);
+            out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
+            let (states, parameters) = columns.split_at(n * n);
+            states.iter().enumerate().for_each(|(entry, value)| dy[entry * at.stride + j] = *value);
+            parameters.iter().enumerate().for_each(|(entry, value)| dc[entry * at.stride + j] = *value);
+        }
+    }
+
+    fn boundary(&self, ends: &[f64], _integrals: &[f64], constants: &[f64], g: &mut [f64]) {
+        let (a, b) = ends.split_at(ends.len() / 2);
+        self.formulas.boundary(a, b, constants, g);
+    }
+
+    fn boundary_jacobian(&self, ends: &[f64], _integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
+        let (a, b) = ends.split_at(ends.len() / 2);
+        self.formulas.boundary_derivatives(a, b, constants, g, dz);
+    }
+}

@@ -1,0 +1,129 @@
+//! Where a solve stands between two meshes.
+
+use crate::error::{NewtonError, SolveError};
+use crate::measure::Solved;
+use crate::options::Options;
+use crate::phase::Phase;
+use crate::problem::Problem;
+use crate::refine::{Measure, Rounding, measure};
+use crate::start::{Start, transfer, twice};
+
+/// State of one solve.
+pub(crate) struct Progress<'a, P: Problem + ?Sized> {
+    pub(crate) phase: Phase,
+    /// Whether no mesh has been tried yet.
+    pub(crate) first: bool,
+    pub(crate) rescue: Rescue,
+    /// What defects are held to at present.
+    pub(crate) target: f64,
+    /// What they are held to at first.
+    pub(crate) tolerance: f64,
+    /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
+    pub(crate) fallback: Option<Solved<'a, P>>,
+    /// Least estimated error so far that exceeds the tolerance: the fallback's.
+    pub(crate) error: f64,
+    /// Meshes since it last fell.
+    pub(crate) stalled: usize,
+    /// The solution that the present meshes were made from, while the tolerance is not met.
+    pub(crate) coarser: Option<Solved<'a, P>>,
+    pub(crate) fallback_doubled: bool,
+    /// What the defects were held to on the last meshes that were too coarse, and the largest there.
+    last_defect: Option<(f64, f64)>,
+    /// Meshes in a row on which the largest defect has hardly fallen.
+    creeping: usize,
+}
+
+/// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a factor
+/// of 16, a kink in it of 2.
+const SLOW: f64 = 0.9;
+/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up,
+const CREEPING: usize = 2;
+/// and so many, where defects are held to less than the tolerance: rounding is what is left of them.
+const STUCK: usize = 5;
+
+impl<P: Problem + ?Sized> Progress<'_, P> {
+    pub(crate) fn new(options: &Options, start: &Start) -> Self {
+        let origin = (options.rescues > 0).then(|| start.clone());
+        Self {
+            phase: Phase::Search,
+            first: true,
+            rescue: Rescue { halvings: 0, insistent: true, origin },
+            target: options.tolerance,
+            tolerance: options.tolerance,
+            fallback: None,
+            error: f64::INFINITY,
+            stalled: 0,
+            coarser: None,
+            fallback_doubled: false,
+            last_defect: None,
+            creeping: 0,
+        }
+    }
+
+    /// Notes the largest defect on meshes that are too coarse.
+    pub(crate) fn note(&mut self, largest: f64) {
+        let slow = self.last_defect.is_some_and(|(target, last)| target == self.target && largest > SLOW * last);
+        self.creeping = if slow { self.creeping + 1 } else { 0 };
+        self.last_defect = Some((self.target, largest));
+    }
+
+    /// Whether a few intervals are to be split where only few are too long; always, while the tolerance is not met.
+    pub(crate) fn split_few(&self) -> bool {
+        self.target >= self.tolerance || self.creeping < CREEPING
+    }
+
+    /// Whether finer meshes do not lower the defects any more, although they meet the tolerance.
+    pub(crate) fn is_stuck(&self) -> bool {
+        self.target < self.tolerance && self.creeping >= STUCK
+    }
+
+    /// Rounding excuses defects only where they are held to less than the tolerance, and only up to the tolerance.
+    pub(crate) fn rounding(&self) -> Rounding {
+        if self.target < self.tolerance { Rounding::Excused(self.tolerance) } else { Rounding::Counted }
+    }
+
+    /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once.
+    pub(crate) fn doubled(&mut self) -> Option<Start> {
+        if let Some(coarser) = self.coarser.take() {
+            return Some(transfer(&coarser, twice(&coarser)));
+        }
+        let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;
+        self.fallback_doubled = true;
+        Some(transfer(fallback, twice(fallback)))
+    }
+}
+
+/// What is tried when Newton's iteration fails: halved meshes, then the same again without insisting on progress.
+pub(crate) struct Rescue {
+    pub(crate) halvings: usize,
+    /// Whether every step must be progress.
+    pub(crate) insistent: bool,
+    /// The guess, as long as no mesh has brought convergence.
+    pub(crate) origin: Option<Start>,
+}
+
+/// What one set of meshes has brought.
+pub(crate) enum Found<'a, P: Problem + ?Sized> {
+    /// A converged iterate, and the error estimated where it was asked for.
+    Solved(Box<Solved<'a, P>>),
+    /// None: the start, and why.
+    Failed(Box<Start>, NewtonError),
+    /// One that cannot be judged, for it is undefined between the collocation points.
+    Undefined(SolveError),
+}
+
+/// How a solve goes on.
+pub(crate) enum Next<'a, P: Problem + ?Sized> {
+    On(Start),
+    Done(Box<Solved<'a, P>>),
+}
+
+impl<'a, P: Problem + ?Sized> Next<'a, P> {
+    pub(crate) fn done(solved: Solved<'a, P>) -> Self {
+        Self::Done(Box::new(solved))
+    }
+}
+
+pub(crate) fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64, rounding: Rounding) -> Vec<Measure> {
+    solved.defects.iter().map(|defects| measure(defects, target, rounding)).collect()
+}

@@ -1,0 +1,150 @@
+//! Which solution it is: orientation, what is said of a solution that cannot be vouched for, branch points.
+
+#![allow(clippy::unwrap_used)]
+
+use solver::continuation::{BranchOptions, PathOptions, PointKind, Ramp, follow, trace};
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{BranchCheck, Guess, Layout, Options, Order, Orientation, Problem, Region, Solution, solve};
+
+const ORDERS: [Order; 2] = [Order::Four, Order::Six];
+
+fn two_states() -> Layout {
+    let line = Region::dense("line", (0.0, 1.0), &["u", "slope"], &[], 1);
+    Layout::dense(vec![line], &["lambda"], &["left", "right"])
+}
+
+/// `u'' = -λ exp(u)`, `u(0) = u(1) = 0`: two solutions below the fold.
+struct Bratu;
+
+impl Model for Bratu {
+    fn layout(&self) -> Layout {
+        two_states()
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], -c[0] * y[0].exp());
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2]);
+    }
+}
+
+fn bratu(height: f64, intervals: usize, order: Order) -> Solution {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), intervals, &[1.0], |_, s, y| {
+        (y[0], y[1]) = (4.0 * height * s * (1.0 - s), 4.0 * height * (1.0 - 2.0 * s));
+    });
+    solve(&problem, &guess, &[], &Options { order, ..Options::default() }).unwrap()
+}
+
+#[test]
+fn orientation_tells_two_solutions_apart_on_any_mesh() {
+    for order in ORDERS {
+        for intervals in [5, 8, 11, 20, 23, 64] {
+            let [low, high] = [0.1, 4.0].map(|height| bratu(height, intervals, order));
+            assert!(low.regions()[0].eval(0.5)[0] < 1.0 && high.regions()[0].eval(0.5)[0] > 3.0);
+            // Linearised at the lower solution, v(1) for v(0) = 0, v'(0) = 1 is positive; at the upper one it is negative.
+            assert_eq!(low.orientation(), bratu(0.1, 10, Order::Four).orientation(), "{intervals}");
+            assert!(low.orientation().is_some() && low.orientation() != high.orientation(), "{intervals}");
+        }
+    }
+}
+
+#[test]
+fn a_solution_far_from_its_guess_is_not_vouched_for() {
+    assert_eq!(bratu(0.14, 20, Order::Four).branch_check(), BranchCheck::Kept);
+    // From a guess between the two, Newton's iteration ends at the one or the other.
+    for (height, upper) in [(2.0, false), (3.0, true)] {
+        let solution = bratu(height, 20, Order::Four);
+        assert_eq!(solution.regions()[0].eval(0.5)[0] > 1.0, upper);
+        assert_eq!(solution.branch_check(), BranchCheck::Strayed { at: 0.0 }, "{height}");
+    }
+}
+
+/// `u' = c`, `u(0) = 0`, `u(1)³ - 3 u(1) + λ = 0`: an S with folds at λ = ±2.
+struct Hysteresis;
+
+impl Model for Hysteresis {
+    fn layout(&self) -> Layout {
+        let line = Region::dense("line", (0.0, 1.0), &["u"], &[], 2);
+        Layout::dense(vec![line], &["c", "lambda"], &["left", "right"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, _: &[S], c: &[S], f: &mut [S]) {
+        f[0] = c[0];
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], c: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[1].powi(3) - e[1] * 3.0 + c[1]);
+    }
+}
+
+#[test]
+fn a_path_that_jumps_at_a_fold_says_so() {
+    let problem = Differentiated::new(Hysteresis).unwrap();
+    let guess = Guess::uniform(problem.layout(), 8, &[2.2, -3.0], |_, s, y| y[0] = 2.2 * s);
+    let to = |lambda: f64| {
+        let path = Ramp::new().linear(1, -3.0, lambda);
+        follow(&problem, &guess, &path, &[0], &PathOptions::default())
+    };
+    let kept = to(1.0).unwrap().solution;
+    assert_eq!(kept.branch_check(), BranchCheck::Kept);
+    assert!(kept.constants()[0] > 1.0, "still on the upper branch");
+    // Beyond the fold at λ = 2 the only solution is on the lower branch: the path ends, or says that it left its branch.
+    if let Ok(jumped) = to(3.0) {
+        assert!(jumped.solution.constants()[0] < -1.0);
+        assert_ne!(jumped.solution.branch_check(), BranchCheck::Kept);
+    }
+}
+
+/// AUTO's demo `bvp`: `u'' = -(λ π)² u + u²`, `u(0) = u(1) = 0`. On the trivial branch there are branch points at every
+/// whole λ.
+struct Eigenvalues;
+
+impl Model for Eigenvalues {
+    fn layout(&self) -> Layout {
+        two_states()
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        let frequency = c[0] * std::f64::consts::PI;
+        (f[0], f[1]) = (y[1], y[0] * y[0] - frequency * frequency * y[0]);
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2]);
+    }
+}
+
+#[test]
+fn the_five_branch_points_of_autos_demo_are_located() {
+    let problem = Differentiated::new(Eigenvalues).unwrap();
+    let guess = Guess::uniform(problem.layout(), 40, &[0.5], |_, _, y| y.fill(0.0));
+    for order in ORDERS {
+        let options = BranchOptions {
+            solve: Options { order, ..Options::default() },
+            range: (0.5, 5.5),
+            largest_step: 0.15,
+            ..BranchOptions::default()
+        };
+        let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+        let found: Vec<f64> = branch.branch_points().map(|point| point.parameter).collect();
+        assert_eq!(found.len(), 5, "{order:?}: {found:?}");
+        for (found, wanted) in found.iter().zip(1..) {
+            // The mesh stays as coarse as the trivial solution allows; its eigenvalues are those of the discrete problem.
+            assert!((found - f64::from(wanted)).abs() < 2e-2, "{order:?}: {found} for {wanted}");
+        }
+        assert_eq!(branch.folds().count(), 0);
+        assert_eq!(branch.points.last().unwrap().kind, PointKind::End);
+        let unwatched = BranchOptions { branch_points: false, ..options };
+        assert_eq!(trace(&problem, &guess, 0, &[], &unwatched, &[]).unwrap().branch_points().count(), 0);
+    }
+}
+
+#[test]
+fn the_orientation_is_that_of_the_problem_itself() {
+    // u'' = -(λ π)² u: v(1) = sin(λ π)/(λ π) for v(0) = 0, v'(0) = 1 changes sign at every whole λ.
+    let problem = Differentiated::new(Eigenvalues).unwrap();
+    let at = |lambda: f64| {
+        let guess = Guess::uniform(problem.layout(), 40, &[lambda], |_, _, y| y.fill(0.0));
+        solve(&problem, &guess, &[], &Options::default()).unwrap().orientation().unwrap()
+    };
+    let signs = [0.5, 1.5, 2.5, 3.5, 4.5].map(at);
+    assert!(signs.windows(2).all(|pair| pair[0] != pair[1]), "{signs:?}");
+    assert!(signs.contains(&Orientation::Positive) && signs.contains(&Orientation::Negative));
+}

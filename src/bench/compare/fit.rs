@@ -1,0 +1,205 @@
+//! Least squares: the engine's scale in closed form, and constants of the model by Levenberg's and Marquardt's method.
+
+use crate::bench::statistics::student;
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+/// A factor on the engine's power that makes model and measurement agree best.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Scale {
+    /// True over tabulated power.
+    pub value: f64,
+    /// Interval that contains it with 95 % confidence, by the scatter of the points.
+    pub interval: (f64, f64),
+    /// Root of the mean square of what remains of the efficiencies' differences.
+    pub rms: f64,
+}
+
+/// The scale s for which Σ (measured/s − model)² is least: linear in 1/s. `None` for fewer than two points.
+pub fn scale(measured: &[f64], model: &[f64]) -> Option<Scale> {
+    let count = measured.len().min(model.len());
+    if count < 2 {
+        return None;
+    }
+    let pairs = || measured.iter().zip(model);
+    let square = measured.iter().map(|d| d * d).sum::<f64>();
+    let inverse = pairs().map(|(d, m)| d * m).sum::<f64>() / square;
+    let left = pairs().map(|(d, m)| (inverse * d - m).powi(2)).sum::<f64>();
+    let half = student(count - 1) * (left / (count as f64 - 1.0) / square).sqrt();
+    let end = |inverse: f64| if inverse > 0.0 { 1.0 / inverse } else { f64::MAX };
+    Some(Scale {
+        value: 1.0 / inverse,
+        interval: (end(inverse + half), end(inverse - half)),
+        rms: (left / count as f64).sqrt(),
+    })
+}
+
+/// Residuals and their derivatives, one row for each point, in the logarithms of the parameters.
+pub struct Linearised {
+    /// Residuals.
+    pub residuals: Vec<f64>,
+    /// Derivatives: one vector for each residual.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// What a fit ends with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fitted {
+    /// Parameters.
+    pub values: Vec<f64>,
+    /// Standard errors of their logarithms; `None` where the data do not determine them.
+    pub errors: Option<Vec<f64>>,
+    /// Correlations of the logarithms.
+    pub correlation: Vec<Vec<f64>>,
+    /// Factor by which a standard error becomes half an interval.
+    pub quantile: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// Whether the last step was small.
+    pub converged: bool,
+    /// Ratio of the largest to the smallest singular value of the derivatives with columns of length one.
+    pub condition: f64,
+}
+
+const ITERATIONS: usize = 40;
+/// Largest change of a logarithm in one step.
+const LARGEST: f64 = 0.4;
+/// Change of the logarithms at which a fit has converged.
+const SMALL: f64 = 1e-6;
+/// Largest damping tried in an iteration.
+const DAMPED: f64 = 1e8;
+
+/// Fits positive parameters. `evaluate` may fail for some of them; then a shorter step is tried.
+///
+/// # Errors
+/// What `evaluate` says of the start.
+pub fn fit<E>(start: &[f64], mut evaluate: impl FnMut(&[f64]) -> Result<Linearised, E>) -> Result<Fitted, E> {
+    let mut values = start.to_vec();
+    let mut here = evaluate(&values)?;
+    let cost = |residuals: &[f64]| residuals.iter().map(|r| r * r).sum::<f64>();
+    let (mut damping, mut iterations, mut converged) = (1e-3, 0, false);
+    while iterations < ITERATIONS && !converged {
+        iterations += 1;
+        let (matrix, residuals) = system(&here, values.len());
+        let (normal, slope) = (matrix.transpose() * &matrix, matrix.transpose() * &residuals);
+        let mut moved = false;
+        while !moved && damping < DAMPED {
+            let mut damped = normal.clone();
+            for at in 0..values.len() {
+                damped[(at, at)] += damping * normal[(at, at)].max(1e-30);
+            }
+            let Some(step) = damped.lu().solve(&(-&slope)).filter(|step| step.iter().all(|value| value.is_finite()))
+            else {
+                damping *= 10.0;
+                continue;
+            };
+            let largest = step.amax();
+            let step = if largest > LARGEST { step * (LARGEST / largest) } else { step };
+            if step.amax() < SMALL {
+                converged = true;
+                break;
+            }
+            let next: Vec<f64> = values.iter().zip(step.iter()).map(|(value, step)| value * step.exp()).collect();
+            match evaluate(&next) {
+                Ok(there) if cost(&there.residuals) < cost(&here.residuals) => {
+                    (values, here, moved) = (next, there, true);
+                    damping = (damping / 10.0).max(1e-9);
+                }
+                // No descent to the precision with which the model is solved: this is the bottom.
+                Ok(there) if cost(&there.residuals) <= cost(&here.residuals) * (1.0 + 1e-7) && step.amax() < 1e-3 => {
+                    converged = true;
+                    break;
+                }
+                _ => damping *= 10.0,
+            }
+        }
+        if !moved {
+            break;
+        }
+    }
+    Ok(finished(&here, values, iterations, converged))
+}
+
+fn system(here: &Linearised, parameters: usize) -> (DMatrix<f64>, DVector<f64>) {
+    let entry = |row: usize, column: usize| here.rows.get(row).and_then(|row| row.get(column)).copied().unwrap_or(0.0);
+    let matrix = DMatrix::from_fn(here.residuals.len(), parameters, entry);
+    (matrix, DVector::from_column_slice(&here.residuals))
+}
+
+/// Condition beyond which the data determine some combination of the parameters only.
+pub const SINGULAR: f64 = 1e6;
+
+fn finished(here: &Linearised, values: Vec<f64>, iterations: usize, converged: bool) -> Fitted {
+    let (matrix, residuals) = system(here, values.len());
+    let (count, parameters) = (residuals.len(), values.len());
+    let lengths: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
+    let mut unit = matrix;
+    for (mut column, length) in unit.column_iter_mut().zip(&lengths) {
+        column /= length.max(1e-300);
+    }
+    let singular = unit.clone().svd(false, false).singular_values;
+    let (largest, smallest) = (singular.max(), singular.min());
+    let condition = if smallest > 0.0 { largest / smallest } else { f64::MAX };
+    let degrees = count.saturating_sub(parameters);
+    let enough = degrees > 0 && condition < SINGULAR && lengths.iter().all(|length| *length > 0.0);
+    let inverse = if enough { (unit.transpose() * &unit).try_inverse() } else { None };
+    let variance = residuals.norm_squared() / degrees.max(1) as f64;
+    let errors = inverse.as_ref().map(|inverse| {
+        let error = |(at, length): (usize, &f64)| (variance * inverse[(at, at)]).max(0.0).sqrt() / length;
+        lengths.iter().enumerate().map(error).collect()
+    });
+    let correlation = inverse.map_or_else(Vec::new, |inverse| {
+        let entry = |a: usize, b: usize| inverse[(a, b)] / (inverse[(a, a)] * inverse[(b, b)]).sqrt();
+        (0..parameters).map(|a| (0..parameters).map(|b| entry(a, b)).collect()).collect()
+    });
+    Fitted { values, errors, correlation, quantile: student(degrees), iterations, converged, condition }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y = a exp(−b x), fitted to itself with a disturbance; the known answer is that of the undisturbed curve.
+    fn curve(parameters: &[f64], noise: f64) -> Linearised {
+        let (a, b) = (parameters[0], parameters[1]);
+        let mut out = Linearised { residuals: Vec::new(), rows: Vec::new() };
+        for at in 0..20 {
+            let x = f64::from(at) * 0.1;
+            let model = a * (-b * x).exp();
+            let data = 3.0 * (-0.7 * x).exp() + noise * if at % 2 == 0 { 1.0 } else { -1.0 };
+            out.residuals.push(data - model);
+            out.rows.push(vec![-model, b * x * model]);
+        }
+        out
+    }
+
+    #[test]
+    fn a_curve_is_found_again() {
+        let found = fit(&[1.0, 2.0], |p| Ok::<_, ()>(curve(p, 0.0))).unwrap();
+        assert!(
+            found.converged && (found.values[0] - 3.0).abs() < 1e-6 && (found.values[1] - 0.7).abs() < 1e-6,
+            "{found:?}"
+        );
+        let noisy = fit(&[1.0, 2.0], |p| Ok::<_, ()>(curve(p, 0.02))).unwrap();
+        let half = noisy.errors.as_ref().unwrap()[0] * noisy.quantile;
+        assert!((noisy.values[0] / 3.0).ln().abs() < half, "{noisy:?}");
+    }
+
+    #[test]
+    fn parameters_that_act_alike_are_found_out() {
+        let alike = |p: &[f64]| {
+            let residuals = (0..5).map(|at| f64::from(at) + 1.0 - p[0] * p[1] * f64::from(at)).collect();
+            let rows = (0..5).map(|at| vec![-p[0] * p[1] * f64::from(at); 2]).collect();
+            Ok::<_, ()>(Linearised { residuals, rows })
+        };
+        let found = fit(&[1.0, 1.5], alike).unwrap();
+        assert!(found.errors.is_none() && found.condition > SINGULAR, "{found:?}");
+    }
+
+    #[test]
+    fn the_scale_in_closed_form() {
+        let found = scale(&[0.8, 0.82, 0.84], &[0.88, 0.902, 0.924]).unwrap();
+        assert!((found.value - 1.0 / 1.1).abs() < 1e-12 && found.rms < 1e-12, "{found:?}");
+        assert!(scale(&[0.8], &[0.9]).is_none());
+    }
+}

@@ -1,0 +1,16 @@
+//! Measured operating points against the model, and constants of the model fitted to them.
+
+mod actuator;
+pub mod fit;
+mod measured;
+mod model;
+mod show;
+
+pub use actuator::{Actuator, TABLE as ACTUATOR_KEYS};
+pub use fit::{Scale, scale};
+pub use measured::{BadRow, Measured, Table, parse, read};
+pub use model::{Clamp, Compared, Comparison, Fit, FittedConstant, Options, Radii, compare};
+pub use show::{figures, summary};
+
+/// The key under which the engine's scale is fitted beside constants of the case.
+pub const ENGINE_SCALE: &str = "engine.scale";

@@ -1,0 +1,527 @@
+//! The model at measured operating points.
+
+use super::ENGINE_SCALE;
+use super::actuator::Actuator;
+use super::fit::{self, Linearised, Scale};
+use super::measured::{BadRow, Measured, Table};
+use crate::bench::error::{BenchError, Problem};
+use crate::case::{Case, Free, Key, Kind, Resolved};
+use crate::clock::Stopwatch;
+use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
+use crate::result::{interpret, sensitivities};
+use serde::Serialize;
+
+/// What holds the belt tight at the measured points.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Clamp {
+    /// What the case says.
+    OfCase,
+    /// Flyweights and spring of the primary (9.3).
+    Actuator(Actuator),
+}
+
+/// What the radii follow from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Radii {
+    /// Both speeds and the belt's length: the belt slips in the model as it does on the bench.
+    Speeds,
+    /// The ratio of the speeds, which counts as that of the radii, by (6.12): as section 9.4 of the thesis has it.
+    Ratio,
+}
+
+/// How points are compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Relative tolerance of the solutions.
+    pub tolerance: f64,
+    /// The clamp.
+    pub clamp: Clamp,
+    /// The radii.
+    pub radii: Radii,
+    /// Whether input power comes from an engine's curve whose scale is not known.
+    pub scaled: bool,
+    /// Keys that are fitted: those of a case, or [`ENGINE_SCALE`].
+    pub fit: Vec<String>,
+}
+
+/// One point with what the model says, SI.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Compared {
+    /// Run of the table.
+    pub run: String,
+    /// Step of the table.
+    pub step: Option<f64>,
+    /// ω_P, rad/s.
+    pub primary_speed: f64,
+    /// ω_S, rad/s.
+    pub secondary_speed: f64,
+    /// Torque out of the secondary, N·m.
+    pub secondary_torque: f64,
+    /// Torque into the primary by measurement or the engine's curve, N·m.
+    pub primary_torque: Option<f64>,
+    /// ω_P/ω_S.
+    pub speed_ratio: Option<f64>,
+    /// R_P in the model, m.
+    pub primary_radius: Option<f64>,
+    /// Axial force on the primary in the model, N.
+    pub primary_axial_force: Option<f64>,
+    /// Measured, by the engine's curve as it is.
+    pub efficiency_measured: Option<f64>,
+    /// Standard error of the measured efficiency.
+    pub efficiency_error: Option<f64>,
+    /// The model's.
+    pub efficiency_model: Option<f64>,
+    /// Whether the point counts.
+    pub used: bool,
+    /// Why it does not.
+    pub reason: Option<String>,
+}
+
+/// A constant that was fitted, SI.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FittedConstant {
+    /// Its key.
+    pub key: String,
+    /// Where the search started.
+    pub start: f64,
+    /// Its value.
+    pub value: f64,
+    /// Standard error; `None` where the data do not determine it.
+    pub standard_error: Option<f64>,
+    /// Interval that contains it with 95 % confidence.
+    pub interval: Option<(f64, f64)>,
+}
+
+/// A fit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fit {
+    /// What was fitted.
+    pub constants: Vec<FittedConstant>,
+    /// Correlations of the constants' logarithms.
+    pub correlation: Vec<Vec<f64>>,
+    /// Iterations.
+    pub iterations: usize,
+    /// Whether it converged.
+    pub converged: bool,
+    /// Condition of the derivatives.
+    pub condition: f64,
+    /// Whether points count by their standard errors; else all count the same.
+    pub weighted: bool,
+    /// Root of the mean square of what remains.
+    pub rms: f64,
+}
+
+/// The comparison.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// All points, in the order of the table.
+    pub points: Vec<Compared>,
+    /// Rows of the table that are no points.
+    pub bad_rows: Vec<BadRow>,
+    /// Factor on the engine's power that makes both agree best; 1 where the input torque was measured.
+    pub scale: f64,
+    /// Its interval of 95 % confidence.
+    pub scale_interval: [f64; 2],
+    /// Mean of model less measurement.
+    pub mean_error: f64,
+    /// Root of the mean square of the difference.
+    pub rms: f64,
+    /// The same with the scale.
+    pub rms_after_scale: f64,
+    /// R² of the measurements about the model.
+    pub r_squared: f64,
+    /// The same with the scale.
+    pub r_squared_after_scale: f64,
+    /// The fit, if one was asked for.
+    pub fit: Option<Fit>,
+    /// What a reader should know.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+/// A point on its way through the model.
+struct Point {
+    /// Its place in the table.
+    place: usize,
+    case: Case,
+    /// The last solution.
+    solved: Option<Solved>,
+}
+
+/// What the model says of a point.
+struct Said {
+    efficiency: f64,
+    /// Derivatives by the fitted keys of the case.
+    gradient: Vec<f64>,
+    axial_force: f64,
+    primary_radius: f64,
+    solved: Solved,
+}
+
+/// Keys that measured points take the place of.
+const REPLACED: [Key; 9] = [
+    Key::PrimarySpeed,
+    Key::SecondarySpeed,
+    Key::PrimaryTorque,
+    Key::SecondaryTorque,
+    Key::SpeedRatio,
+    Key::PrimaryRadius,
+    Key::SecondaryRadius,
+    Key::Ratio,
+    Key::Free,
+];
+/// Keys of the clamp.
+const CLAMPS: [Key; 6] = [
+    Key::SlackTension,
+    Key::TightTension,
+    Key::PrimaryAxialForce,
+    Key::SecondaryAxialForce,
+    Key::SlipReserve,
+    Key::FrictionUtilization,
+];
+/// The output that is compared.
+const EFFICIENCY: &str = "efficiency.overall";
+/// Correlation from which on two constants can hardly be told from each other.
+const CORRELATED: f64 = 0.95;
+
+/// Compares a table of points with the model: each is solved with its measured speeds and output torque.
+///
+/// # Errors
+/// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the model can
+/// solve, or fewer points than constants to fit.
+pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Comparison, BenchError> {
+    let keys = keys(base, options)?;
+    let mut warnings = Vec::new();
+    let mut points: Vec<Compared> = table.points.iter().map(compared).collect();
+    let mut ways = Vec::new();
+    for (place, measured) in table.points.iter().enumerate() {
+        if measured.reason.is_some() {
+            continue;
+        }
+        let Some(point) = points.get_mut(place) else { continue };
+        match set_up(base, measured, options) {
+            Ok(case) => ways.push(Point { place, case, solved: None }),
+            Err(reason) => point.exclude(reason),
+        }
+    }
+    // Neighbours are solved from each other.
+    let ratio = |point: &Point| points.get(point.place).and_then(|point| point.speed_ratio).unwrap_or(0.0);
+    ways.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+    let mut trail: Option<Solved> = None;
+    ways.retain_mut(|point| match evaluate(&point.case, trail.as_ref(), options.tolerance, &[]) {
+        Ok(said) => {
+            trail = Some(said.solved.clone());
+            if let Some(compared) = points.get_mut(point.place) {
+                compared.take(&said);
+            }
+            point.solved = Some(said.solved);
+            true
+        }
+        Err(reason) => {
+            if let Some(compared) = points.get_mut(point.place) {
+                compared.exclude(format!("the model has no solution: {reason}"));
+            }
+            false
+        }
+    });
+    let parameters = keys.len() + usize::from(options.fit.iter().any(|key| key == ENGINE_SCALE));
+    if ways.len() < 2.max(parameters + 1) {
+        let first = points.iter().find_map(|point| point.reason.clone()).unwrap_or_default();
+        let reason =
+            format!("{} points are left, too few to compare and fit with; the first that is not: {first}", ways.len());
+        return Err(Problem::NoData { path: "the table of points".into(), reason }.into());
+    }
+    let fit = if options.fit.is_empty() {
+        None
+    } else {
+        Some(fitted(&mut ways, &mut points, &keys, options, &mut warnings)?)
+    };
+    let mut comparison = statistics(points, table.bad, fit, options.scaled, warnings);
+    for bad in comparison.bad_rows.iter().take(5) {
+        comparison.warnings.push(format!("line {} is no operating point: {}", bad.line, bad.reason));
+    }
+    Ok(comparison)
+}
+
+/// The keys of the case that are fitted, with the values at which the search starts.
+fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
+    let resolved = base.resolve().map_err(|error| BenchError::from(unusable("case", error.to_string())))?;
+    let settings = resolved.settings();
+    let mut keys: Vec<(Key, f64)> = Vec::new();
+    for name in options.fit.iter().filter(|name| *name != ENGINE_SCALE) {
+        let key = Key::from_path(name).filter(|key| {
+            let section = key.entry().section();
+            let clamp = CLAMPS.contains(key) && options.clamp == Clamp::OfCase;
+            matches!(key.entry().kind, Kind::Quantity { .. }) && (["belt", "sheave"].contains(&section) || clamp)
+        });
+        let value = key.and_then(|key| {
+            let (_, setting) = settings.iter().find(|(other, _)| *other == key)?;
+            match setting {
+                crate::case::Setting::Number(value) => Some((key, *value)),
+                crate::case::Setting::Name(_) => None,
+            }
+        });
+        match value {
+            Some((Key::BeltLength, _)) | None => {
+                let reason = format!(
+                    "`{name}` cannot be fitted: expected {ENGINE_SCALE}, a constant of belt or sheave other than belt.length, \
+                     or the case's own clamp, such as operating_point.slack_tension"
+                );
+                return Err(unusable("--fit", reason).into());
+            }
+            Some(entry) if keys.contains(&entry) => {
+                return Err(unusable("--fit", format!("`{name}` is given twice")).into());
+            }
+            Some(entry) => keys.push(entry),
+        }
+    }
+    if options.fit.iter().any(|name| name == ENGINE_SCALE) && !options.scaled {
+        return Err(unusable("--fit", format!("{ENGINE_SCALE} needs the engine's curve (--engine)")).into());
+    }
+    Ok(keys)
+}
+
+fn unusable(path: &str, reason: String) -> Problem {
+    Problem::Unusable { path: path.into(), reason }
+}
+
+fn compared(measured: &Measured) -> Compared {
+    let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+    Compared {
+        run: measured.run.clone(),
+        step: measured.step,
+        primary_speed: measured.primary_speed,
+        secondary_speed: measured.secondary_speed,
+        secondary_torque: measured.secondary_torque,
+        primary_torque: finite(measured.primary_torque),
+        speed_ratio: finite(measured.primary_speed / measured.secondary_speed),
+        primary_radius: None,
+        primary_axial_force: None,
+        efficiency_measured: finite(measured.efficiency),
+        efficiency_error: measured.efficiency_error,
+        efficiency_model: None,
+        used: measured.reason.is_none(),
+        reason: measured.reason.clone(),
+    }
+}
+
+impl Compared {
+    fn exclude(&mut self, reason: String) {
+        self.used = false;
+        self.reason = Some(reason);
+    }
+
+    fn take(&mut self, said: &Said) {
+        self.efficiency_model = Some(said.efficiency);
+        self.primary_axial_force = Some(said.axial_force);
+        self.primary_radius = Some(said.primary_radius);
+    }
+}
+
+/// The case of a point.
+fn set_up(base: &Case, measured: &Measured, options: &Options) -> Result<Case, String> {
+    let mut case = base.clone();
+    let said = |error: crate::case::CaseError| error.to_string();
+    for key in REPLACED {
+        case.unset(key.path()).map_err(said)?;
+    }
+    case.set_si(Key::PrimarySpeed, measured.primary_speed).map_err(said)?;
+    case.set_si(Key::SecondaryTorque, measured.secondary_torque).map_err(said)?;
+    case.set_si(Key::Ratio, measured.primary_speed / measured.secondary_speed).map_err(said)?;
+    let resolved = case.resolve().map_err(said)?;
+    if options.radii == Radii::Speeds {
+        case.unset(Key::Ratio.path()).map_err(said)?;
+        case.set(Key::Free.path(), Free::Both.name()).map_err(said)?;
+        case.set_si(Key::SecondarySpeed, measured.secondary_speed).map_err(said)?;
+    }
+    if let Clamp::Actuator(actuator) = &options.clamp {
+        for key in CLAMPS {
+            case.unset(key.path()).map_err(said)?;
+        }
+        // Slip moves the radius by less than the table of flyweights is exact to.
+        let (radius, angle) = (resolved.drive.primary_radius, resolved.sheave.half_angle);
+        case.set_si(Key::PrimaryAxialForce, actuator.axial_force(radius, measured.primary_speed, angle)?)
+            .map_err(said)?;
+    }
+    Ok(case)
+}
+
+/// Solves a case, from a solution nearby if that can be; derivatives by `keys`.
+fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, String> {
+    let resolved: Resolved = case.resolve().map_err(|error| error.to_string())?;
+    case.check_posed(&resolved).map_err(|error| error.to_string())?;
+    let options = SolveOptions { tolerance, ..SolveOptions::default() };
+    let warm = near.and_then(|near| solve_along(&[near], &resolved, &options).ok());
+    let solved = match warm {
+        Some(solved) => solved,
+        None => solve(&resolved, &options).map_err(|failure| failure.to_string())?,
+    };
+    let mut gradient = Vec::new();
+    if !keys.is_empty() {
+        let all = sensitivities(&solved).map_err(|error| error.to_string())?;
+        let row = all.get(EFFICIENCY).ok_or_else(|| format!("{EFFICIENCY} has no derivatives"))?;
+        for (key, _) in keys {
+            let derivative = row.get(key.path()).copied().filter(|value| value.is_finite());
+            gradient.push(derivative.ok_or_else(|| format!("nothing is known of the derivative by {}", key.path()))?);
+        }
+    }
+    let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(|failure| failure.to_string())?;
+    let (efficiency, axial_force) = (outcome.result.efficiency.overall, outcome.result.primary.axial_force);
+    let efficiency = efficiency.ok_or("the drive takes power from its output: it has no efficiency")?;
+    let primary_radius = outcome.solved.constant(Constant::PrimaryRadius);
+    Ok(Said { efficiency, gradient, axial_force, primary_radius, solved: outcome.solved })
+}
+
+/// Fits constants to the points; they then have what the model says with the fitted ones.
+fn fitted(
+    ways: &mut [Point],
+    points: &mut [Compared],
+    keys: &[(Key, f64)],
+    options: &Options,
+    warnings: &mut Vec<String>,
+) -> Result<Fit, BenchError> {
+    let scaled = options.fit.iter().any(|key| key == ENGINE_SCALE);
+    let data: Vec<(f64, Option<f64>)> = ways
+        .iter()
+        .map(|way| {
+            points
+                .get(way.place)
+                .map_or((f64::NAN, None), |p| (p.efficiency_measured.unwrap_or(f64::NAN), p.efficiency_error))
+        })
+        .collect();
+    let weighted = data.iter().all(|(_, error)| error.is_some_and(|error| error > 0.0));
+    // Errors of a few samples are uncertain themselves: beside the typical one, none makes a point count for all.
+    let typical = data.iter().filter_map(|(_, error)| *error).sum::<f64>() / data.len() as f64;
+    let weight = |error: Option<f64>| if weighted { typical / typical.hypot(error.unwrap_or(typical)) } else { 1.0 };
+    let mut start: Vec<f64> = keys.iter().map(|(_, value)| *value).collect();
+    if scaled {
+        let model: Vec<f64> = ways.iter().filter_map(|way| points.get(way.place)?.efficiency_model).collect();
+        let measured: Vec<f64> = data.iter().map(|(value, _)| *value).collect();
+        start.push(fit::scale(&measured, &model).map_or(1.0, |scale| scale.value));
+    }
+    let found = fit::fit(&start, |values| {
+        let said = all(ways, keys, values, options.tolerance)?;
+        let scale = if scaled { values.last().copied().unwrap_or(1.0) } else { 1.0 };
+        let mut out = Linearised { residuals: Vec::new(), rows: Vec::new() };
+        for (said, (measured, error)) in said.iter().zip(&data) {
+            let weight = weight(*error);
+            out.residuals.push(weight * (measured / scale - said.efficiency));
+            let mut row: Vec<f64> =
+                said.gradient.iter().zip(values).map(|(slope, value)| -weight * slope * value).collect();
+            if scaled {
+                row.push(-weight * measured / scale);
+            }
+            out.rows.push(row);
+        }
+        for (way, said) in ways.iter_mut().zip(&said) {
+            way.solved = Some(said.solved.clone());
+        }
+        Ok::<_, String>(out)
+    });
+    let found = found.map_err(|reason| BenchError::from(unusable("--fit", reason)))?;
+    let said = all(ways, keys, &found.values, options.tolerance)
+        .map_err(|reason| BenchError::from(unusable("--fit", reason)))?;
+    let mut square = 0.0;
+    let scale = if scaled { found.values.last().copied().unwrap_or(1.0) } else { 1.0 };
+    for ((way, said), (measured, _)) in ways.iter().zip(&said).zip(&data) {
+        square += (measured / scale - said.efficiency).powi(2);
+        if let Some(point) = points.get_mut(way.place) {
+            point.take(said);
+        }
+    }
+    let mut names: Vec<&str> = keys.iter().map(|(key, _)| key.path()).collect();
+    names.extend(scaled.then_some(ENGINE_SCALE));
+    say(&names, &found, warnings);
+    let constant = |(at, name): (usize, &&str)| {
+        let (start, value) = (start.get(at).copied()?, found.values.get(at).copied()?);
+        let error = found.errors.as_ref().and_then(|errors| errors.get(at).copied());
+        let interval = error.map(|error| {
+            let half = (error * found.quantile).min(300.0);
+            (value * (-half).exp(), value * half.exp())
+        });
+        Some(FittedConstant { key: (*name).into(), start, value, standard_error: error.map(|e| e * value), interval })
+    };
+    Ok(Fit {
+        constants: names.iter().enumerate().filter_map(constant).collect(),
+        correlation: found.correlation.clone(),
+        iterations: found.iterations,
+        converged: found.converged,
+        condition: found.condition,
+        weighted,
+        rms: (square / data.len() as f64).sqrt(),
+    })
+}
+
+/// The model at all points with other values of the fitted keys.
+fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> Result<Vec<Said>, String> {
+    let said = crate::threads::collect(ways, |way| {
+        let mut case = way.case.clone();
+        for ((key, _), value) in keys.iter().zip(values) {
+            case.set_si(*key, *value).map_err(|error| error.to_string())?;
+        }
+        evaluate(&case, way.solved.as_ref(), tolerance, keys)
+    });
+    said.into_iter().collect()
+}
+
+/// What the data cannot tell.
+fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
+    if !found.converged {
+        warnings.push(format!("the fit has not converged in {} iterations", found.iterations));
+    }
+    if found.errors.is_none() {
+        warnings.push(format!(
+            "the data do not determine {} together: some combination of them leaves all efficiencies as they are; fit fewer",
+            names.join(", ")
+        ));
+    }
+    for (a, row) in found.correlation.iter().enumerate() {
+        for (b, correlation) in row.iter().enumerate().skip(a + 1) {
+            if let (true, Some(one), Some(other)) = (correlation.abs() > CORRELATED, names.get(a), names.get(b)) {
+                warnings.push(format!(
+                    "the data can hardly tell {one} from {other}: their estimates are correlated by {correlation:+.3}"
+                ));
+            }
+        }
+    }
+    for (name, error) in names.iter().zip(found.errors.iter().flatten()) {
+        if error * found.quantile > 1.0 {
+            warnings.push(format!("the data hardly determine {name}: its interval spans more than a factor of seven"));
+        }
+    }
+}
+
+fn statistics(
+    points: Vec<Compared>,
+    bad_rows: Vec<BadRow>,
+    fit: Option<Fit>,
+    scaled: bool,
+    warnings: Vec<String>,
+) -> Comparison {
+    let pairs = points.iter().filter(|point| point.used);
+    let (measured, model): (Vec<f64>, Vec<f64>) =
+        pairs.filter_map(|point| point.efficiency_measured.zip(point.efficiency_model)).unzip();
+    let count = measured.len().max(1) as f64;
+    let sum = |value: &dyn Fn(f64, f64) -> f64| measured.iter().zip(&model).map(|(d, m)| value(*d, *m)).sum::<f64>();
+    let mean = measured.iter().sum::<f64>() / count;
+    let spread = sum(&|d, _| (d - mean).powi(2));
+    let square = sum(&|d, m| (m - d).powi(2));
+    let mean_error = sum(&|d, m| m - d) / count;
+    let rms = (square / count).sqrt();
+    let one = Scale { value: 1.0, interval: (1.0, 1.0), rms };
+    let best = if scaled { fit::scale(&measured, &model).unwrap_or(one) } else { one };
+    let after = sum(&|d, m| (m - d / best.value).powi(2));
+    Comparison {
+        points,
+        bad_rows,
+        scale: best.value,
+        scale_interval: best.interval.into(),
+        mean_error,
+        rms,
+        rms_after_scale: best.rms,
+        r_squared: 1.0 - square / spread,
+        r_squared_after_scale: 1.0 - after * best.value.powi(2) / spread,
+        fit,
+        warnings,
+    }
+}

@@ -1,0 +1,53 @@
+//! The calibration of the torque sensor: ADC = m T + b (9.1).
+
+use crate::bench::error::{BenchError, Problem};
+use crate::bench::statistics::Line;
+use std::path::Path;
+
+/// Rows that a calibration may have.
+const ROWS: usize = 10_000_000;
+
+/// Reads a calibration: rows of torque in N·m and ADC, which are fitted (a header such as `torque,adc` may stand in front), or rows
+/// of slope, intercept and R² as the test stand keeps them, of which the last applies.
+///
+/// # Errors
+/// A file that cannot be read; rows that are neither; a line that does not rise.
+pub fn read(path: &Path) -> Result<Line, BenchError> {
+    let bytes = std::fs::read(path).map_err(|error| BenchError::read(path, &error))?;
+    parse(&path.display().to_string(), &bytes)
+}
+
+/// As [`read`], from the bytes of a file.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
+    let (mut points, mut stored) = (Vec::new(), None);
+    for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
+        let bad = |reason: &str| BenchError::from(Problem::Line { path: name.into(), line, reason: reason.into() });
+        let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?.trim();
+        if text.is_empty() || text.starts_with('#') {
+            continue;
+        }
+        let cells: Vec<Option<f64>> =
+            text.split(',').map(|cell| cell.trim().parse::<f64>().ok().filter(|value| value.is_finite())).collect();
+        match cells.as_slice() {
+            [Some(torque), Some(adc)] if stored.is_none() && points.len() < ROWS => points.push((*torque, *adc)),
+            [Some(slope), Some(intercept), Some(r_squared)] if points.is_empty() => {
+                stored = Some(Line::given(*slope, *intercept, *r_squared));
+            }
+            // A header.
+            _ if points.is_empty() && stored.is_none() && cells.iter().all(Option::is_none) => {}
+            _ => return Err(bad("expected torque and ADC, or slope, intercept and R², as numbers in every row")),
+        }
+    }
+    let line = match stored {
+        Some(line) => line,
+        None => Line::fit(name, &points)?,
+    };
+    if line.slope == 0.0 {
+        let reason = "the slope is zero: the sensor does not answer to torque".into();
+        return Err(Problem::Unusable { path: name.into(), reason }.into());
+    }
+    Ok(line)
+}

@@ -1,0 +1,181 @@
+//! The formats of logs: which columns a file has, and what they mean.
+
+use super::CHANNELS;
+use serde::Serialize;
+
+/// What is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Channel {
+    /// Speed of the primary, rpm.
+    Primary,
+    /// Speed of the secondary, rpm.
+    Secondary,
+    /// Torque, N·m.
+    Torque,
+}
+
+impl Channel {
+    /// All channels, in the order in which samples carry them.
+    pub const ALL: [Self; CHANNELS] = [Self::Primary, Self::Secondary, Self::Torque];
+}
+
+/// A column that is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Column {
+    /// Its place in a row, from 0.
+    pub place: usize,
+    /// What it measures.
+    pub channel: Channel,
+    /// The values that can have been measured, both ends included, as the file has them.
+    pub range: (f64, f64),
+    /// Whether the values are raw ones of an analogue-to-digital converter.
+    pub raw: bool,
+}
+
+/// How a file is to be read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Format {
+    /// Seconds per tick of the first column.
+    pub tick: f64,
+    /// Columns that are read.
+    pub columns: Vec<Column>,
+    /// Whether a cell may be empty: the channel has no sample at that time.
+    pub sparse: bool,
+    /// Whether the first line is a header.
+    pub header: bool,
+}
+
+/// Speeds that a sensor can have measured, rpm.
+const SPEEDS: (f64, f64) = (0.0, 20_000.0);
+/// Torques that a sensor can have measured, N·m.
+const TORQUES: (f64, f64) = (-1000.0, 1000.0);
+/// What a converter of 16 bits gives off its rails.
+const CONVERTER: (f64, f64) = (1.0, 65_534.0);
+
+/// The kind and the number of a file of one channel: `P_12.csv`, `ADC_0.csv.gz`.
+pub fn step_file(name: &str) -> Option<(Kind, u64)> {
+    let stem = name.strip_suffix(".gz").unwrap_or(name).strip_suffix(".csv")?;
+    let (kind, number) = stem.rsplit_once('_')?;
+    let kind = match kind {
+        "P" => Kind::Primary,
+        "S" => Kind::Secondary,
+        "ADC" => Kind::Converter,
+        "TORQUE" => Kind::Torque,
+        _ => return None,
+    };
+    number.parse().ok().filter(|_| number.bytes().all(|byte| byte.is_ascii_digit())).map(|number| (kind, number))
+}
+
+/// What a file of one channel has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Speed of the primary.
+    Primary,
+    /// Speed of the secondary.
+    Secondary,
+    /// Raw values of the converter.
+    Converter,
+    /// Torque.
+    Torque,
+}
+
+impl Kind {
+    /// How such a file is read: time in µs, value.
+    pub fn format(self) -> Format {
+        let (channel, range, raw) = match self {
+            Self::Primary => (Channel::Primary, SPEEDS, false),
+            Self::Secondary => (Channel::Secondary, SPEEDS, false),
+            Self::Converter => (Channel::Torque, CONVERTER, true),
+            Self::Torque => (Channel::Torque, TORQUES, false),
+        };
+        let columns = vec![Column { place: 1, channel, range, raw }];
+        Format { tick: 1e-6, columns, sparse: false, header: false }
+    }
+}
+
+/// Names of columns that are read from a log with a header.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Names {
+    /// Speed of the primary, or of the engine.
+    pub primary: Option<String>,
+    /// Speed of the secondary, or of a shaft behind it.
+    pub secondary: Option<String>,
+    /// Torque.
+    pub torque: Option<String>,
+}
+
+/// Names that need not be given, for each channel.
+const KNOWN: [&[&str]; CHANNELS] = [
+    &["primary_rpm", "primary", "engine_rpm"],
+    &["secondary_rpm", "secondary"],
+    &["torque", "torque_nm", "secondary_torque", "secondary_torque_nm", "adc"],
+];
+
+/// How a file with this first line is read.
+///
+/// # Errors
+/// What the header lacks, and what it has.
+pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
+    let text = std::str::from_utf8(line).map_err(|_| "the first line is no text".to_owned())?;
+    let cells: Vec<Cell> = text.trim_start_matches('\u{feff}').split(',').map(Cell::read).collect();
+    let rich = cells.iter().any(|cell| cell.range.is_some());
+    let tick = match cells.first() {
+        Some(cell) if rich && cell.unit == "ms" => 1e-3,
+        Some(cell) if !rich => match cell.name.as_str() {
+            "timestamp_ms" | "time_ms" => 1e-3,
+            "timestamp_us" | "time_us" => 1e-6,
+            "timestamp_s" | "time_s" => 1.0,
+            other => return Err(format!("the first column is `{other}`: expected a time such as `timestamp_ms`")),
+        },
+        _ => return Err("the first column is no time in ms".into()),
+    };
+    let mut columns = Vec::new();
+    let asked = [&names.primary, &names.secondary, &names.torque];
+    for ((channel, asked), known) in Channel::ALL.into_iter().zip(asked).zip(KNOWN) {
+        let named = |name: &str| cells.iter().position(|cell| cell.name.eq_ignore_ascii_case(name));
+        let place = match asked {
+            Some(name) => Some(named(name).ok_or_else(|| {
+                let all: Vec<&str> = cells.iter().map(|cell| cell.name.as_str()).collect();
+                format!("there is no column `{name}`: the header has {}", all.join(", "))
+            })?),
+            None => known.iter().find_map(|name| named(name)),
+        };
+        let Some(place) = place else { continue };
+        let raw = cells.get(place).is_some_and(|cell| cell.name.eq_ignore_ascii_case("adc"));
+        let usual = match channel {
+            Channel::Primary | Channel::Secondary => SPEEDS,
+            Channel::Torque if raw => CONVERTER,
+            Channel::Torque => TORQUES,
+        };
+        let range = cells.get(place).and_then(|cell| cell.range).unwrap_or(usual);
+        columns.push(Column { place, channel, range, raw });
+    }
+    if columns.is_empty() {
+        let all: Vec<&str> = cells.iter().map(|cell| cell.name.as_str()).collect();
+        return Err(format!(
+            "none of its columns is known ({}); say which are the speeds with --primary and --secondary",
+            all.join(", ")
+        ));
+    }
+    Ok(Format { tick, columns, sparse: rich, header: true })
+}
+
+/// One cell of a header: a name, or as RaceCapture writes them `"RPM2"|"rpm"|0|8000|50`: name, unit, smallest and largest
+/// value, samples per second.
+struct Cell {
+    name: String,
+    unit: String,
+    range: Option<(f64, f64)>,
+}
+
+impl Cell {
+    fn read(text: &str) -> Self {
+        let mut parts = text.split('|').map(|part| part.trim().trim_matches('"').to_owned());
+        let name = parts.next().unwrap_or_default();
+        let unit = parts.next().unwrap_or_default();
+        let mut number = || parts.next().and_then(|part| part.parse::<f64>().ok()).filter(|value| value.is_finite());
+        let range = number().zip(number());
+        Self { name, unit, range }
+    }
+}

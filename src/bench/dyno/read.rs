@@ -1,0 +1,434 @@
+//! Which files belong together, and how they become points.
+
+use super::format::{Kind, by_header, step_file};
+use super::lines::{Line, Lines};
+use super::stream::Stream;
+use super::uniform::{Row, Uniform};
+use super::{CHANNELS, Channel, Faults, Format, Options, Point, Sample};
+use crate::bench::error::{BenchError, Problem};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A step of a test, or a log: files that share a clock.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// What it is called.
+    pub name: String,
+    /// Number of the step, for files of one channel each.
+    pub step: Option<u64>,
+    /// The files; of a log, one, whose header says what it has.
+    pub files: Vec<LogFile>,
+}
+
+/// A file, and what it has if its name says so.
+pub type LogFile = (PathBuf, Option<Kind>);
+
+/// A folder and the number of a step.
+type Step = (PathBuf, u64);
+
+/// A time window of a log.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Run {
+    /// Name of the file, without `.gz`.
+    pub file: String,
+    /// s.
+    pub start: f64,
+    /// s.
+    pub end: f64,
+}
+
+/// What was read of one file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FileReport {
+    /// Its path.
+    pub file: String,
+    /// Rows, good and bad.
+    pub rows: u64,
+    /// What was wrong with rows.
+    pub faults: Faults,
+    /// How often the counter of the time wrapped, and was taken on.
+    pub time_wraps: u64,
+    /// How often time jumped: a pause or a reset.
+    pub time_jumps: u64,
+    /// Why nothing, or not all of it, could be read.
+    pub problem: Option<String>,
+}
+
+/// What became of a record.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RecordReport {
+    /// What it is called.
+    pub record: String,
+    /// Its files.
+    pub files: Vec<FileReport>,
+    /// Uniform samples that came out.
+    pub samples: u64,
+    /// Gaps that were not bridged.
+    pub gaps: u64,
+    /// Points that are steady.
+    pub steady: u64,
+    /// Windows, or steps, that are not.
+    pub unsteady: u64,
+    /// Samples of windows too short to be averaged.
+    pub left_over: u64,
+    /// Largest number of samples in memory at once.
+    pub resident: usize,
+    /// Speeds over time for a figure, thinned: s, rpm of the primary, rpm of the secondary.
+    #[serde(skip)]
+    pub trace: Vec<(f64, f64, f64)>,
+}
+
+/// Files of a folder that are looked at.
+const FILES: usize = 1_000_000;
+/// Points of a trace.
+const TRACE: usize = 2000;
+/// Share of a window that a shorter piece must have to be averaged.
+const SHORTEST: f64 = 0.3;
+/// Hops by which a window moves on where nothing is steady.
+const HOPS: usize = 6;
+
+/// Sorts files, and the files of folders, into records: files of one channel by folder and number, every other for itself.
+///
+/// # Errors
+/// A path that does not exist, or nothing that is a log.
+pub fn records(paths: &[PathBuf]) -> Result<Vec<Record>, BenchError> {
+    let mut steps: BTreeMap<Step, Vec<LogFile>> = BTreeMap::new();
+    let mut logs = Vec::new();
+    for path in paths {
+        let metadata = std::fs::metadata(path).map_err(|error| BenchError::read(path, &error))?;
+        let files = if metadata.is_dir() { folder(path)? } else { vec![path.clone()] };
+        for file in files {
+            let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            match step_file(name) {
+                Some((kind, number)) => {
+                    let parent = file.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+                    steps.entry((parent, number)).or_default().push((file, Some(kind)));
+                }
+                None => logs.push(Record { name: file.display().to_string(), step: None, files: vec![(file, None)] }),
+            }
+        }
+    }
+    let several = steps.keys().map(|(folder, _)| folder).collect::<std::collections::BTreeSet<_>>().len() > 1;
+    let step = |((folder, number), mut files): (Step, Vec<LogFile>)| {
+        files.sort();
+        let name = if several { format!("{} step {number}", folder.display()) } else { format!("step {number}") };
+        Record { name, step: Some(number), files }
+    };
+    let mut records: Vec<Record> = steps.into_iter().map(step).collect();
+    records.append(&mut logs);
+    if records.is_empty() {
+        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        let reason =
+            "it has neither files such as P_0.csv, S_0.csv, ADC_0.csv, TORQUE_0.csv nor logs (.csv, .log, with or \
+                      without .gz)"
+                .into();
+        return Err(Problem::NoData { path: names.join(", "), reason }.into());
+    }
+    Ok(records)
+}
+
+/// The files of a folder that can be logs, in the order of their names.
+fn folder(path: &Path) -> Result<Vec<PathBuf>, BenchError> {
+    let entries = std::fs::read_dir(path).map_err(|error| BenchError::read(path, &error))?;
+    let log = |path: &PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        let stem = name.strip_suffix(".gz").unwrap_or(name);
+        let extra =
+            ["calibration", "engine", "cal_values", "tunes", "operating-points"].iter().any(|w| stem.starts_with(w));
+        path.is_file() && !extra && (stem.ends_with(".csv") || stem.ends_with(".log"))
+    };
+    let mut files: Vec<PathBuf> =
+        entries.take(FILES).filter_map(|entry| entry.ok().map(|entry| entry.path())).filter(log).collect();
+    files.sort();
+    Ok(files)
+}
+
+/// Reads time windows of logs: a table with the columns `logfile`, `t_start` and `t_end` in ms, others aside.
+///
+/// # Errors
+/// A file that cannot be read, a header without these columns, a row without them.
+pub fn runs(path: &Path) -> Result<Vec<Run>, BenchError> {
+    let bytes = std::fs::read(path).map_err(|error| BenchError::read(path, &error))?;
+    parse_runs(&path.display().to_string(), &bytes)
+}
+
+pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchError> {
+    let mut places: Option<[usize; 3]> = None;
+    let mut runs = Vec::new();
+    for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')).take(FILES) {
+        let bad = |reason: &str| BenchError::from(Problem::Line { path: path.into(), line, reason: reason.into() });
+        let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?.trim();
+        if text.is_empty() {
+            continue;
+        }
+        let cells: Vec<&str> = text.split(',').map(str::trim).collect();
+        let Some([file, start, end]) = places else {
+            let place = |name: &str| cells.iter().position(|cell| *cell == name);
+            match (place("logfile"), place("t_start"), place("t_end")) {
+                (Some(file), Some(start), Some(end)) => places = Some([file, start, end]),
+                _ => return Err(bad("expected a header with the columns logfile, t_start and t_end")),
+            }
+            continue;
+        };
+        let number = |at: usize| cells.get(at)?.parse::<f64>().ok().filter(|value| value.is_finite());
+        match (cells.get(file), number(start), number(end)) {
+            (Some(file), Some(start), Some(end)) if start < end => {
+                runs.push(Run { file: (*file).to_owned(), start: 1e-3 * start, end: 1e-3 * end });
+            }
+            _ => return Err(bad("expected the name of a log, and its beginning and end in ms")),
+        }
+    }
+    Ok(runs)
+}
+
+/// Reads a record and hands on every point: steady ones, and of steps every one. `progress` hears of bytes that were read.
+///
+/// What is wrong with a file stands in the report, and loses nothing else.
+pub fn process(
+    record: &Record,
+    options: &Options,
+    mut take: impl FnMut(Point),
+    mut progress: impl FnMut(u64),
+) -> RecordReport {
+    let mut report = RecordReport {
+        record: record.name.clone(),
+        files: Vec::new(),
+        samples: 0,
+        gaps: 0,
+        steady: 0,
+        unsteady: 0,
+        left_over: 0,
+        resident: 0,
+        trace: Vec::new(),
+    };
+    let mut streams: Vec<(String, Stream)> = Vec::new();
+    for (path, kind) in &record.files {
+        let skip = match kind {
+            // One of the two torques: the raw one with a calibration, the converted one without.
+            Some(Kind::Converter) => options.calibration.is_none(),
+            Some(Kind::Torque) => {
+                options.calibration.is_some() && record.files.iter().any(|(_, kind)| *kind == Some(Kind::Converter))
+            }
+            Some(Kind::Primary | Kind::Secondary) | None => false,
+        };
+        if skip {
+            continue;
+        }
+        match open(path, *kind, options) {
+            Ok(stream) => streams.push((path.display().to_string(), stream)),
+            Err(problem) => report.files.push(FileReport {
+                file: path.display().to_string(),
+                rows: 0,
+                faults: Faults::default(),
+                time_wraps: 0,
+                time_jumps: 0,
+                problem: Some(problem),
+            }),
+        }
+    }
+    merge(record, &mut streams, options, &mut report, &mut take, &mut progress);
+    for (file, stream) in streams {
+        let (time_wraps, time_jumps) = stream.turns();
+        let problem = stream.broken().map(str::to_owned);
+        let (rows, faults) = (stream.rows(), stream.faults().clone());
+        report.files.push(FileReport { file, rows, faults, time_wraps, time_jumps, problem });
+    }
+    report
+}
+
+fn open(path: &Path, kind: Option<Kind>, options: &Options) -> Result<Stream, String> {
+    let said = |error: std::io::Error| error.to_string();
+    let mut lines = Lines::open(path).map_err(said)?;
+    let format: Format = match kind {
+        Some(kind) => kind.format(),
+        None => match lines.next_line().map_err(said)? {
+            Some(Line::Text(_, text)) => by_header(text, &options.names)?,
+            Some(Line::TooLong(_)) => return Err("its first line is longer than any header".into()),
+            None => return Err("it is empty".into()),
+        },
+    };
+    if format.columns.iter().any(|column| column.raw) && options.calibration.is_none() {
+        return Err("its torque is raw: a calibration is needed (--calibration)".into());
+    }
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let stem = name.strip_suffix(".gz").unwrap_or(name);
+    let run = options.runs.iter().find(|run| run.file == stem);
+    if run.is_none() && !options.runs.is_empty() && kind.is_none() {
+        return Err("it is not in the table of runs".into());
+    }
+    let window = run.map_or((f64::NEG_INFINITY, f64::INFINITY), |run| (run.start, run.end));
+    Ok(Stream::new(lines, format, window))
+}
+
+/// Samples of all files in the order of time, made uniform and cut into windows.
+fn merge(
+    record: &Record,
+    streams: &mut [(String, Stream)],
+    options: &Options,
+    report: &mut RecordReport,
+    take: &mut impl FnMut(Point),
+    progress: &mut impl FnMut(u64),
+) {
+    let mut heads: Vec<Option<Sample>> = streams.iter_mut().map(|(_, stream)| stream.next_sample()).collect();
+    same_turn(streams, &mut heads);
+    let mut present = [false; CHANNELS];
+    // What a log has is known from the first of its rows that have anything.
+    for (_, stream) in streams.iter() {
+        for channel in stream.channels() {
+            present.iter_mut().skip(channel as usize).take(1).for_each(|there| *there = true);
+        }
+    }
+    let mut uniform = Uniform::new(present, options.rate, options.longest_gap);
+    let mut windows = Windows::new(record, options, present);
+    let (mut rows, mut count, mut told) = (Vec::new(), 0_u64, 0_u64);
+    loop {
+        let first = heads.iter().enumerate().filter_map(|(at, head)| Some((at, (*head)?.time)));
+        let Some((at, _)) = first.min_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+        let Some((_, stream)) = streams.get_mut(at) else { break };
+        let Some(sample) = heads.get_mut(at).and_then(|head| std::mem::replace(head, stream.next_sample())) else {
+            break;
+        };
+        uniform.push(calibrated(sample, stream, options), &mut rows);
+        for row in rows.drain(..) {
+            windows.push(row, report, take);
+        }
+        count += 1;
+        if count.is_multiple_of(4096) {
+            let bytes = streams.iter().map(|(_, stream)| stream.bytes()).sum::<u64>();
+            progress(bytes - told);
+            told = bytes;
+        }
+        let resident = streams.iter().map(|(_, stream)| stream.resident()).sum::<usize>();
+        report.resident = report.resident.max(resident + uniform.resident + windows.resident());
+    }
+    windows.end(report, take);
+    report.gaps = uniform.gaps;
+    report.trace = windows.trace;
+    progress(streams.iter().map(|(_, stream)| stream.bytes()).sum::<u64>() - told);
+}
+
+/// Counters of several files that share a clock may begin on both sides of its wrap.
+fn same_turn(streams: &mut [(String, Stream)], heads: &mut [Option<Sample>]) {
+    let latest = heads.iter().flatten().map(|head| head.time).fold(f64::NEG_INFINITY, f64::max);
+    for ((_, stream), head) in streams.iter_mut().zip(heads) {
+        if let Some(sample) = head
+            && latest - sample.time > 0.5 * stream.period()
+        {
+            stream.shift = stream.period();
+            sample.time += stream.shift;
+        }
+    }
+}
+
+fn calibrated(sample: Sample, stream: &Stream, options: &Options) -> Sample {
+    match options.calibration {
+        Some(line) if sample.channel == Channel::Torque && stream.raw() => {
+            Sample { value: line.inverse(sample.value), ..sample }
+        }
+        _ => sample,
+    }
+}
+
+/// Cuts uniform samples into windows.
+struct Windows<'a> {
+    record: &'a Record,
+    options: &'a Options,
+    present: [bool; CHANNELS],
+    start: f64,
+    samples: [Vec<f64>; CHANNELS],
+    length: usize,
+    trace: Vec<(f64, f64, f64)>,
+    stride: u64,
+}
+
+impl<'a> Windows<'a> {
+    fn new(record: &'a Record, options: &'a Options, present: [bool; CHANNELS]) -> Self {
+        let length = ((options.window * options.rate).round() as usize).max(20);
+        let (samples, trace) = (Default::default(), Vec::new());
+        Self { record, options, present, start: 0.0, samples, length, trace, stride: 1 }
+    }
+
+    fn count(&self) -> usize {
+        self.samples.iter().map(Vec::len).max().unwrap_or(0)
+    }
+
+    fn resident(&self) -> usize {
+        self.samples.iter().map(Vec::len).sum()
+    }
+
+    fn push(&mut self, row: Row, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+        match row {
+            Row::Values(time, values) => {
+                if self.count() == 0 {
+                    self.start = time;
+                }
+                for ((samples, value), present) in self.samples.iter_mut().zip(values).zip(self.present) {
+                    if present {
+                        samples.push(value);
+                    }
+                }
+                self.draw(time, values, report.samples);
+                report.samples += 1;
+                if self.count() >= self.length {
+                    self.full(report, take);
+                }
+            }
+            Row::Gap if self.record.step.is_some() => {} // a step is one point, whatever of it is missing
+            Row::Gap => self.end(report, take),
+        }
+    }
+
+    fn draw(&mut self, time: f64, [primary, secondary, _]: [f64; CHANNELS], number: u64) {
+        if !number.is_multiple_of(self.stride) {
+            return;
+        }
+        self.trace.push((time, primary, secondary * self.options.secondary_factor));
+        if self.trace.len() > 2 * TRACE {
+            let mut at = 0;
+            self.trace.retain(|_| {
+                at += 1;
+                at % 2 == 1
+            });
+            self.stride *= 2;
+        }
+    }
+
+    fn point(&self) -> Point {
+        Point::of(&self.record.name, self.record.step, self.start, &self.samples, self.options)
+    }
+
+    fn full(&mut self, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+        let point = self.point();
+        if point.steady || self.record.step.is_some() {
+            self.hand_on(point, report, take);
+            return;
+        }
+        let hop = (self.length / HOPS).max(1);
+        report.unsteady += 1;
+        self.samples.iter_mut().for_each(|samples| {
+            samples.drain(..hop.min(samples.len()));
+        });
+        self.start += hop as f64 / self.options.rate;
+    }
+
+    fn hand_on(&mut self, point: Point, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+        *(if point.steady { &mut report.steady } else { &mut report.unsteady }) += 1;
+        take(point);
+        self.samples.iter_mut().for_each(Vec::clear);
+    }
+
+    /// What is left at a gap, or at the end.
+    fn end(&mut self, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+        let enough = self.count() as f64 >= SHORTEST * self.length as f64 && self.count() >= 20;
+        if enough {
+            let point = self.point();
+            if point.steady || self.record.step.is_some() {
+                self.hand_on(point, report, take);
+                return;
+            }
+        }
+        report.left_over += self.count() as u64;
+        self.samples.iter_mut().for_each(Vec::clear);
+    }
+}

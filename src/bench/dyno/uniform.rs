@@ -1,0 +1,139 @@
+//! Samples of several channels at one uniform rate.
+
+use super::{CHANNELS, Sample};
+use std::collections::VecDeque;
+
+/// Samples of one channel that may wait for another channel; beyond, the other has a gap.
+const WAITING: usize = 1 << 14;
+
+/// What comes out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Row {
+    /// Values of all channels at a time in s; not a number for a channel that the log does not have.
+    Values(f64, [f64; CHANNELS]),
+    /// A channel has no samples for a while.
+    Gap,
+}
+
+/// Brings channels to one rate by linear interpolation between their samples.
+#[derive(Debug)]
+pub struct Uniform {
+    /// Which channels there are.
+    present: [bool; CHANNELS],
+    waiting: [VecDeque<Sample>; CHANNELS],
+    period: f64,
+    longest: f64,
+    /// The next time to be had, s.
+    next: Option<f64>,
+    /// Gaps so far.
+    pub gaps: u64,
+    /// Largest number of samples that waited at once.
+    pub resident: usize,
+}
+
+impl Uniform {
+    /// At `rate` per second; between samples of one channel that are farther apart than `longest` s nothing is interpolated.
+    pub fn new(present: [bool; CHANNELS], rate: f64, longest: f64) -> Self {
+        let period = 1.0 / rate;
+        Self { present, waiting: Default::default(), period, longest, next: None, gaps: 0, resident: 0 }
+    }
+
+    /// Takes a sample and hands on what can be had now.
+    pub fn push(&mut self, sample: Sample, rows: &mut Vec<Row>) {
+        if let Some(queue) = self.waiting.get_mut(sample.channel as usize)
+            && queue.back().is_none_or(|last| last.time < sample.time)
+        {
+            queue.push_back(sample);
+            if queue.len() > WAITING {
+                queue.pop_front();
+            }
+        }
+        self.resident = self.resident.max(self.waiting.iter().map(VecDeque::len).sum());
+        while let Some(row) = self.row() {
+            rows.push(row);
+        }
+    }
+
+    /// The next row, if all channels have samples around it.
+    fn row(&mut self) -> Option<Row> {
+        let channels = || (0..CHANNELS).filter(|channel| self.present.get(*channel) == Some(&true));
+        let next = match self.next {
+            Some(next) => next,
+            None => {
+                let first = |channel: usize| self.waiting.get(channel)?.front().map(|sample| sample.time);
+                let mut latest = f64::NEG_INFINITY;
+                for channel in channels() {
+                    latest = latest.max(first(channel)?);
+                }
+                latest
+            }
+        };
+        self.next = Some(next);
+        let (mut values, mut behind) = ([f64::NAN; CHANNELS], None::<f64>);
+        for (channel, queue) in self.waiting.iter_mut().enumerate() {
+            if self.present.get(channel) != Some(&true) {
+                continue;
+            }
+            while queue.get(1).is_some_and(|second| second.time <= next) {
+                queue.pop_front();
+            }
+            let (Some(a), Some(b)) = (queue.front(), queue.get(1)) else { return None };
+            if next < a.time || b.time - a.time > self.longest {
+                behind = Some(behind.unwrap_or(0.0).max(if next < a.time { a.time } else { b.time }));
+                continue;
+            }
+            let share = (next - a.time) / (b.time - a.time);
+            if let Some(value) = values.get_mut(channel) {
+                *value = a.value + share * (b.value - a.value);
+            }
+        }
+        match behind {
+            Some(time) => {
+                // The first time of the grid behind the gap.
+                let steps = ((time - next) / self.period).ceil().max(1.0);
+                self.next = Some(next + steps * self.period);
+                self.gaps += 1;
+                Some(Row::Gap)
+            }
+            None => {
+                self.next = Some(next + self.period);
+                Some(Row::Values(next, values))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Channel;
+    use super::*;
+
+    #[test]
+    fn straight_lines_come_out_as_they_went_in() {
+        let mut uniform = Uniform::new([true, true, false], 100.0, 0.5);
+        let mut rows = Vec::new();
+        for at in 0..400 {
+            let time = 0.013 * f64::from(at);
+            uniform.push(Sample { time, channel: Channel::Primary, value: 3.0 + 2.0 * time }, &mut rows);
+            let time = 0.5 + 0.021 * f64::from(at);
+            uniform.push(Sample { time, channel: Channel::Secondary, value: 7.0 - time }, &mut rows);
+        }
+        assert!(rows.len() > 400 && uniform.gaps == 0, "{}", rows.len());
+        for row in &rows {
+            let Row::Values(time, [primary, secondary, torque]) = row else { panic!("a gap") };
+            assert!((primary - 3.0 - 2.0 * time).abs() < 1e-9 && (secondary - 7.0 + time).abs() < 1e-9);
+            assert!(torque.is_nan());
+        }
+    }
+
+    #[test]
+    fn nothing_is_made_up_in_a_gap() {
+        let mut uniform = Uniform::new([true, false, false], 100.0, 0.1);
+        let mut rows = Vec::new();
+        for time in [0.0, 0.05, 0.1, 1e6, 1e6 + 0.05] {
+            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0 }, &mut rows);
+        }
+        assert_eq!(uniform.gaps, 1);
+        assert!(rows.len() < 20, "{}", rows.len());
+    }
+}

@@ -1,0 +1,150 @@
+//! The engine's curve: torque and power over speed, from a table.
+
+use super::error::{BenchError, Problem};
+use serde::Serialize;
+use std::f64::consts::TAU;
+use std::path::Path;
+
+/// Mechanical horsepower, W: 550 ft·lbf/s.
+const HORSEPOWER: f64 = 745.699_871_582_270_2;
+/// Rows that a curve may have.
+const ROWS: usize = 1_000_000;
+
+/// Which quantity the table has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tabulated {
+    /// Power.
+    Power,
+    /// Torque.
+    Torque,
+}
+
+/// A curve of full throttle, linear between its points in the quantity that is tabulated.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EngineCurve {
+    /// What the second column is.
+    pub tabulated: Tabulated,
+    /// Speed in rad/s, and power in W or torque in N·m, in the order of speeds.
+    pub points: Vec<(f64, f64)>,
+    /// Whether the file says what its columns are.
+    pub named: bool,
+}
+
+impl EngineCurve {
+    /// Reads rpm and hp, kW, W or N·m, with or without a header; without one the second column is taken for hp.
+    ///
+    /// # Errors
+    /// A file that cannot be read, a row that is not two numbers, two rows of one speed, fewer than two rows.
+    pub fn read(path: &Path) -> Result<Self, BenchError> {
+        let bytes = std::fs::read(path).map_err(|error| BenchError::read(path, &error))?;
+        Self::parse(&path.display().to_string(), &bytes)
+    }
+
+    /// As [`EngineCurve::read`], from the bytes of a file.
+    ///
+    /// # Errors
+    /// As [`EngineCurve::read`].
+    pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, BenchError> {
+        let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
+        let mut points: Vec<(f64, f64)> = Vec::new();
+        for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
+            let bad = |reason: String| BenchError::from(Problem::Line { path: name.into(), line, reason });
+            let text = std::str::from_utf8(text).map_err(|_| bad("this is no text".into()))?;
+            let text = text.trim_start_matches('\u{feff}').trim();
+            if text.is_empty() || text.starts_with('#') {
+                continue;
+            }
+            let cells: Vec<&str> = text.split(',').map(str::trim).collect();
+            let [first, second, ..] = cells.as_slice() else {
+                return Err(bad("expected a speed in rpm and a power or torque, with a comma between".into()));
+            };
+            let number = |cell: &str| cell.parse::<f64>().ok().filter(|value| value.is_finite());
+            match (number(first), number(second)) {
+                (Some(speed), Some(value)) if speed >= 0.0 && points.len() < ROWS => {
+                    points.push((speed * TAU / 60.0, value));
+                }
+                (None, None) if points.is_empty() && !named => {
+                    (tabulated, scale) = unit(second).ok_or_else(|| {
+                        bad(format!("`{second}` is no unit of power or torque: expected hp, kW, W or N*m"))
+                    })?;
+                    named = true;
+                }
+                _ => return Err(bad("expected two finite numbers, the first a speed in rpm".into())),
+            }
+        }
+        points.iter_mut().for_each(|(_, value)| *value *= scale);
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let same = points.windows(2).find(|pair| pair[0].0 == pair[1].0);
+        match (points.len(), same) {
+            (_, Some(pair)) => {
+                let reason = format!("two rows have the speed {:.2} rpm", pair[0].0 * 60.0 / TAU);
+                Err(Problem::Unusable { path: name.into(), reason }.into())
+            }
+            (0 | 1, None) => {
+                let reason = "a curve needs at least two rows of speed and power or torque".into();
+                Err(Problem::NoData { path: name.into(), reason }.into())
+            }
+            (_, None) => Ok(Self { tabulated, points, named }),
+        }
+    }
+
+    /// Power in W at a speed in rad/s, and its slope in W·s/rad; `None` outside the table.
+    pub fn power(&self, speed: f64) -> Option<(f64, f64)> {
+        let above = self.points.iter().position(|(tabulated, _)| *tabulated >= speed)?;
+        let (a, b) = match above.checked_sub(1) {
+            Some(below) => (self.points.get(below)?, self.points.get(above)?),
+            None if self.points.first()?.0 == speed => (self.points.first()?, self.points.get(1)?),
+            None => return None,
+        };
+        let slope = (b.1 - a.1) / (b.0 - a.0);
+        let value = a.1 + slope * (speed - a.0);
+        Some(match self.tabulated {
+            Tabulated::Power => (value, slope),
+            Tabulated::Torque => (value * speed, value + slope * speed),
+        })
+    }
+
+    /// The speeds of the table, rpm.
+    pub fn range(&self) -> (f64, f64) {
+        let rpm = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |point| point.0 * 60.0 / TAU);
+        (rpm(self.points.first()), rpm(self.points.last()))
+    }
+}
+
+fn unit(name: &str) -> Option<(Tabulated, f64)> {
+    let name = name.to_ascii_lowercase();
+    let inside = name.rsplit_once('(').and_then(|(_, unit)| unit.strip_suffix(')')).unwrap_or(&name);
+    let unit = inside.rsplit('_').next().unwrap_or(inside).trim();
+    match unit {
+        "hp" | "power" => Some((Tabulated::Power, HORSEPOWER)),
+        "kw" => Some((Tabulated::Power, 1e3)),
+        "w" => Some((Tabulated::Power, 1.0)),
+        "n*m" | "nm" | "n·m" | "n m" | "torque" => Some((Tabulated::Torque, 1.0)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_kinds_of_tables_are_read() {
+        let power = EngineCurve::parse("e", b"1000,2\n3000,4\n").unwrap();
+        let (value, slope) = power.power(2000.0 * TAU / 60.0).unwrap();
+        assert!((value - 3.0 * HORSEPOWER).abs() < 1e-9 && (slope - HORSEPOWER * 60.0 / (1000.0 * TAU)).abs() < 1e-9);
+        let torque = EngineCurve::parse("e", "rpm,N\u{b7}m\r\n1000,10\r\n3000,20\r\n".as_bytes()).unwrap();
+        let speed = 2000.0 * TAU / 60.0;
+        let (value, slope) = torque.power(speed).unwrap();
+        assert!((value - 15.0 * speed).abs() < 1e-9);
+        let step = 1e-4;
+        let difference = (torque.power(speed + step).unwrap().0 - torque.power(speed - step).unwrap().0) / (2.0 * step);
+        assert!((slope - difference).abs() < 1e-5, "{slope} {difference}");
+        assert_eq!(torque.power(0.0), None);
+        assert!(torque.power(3000.0 * TAU / 60.0).is_some() && torque.power(1000.0 * TAU / 60.0).is_some());
+        for wrong in ["", "1000,2", "1000,2\n1000,3\n", "1000,2\nx,3\n", "rpm,furlong\n1,2\n3,4\n", "1000\n"] {
+            assert!(EngineCurve::parse("e", wrong.as_bytes()).is_err(), "{wrong}");
+        }
+    }
+}

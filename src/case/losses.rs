@@ -1,0 +1,78 @@
+//! What a case says of losses besides friction.
+
+use super::error::CaseError;
+use super::file::Case;
+use super::keys::Key;
+use super::loss_tangent::LossTangent;
+use super::resolve::Setting;
+use crate::model::{Edition, Include};
+
+/// Losses besides friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Losses {
+    /// Whether they were asked for; if nothing was said, they are told where there are any.
+    pub include: Option<Include>,
+    /// Of bending the belt and of squeezing it in the groove.
+    pub loss_tangent: LossTangent,
+    /// Of the cord's stretching.
+    pub cord_loss_tangent: LossTangent,
+    /// Torque that drags at the primary at every speed, N·m.
+    pub primary_drag: f64,
+    /// Torque that drags at the secondary at every speed, N·m.
+    pub secondary_drag: f64,
+    /// Torque that drags at the primary over its speed, N·m·s.
+    pub primary_drag_per_speed: f64,
+    /// Torque that drags at the secondary over its speed, N·m·s.
+    pub secondary_drag_per_speed: f64,
+    /// Efficiency of gears between the secondary and the shaft of interest.
+    pub gear_efficiency: f64,
+}
+
+/// The losses of a case.
+///
+/// # Errors
+/// [`Problem::Conflict`](super::Problem::Conflict) if they are asked of an edition that cannot tell them.
+pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError> {
+    let include = case.choice(Key::Losses).and_then(Include::from_name);
+    if include == Some(Include::On) && edition.model().bending.is_none() {
+        let reason = "without bending stiffness the belt's curvature jumps where it meets a pulley, and what its hysteresis \
+                      dissipates diverges";
+        return Err(case.conflict(Key::Edition, Key::Losses, reason));
+    }
+    Ok(Losses {
+        include,
+        loss_tangent: LossTangent::Constant(case.value(Key::LossTangent)),
+        cord_loss_tangent: LossTangent::Constant(case.value(Key::CordLossTangent)),
+        primary_drag: case.value(Key::PrimaryDrag),
+        secondary_drag: case.value(Key::SecondaryDrag),
+        primary_drag_per_speed: case.value(Key::PrimaryDragPerSpeed),
+        secondary_drag_per_speed: case.value(Key::SecondaryDragPerSpeed),
+        gear_efficiency: case.value(Key::GearEfficiency),
+    })
+}
+
+impl Losses {
+    /// Whether they are to be told.
+    pub fn wanted(&self) -> bool {
+        self.include != Some(Include::Off)
+    }
+
+    /// Every key with its value.
+    pub(super) fn settings(&self) -> Vec<(Key, Setting)> {
+        let tangent = |tangent: &LossTangent| match tangent {
+            LossTangent::Constant(value) => Some(*value),
+            LossTangent::Table(_) => None,
+        };
+        let numbers = [
+            (Key::LossTangent, tangent(&self.loss_tangent)),
+            (Key::CordLossTangent, tangent(&self.cord_loss_tangent)),
+            (Key::PrimaryDrag, Some(self.primary_drag)),
+            (Key::SecondaryDrag, Some(self.secondary_drag)),
+            (Key::PrimaryDragPerSpeed, Some(self.primary_drag_per_speed)),
+            (Key::SecondaryDragPerSpeed, Some(self.secondary_drag_per_speed)),
+            (Key::GearEfficiency, Some(self.gear_efficiency)),
+        ];
+        let numbers = numbers.into_iter().filter_map(|(key, value)| Some((key, Setting::Number(value?))));
+        numbers.chain(self.include.map(|include| (Key::Losses, Setting::Name(include.name())))).collect()
+    }
+}

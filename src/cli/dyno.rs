@@ -1,0 +1,306 @@
+//! `sheave dyno`: operating points from the logs of a dynamometer.
+
+use super::measured::{object, refused, warn};
+use super::output;
+use super::stop::Stop;
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use sheave::bench::dyno::{
+    Fault, Names, Options, Point, RecordReport, calibration, figures, points_csv, process, records, runs,
+    spectrum_figures,
+};
+use sheave::bench::engine::EngineCurve;
+use sheave::bench::{BenchError, PageTable, Problem, page};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Reduce raw logs of a dynamometer to operating points
+///
+/// Reads files of one channel and step each (P_3.csv, S_3.csv, ADC_3.csv, TORQUE_3.csv: time in µs, value), logs with a header
+/// (timestamp_ms,primary_rpm,secondary_rpm,torque) and RaceCapture logs, compressed by gzip or not, and folders of them. Rows that
+/// cannot be used are counted and named. Steady windows are averaged, with standard errors.
+#[derive(Debug, Args)]
+#[command(after_help = super::STATUS)]
+pub struct Arguments {
+    /// Logs, or folders of logs
+    #[arg(value_name = "PATH", required = true)]
+    paths: Vec<PathBuf>,
+    /// Calibration of the torque: rows of torque in N·m and ADC, which are fitted, or of slope, intercept, R² (the last applies)
+    #[arg(long, value_name = "FILE")]
+    calibration: Option<PathBuf>,
+    /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
+    #[arg(long, value_name = "ENGINE.csv")]
+    engine: Option<PathBuf>,
+    /// Teeth of the gears on the secondary's and on the brake's shaft
+    #[arg(long, value_name = "A:B", default_value = "1:1", value_parser = gear)]
+    gear: f64,
+    /// Where the torque's calibration holds
+    #[arg(long, value_name = "WHERE", default_value = "secondary")]
+    torque_at: TorqueAt,
+    /// Uniform rate to which the channels are brought, Hz
+    #[arg(long, value_name = "HZ", default_value_t = 125.0, value_parser = |text: &str| within(text, 1.0, 100_000.0))]
+    rate: f64,
+    /// Length of the windows that are averaged, s
+    #[arg(long, value_name = "S", default_value_t = 3.0, value_parser = |text: &str| within(text, 0.05, 600.0))]
+    window: f64,
+    /// Longest gap in a channel that is bridged, s
+    #[arg(long, value_name = "S", default_value_t = 0.25, value_parser = |text: &str| within(text, 0.001, 60.0))]
+    longest_gap: f64,
+    /// Column of a log with the speed of the primary (RPM3)
+    #[arg(long, value_name = "NAME")]
+    primary: Option<String>,
+    /// Column of a log with the speed of the secondary, or of a shaft behind it (RPM2)
+    #[arg(long, value_name = "NAME")]
+    secondary: Option<String>,
+    /// Column of a log with the torque
+    #[arg(long, value_name = "NAME")]
+    torque: Option<String>,
+    /// Speed of the secondary over what its column has
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = |text: &str| within(text, 1e-6, 1e6))]
+    secondary_factor: f64,
+    /// Table of the time windows of logs that are read: logfile, t_start, t_end in ms
+    #[arg(long, value_name = "FILE")]
+    runs: Option<PathBuf>,
+    /// Revolutions of the engine between two firings
+    #[arg(long, value_name = "N", default_value_t = 2.0, value_parser = |text: &str| within(text, 0.1, 10.0))]
+    revolutions_per_firing: f64,
+    /// Number of the point, from 0, whose torque and spectrum are drawn; the first steady one if it is not given
+    #[arg(long, value_name = "N")]
+    spectrum: Option<usize>,
+    /// Print the result as one JSON object, in SI units
+    #[arg(long, conflicts_with = "out")]
+    json: bool,
+    /// Write operating-points.csv, result.json, figures (SVG, PNG) and report.html into this folder, and print the summary
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// A place on the way of the torque.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum TorqueAt {
+    /// It gives the torque of the secondary, as (9.1) does
+    Secondary,
+    /// It gives the torque of the brake's shaft, behind the gears
+    Brake,
+}
+
+fn within(text: &str, low: f64, high: f64) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| (low..=high).contains(value));
+    value.ok_or_else(|| format!("expected a number from {low} to {high}"))
+}
+
+fn gear(text: &str) -> Result<f64, String> {
+    let teeth = |text: &str| text.trim().parse::<f64>().ok().filter(|teeth| (1.0..=1e4).contains(teeth));
+    let (own, brake) = text.split_once(':').ok_or("expected two numbers of teeth, such as 32:61")?;
+    let (own, brake) = teeth(own).zip(teeth(brake)).ok_or("expected two numbers of teeth, such as 32:61")?;
+    Ok(own / brake)
+}
+
+#[derive(Debug, Serialize)]
+struct Found {
+    points: Vec<Point>,
+    records: Vec<RecordReport>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let mut warnings = Vec::new();
+    let found = arguments.find(&mut warnings);
+    let (options, found, chosen) = found.map_err(|error| refused("dyno", arguments.json, error))?;
+    warn(&warnings);
+    let inputs = serde_json::json!({ "paths": arguments.paths, "options": options, "engine": options.engine });
+    let json = || object("dyno", inputs, &warnings, &found);
+    if arguments.json {
+        return output::print(&json()?);
+    }
+    if let Some(folder) = &arguments.out {
+        output::create_folder(folder)?;
+        let json = json()?;
+        output::write_file(folder, "result.json", |to| to.write_all(json.as_bytes()))?;
+        let (table, _) = points_csv(&found.points);
+        output::write_file(folder, "operating-points.csv", |to| to.write_all(table.as_bytes()))?;
+        let mut all = figures(&found.points, &found.records);
+        all.extend(chosen.iter().flat_map(|point| spectrum_figures(point, options.rate)));
+        output::write_figures(folder, &all)?;
+        let lead = format!("{} points of {} records", found.points.len(), found.records.len());
+        let page = page("Dynamometer", &lead, &warnings, &tables(&options, &found), &all)?;
+        output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;
+    }
+    output::print(&summary(&found))
+}
+
+impl Arguments {
+    fn options(&self, warnings: &mut Vec<String>) -> Result<Options, BenchError> {
+        let engine = self.engine.as_deref().map(EngineCurve::read).transpose()?;
+        if engine.as_ref().is_some_and(|engine| !engine.named) {
+            warnings.push("the engine's curve has no header: its second column is taken for hp".into());
+        }
+        Ok(Options {
+            rate: self.rate,
+            window: self.window,
+            longest_gap: self.longest_gap,
+            secondary_factor: self.secondary_factor,
+            gear: self.gear,
+            torque_at_sensor: self.torque_at == TorqueAt::Brake,
+            revolutions: self.revolutions_per_firing,
+            calibration: self.calibration.as_deref().map(calibration::read).transpose()?,
+            engine,
+            names: Names {
+                primary: self.primary.clone(),
+                secondary: self.secondary.clone(),
+                torque: self.torque.clone(),
+            },
+            runs: self.runs.as_deref().map(runs).transpose()?.unwrap_or_default(),
+            ..Options::default()
+        })
+    }
+
+    fn find(&self, warnings: &mut Vec<String>) -> Result<(Options, Found, Option<Point>), BenchError> {
+        let options = self.options(warnings)?;
+        let files = records(&self.paths)?;
+        let bar = self.bar();
+        let (mut points, mut reports, mut chosen) = (Vec::new(), Vec::new(), None);
+        for record in &files {
+            let take = |mut point: Point| {
+                let wanted = match self.spectrum {
+                    Some(number) => number == points.len(),
+                    None => chosen.is_none() && point.steady && point.spectrum.is_some(),
+                };
+                if wanted {
+                    chosen = Some(point.clone());
+                }
+                point.forget_samples();
+                points.push(point);
+            };
+            reports.push(process(record, &options, take, |bytes| bar.inc(bytes)));
+        }
+        bar.finish_and_clear();
+        tell(&reports, warnings);
+        if reports.iter().all(|report| report.samples == 0) {
+            let names: Vec<String> = self.paths.iter().map(|path| path.display().to_string()).collect();
+            let reason = match warnings.first() {
+                Some(first) => format!("no sample came out; {first}"),
+                None => "no sample came out".into(),
+            };
+            return Err(BenchError::from(Problem::NoData { path: names.join(", "), reason }));
+        }
+        Ok((options, Found { points, records: reports }, chosen))
+    }
+
+    /// Progress in bytes, on standard error if people look at it.
+    fn bar(&self) -> ProgressBar {
+        let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |metadata| metadata.len());
+        let bar = ProgressBar::new(self.paths.iter().map(size).sum());
+        let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
+        bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
+}
+
+/// Warns of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is none.
+fn tell(reports: &[RecordReport], warnings: &mut Vec<String>) {
+    let files = || reports.iter().flat_map(|report| &report.files);
+    warnings.extend(files().filter_map(|file| Some(format!("{}: {}", file.file, file.problem.as_ref()?))));
+    for fault in Fault::ALL.into_iter().filter(|fault| *fault != Fault::Duplicate) {
+        let with: Vec<_> = files().filter(|file| file.faults.count(fault) > 0).collect();
+        let count: u64 = with.iter().map(|file| file.faults.count(fault)).sum();
+        let first = with.first().and_then(|file| {
+            let line = file.faults.all().iter().find(|count| count.fault == fault)?.first_line;
+            Some(format!("the first in {}, line {line}", file.file))
+        });
+        if let Some(first) = first {
+            warnings.push(format!("{count} {} in {} files, {first}", fault.words(), with.len()));
+        }
+    }
+}
+
+/// A number of a cell, empty without one.
+fn cell(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(String::new, |value| format!("{value:.digits$}"))
+}
+
+fn row(point: &Point) -> [String; 8] {
+    let rpm = 60.0 / TAU;
+    [
+        point.record.rsplit('/').next().unwrap_or_default().to_owned(),
+        cell(Some(point.start), 2),
+        cell(point.primary_speed.map(|speed| speed.mean * rpm), 1),
+        cell(point.secondary_speed.map(|speed| speed.mean * rpm), 1),
+        cell(point.secondary_torque.map(|torque| torque.mean), 3),
+        cell(point.secondary_torque.map(|torque| torque.error), 3),
+        cell(point.efficiency.map(|efficiency| 100.0 * efficiency.value), 2),
+        point.reason.clone().unwrap_or_default(),
+    ]
+}
+
+const COLUMNS: [&str; 8] = [
+    "record",
+    "start (s)",
+    "primary (rpm)",
+    "secondary (rpm)",
+    "torque (N·m)",
+    "± (N·m)",
+    "efficiency (%)",
+    "not steady, why",
+];
+
+fn summary(found: &Found) -> String {
+    let steady = found.points.iter().filter(|point| point.steady).count();
+    let samples: u64 = found.records.iter().map(|record| record.samples).sum();
+    let mut text = format!("{} records, {samples} uniform samples, {steady} steady points\n", found.records.len());
+    // Writing to a string does not fail.
+    for fault in Fault::ALL {
+        let count: u64 =
+            found.records.iter().flat_map(|record| &record.files).map(|file| file.faults.count(fault)).sum();
+        if count > 0 {
+            let _ = writeln!(text, "  {count} {}", fault.words());
+        }
+    }
+    if found.points.is_empty() {
+        return text;
+    }
+    let line = |text: &mut String, cells: &[String; 8]| {
+        let [record, numbers @ .., reason] = cells;
+        let name: String = record.chars().take(20).collect();
+        let _ = write!(text, "{name:<20}");
+        for number in numbers {
+            let _ = write!(text, "{number:>16}");
+        }
+        let _ = writeln!(text, "  {reason}");
+    };
+    text.push('\n');
+    line(&mut text, &COLUMNS.map(String::from));
+    const SHOWN: usize = 60;
+    found.points.iter().take(SHOWN).for_each(|point| line(&mut text, &row(point)));
+    if found.points.len() > SHOWN {
+        let _ = writeln!(text, "and {} more: --json or --out has all", found.points.len() - SHOWN);
+    }
+    text
+}
+
+fn tables(options: &Options, found: &Found) -> Vec<PageTable> {
+    let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+    let points = found.points.iter().take(1000).map(|point| row(point).to_vec()).collect();
+    let mut tables = vec![PageTable { title: "Operating points".into(), columns: names(&COLUMNS), rows: points }];
+    if let Some(line) = options.calibration {
+        let known = |value: Option<f64>| value.map_or("not known".to_owned(), |value| format!("{value:.6}"));
+        let rows = vec![
+            vec!["slope (1/N·m)".into(), format!("{:.6}", line.slope), known(line.slope_error)],
+            vec!["intercept".into(), format!("{:.4}", line.intercept), known(line.intercept_error)],
+            vec!["R²".into(), format!("{:.6}", line.r_squared), String::new()],
+        ];
+        let columns = names(&["calibration (9.1)", "value", "standard error"]);
+        tables.push(PageTable { title: "Calibration of the torque".into(), columns, rows });
+    }
+    let file = |file: &sheave::bench::dyno::FileReport| {
+        vec![
+            file.file.clone(),
+            file.rows.to_string(),
+            file.faults.to_string(),
+            file.problem.clone().unwrap_or_default(),
+        ]
+    };
+    let rows = found.records.iter().flat_map(|record| &record.files).take(1000).map(file).collect();
+    tables.push(PageTable { title: "Files".into(), columns: names(&["file", "rows", "faults", "problem"]), rows });
+    tables
+}

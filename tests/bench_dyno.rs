@@ -1,0 +1,356 @@
+//! Logs of a dynamometer: made ones whose truth is known, a real one, and broken ones.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use proptest::prelude::*;
+use sheave::bench::dyno::{
+    Fault, Lines, Names, Options, Point, RecordReport, Row, Sample, Stream, Uniform, by_header, calibration, process,
+    records, runs,
+};
+use sheave::bench::made::{Disturbance, Known, Step, files};
+use std::f64::consts::TAU;
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+
+const RPM: f64 = TAU / 60.0;
+
+/// Steps that need no model.
+fn known() -> Known {
+    let step = |at: u32| {
+        let ratio = 0.8 + 0.15 * f64::from(at);
+        let primary_speed = (3200.0 - 60.0 * f64::from(at)) * RPM;
+        let secondary_speed = primary_speed / ratio * 0.994;
+        Step {
+            ratio,
+            primary_speed,
+            secondary_speed,
+            primary_torque: 18.0,
+            secondary_torque: 17.0 * ratio,
+            efficiency: 0.94,
+        }
+    };
+    Known { engine_scale: 1.0, slope: 108.19, intercept: 35145.0, steps: (0..6).map(step).collect() }
+}
+
+fn write(folder: &Path, files: &[(String, String)]) {
+    for (name, text) in files {
+        std::fs::write(folder.join(name), text).unwrap();
+    }
+}
+
+fn read(paths: &[PathBuf], options: &Options) -> (Vec<Point>, Vec<RecordReport>) {
+    let (mut points, mut reports) = (Vec::new(), Vec::new());
+    for record in records(paths).unwrap() {
+        reports.push(process(&record, options, |point| points.push(point), |_| ()));
+    }
+    (points, reports)
+}
+
+#[test]
+fn the_truth_of_made_steps_comes_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let known = known();
+    write(folder.path(), &files(&known, &Disturbance::default(), 7));
+    let line = calibration::read(&folder.path().join("calibration.csv")).unwrap();
+    assert!((line.slope - known.slope).abs() < 4.0 * line.slope_error.unwrap(), "{line:?}");
+    assert!((line.intercept - known.intercept).abs() < 4.0 * line.intercept_error.unwrap(), "{line:?}");
+    assert!(line.r_squared > 0.999);
+    let options = Options { calibration: Some(line), gear: 32.0 / 61.0, ..Options::default() };
+    let (points, reports) = read(&[folder.path().to_owned()], &options);
+    assert_eq!((points.len(), reports.len()), (6, 6));
+    for (point, step) in points.iter().zip(&known.steps) {
+        assert!(point.steady, "{:?}", point.reason);
+        let (primary, secondary) = (point.primary_speed.unwrap(), point.secondary_speed.unwrap());
+        let torque = point.secondary_torque.unwrap();
+        // A whole number of rpm was cut off.
+        assert!((primary.mean - step.primary_speed).abs() < 0.6 * RPM + 5.0 * primary.error, "{primary:?} {step:?}");
+        assert!((secondary.mean - step.secondary_speed).abs() < 0.6 * RPM + 5.0 * secondary.error, "{secondary:?}");
+        assert!((torque.mean - step.secondary_torque).abs() < 5.0 * torque.error.max(0.02), "{torque:?} {step:?}");
+        assert!(torque.error < 0.02 * torque.mean);
+        // Firing and the brake's shaft are where they belong, with the amplitudes they were made with.
+        let order = |name: &str| point.orders.iter().find(|order| order.name == name).unwrap();
+        let firing = order("firing");
+        assert!((firing.frequency - step.primary_speed / TAU / 2.0).abs() < 0.1);
+        assert!((firing.amplitude.unwrap() / (0.25 * step.secondary_torque) - 1.0).abs() < 0.45, "{firing:?}");
+        assert!(order("brake shaft").amplitude.unwrap() > 0.03 * step.secondary_torque);
+        let mut largest = point.orders.clone();
+        largest.sort_by(|a, b| b.amplitude.partial_cmp(&a.amplitude).unwrap());
+        assert_eq!(largest[0].name, "firing");
+    }
+    // Every kind of disturbance that was made is named, and the counter's wrap is taken on.
+    let count =
+        |fault| reports.iter().flat_map(|report| &report.files).map(|file| file.faults.count(fault)).sum::<u64>();
+    for fault in [Fault::Duplicate, Fault::OutOfRange, Fault::Outlier, Fault::OutOfSequence, Fault::NotNumber] {
+        assert!(count(fault) > 0, "{fault:?}");
+    }
+    let wraps: u64 = reports.iter().flat_map(|report| &report.files).map(|file| file.time_wraps).sum();
+    assert_eq!(wraps, 3, "one in each file of the step");
+}
+
+#[test]
+fn one_file_form_and_its_steady_stretches() {
+    let mut text = "timestamp_ms,primary_rpm,secondary_rpm,torque\n".to_owned();
+    for at in 0..3000_u32 {
+        let time = f64::from(at) * 8.0;
+        // 8 s steady, 8 s of a ramp, 8 s steady.
+        let share = (f64::from(at) / 1000.0 - 1.0).clamp(0.0, 1.0);
+        let wave = (f64::from(at) * 1.3).sin();
+        text += &format!("{time},{},{},{}\n", 3000.0 + 5.0 * wave, 3000.0 - 1200.0 * share, 17.0 + 12.0 * share + wave);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    std::fs::write(&path, text).unwrap();
+    let (points, reports) = read(&[path], &Options::default());
+    assert!((4..=6).contains(&points.len()), "{}", points.len());
+    for point in &points {
+        let (speed, torque) = (point.secondary_speed.unwrap().mean / RPM, point.secondary_torque.unwrap().mean);
+        let first = (speed - 3000.0).abs() < 12.0 && (torque - 17.0).abs() < 0.5;
+        let last = (speed - 1800.0).abs() < 12.0 && (torque - 29.0).abs() < 0.5;
+        assert!(first || last, "{speed} {torque}");
+    }
+    assert!(reports[0].unsteady > 0 && reports[0].gaps == 0);
+}
+
+/// Ten seconds around the run window of one of the real logs (tests/data/terps/README.md): engine at 60 rpm steps, wheel, 50 Hz
+/// of several rates in one file.
+#[test]
+fn a_real_log_is_read_as_it_is() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
+    let options = Options {
+        rate: 50.0,
+        secondary_factor: 8.32,
+        names: Names { primary: Some("RPM3".into()), secondary: Some("RPM2".into()), torque: None },
+        runs: runs(&data.join("tunes.csv")).unwrap(),
+        ..Options::default()
+    };
+    let (_, reports) = read(&[data.join("8-6-24-tune4-2.log.gz")], &options);
+    let [report] = reports.as_slice() else { panic!("{reports:?}") };
+    let file = &report.files[0];
+    assert_eq!((file.problem.as_deref(), file.rows), (None, 10_793));
+    assert!(file.faults.total() < 5, "{}", file.faults);
+    // 7723 to 13483 ms at 50 Hz.
+    assert!((285..=289).contains(&report.samples), "{}", report.samples);
+    assert_eq!(report.gaps, 0);
+    let highest = report.trace.iter().map(|(_, primary, _)| *primary).fold(0.0, f64::max);
+    let fastest = report.trace.iter().map(|(_, _, secondary)| *secondary).fold(0.0, f64::max);
+    assert!((3300.0..4000.0).contains(&highest) && (3000.0..6500.0).contains(&fastest), "{highest} {fastest}");
+}
+
+#[test]
+fn a_broken_file_loses_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &files(&known(), &Disturbance::default(), 3));
+    std::fs::write(folder.path().join("S_2.csv"), [0_u8, 255, 10, 7]).unwrap();
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    let good = std::fs::read(folder.path().join("P_3.csv")).unwrap();
+    encoder.write_all(&good).unwrap();
+    let packed = encoder.finish().unwrap();
+    std::fs::remove_file(folder.path().join("P_3.csv")).unwrap();
+    std::fs::write(folder.path().join("P_3.csv.gz"), &packed[..packed.len() / 2]).unwrap();
+    std::fs::write(folder.path().join("notes.csv"), "something,else\n1,2\n").unwrap();
+    let line = calibration::read(&folder.path().join("calibration.csv")).unwrap();
+    let (points, reports) =
+        read(&[folder.path().to_owned()], &Options { calibration: Some(line), ..Options::default() });
+    for step in [0, 1, 4, 5] {
+        assert!(points.iter().any(|point| point.step == Some(step) && point.steady), "step {step}");
+    }
+    let problems: Vec<&str> =
+        reports.iter().flat_map(|r| &r.files).filter_map(|file| file.problem.as_deref()).collect();
+    assert!(problems.iter().any(|problem| problem.contains("first column is `something`")), "{problems:?}");
+    let broken = reports.iter().flat_map(|r| &r.files).any(|file| file.faults.count(Fault::BrokenOff) == 1);
+    assert!(broken, "{reports:?}");
+}
+
+#[test]
+fn the_command_as_it_is_called() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &files(&known(), &Disturbance::default(), 5));
+    let [logs, calibration, engine, out] =
+        ["", "calibration.csv", "engine.csv", "out"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/made/engine.csv"), &engine).unwrap();
+    let run =
+        |arguments: &[&str]| std::process::Command::new(env!("CARGO_BIN_EXE_sheave")).args(arguments).output().unwrap();
+    let output = run(&["dyno", &logs, "--calibration", &calibration, "--engine", &engine, "--gear", "32:61", "--json"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((object["command"].as_str(), object["points"].as_array().unwrap().len()), (Some("dyno"), 6));
+    let point = &object["points"][2];
+    assert!(
+        point["efficiency"]["value"].as_f64().unwrap() > 0.8 && point["efficiency"]["error"].as_f64().unwrap() > 0.0
+    );
+    assert!(
+        object["warnings"].as_array().unwrap().iter().any(|text| text.as_str().unwrap().contains("out of sequence"))
+    );
+    let output = run(&["dyno", &logs, "--calibration", &calibration, "--engine", &engine, "--out", &out]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for name in [
+        "operating-points.csv",
+        "result.json",
+        "torque_time.svg",
+        "torque_spectrum.png",
+        "efficiency.svg",
+        "report.html",
+    ] {
+        assert!(Path::new(&out).join(name).metadata().unwrap().len() > 0, "{name}");
+    }
+    // What it writes is what `sheave compare` reads.
+    let engine = sheave::bench::engine::EngineCurve::read(Path::new(&engine)).unwrap();
+    let table = sheave::bench::compare::read(&Path::new(&out).join("operating-points.csv"), Some(&engine)).unwrap();
+    assert_eq!((table.points.len(), table.bad.len()), (6, 0));
+    for (arguments, said) in [
+        (vec!["dyno", "nowhere"], "cannot read `nowhere`"),
+        (vec!["dyno", logs.as_str(), "--gear", "0:61"], "32:61"),
+        (vec!["dyno", logs.as_str(), "--calibration", "nowhere"], "cannot read `nowhere`"),
+        (vec!["dyno", calibration.as_str()], "no sample came out"),
+    ] {
+        let output = run(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        // Without the frame in which long messages are broken.
+        let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(said), "{arguments:?}: {text}");
+    }
+}
+
+/// A log that is made while it is read, so that its size costs nothing.
+struct Endless {
+    at: u64,
+    rows: u64,
+    line: Cursor<Vec<u8>>,
+}
+
+impl std::io::Read for Endless {
+    fn read(&mut self, to: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.line.read(to)?;
+        if count > 0 || self.at == self.rows {
+            return Ok(count);
+        }
+        let mut text = String::new();
+        for _ in 0..200.min(self.rows - self.at) {
+            let wave = (self.at % 97) as f64;
+            text += &format!("{},{:.1},{:.1},{:.3}\n", 8 * self.at, 3000.0 + wave, 2000.0 + wave, 20.0 + 0.1 * wave);
+            self.at += 1;
+        }
+        self.line = Cursor::new(text.into_bytes());
+        self.line.read(to)
+    }
+}
+
+#[test]
+fn memory_does_not_grow_with_the_log() {
+    let format = by_header(b"timestamp_ms,primary_rpm,secondary_rpm,torque", &Names::default()).unwrap();
+    let peak = |rows: u64| {
+        let lines = Lines::new(Endless { at: 0, rows, line: Cursor::new(Vec::new()) }).unwrap();
+        let mut stream = Stream::new(lines, format.clone(), (f64::NEG_INFINITY, f64::INFINITY));
+        let mut uniform = Uniform::new([true; 3], 125.0, 0.25);
+        let (mut peak, mut count, mut out) = (0, 0_u64, Vec::new());
+        while let Some(sample) = stream.next_sample() {
+            uniform.push(sample, &mut out);
+            count += out.drain(..).filter(|row| matches!(row, Row::Values(..))).count() as u64;
+            peak = peak.max(stream.resident() + uniform.resident);
+        }
+        assert!(count >= rows - 1, "{count} of {rows}");
+        peak
+    };
+    let (short, long) = (peak(2_000), peak(100_000));
+    // Fifty times the rows: the same few samples around a gap or the test for outliers.
+    assert!(short < 60 && long < 60, "{short} {long}");
+}
+
+fn any_log() -> impl Strategy<Value = Vec<u8>> {
+    let header = prop_oneof![
+        Just("timestamp_ms,primary_rpm,secondary_rpm,torque\n".to_owned()),
+        Just("\"Interval\"|\"ms\"|0|0|1,\"RPM2\"|\"rpm\"|0|8000|50,\"RPM3\"|\"rpm\"|0|8000|50\n".to_owned()),
+        "[ -~]{0,40}\n",
+        Just(String::new()),
+    ];
+    let cell = prop_oneof![
+        "[-+0-9.eE]{0,12}",
+        "[0-9]{1,20}",
+        Just("nan".to_owned()),
+        Just("1e308".to_owned()),
+        Just("-1e308".to_owned()),
+        Just(String::new()),
+        ".{0,3}",
+    ];
+    let row = prop::collection::vec(cell, 0..6).prop_map(|cells| cells.join(","));
+    let rows = prop::collection::vec((row, any::<bool>()), 0..60).prop_map(|rows| {
+        rows.into_iter().map(|(row, unix)| row + if unix { "\n" } else { "\r\n" }).collect::<String>()
+    });
+    let noise = prop::collection::vec(any::<u8>(), 0..40);
+    (header, rows, noise, any::<bool>()).prop_map(|(header, rows, noise, packed)| {
+        let mut bytes = [header.as_bytes(), rows.as_bytes(), &noise].concat();
+        if packed {
+            let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+            encoder.write_all(&bytes).unwrap();
+            bytes = encoder.finish().unwrap();
+            bytes.truncate(bytes.len().saturating_sub(noise.len() / 8));
+        }
+        bytes
+    })
+}
+
+/// Files to try: more with SHEAVE_FUZZ_FILES.
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("SHEAVE_FUZZ_FILES").ok().and_then(|text| text.parse().ok()).unwrap_or(300);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    /// Every reader of the bench on every kind of content: no panic, no endless loop, every row accounted for.
+    #[test]
+    fn no_file_panics(bytes in any_log()) {
+        let readable = Lines::new(Cursor::new(bytes.clone()));
+        if let Ok(mut lines) = readable {
+            let mut rows = 0_u64;
+            while let Ok(Some(_)) = lines.next_line() {
+                rows += 1;
+            }
+            prop_assert!(rows <= bytes.len() as u64 * 1100 + 1);
+        }
+        for format in [
+            by_header(b"timestamp_ms,primary_rpm,secondary_rpm,torque", &Names::default()).unwrap(),
+            by_header(bytes.split(|byte| *byte == b'\n').next().unwrap_or_default(), &Names::default()).unwrap_or_else(|_| {
+                sheave::bench::dyno::Kind::Primary.format()
+            }),
+        ] {
+            let Ok(lines) = Lines::new(Cursor::new(bytes.clone())) else { continue };
+            let mut stream = Stream::new(lines, format, (f64::NEG_INFINITY, f64::INFINITY));
+            let mut uniform = Uniform::new([true, false, false], 125.0, 0.25);
+            let (mut out, mut last) = (Vec::new(), f64::NEG_INFINITY);
+            while let Some(sample) = stream.next_sample() {
+                prop_assert!(sample.value.is_finite() && sample.time.is_finite());
+                uniform.push(Sample { channel: sheave::bench::dyno::Channel::Primary, ..sample }, &mut out);
+            }
+            for row in out {
+                if let Row::Values(time, values) = row {
+                    prop_assert!(time > last && values[0].is_finite());
+                    last = time;
+                }
+            }
+        }
+        let _ = calibration::parse("fuzz", &bytes);
+        let _ = sheave::bench::engine::EngineCurve::parse("fuzz", &bytes);
+        let _ = sheave::bench::compare::parse("fuzz", &bytes, None);
+        let _ = sheave::bench::belt::parse_columns("fuzz", &bytes, [sheave::quantity::Dimension::LENGTH; 2]);
+        if let Ok(text) = std::str::from_utf8(&bytes) {
+            let _ = sheave::bench::belt::Description::parse("fuzz", text);
+            let _ = sheave::bench::compare::Actuator::parse("fuzz", text);
+        }
+    }
+
+    /// Descriptions near a good one: a key, a value or a section is something else.
+    #[test]
+    fn no_description_panics(at in 0..60_usize, value in "[-+0-9.eE\" a-zA-Z/*\\[\\]]{0,20}", temperature in prop::option::of(1.0..1e4_f64)) {
+        let text = include_str!("../examples/belts/cvtech.toml");
+        let changed: Vec<String> = text.lines().enumerate().map(|(line, text)| match text.split_once('=') {
+            Some((key, _)) if line == at => format!("{key}={value}"),
+            _ if line == at => value.clone(),
+            _ => text.to_owned(),
+        }).collect();
+        if let Ok(description) = sheave::bench::belt::Description::parse("fuzz", &changed.join("\n")) {
+            let _ = description.evaluate(temperature);
+        }
+    }
+}
