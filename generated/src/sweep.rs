@@ -68,6 +68,7 @@ pub(crate) trait Sweep {
     /// Rows of `fields` written.
     const FIELDS: usize;
     /// Whether eight points at a time are worth the time to compile them: not for what runs once a solution.
+    #[cfg_attr(not(target_arch = "x86_64"), expect(dead_code, reason = "there are no wider lanes there"))]
     const WIDE: bool;
     /// What all points share.
     type Uniforms;
