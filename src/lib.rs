@@ -1,7 +1,8 @@
 //! Rubber V-belt CVTs, computed: a [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a
 //! [`study`] does so over a grid, [`design`] finds its limits and its best clamp; [`plot`] and [`report`] show it. [`small`]
-//! models stand beside the full one. `bench` (a feature) leads from measurements to what a case needs, and from logs to a comparison.
+//! models stand beside the full one; [`actuator`]s press the sheaves together. `bench` (a feature) leads from measurements to what a case needs, and from logs to a comparison.
 
+pub mod actuator;
 #[cfg(feature = "bench")]
 pub mod bench;
 pub mod case;

@@ -3,6 +3,12 @@
 // Operations:
 //   value: 20 operations
 //   jacobian: 77 operations
+// Equations, with their numbers in the source:
+// - G (typed in): definition of the flow coefficient
+// - revolutions (typed in): (3.5)
+// - bending (derived): (3.26)
+// - groove (derived): (3.16)
+// - cord (derived): (3.9)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

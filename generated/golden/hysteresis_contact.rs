@@ -3,6 +3,20 @@
 // Operations:
 //   value: 49 operations
 //   jacobian: 229 operations
+// Equations, with their numbers in the source:
+// - theta_1 (typed in): (5.2)
+// - theta_2 (typed in): (5.3)
+// - arc (typed in): (3.4)
+// - G (typed in): definition of the flow coefficient
+// - F (derived): (3.10)
+// - V (derived): (3.11)
+// - stretch (typed in): (3.9)
+// - material (typed in): (5.55)
+// - curvature (derived): (3.26)
+// - curvature_slope (derived): (3.26), (3.9)
+// - penetration_slope (derived): (3.24), (3.9)
+// - strain (typed in): (3.9)
+// - strain_slope (derived): (3.9), (3.10)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,16 @@
 // Operations:
 //   value: 27 operations
 //   jacobian: 141 operations
+// Equations, with their numbers in the source:
+// - G (typed in): definition of the flow coefficient
+// - F (derived): (3.10)
+// - V (derived): (3.11)
+// - stretch (typed in): (3.9)
+// - material (typed in): (5.56)
+// - curvature (typed in): (5.10)
+// - curvature_slope (typed in): (5.11), (3.9)
+// - strain (typed in): (3.9)
+// - strain_slope (derived): (3.9), (3.10)
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -3,6 +3,14 @@
 // Operations:
 //   value: 19 operations
 //   jacobian: 78 operations
+// Equations, with their numbers in the source:
+// - driven (typed in): (6.9)
+// - primary_drag (typed in): drag
+// - secondary_drag (typed in): drag
+// - gears (typed in): gears
+// - total (typed in): balance of power
+// - delivered (typed in): balance of power
+// - efficiency (typed in): (6.9) with losses
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[

@@ -290,6 +290,156 @@ pub fn drive_sizing_idler<N: Number>(inputs: &[N]) -> Vec<N> {
     let reflected_inertia = ((D_in).power(2)) * ((D).power(-2)) * (I_idler);
     vec![reflected_inertia]
 }
+pub fn flyweight_table<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let C = inputs[3];
+    let lost = inputs[4];
+    let force = ((omega).power(2)) * (N) * (m) * (C)
+        * ((N::number(1.0 / 1.0)) + ((N::number(-1.0 / 1.0)) * (lost)));
+    vec![force]
+}
+pub fn flyweight_ramp<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let r = inputs[3];
+    let r_s = inputs[4];
+    let rho = inputs[5];
+    let tan_rho = (rho).tan();
+    let radial = ((omega).power(2)) * (r) * (N) * (m);
+    let force = (radial) * (((N::number(1.0 / 1.0)) + ((r_s) * (tan_rho))).power(-1))
+        * ((r_s) + ((N::number(-1.0 / 1.0)) * (tan_rho)));
+    vec![force]
+}
+pub fn flyweight_arm<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let s = inputs[3];
+    let z_0 = inputs[4];
+    let R_pivot = inputs[5];
+    let R_roller = inputs[6];
+    let l_m = inputs[7];
+    let delta = inputs[8];
+    let xi = inputs[9];
+    let xi_d = inputs[10];
+    let rho = inputs[11];
+    let tan_rho = (rho).tan();
+    let z = (s) + (z_0);
+    let distance = (((z).power(2))
+        + (((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot))).power(2)))
+        .sqrt();
+    let chi = (z).angle((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)));
+    let theta = (chi) + ((N::number(-1.0 / 1.0)) * (xi));
+    let phi_m = (theta) + (delta);
+    let sin_m = (phi_m).sin();
+    let cos_m = (phi_m).cos();
+    let radius = (R_pivot) + ((l_m) * (sin_m));
+    let moment = ((omega).power(2)) * (N) * (m) * (l_m) * (radius) * (cos_m);
+    let tan_e = (distance) * (xi_d);
+    let tan_t = (((N::number(1.0 / 1.0))
+        + ((N::number(-1.0 / 1.0)) * (tan_rho) * (tan_e)))
+        .power(-1)) * ((tan_rho) + (tan_e));
+    let distance_s = ((distance).power(-1)) * (z);
+    let radius_s = (N::number(-1.0 / 1.0)) * ((distance).power(-1)) * (l_m) * (cos_m)
+        * ((((distance).power(-1)) * (z) * (tan_e))
+            + (((distance).power(-1))
+                * ((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)))));
+    let force = (N::number(-1.0 / 1.0)) * ((distance).power(-1)) * (moment)
+        * ((((distance).power(-1)) * (z) * (tan_t))
+            + (((distance).power(-1))
+                * ((R_roller) + ((N::number(-1.0 / 1.0)) * (R_pivot)))));
+    vec![force, distance, distance_s, radius, radius_s, moment]
+}
+pub fn flyweight_roller<N: Number>(inputs: &[N]) -> Vec<N> {
+    let N = inputs[0];
+    let m = inputs[1];
+    let omega = inputs[2];
+    let theta = inputs[3];
+    let R_pivot = inputs[4];
+    let l_roller = inputs[5];
+    let l_m = inputs[6];
+    let delta = inputs[7];
+    let h = inputs[8];
+    let h_x = inputs[9];
+    let rho = inputs[10];
+    let tan_rho = (rho).tan();
+    let sin_r = (theta).sin();
+    let cos_r = (theta).cos();
+    let gap = (R_pivot) + ((l_roller) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (h));
+    let along = (l_roller) * (cos_r);
+    let radius = (R_pivot) + ((l_m) * (((theta) + (delta)).sin()));
+    let moment = ((omega).power(2)) * (N) * (m) * (l_m) * (radius)
+        * (((theta) + (delta)).cos());
+    let h_t = (((N::number(1.0 / 1.0)) + ((tan_rho) * (h_x))).power(-1))
+        * (((N::number(-1.0 / 1.0)) * (tan_rho)) + (h_x));
+    let theta_s = (N::number(-1.0 / 1.0)) * ((l_roller).power(-1)) * (h_x)
+        * ((((h_x) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (cos_r))).power(-1));
+    let radius_s = (N::number(-1.0 / 1.0)) * (l_m) * ((l_roller).power(-1)) * (h_x)
+        * ((((h_x) * (sin_r)) + ((N::number(-1.0 / 1.0)) * (cos_r))).power(-1))
+        * (((theta) + (delta)).cos());
+    let force = (N::number(-1.0 / 1.0)) * (moment) * ((l_roller).power(-1)) * (h_t)
+        * ((((N::number(-1.0 / 1.0)) * (cos_r)) + ((sin_r) * (h_t))).power(-1));
+    vec![force, gap, along, theta_s, radius, radius_s, moment]
+}
+pub fn compression_spring<N: Number>(inputs: &[N]) -> Vec<N> {
+    let F_0 = inputs[0];
+    let c = inputs[1];
+    let s = inputs[2];
+    let force = ((s) * (c)) + (F_0);
+    let energy = ((s) * (F_0)) + ((N::number(1.0 / 2.0)) * ((s).power(2)) * (c));
+    vec![force, energy]
+}
+pub fn helix<N: Number>(inputs: &[N]) -> Vec<N> {
+    let kappa = inputs[0];
+    let phi_0 = inputs[1];
+    let phi = inputs[2];
+    let r_h = inputs[3];
+    let tan_alpha = inputs[4];
+    let share = inputs[5];
+    let M = inputs[6];
+    let rho = inputs[7];
+    let tan_rho = (rho).tan();
+    let torque = ((M) * (share)) + ((kappa) * ((phi) + (phi_0)));
+    let force = (N::number(-1.0 / 1.0)) * ((r_h).power(-1)) * (torque)
+        * ((N::number(-1.0 / 1.0)) + ((tan_rho) * (tan_alpha)))
+        * (((tan_rho) + (tan_alpha)).power(-1));
+    let turn = ((r_h).power(-1)) * ((tan_alpha).power(-1));
+    vec![torque, force, turn]
+}
+pub fn sheave_travel<N: Number>(inputs: &[N]) -> Vec<N> {
+    let beta = inputs[0];
+    let R = inputs[1];
+    let R_0 = inputs[2];
+    let tan_beta = (beta).tan();
+    let travel = (N::number(2.0 / 1.0)) * (tan_beta)
+        * ((R) + ((N::number(-1.0 / 1.0)) * (R_0)));
+    vec![travel]
+}
+pub fn vehicle_load<N: Number>(inputs: &[N]) -> Vec<N> {
+    let omega_S = inputs[0];
+    let i_f = inputs[1];
+    let r_w = inputs[2];
+    let m_v = inputs[3];
+    let g_0 = inputs[4];
+    let c_r = inputs[5];
+    let tan_slope = inputs[6];
+    let rho_air = inputs[7];
+    let CdA = inputs[8];
+    let eta_f = inputs[9];
+    let a = inputs[10];
+    let tilt = (N::number(1.0 / 1.0)) + ((tan_slope).power(2));
+    let incline = (tilt).sqrt();
+    let speed = ((i_f).power(-1)) * (omega_S) * (r_w);
+    let resistance = ((N::number(1.0 / 2.0)) * ((speed).power(2)) * (rho_air) * (CdA))
+        + (((incline).power(-1)) * (m_v) * (g_0) * ((tan_slope) + (c_r)));
+    let torque = ((i_f).power(-1)) * ((eta_f).power(-1)) * (r_w)
+        * (((m_v) * (a)) + (resistance));
+    let torque_a = ((i_f).power(-1)) * ((eta_f).power(-1)) * (r_w) * (m_v);
+    vec![speed, resistance, torque, torque_a]
+}
 pub fn hysteresis_contact<N: Number>(inputs: &[N]) -> Vec<N> {
     let T = inputs[0];
     let theta = inputs[1];
@@ -385,7 +535,7 @@ pub fn loss_balance<N: Number>(inputs: &[N]) -> Vec<N> {
     let gear_efficiency = inputs[9];
     let driven = (driving) * (overall);
     let primary_drag = (omega_P) * (((omega_P) * (viscous_P)) + (drag_P));
-    let secondary_drag = (omega_S) * ((drag_S) + ((viscous_S) * (omega_S)));
+    let secondary_drag = (omega_S) * (((omega_S) * (viscous_S)) + (drag_S));
     let gears = ((N::number(1.0 / 1.0)) + ((N::number(-1.0 / 1.0)) * (gear_efficiency)))
         * ((driven) + ((N::number(-1.0 / 1.0)) * (hysteresis))
             + ((N::number(-1.0 / 1.0)) * (primary_drag))
@@ -404,8 +554,12 @@ pub fn all<N: Number>() -> Vec<(&'static str, fn(&[N]) -> Vec<N>)> {
         simple_drive_closed:: < N >), ("belt_pulley", belt_pulley:: < N >),
         ("belt_pulley_limits", belt_pulley_limits:: < N >), ("drive_sizing",
         drive_sizing:: < N >), ("drive_sizing_idler", drive_sizing_idler:: < N >),
-        ("hysteresis_contact", hysteresis_contact:: < N >), ("hysteresis_span",
-        hysteresis_span:: < N >), ("hysteresis", hysteresis:: < N >), ("loss_balance",
-        loss_balance:: < N >)
+        ("flyweight_table", flyweight_table:: < N >), ("flyweight_ramp", flyweight_ramp::
+        < N >), ("flyweight_arm", flyweight_arm:: < N >), ("flyweight_roller",
+        flyweight_roller:: < N >), ("compression_spring", compression_spring:: < N >),
+        ("helix", helix:: < N >), ("sheave_travel", sheave_travel:: < N >),
+        ("vehicle_load", vehicle_load:: < N >), ("hysteresis_contact",
+        hysteresis_contact:: < N >), ("hysteresis_span", hysteresis_span:: < N >),
+        ("hysteresis", hysteresis:: < N >), ("loss_balance", loss_balance:: < N >)
     ]
 }

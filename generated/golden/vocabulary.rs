@@ -3986,6 +3986,1825 @@ impl Identity for DriveSizingIdlerOutput {
 /// An input of a set of formulae.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
+pub enum FlyweightTableInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// C: r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench, m
+    Coefficient,
+    /// f: share of the force that friction takes, negative where the sheave opens
+    Lost,
+}
+impl FlyweightTableInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 5] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Coefficient,
+        Self::Lost,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 5] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "C",
+            symbol: "C",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "r dr/ds of a flyweight, measured or from its mechanism; r sin θ of a bench",
+            source: "",
+        },
+        Symbol {
+            name: "lost",
+            symbol: "f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "share of the force that friction takes, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightTableInput {
+    const COUNT: usize = 5;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightTableOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; (9.2)
+    Force,
+}
+impl FlyweightTableOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Force];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "(9.2)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightTableOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRampInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// r: radius of a flyweight's centre of mass, m
+    Radius,
+    /// dr/ds: slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius
+    RadiusSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightRampInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "r",
+            symbol: "r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of a flyweight's centre of mass",
+            source: "",
+        },
+        Symbol {
+            name: "r_s",
+            symbol: "dr/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of that radius over the sheave's travel: 1/tan λ of a ramp inclined by λ against the radius",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRampInput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRampOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; balance on the ramp
+    Force,
+}
+impl FlyweightRampOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Force];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "balance on the ramp",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRampOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightArmInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// s: travel of the movable sheave, positive where it closes, m
+    Travel,
+    /// z_0: axial distance from the arm's pivot to the roller's centre at s = 0, m
+    Start,
+    /// R_p: radius of the arm's pivot from the shaft, m
+    PivotRadius,
+    /// R_r: radius of the roller's centre from the shaft, m
+    RollerRadius,
+    /// l_m: distance of the arm's centre of mass from its pivot, m
+    MassDistance,
+    /// δ: angle of the centre of mass in the arm, rad
+    MassAngle,
+    /// ξ: angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve, rad
+    PitchAngle,
+    /// dξ/dd: slope of the pitch curve over the distance, rad/m
+    PitchSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightArmInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 12] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::Travel,
+        Self::Start,
+        Self::PivotRadius,
+        Self::RollerRadius,
+        Self::MassDistance,
+        Self::MassAngle,
+        Self::PitchAngle,
+        Self::PitchSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 12] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "s",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "travel of the movable sheave, positive where it closes",
+            source: "",
+        },
+        Symbol {
+            name: "z_0",
+            symbol: "z_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "axial distance from the arm's pivot to the roller's centre at s = 0",
+            source: "",
+        },
+        Symbol {
+            name: "R_pivot",
+            symbol: "R_p",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the arm's pivot from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "R_roller",
+            symbol: "R_r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the roller's centre from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "l_m",
+            symbol: "l_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the arm's centre of mass from its pivot",
+            source: "",
+        },
+        Symbol {
+            name: "delta",
+            symbol: "δ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the centre of mass in the arm",
+            source: "",
+        },
+        Symbol {
+            name: "xi",
+            symbol: "ξ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the roller's centre in the arm at its present distance from the pivot: the cam's pitch curve",
+            source: "",
+        },
+        Symbol {
+            name: "xi_d",
+            symbol: "dξ/dd",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "slope of the pitch curve over the distance",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightArmInput {
+    const COUNT: usize = 12;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightArmOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; virtual work
+    Force,
+    /// d: distance from the pivot to the roller's centre, at which the pitch curve is to be read, m; kinematics
+    Distance,
+    /// dd/ds: its slope over the travel; kinematics
+    DistanceSlope,
+    /// r_m: radius of the centre of mass from the shaft, m; kinematics
+    Radius,
+    /// dr_m/ds: its slope over the travel without friction; kinematics
+    RadiusSlope,
+    /// M_c: moment of the centrifugal forces about the pivots, N·m; centrifugal moment
+    Moment,
+}
+impl FlyweightArmOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Force,
+        Self::Distance,
+        Self::DistanceSlope,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::Moment,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 6] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "virtual work",
+        },
+        Symbol {
+            name: "distance",
+            symbol: "d",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance from the pivot to the roller's centre, at which the pitch curve is to be read",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "distance_s",
+            symbol: "dd/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius",
+            symbol: "r_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the centre of mass from the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius_s",
+            symbol: "dr_m/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel without friction",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "moment",
+            symbol: "M_c",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "moment of the centrifugal forces about the pivots",
+            source: "centrifugal moment",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightArmOutput {
+    const COUNT: usize = 6;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRollerInput {
+    /// N: number of flyweights
+    Count,
+    /// m: mass of one flyweight, kg
+    Mass,
+    /// ω: speed of the pulley that carries the flyweights, rad/s
+    Speed,
+    /// θ: angle of the arm from the shaft's axis outwards, pivot to roller, rad
+    ArmAngle,
+    /// R_p: radius of the arm's pivot from the shaft, m
+    PivotRadius,
+    /// l_r: distance of the roller's centre from the pivot, m
+    ArmLength,
+    /// l_m: distance of the arm's centre of mass from its pivot, m
+    MassDistance,
+    /// δ: angle from the line to the roller to that to the centre of mass, rad
+    MassAngle,
+    /// h: radius from the shaft to which the ramp lets the roller's centre, where the roller is, m
+    RampRadius,
+    /// dh/dx: slope of that radius along the ramp
+    RampSlope,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl FlyweightRollerInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 11] = [
+        Self::Count,
+        Self::Mass,
+        Self::Speed,
+        Self::ArmAngle,
+        Self::PivotRadius,
+        Self::ArmLength,
+        Self::MassDistance,
+        Self::MassAngle,
+        Self::RampRadius,
+        Self::RampSlope,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 11] = &[
+        Symbol {
+            name: "N",
+            symbol: "N",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "number of flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "m",
+            symbol: "m",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of one flyweight",
+            source: "",
+        },
+        Symbol {
+            name: "omega",
+            symbol: "ω",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the pulley that carries the flyweights",
+            source: "",
+        },
+        Symbol {
+            name: "theta",
+            symbol: "θ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle of the arm from the shaft's axis outwards, pivot to roller",
+            source: "",
+        },
+        Symbol {
+            name: "R_pivot",
+            symbol: "R_p",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the arm's pivot from the shaft",
+            source: "",
+        },
+        Symbol {
+            name: "l_roller",
+            symbol: "l_r",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the roller's centre from the pivot",
+            source: "",
+        },
+        Symbol {
+            name: "l_m",
+            symbol: "l_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "distance of the arm's centre of mass from its pivot",
+            source: "",
+        },
+        Symbol {
+            name: "delta",
+            symbol: "δ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle from the line to the roller to that to the centre of mass",
+            source: "",
+        },
+        Symbol {
+            name: "h",
+            symbol: "h",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius from the shaft to which the ramp lets the roller's centre, where the roller is",
+            source: "",
+        },
+        Symbol {
+            name: "h_x",
+            symbol: "dh/dx",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "slope of that radius along the ramp",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRollerInput {
+    const COUNT: usize = 11;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum FlyweightRollerOutput {
+    /// F_fly: axial force of all flyweights on the movable sheave, N; virtual work
+    Force,
+    /// radius that the roller's centre has beyond the ramp: zero where it bears on it, m; contact
+    Gap,
+    /// how far the roller's centre lies from the pivot along the shaft, m; kinematics
+    Along,
+    /// dθ/ds: turn of the arm over the travel, without friction, rad/m; contact
+    AngleSlope,
+    /// r_m: radius of the centre of mass from the shaft, m; kinematics
+    Radius,
+    /// dr_m/ds: its slope over the travel without friction; kinematics
+    RadiusSlope,
+    /// M_c: moment of the centrifugal forces about the pivots, N·m; centrifugal moment
+    Moment,
+}
+impl FlyweightRollerOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 7] = [
+        Self::Force,
+        Self::Gap,
+        Self::Along,
+        Self::AngleSlope,
+        Self::Radius,
+        Self::RadiusSlope,
+        Self::Moment,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 7] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_fly",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of all flyweights on the movable sheave",
+            source: "virtual work",
+        },
+        Symbol {
+            name: "gap",
+            symbol: "",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius that the roller's centre has beyond the ramp: zero where it bears on it",
+            source: "contact",
+        },
+        Symbol {
+            name: "along",
+            symbol: "",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "how far the roller's centre lies from the pivot along the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "theta_s",
+            symbol: "dθ/ds",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "turn of the arm over the travel, without friction",
+            source: "contact",
+        },
+        Symbol {
+            name: "radius",
+            symbol: "r_m",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the centre of mass from the shaft",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "radius_s",
+            symbol: "dr_m/ds",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "its slope over the travel without friction",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "moment",
+            symbol: "M_c",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "moment of the centrifugal forces about the pivots",
+            source: "centrifugal moment",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for FlyweightRollerOutput {
+    const COUNT: usize = 7;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum CompressionSpringInput {
+    /// F_0: force of the spring at s = 0, N
+    Preload,
+    /// c: rate of the spring, N/m
+    Rate,
+    /// s: travel by which the spring is compressed further, m
+    Travel,
+}
+impl CompressionSpringInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::Preload, Self::Rate, Self::Travel];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "F_0",
+            symbol: "F_0",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of the spring at s = 0",
+            source: "",
+        },
+        Symbol {
+            name: "c",
+            symbol: "c",
+            unit: "N/m",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "rate of the spring",
+            source: "",
+        },
+        Symbol {
+            name: "s",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "travel by which the spring is compressed further",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for CompressionSpringInput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum CompressionSpringOutput {
+    /// F_spring: force of the spring, N; (9.3)
+    Force,
+    /// energy taken since s = 0, N·m; energy
+    Energy,
+}
+impl CompressionSpringOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 2] = [Self::Force, Self::Energy];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 2] = &[
+        Symbol {
+            name: "force",
+            symbol: "F_spring",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of the spring",
+            source: "(9.3)",
+        },
+        Symbol {
+            name: "energy",
+            symbol: "",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "energy taken since s = 0",
+            source: "energy",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for CompressionSpringOutput {
+    const COUNT: usize = 2;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HelixInput {
+    /// κ_t: rate of the spring in torsion, N·m/rad
+    TorsionRate,
+    /// φ_0: angle by which the spring is wound up when installed, rad
+    Pretension,
+    /// φ: angle by which the movable sheave has turned on its helix, rad
+    Turn,
+    /// r_h: radius of the helix, m
+    Radius,
+    /// tan α: tangent of the helix angle, measured from the plane of rotation
+    Tangent,
+    /// ζ: share of the torque that the movable sheave carries
+    Share,
+    /// M: torque of the belt on the secondary, N·m
+    Torque,
+    /// ρ: friction angle of the contact, negative where the sheave opens, rad
+    FrictionAngle,
+}
+impl HelixInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 8] = [
+        Self::TorsionRate,
+        Self::Pretension,
+        Self::Turn,
+        Self::Radius,
+        Self::Tangent,
+        Self::Share,
+        Self::Torque,
+        Self::FrictionAngle,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 8] = &[
+        Symbol {
+            name: "kappa",
+            symbol: "κ_t",
+            unit: "N·m/rad",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: -1,
+            },
+            doc: "rate of the spring in torsion",
+            source: "",
+        },
+        Symbol {
+            name: "phi_0",
+            symbol: "φ_0",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle by which the spring is wound up when installed",
+            source: "",
+        },
+        Symbol {
+            name: "phi",
+            symbol: "φ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "angle by which the movable sheave has turned on its helix",
+            source: "",
+        },
+        Symbol {
+            name: "r_h",
+            symbol: "r_h",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the helix",
+            source: "",
+        },
+        Symbol {
+            name: "tan_alpha",
+            symbol: "tan α",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "tangent of the helix angle, measured from the plane of rotation",
+            source: "",
+        },
+        Symbol {
+            name: "share",
+            symbol: "ζ",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "share of the torque that the movable sheave carries",
+            source: "",
+        },
+        Symbol {
+            name: "M",
+            symbol: "M",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque of the belt on the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "rho",
+            symbol: "ρ",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "friction angle of the contact, negative where the sheave opens",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HelixInput {
+    const COUNT: usize = 8;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum HelixOutput {
+    /// T_h: torque that the helix carries, N·m; moments on the movable sheave
+    Torque,
+    /// F_helix: axial force of the helix on the movable sheave, positive where it closes, N; balance on the helix
+    Force,
+    /// dφ/ds: turn of the movable sheave over its travel, rad/m; kinematics
+    TurnSlope,
+}
+impl HelixOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::Torque, Self::Force, Self::TurnSlope];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "torque",
+            symbol: "T_h",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that the helix carries",
+            source: "moments on the movable sheave",
+        },
+        Symbol {
+            name: "force",
+            symbol: "F_helix",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "axial force of the helix on the movable sheave, positive where it closes",
+            source: "balance on the helix",
+        },
+        Symbol {
+            name: "turn",
+            symbol: "dφ/ds",
+            unit: "rad/m",
+            dimension: Dimension {
+                length: -1,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "turn of the movable sheave over its travel",
+            source: "kinematics",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for HelixOutput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum SheaveTravelInput {
+    /// β: half angle of the groove, rad
+    HalfAngle,
+    /// R: radius of the belt on the pulley, m
+    Radius,
+    /// R_0: radius of the belt where the travel is zero, m
+    Start,
+}
+impl SheaveTravelInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 3] = [Self::HalfAngle, Self::Radius, Self::Start];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 3] = &[
+        Symbol {
+            name: "beta",
+            symbol: "β",
+            unit: "rad",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 1,
+            },
+            doc: "half angle of the groove",
+            source: "",
+        },
+        Symbol {
+            name: "R",
+            symbol: "R",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the belt on the pulley",
+            source: "",
+        },
+        Symbol {
+            name: "R_0",
+            symbol: "R_0",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "radius of the belt where the travel is zero",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for SheaveTravelInput {
+    const COUNT: usize = 3;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum SheaveTravelOutput {
+    /// s: axial travel of the movable sheave, positive where it closes, m; (9.2)
+    Travel,
+}
+impl SheaveTravelOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 1] = [Self::Travel];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 1] = &[
+        Symbol {
+            name: "travel",
+            symbol: "s",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "axial travel of the movable sheave, positive where it closes",
+            source: "(9.2)",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for SheaveTravelOutput {
+    const COUNT: usize = 1;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum VehicleLoadInput {
+    /// ω_S: speed of the secondary, rad/s
+    SecondarySpeed,
+    /// i_f: turns of the secondary for a turn of the wheel
+    FinalRatio,
+    /// r_w: rolling radius of the wheel, m
+    WheelRadius,
+    /// m_v: mass of the vehicle with its driver, kg
+    Mass,
+    /// g: acceleration of gravity, m/s²
+    Gravity,
+    /// c_r: coefficient of rolling resistance
+    RollingResistance,
+    /// tan α_g: grade of the ground, rise over run
+    Grade,
+    /// ρ_air: density of the air, kg/m³
+    AirDensity,
+    /// C_d A: drag area, m²
+    DragArea,
+    /// η_f: efficiency of the final drive
+    FinalEfficiency,
+    /// a: acceleration of the vehicle, m/s²
+    Acceleration,
+}
+impl VehicleLoadInput {
+    /// All of them, in order.
+    pub const ALL: [Self; 11] = [
+        Self::SecondarySpeed,
+        Self::FinalRatio,
+        Self::WheelRadius,
+        Self::Mass,
+        Self::Gravity,
+        Self::RollingResistance,
+        Self::Grade,
+        Self::AirDensity,
+        Self::DragArea,
+        Self::FinalEfficiency,
+        Self::Acceleration,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 11] = &[
+        Symbol {
+            name: "omega_S",
+            symbol: "ω_S",
+            unit: "rad/s",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: -1,
+                angle: 1,
+            },
+            doc: "speed of the secondary",
+            source: "",
+        },
+        Symbol {
+            name: "i_f",
+            symbol: "i_f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "turns of the secondary for a turn of the wheel",
+            source: "",
+        },
+        Symbol {
+            name: "r_w",
+            symbol: "r_w",
+            unit: "m",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "rolling radius of the wheel",
+            source: "",
+        },
+        Symbol {
+            name: "m_v",
+            symbol: "m_v",
+            unit: "kg",
+            dimension: Dimension {
+                length: 0,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "mass of the vehicle with its driver",
+            source: "",
+        },
+        Symbol {
+            name: "g_0",
+            symbol: "g",
+            unit: "m/s²",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -2,
+                angle: 0,
+            },
+            doc: "acceleration of gravity",
+            source: "",
+        },
+        Symbol {
+            name: "c_r",
+            symbol: "c_r",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "coefficient of rolling resistance",
+            source: "",
+        },
+        Symbol {
+            name: "tan_slope",
+            symbol: "tan α_g",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "grade of the ground, rise over run",
+            source: "",
+        },
+        Symbol {
+            name: "rho_air",
+            symbol: "ρ_air",
+            unit: "kg/m³",
+            dimension: Dimension {
+                length: -3,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "density of the air",
+            source: "",
+        },
+        Symbol {
+            name: "CdA",
+            symbol: "C_d A",
+            unit: "m²",
+            dimension: Dimension {
+                length: 2,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "drag area",
+            source: "",
+        },
+        Symbol {
+            name: "eta_f",
+            symbol: "η_f",
+            unit: "",
+            dimension: Dimension {
+                length: 0,
+                mass: 0,
+                time: 0,
+                angle: 0,
+            },
+            doc: "efficiency of the final drive",
+            source: "",
+        },
+        Symbol {
+            name: "a",
+            symbol: "a",
+            unit: "m/s²",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -2,
+                angle: 0,
+            },
+            doc: "acceleration of the vehicle",
+            source: "",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for VehicleLoadInput {
+    const COUNT: usize = 11;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// What a set of formulae gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum VehicleLoadOutput {
+    /// v: speed of the vehicle, m/s; kinematics
+    Speed,
+    /// force of rolling, grade and air against the vehicle, N; resistance
+    Resistance,
+    /// torque that the vehicle takes from the secondary, N·m; power
+    Torque,
+    /// change of that torque with acceleration, kg·m; power
+    TorquePerAcceleration,
+}
+impl VehicleLoadOutput {
+    /// All of them, in order.
+    pub const ALL: [Self; 4] = [
+        Self::Speed,
+        Self::Resistance,
+        Self::Torque,
+        Self::TorquePerAcceleration,
+    ];
+    /// What they are, in the same order.
+    pub const SYMBOLS: &'static [Symbol; 4] = &[
+        Symbol {
+            name: "speed",
+            symbol: "v",
+            unit: "m/s",
+            dimension: Dimension {
+                length: 1,
+                mass: 0,
+                time: -1,
+                angle: 0,
+            },
+            doc: "speed of the vehicle",
+            source: "kinematics",
+        },
+        Symbol {
+            name: "resistance",
+            symbol: "",
+            unit: "N",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "force of rolling, grade and air against the vehicle",
+            source: "resistance",
+        },
+        Symbol {
+            name: "torque",
+            symbol: "",
+            unit: "N·m",
+            dimension: Dimension {
+                length: 2,
+                mass: 1,
+                time: -2,
+                angle: 0,
+            },
+            doc: "torque that the vehicle takes from the secondary",
+            source: "power",
+        },
+        Symbol {
+            name: "torque_a",
+            symbol: "",
+            unit: "kg·m",
+            dimension: Dimension {
+                length: 1,
+                mass: 1,
+                time: 0,
+                angle: 0,
+            },
+            doc: "change of that torque with acceleration",
+            source: "power",
+        },
+    ];
+    /// Its place in [`Self::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+    /// What it is: name, printed symbol, unit, dimension, meaning and source.
+    pub const fn symbol(self) -> &'static Symbol {
+        &Self::SYMBOLS[self as usize]
+    }
+    /// Its name in tables and files.
+    pub const fn name(self) -> &'static str {
+        self.symbol().name
+    }
+}
+impl Identity for VehicleLoadOutput {
+    const COUNT: usize = 4;
+    fn place(self) -> usize {
+        self as usize
+    }
+}
+/// An input of a set of formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
 pub enum HysteresisContactInput {
     /// T: tractive tension, N
     T,

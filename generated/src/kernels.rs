@@ -81,7 +81,7 @@ macro_rules! outputs {
 macro_rules! formulae {
     ($($name:ident $constant:ident $input:ident $output:ident $doc:literal),* $(,)?) => {
         $(
-            #[allow(non_snake_case, unused_variables, unused_comparisons, clippy::all)]
+            #[allow(non_snake_case, unused_variables, unused_comparisons, unused_imports, clippy::all)]
             mod $name {
                 use super::sized;
                 use crate::function::*;
@@ -162,4 +162,20 @@ formulae! {
         "Power that a harmonic of what runs around with the belt loses.",
     loss_balance LOSS_BALANCE LossBalanceInput LossBalanceOutput
         "What arrives once hysteresis, drag and gears have had their share.",
+    flyweight_table FLYWEIGHT_TABLE FlyweightTableInput FlyweightTableOutput
+        "Axial force of flyweights whose radius times its slope over the shift is known (9.2).",
+    flyweight_ramp FLYWEIGHT_RAMP FlyweightRampInput FlyweightRampOutput
+        "Axial force of flyweights that slide along a radius against a ramp.",
+    flyweight_arm FLYWEIGHT_ARM FlyweightArmInput FlyweightArmOutput
+        "Axial force of pivoted cam arms that bear on rollers.",
+    flyweight_roller FLYWEIGHT_ROLLER FlyweightRollerInput FlyweightRollerOutput
+        "Axial force of pivoted arms whose rollers bear on ramps of the movable sheave.",
+    compression_spring COMPRESSION_SPRING CompressionSpringInput CompressionSpringOutput
+        "Force of a compression spring.",
+    helix HELIX HelixInput HelixOutput
+        "Axial force of a helix and its torsion spring.",
+    sheave_travel SHEAVE_TRAVEL SheaveTravelInput SheaveTravelOutput
+        "Travel of a movable sheave from the belt's radius.",
+    vehicle_load VEHICLE_LOAD VehicleLoadInput VehicleLoadOutput
+        "Torque that a vehicle takes from the secondary.",
 }

@@ -17,11 +17,12 @@ mod vocabulary;
 pub use derivation::{DerivationFormat, derivation};
 pub use kernels::{
     BELT_PULLEY, BELT_PULLEY_LIMITS, BOUNDARIES, BOUNDARY_AS_PRINTED, BOUNDARY_CONTINUOUS_FULL,
-    BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING, BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, CONTACT_FULL_TANH,
-    CONTACT_FULL_VISCOUS_COULOMB, CONTACT_LINEARISED_TANH, CONTACT_LINEARISED_VISCOUS_COULOMB, CONTACT_STRING_TANH,
-    CONTACT_STRING_VISCOUS_COULOMB, DRIVE_SIZING, DRIVE_SIZING_IDLER, FORMULAE, HYSTERESIS, HYSTERESIS_CONTACT,
-    HYSTERESIS_SPAN, LOSS_BALANCE, OUTPUT_SETS, OUTPUTS, OUTPUTS_STRING, REGIONS, SIMPLE_DRIVE, SIMPLE_DRIVE_CLOSED,
-    SPAN_AS_PRINTED, SPAN_DERIVED, SPAN_STRING,
+    BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING, BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, COMPRESSION_SPRING,
+    CONTACT_FULL_TANH, CONTACT_FULL_VISCOUS_COULOMB, CONTACT_LINEARISED_TANH, CONTACT_LINEARISED_VISCOUS_COULOMB,
+    CONTACT_STRING_TANH, CONTACT_STRING_VISCOUS_COULOMB, DRIVE_SIZING, DRIVE_SIZING_IDLER, FLYWEIGHT_ARM,
+    FLYWEIGHT_RAMP, FLYWEIGHT_ROLLER, FLYWEIGHT_TABLE, FORMULAE, HELIX, HYSTERESIS, HYSTERESIS_CONTACT,
+    HYSTERESIS_SPAN, LOSS_BALANCE, OUTPUT_SETS, OUTPUTS, OUTPUTS_STRING, REGIONS, SHEAVE_TRAVEL, SIMPLE_DRIVE,
+    SIMPLE_DRIVE_CLOSED, SPAN_AS_PRINTED, SPAN_DERIVED, SPAN_STRING, VEHICLE_LOAD,
 };
 pub use sets::{BeltTheory, FormulaKernel, OutputKernel};
 pub use sweep::Simd;
@@ -29,8 +30,12 @@ pub use types::{
     BoundaryFn, BoundaryJacobianFn, BoundaryKernel, Dimension, Identity, RegionFn, RegionKernel, RegionOut, Symbol,
 };
 pub use vocabulary::{
-    BeltPulleyInput, BeltPulleyLimit, BeltPulleyLimitInput, BeltPulleyOutput, Constant, DriveSizingIdlerOutput,
-    DriveSizingInput, DriveSizingOutput, Field, HysteresisContactInput, HysteresisContactOutput, HysteresisInput,
-    HysteresisOutput, HysteresisSpanInput, HysteresisSpanOutput, Integral, LossBalanceInput, LossBalanceOutput, Output,
-    RegionConstant, SimpleDriveInput, SimpleDriveOutput, SimpleDriveResidual, State, UnknownOutput,
+    BeltPulleyInput, BeltPulleyLimit, BeltPulleyLimitInput, BeltPulleyOutput, CompressionSpringInput,
+    CompressionSpringOutput, Constant, DriveSizingIdlerOutput, DriveSizingInput, DriveSizingOutput, Field,
+    FlyweightArmInput, FlyweightArmOutput, FlyweightRampInput, FlyweightRampOutput, FlyweightRollerInput,
+    FlyweightRollerOutput, FlyweightTableInput, FlyweightTableOutput, HelixInput, HelixOutput, HysteresisContactInput,
+    HysteresisContactOutput, HysteresisInput, HysteresisOutput, HysteresisSpanInput, HysteresisSpanOutput, Integral,
+    LossBalanceInput, LossBalanceOutput, Output, RegionConstant, SheaveTravelInput, SheaveTravelOutput,
+    SimpleDriveInput, SimpleDriveOutput, SimpleDriveResidual, State, UnknownOutput, VehicleLoadInput,
+    VehicleLoadOutput,
 };

@@ -1,5 +1,6 @@
 //! Small models beside the full one: formulae in named inputs, without regions and ends.
 
+pub mod actuator;
 pub mod drive;
 pub mod hysteresis;
 pub mod pulley;
@@ -32,6 +33,14 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         pulley::limits()?,
         sizing::model()?,
         sizing::idler()?,
+        actuator::flyweight_table()?,
+        actuator::flyweight_ramp()?,
+        actuator::flyweight_arm()?,
+        actuator::flyweight_roller()?,
+        actuator::spring()?,
+        actuator::helix()?,
+        actuator::travel()?,
+        actuator::vehicle()?,
     ];
     Ok(models.into_iter().chain(hysteresis::models()?).map(Model::Boundary).collect())
 }
