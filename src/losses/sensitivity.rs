@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use generated::{BoundaryKernel, HYSTERESIS, LOSS_BALANCE};
+use generated::{BoundaryKernel, HYSTERESIS, HysteresisOutput, LOSS_BALANCE, LossBalanceOutput};
 use solver::{Functional, Linearisation, Points, Problem, Scope, SolveError};
 
 use super::series::{Series, Track};
@@ -93,13 +93,18 @@ pub fn gradients(
     let leading = [driving_gradient, overall_gradient, hysteresis, speed, secondary];
     let balance = balance_inputs(case, solved, driving, overall, dissipated);
     let partial = Partials::of(&LOSS_BALANCE.set, &balance);
-    let row = |name: &str| -> Vec<f64> {
+    let row = |output: LossBalanceOutput| -> Vec<f64> {
         let size = leading.first().map_or(0, Vec::len);
-        let term = |at: usize| leading.iter().enumerate().map(|(i, row)| partial.at(name, i) * row[at]).sum();
+        let term = |at: usize| leading.iter().enumerate().map(|(i, row)| partial.at(output.index(), i) * row[at]).sum();
         (0..size).map(term).collect()
     };
-    let drag = row("primary_drag").iter().zip(row("secondary_drag")).map(|(a, b)| a + b).collect();
-    let (gears, all, efficiency) = (row("gears"), row("total"), row("efficiency"));
+    let drag = row(LossBalanceOutput::PrimaryDrag)
+        .iter()
+        .zip(row(LossBalanceOutput::SecondaryDrag))
+        .map(|(a, b)| a + b)
+        .collect();
+    let (gears, all, efficiency) =
+        (row(LossBalanceOutput::Gears), row(LossBalanceOutput::Total), row(LossBalanceOutput::Efficiency));
     let by_constant = BTreeMap::from([
         ("losses.bending", bending),
         ("losses.groove", groove),
@@ -139,9 +144,9 @@ impl Partials {
         self.kernel.pattern.iter().copied().zip(self.values.iter().copied())
     }
 
-    fn at(&self, output: &str, input: usize) -> f64 {
-        let row = self.kernel.equations.iter().position(|equation| equation.name == output);
-        self.entries().filter(|((r, i), _)| Some(*r) == row && *i == input).map(|(_, value)| value).sum()
+    /// Of the output in a row of the formulae, by an input.
+    fn at(&self, row: usize, input: usize) -> f64 {
+        self.entries().filter(|((r, i), _)| *r == row && *i == input).map(|(_, value)| value).sum()
     }
 }
 
@@ -195,11 +200,11 @@ impl What {
     }
 
     /// Its weight among the outputs of the formulae.
-    fn weight(self) -> &'static str {
+    fn weight(self) -> HysteresisOutput {
         match self {
-            Self::Curvature => "bending",
-            Self::Penetration => "groove",
-            Self::Strain => "cord",
+            Self::Curvature => HysteresisOutput::Bending,
+            Self::Penetration => HysteresisOutput::Groove,
+            Self::Strain => HysteresisOutput::Cord,
         }
     }
 }
@@ -258,7 +263,8 @@ impl Chain<'_> {
         let by_revolutions = weight * sum.by_weight(|n| n as f64 * at(n).by_frequency);
         let partial = Partials::of(&HYSTERESIS.set, &weight_inputs(self.solved, self.tracks.length));
         let by = |input: usize| {
-            by_weight * partial.at(what.weight(), input) + by_revolutions * partial.at("revolutions", input)
+            by_weight * partial.at(what.weight().index(), input)
+                + by_revolutions * partial.at(HysteresisOutput::Revolutions.index(), input)
         };
         let constants = constants.unwrap_or_default();
         for (input, constant) in WEIGHT_CONSTANTS.into_iter().enumerate() {

@@ -5,6 +5,13 @@
 //   jacobian: 4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once
 //   full: 5 add, 5 mul, 0 div, 0 sqrt, 1 fn a point; 10 once
 //   fields: 0 add, 1 mul, 0 div, 0 sqrt, 0 fn a point; 2 once
+// Equations, with their numbers in the source:
+// - kappa (typed in): definition
+// - M (typed in): Bernoulli and Euler
+// - kappa_s (derived): equilibrium of moments
+// - theta_hat_2 (typed in): definition
+// - X_hat_1 (typed in): definition
+// - Y_hat_1 (typed in): definition
 
 ///A thin elastic strut under a load at its ends.
 pub(crate) const KERNEL: RegionKernel = RegionKernel {

@@ -3,6 +3,10 @@
 // Operations:
 //   value: 1 operations
 //   jacobian: 2 operations
+// Equations, with their numbers in the source:
+// - direction (typed in): θ = α at the first end
+// - moment_1 (typed in): M = 0 at the first end
+// - moment_2 (typed in): M = 0 at the second end
 
 ///Structurally nonzero derivatives.
 const PATTERN: &[(usize, usize)] = &[(0, 0), (0, 9), (1, 1), (2, 3)];
