@@ -14,6 +14,8 @@ const SLACK_TENSION: &str = "operating_point.slack_tension";
 const TORQUE: &str = "operating_point.primary_torque";
 const EDITIONS: [&str; 4] = ["consistent", "thesis", "published", "string"];
 const TOLERANCE: f64 = 1e-3;
+/// Newton iterations that each solve of a proof may take.
+const PROOF_WORK: usize = 3000;
 /// Least radius of a design, m: that of a scooter's primary.
 const LEAST_RADIUS: f64 = 0.018;
 
@@ -120,6 +122,7 @@ fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
         return Fate::Failed(failure.to_string());
     }
     let given = value(design, SLACK_TENSION);
+    let options = SolveOptions { work_limit: PROOF_WORK, ..options };
     match smallest_clamps(&resolved, &LimitOptions { solve: options, least_speed_efficiency: 0.0 }) {
         Ok((limits, _)) => {
             let limit = limits.slack_tension;

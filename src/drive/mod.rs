@@ -32,6 +32,6 @@ pub use question::{Known, Question, Swap};
 pub use region::RegionId;
 pub(crate) use region::Source;
 pub use route::Route;
-pub use solve::{SolveOptions, solve, solve_question};
+pub use solve::{SolveOptions, WORK_LIMIT, solve, solve_question};
 pub use solved::Solved;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

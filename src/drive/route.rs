@@ -90,8 +90,14 @@ impl Route {
             legs.push(geometric(Ramp::new(), Constant::SlackTension));
         }
         legs.extend(stiff.map(|at| geometric(Ramp::new(), at)));
-        legs.push(if tighter && driven { geometric(torque, Constant::SlackTension) } else { torque });
-        legs.push(geometric(Ramp::new(), Constant::SlipThreshold));
+        if tighter && driven {
+            legs.push(geometric(torque, Constant::SlackTension));
+        } else if moves(Constant::PrimaryTorque) {
+            legs.push(torque);
+        }
+        if moves(Constant::SlipThreshold) || legs.is_empty() {
+            legs.push(geometric(Ramp::new(), Constant::SlipThreshold));
+        }
         if !tighter && moves(Constant::SlackTension) {
             // A loose belt may transmit the torque only once friction is what the case says.
             legs.push(geometric(Ramp::new(), Constant::SlackTension));

@@ -1,7 +1,7 @@
 //! From a question to a solution, from nothing.
 
 use solver::continuation::{PathOptions, follow_observed};
-use solver::{Guess, Options, Order, Solution, Stats};
+use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
@@ -17,6 +17,8 @@ use crate::model::{Constant, Constants};
 
 /// Tolerance on the way from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
+/// Factor on it where the way is followed on finer meshes.
+const FINER: f64 = 0.1;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
 /// Newton iterations of a step on the way: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
@@ -164,10 +166,9 @@ fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Resul
     let mut failure = None;
     let mut budget = Budget::new(options.work_limit);
     for route in Route::ALL {
-        let begin = route.begin(target);
         let given = budget.part(options.work_limit / Route::ALL.len());
         let mut left = given;
-        let climbed = climb(model, &belt, route, &begin, target, options, &mut left);
+        let climbed = climb(model, &belt, route, target, options, &mut left);
         budget.take(&given, &left);
         match climbed {
             Ok((solution, stats, continuation_steps)) => {
@@ -187,27 +188,82 @@ fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Resul
     Err(failure.unwrap_or(Failure::NoEquations))
 }
 
+/// Follows the legs of a route; where the way is lost, it goes on from there once more, on finer meshes.
 fn climb(
     model: &Model,
     belt: &Belt,
     route: Route,
-    begin: &Constants,
     target: &Constants,
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<(Solution, Stats, usize), Failure> {
-    let legs = route.legs(begin, target);
-    let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-    let (count, mut stats, mut steps, mut found) = (legs.len(), Stats::default(), 0, None::<Solution>);
-    for (index, path) in legs.into_iter().enumerate() {
-        let solver = if index + 1 == count { options.solver() } else { rough(options) };
-        let guess = found.as_ref().map_or_else(|| start::guess(belt, begin), Guess::from);
-        let followed = follow_observed(belt, &guess, &path, &unknowns, &way(model, lenient(&solver)), budget)
-            .map_err(|error| Failure::of(error.last.as_deref(), error.cause))?;
-        stats += *followed.solution.stats();
-        steps += accepted(&followed);
-        let solution = polished(belt, followed.solution, &solver, false, &mut stats);
-        found = Some(solution.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?);
+    let begin = route.begin(target);
+    let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
+    let lost = match climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, budget) {
+        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
+        Err(lost) => lost,
+    };
+    let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
+        return Err(lost.failure);
+    };
+    let solution = climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget);
+    let solution = solution.map_err(|again| Failure::farther(Some(lost.failure), again.failure))?;
+    Ok((solution, climb.stats, climb.steps))
+}
+
+/// How fine the meshes of the way are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mesh {
+    Coarse,
+    Fine,
+}
+
+/// The way along a route.
+struct Climb<'a> {
+    model: &'a Model,
+    belt: &'a Belt,
+    route: Route,
+    target: &'a Constants,
+    options: &'a SolveOptions,
+    stats: Stats,
+    steps: usize,
+}
+
+/// Where the way was lost, and why.
+struct Lost {
+    last: Option<Box<Solution>>,
+    failure: Failure,
+}
+
+impl Lost {
+    fn new(last: Option<Box<Solution>>, cause: Box<SolveError>) -> Self {
+        Self { failure: Failure::of(last.as_deref(), cause), last }
     }
-    found.map(|solution| (solution, stats, steps)).ok_or(Failure::NoEquations)
+}
+
+impl Climb<'_> {
+    /// Follows the legs from a guess whose given constants are those of `begin`.
+    fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
+        let legs = self.route.legs(begin, self.target);
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let (count, mut guess, mut found) = (legs.len(), guess, None::<Solution>);
+        for (index, path) in legs.into_iter().enumerate() {
+            let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
+            let mut way = way(self.model, lenient(&solver));
+            if mesh == Mesh::Fine {
+                way.tolerance *= FINER;
+                way.max_iterations *= 2;
+            }
+            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &way, budget);
+            // What was found on the legs before is as good a place to go on from.
+            let followed = followed.map_err(|error| Lost::new(error.last.or(found.map(Box::new)), error.cause))?;
+            self.stats += *followed.solution.stats();
+            self.steps += accepted(&followed);
+            let solution = polished(self.belt, followed.solution, &solver, false, &mut self.stats)
+                .map_err(|(last, cause)| Lost::new(Some(last), Box::new(cause)))?;
+            guess = Guess::from(&solution);
+            found = Some(solution);
+        }
+        found.ok_or(Lost { last: None, failure: Failure::NoEquations })
+    }
 }

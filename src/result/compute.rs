@@ -204,6 +204,9 @@ enum Driving {
     Secondary,
 }
 
+/// Share of the larger power below which the other counts as none.
+const NO_POWER: f64 = 1e-5;
+
 /// What a solution is read from.
 pub struct Reading<'a> {
     solved: &'a Solved,
@@ -301,6 +304,10 @@ impl<'a> Reading<'a> {
     fn driving(&self) -> Result<Option<Driving>, InternalError> {
         let power_in = self.outputs.get(Output::EnergyPowerIn)?;
         let power_out = self.outputs.get(Output::EnergyPowerOut)?;
+        // A torque of zero is met to the solver's tolerance: what is left of its power has no direction.
+        if power_in.abs().min(power_out.abs()) <= NO_POWER * power_in.abs().max(power_out.abs()) {
+            return Ok(None);
+        }
         Ok(if power_in > 0.0 && power_out > 0.0 {
             Some(Driving::Primary)
         } else if power_in < 0.0 && power_out < 0.0 {

@@ -1,0 +1,124 @@
+//! Drives far from the base case, each from nothing, and torques of either sign.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sheave::case::{Case, Resolved};
+use sheave::drive::{SolveOptions, solve};
+use sheave::result::{Outcome, run};
+
+const ROUGH: SolveOptions = SolveOptions {
+    tolerance: 1e-3,
+    order: solver::Order::Four,
+    sensitivities: false,
+    work_limit: sheave::drive::WORK_LIMIT,
+};
+
+fn case(settings: &[(&str, &str)]) -> Resolved {
+    let mut case = Case::base();
+    for (key, value) in settings {
+        case.assign(&format!("{key}={value}")).unwrap();
+    }
+    case.resolve().unwrap()
+}
+
+fn outcome(settings: &[(&str, &str)], options: &SolveOptions) -> Outcome {
+    run(&case(settings), options).unwrap_or_else(|failure| panic!("{settings:?}: {failure}"))
+}
+
+#[test]
+fn a_sled_is_solved_at_every_ratio() {
+    for ratio in ["0.98", "0.95", "0.9", "0.8", "0.7"] {
+        let sled = [
+            ("belt.length", "1181.1 mm"),
+            ("drive.center_distance", "292.1 mm"),
+            ("drive.ratio", ratio),
+            ("operating_point.primary_speed", "8300 rpm"),
+            ("operating_point.primary_torque", "103.04 N*m"),
+            ("operating_point.slack_tension", "300 N"),
+        ];
+        let result = outcome(&sled, &ROUGH).result;
+        assert!(result.slip_reserve > 0.3 && result.efficiency.overall.unwrap() > 0.9, "{ratio}");
+    }
+}
+
+#[test]
+fn fast_and_slow_drives_are_solved() {
+    for (speed, ratio) in [
+        ("12000 rpm", "1"),
+        ("10000 rpm", "0.72"),
+        ("8000 rpm", "0.9"),
+        ("1 rpm", "1"),
+        ("5 rpm", "1"),
+        ("20 rpm", "1"),
+    ] {
+        outcome(&[("operating_point.primary_speed", speed), ("drive.ratio", ratio)], &ROUGH);
+    }
+}
+
+#[test]
+fn stiff_belts_on_small_pulleys_are_solved() {
+    for ratio in ["0.5", "1", "2", "3"] {
+        outcome(&[("belt.bending_stiffness", "1.5 N*m^2"), ("drive.ratio", ratio)], &ROUGH);
+    }
+}
+
+/// Speeds and slip threshold times λ, mass over λ²: the steady problem is the same, at any λ.
+#[test]
+fn a_drive_in_scaled_time_is_the_same_drive() {
+    let tight = SolveOptions { tolerance: 1e-7, ..ROUGH };
+    let forces = |scale: f64| {
+        let speed = (3400.0 * scale).to_string() + " rpm";
+        let threshold = (1e-4 * scale).to_string();
+        let mass = (0.4375 / (scale * scale)).to_string();
+        let scaled = [
+            ("operating_point.primary_speed", speed.as_str()),
+            ("sheave.slip_threshold", &threshold),
+            ("belt.mass_per_length", &mass),
+        ];
+        let result = outcome(&scaled, &tight).result;
+        [result.primary.axial_force, result.secondary.axial_force, result.efficiency.overall.unwrap()]
+    };
+    let base = forces(1.0);
+    for scale in [0.05, 3.0] {
+        for (found, expected) in forces(scale).into_iter().zip(base) {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{scale}: {found} for {expected}");
+        }
+    }
+}
+
+/// The base case's work, which no wider start may raise.
+#[test]
+fn the_base_case_costs_what_it_did() {
+    for (edition, iterations, steps) in [("consistent", 65, 14), ("thesis", 44, 17), ("published", 42, 15)] {
+        let solved = solve(&case(&[("edition", edition)]), &ROUGH).unwrap();
+        let work = (solved.stats.newton_iterations, solved.continuation_steps);
+        assert!(work.0 <= iterations && work.1 <= steps, "{edition}: {work:?}");
+    }
+}
+
+#[test]
+fn torque_passes_through_zero_without_a_gap() {
+    for edition in ["consistent", "thesis", "published"] {
+        let mut last = f64::NEG_INFINITY;
+        for torque in [-40.0, -20.0, -5.0, -0.1, 0.0, 0.1, 5.0, 20.0, 40.0] {
+            let text = torque.to_string();
+            let point = [
+                ("edition", edition),
+                ("operating_point.primary_torque", text.as_str()),
+                ("operating_point.slack_tension", "800 N"),
+            ];
+            let result = outcome(&point, &ROUGH).result;
+            let (primary, secondary) = (&result.primary, &result.secondary);
+            assert!((primary.torque - torque).abs() < 1e-3, "{edition} {torque}: {}", primary.torque);
+            assert!(secondary.torque > last, "{edition} {torque}");
+            last = secondary.torque;
+            match result.efficiency.overall {
+                Some(overall) => {
+                    assert!(overall > 0.0 && overall < 1.0, "{edition} {torque}: {overall}");
+                    assert!(primary.power * secondary.power > 0.0 && primary.power * torque > 0.0);
+                }
+                None => assert!(torque == 0.0 || primary.power * secondary.power <= 0.0, "{edition} {torque}"),
+            }
+        }
+    }
+}
