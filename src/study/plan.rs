@@ -56,8 +56,25 @@ impl Study {
         }
         case.make_room(&varied);
         let study = Self { case, axes, options };
-        (0..study.points()).try_for_each(|index| study.point(index).map(|_| ()))?;
+        study.check()?;
         Ok(study)
+    }
+
+    /// Resolves the case at every point. Whether a question has an answer whatever the numbers depends on which keys are given
+    /// and on the names among them: it is asked once for each such set, for it takes far longer than resolving.
+    fn check(&self) -> Result<(), CaseError> {
+        let mut asked: Vec<Vec<(Key, Option<&str>)>> = Vec::new();
+        for index in 0..self.points() {
+            let (_, case) = self.case_at(index)?;
+            let Ok(resolved) = resolved(&case)? else { continue };
+            let name = |setting: Setting| if let Setting::Name(name) = setting { Some(name) } else { None };
+            let keys = resolved.settings().into_iter().map(|(key, setting)| (key, name(setting))).collect();
+            if !asked.contains(&keys) {
+                case.check_posed(&resolved)?;
+                asked.push(keys);
+            }
+        }
+        Ok(())
     }
 
     /// Number of points.
@@ -80,6 +97,12 @@ impl Study {
     /// # Errors
     /// A case that contradicts itself; [`Study::new`] has seen to it that there is none.
     pub fn point(&self, index: usize) -> Result<Point, CaseError> {
+        let (varied, case) = self.case_at(index)?;
+        Ok(Point { varied, case: resolved(&case)? })
+    }
+
+    /// What is varied at a point, and the case there, not yet resolved.
+    fn case_at(&self, index: usize) -> Result<(Vec<(Key, Setting)>, Case), CaseError> {
         let mut places = Vec::with_capacity(self.axes.len());
         let mut rest = index;
         for axis in self.axes.iter().rev() {
@@ -95,15 +118,7 @@ impl Study {
                 Setting::Name(name) => case.set(key.path(), name)?,
             }
         }
-        let resolved = match case.resolve() {
-            Ok(resolved) => {
-                case.check_posed(&resolved)?;
-                Ok(resolved)
-            }
-            Err(error) if error.problem().is_of_geometry() => Err(error),
-            Err(error) => return Err(error),
-        };
-        Ok(Point { varied, case: resolved })
+        Ok((varied, case))
     }
 
     /// Points that are solved one from the other, in order: pieces of the lines along the last axis.
@@ -165,5 +180,14 @@ impl Study {
             }
         }
         true
+    }
+}
+
+/// The case, resolved; or inside, why there is no drive with these numbers, although there may be one with others.
+fn resolved(case: &Case) -> Result<Result<Resolved, CaseError>, CaseError> {
+    match case.resolve() {
+        Ok(resolved) => Ok(Ok(resolved)),
+        Err(error) if error.problem().is_of_geometry() => Ok(Err(error)),
+        Err(error) => Err(error),
     }
 }
