@@ -1,5 +1,6 @@
-//! A Latin hypercube of 2,000 designs, in three editions or those named, each from a cold start: the share solved, and of the others whether
-//! they have a solution at all, which their slip limit tells. `cargo bench --bench hypercube [-- DESIGNS EDITION ...]`.
+//! A Latin hypercube of 2,000 designs, in three editions or those named, each from a cold start: the share solved, and
+//! of the others whether they have a solution at all, which their slip limit tells.
+//! `cargo bench --bench hypercube [-- DESIGNS EDITION ...]`.
 
 use sheave::case::{Case, Resolved};
 use sheave::design::{Kind, Limit, LimitOptions, smallest_clamps};

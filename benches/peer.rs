@@ -2,8 +2,8 @@
 //!
 //! `cargo bench --bench peer [-- PYTHON SCRIPT [OPTIONS]]`
 //!
-//! SCRIPT prints one JSON object with the seconds of `cold_with_thinned_meshes`, `resolve` and `step`. Ours are the median and
-//! the best of many on one core; ratios are of the best.
+//! SCRIPT prints one JSON object with the seconds of `cold_with_thinned_meshes`, `resolve` and `step`. Ours are the
+//! median and the best of many on one core; ratios are of the best.
 #![allow(missing_docs, clippy::expect_used)]
 
 use serde_json::Value;

@@ -1,5 +1,5 @@
-//! The seven input situations as operating points, on random drives: each is solved in the ordinary way, then asked for by
-//! speeds, torques and axial forces, from nothing. `cargo bench --bench situations [-- DRIVES]`.
+//! The seven input situations as operating points, on random drives: each is solved in the ordinary way, then asked for
+//! by speeds, torques and axial forces, from nothing. `cargo bench --bench situations [-- DRIVES]`.
 
 use sheave::case::{Case, Key};
 use sheave::drive::{Constant, SolveOptions};

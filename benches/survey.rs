@@ -1,9 +1,9 @@
-//! A survey of drives from scooters to snowmobiles, each solved from nothing: the share that is solved, what becomes of the
-//! others, and what it costs. `cargo bench --bench survey -- SEED DESIGNS [EDITION ...] [from=I] [only=I,J]`.
+//! A survey of drives from scooters to snowmobiles, each solved from nothing: the share that is solved, what becomes of
+//! the others, and what it costs. `cargo bench --bench survey -- SEED DESIGNS [EDITION ...] [from=I] [only=I,J]`.
 //!
-//! A design that is not solved is classified by proof: its geometry is refused; or its slack tension lies below the least
-//! that carries its torque, to which the drive was followed from a tighter belt (a fold of the branch, or the collapse of
-//! the secondary's speed). What is left is named as failed.
+//! A design that is not solved is classified by proof: its geometry is refused; or its slack tension lies below the
+//! least that carries its torque, to which the drive was followed from a tighter belt (a fold of the branch, or the
+//! collapse of the secondary's speed). What is left is named as failed.
 
 use sheave::case::{Case, Resolved};
 use sheave::design::{Kind, LimitOptions, smallest_clamps};
@@ -74,7 +74,8 @@ fn design(seed: u64, index: u64) -> Design {
     };
     design.push(("drive.primary_radius", primary));
     design.push(("drive.secondary_radius", secondary));
-    // The tension of the axis is that of the looser strand, which in engine braking is not the one that leaves the primary.
+    // The tension of the axis is that of the looser strand, which in engine braking is not the one that leaves the
+    // primary.
     let torque = value(&design, TORQUE);
     if let Some((_, tension)) = design.iter_mut().find(|(key, _)| *key == SLACK_TENSION) {
         *tension += (-torque / primary).max(0.0);

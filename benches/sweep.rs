@@ -1,5 +1,6 @@
-//! A sweep over ratio, slack tension and torque: points per second on one and on two threads, peak memory, and whether one
-//! that is killed half-way is completed to the same file. `cargo bench --no-default-features --features full --bench sweep [-- POINTS]`.
+//! A sweep over ratio, slack tension and torque: points per second on one and on two threads, peak memory, and whether
+//! one that is killed half-way is completed to the same file.
+//! `cargo bench --no-default-features --features full --bench sweep [-- POINTS]`.
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};

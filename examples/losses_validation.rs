@@ -1,5 +1,6 @@
-//! The losses against a dynamometer and against scaling laws: `cargo run --release --no-default-features --features figures --example losses_validation`
-//! writes `docs/validation.md` with its tables and figures anew.
+//! The losses against a dynamometer and against scaling laws:
+//! `cargo run --release --no-default-features --features figures --example losses_validation` writes
+//! `docs/validation.md` with its tables and figures anew.
 
 mod losses_validation {
     pub mod bench;

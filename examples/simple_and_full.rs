@@ -103,7 +103,8 @@ fn line(edition: &'static str, clamp: &'static str, ratio: f64, force: f64) -> R
     (0..study.points()).map(row).collect()
 }
 
-/// Simple less full: over the full model's value, for the slack tension over its tight tension; speed losses as they are.
+/// Simple less full: over the full model's value, for the slack tension over its tight tension; speed losses as they
+/// are.
 fn differences(row: &Row) -> Found {
     std::array::from_fn(|index| {
         let scale = match index {

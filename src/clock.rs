@@ -3,8 +3,8 @@
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 use std::time::Instant;
 
-/// Measures the time since its start. In a browser's sandbox (`wasm32-unknown-unknown`), where the standard library has no
-/// clock, it measures nothing.
+/// Measures the time since its start. In a browser's sandbox (`wasm32-unknown-unknown`), where the standard library has
+/// no clock, it measures nothing.
 #[derive(Debug, Clone, Copy)]
 pub struct Stopwatch {
     #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]

@@ -37,7 +37,8 @@ impl Error {
 }
 
 impl Case {
-    /// The case with a key of the case file set as text with its unit: `with("operating_point.slack_tension", "120 N")`.
+    /// The case with a key of the case file set as text with its unit:
+    /// `with("operating_point.slack_tension", "120 N")`.
     ///
     /// # Errors
     /// As [`Case::set`].
@@ -71,8 +72,8 @@ pub fn solve(case: &Case) -> Result<Outcome, Error> {
     solve_with(case, &SolveOptions::default())
 }
 
-/// Solves a case from nothing; with [`SolveOptions::sensitivities`], the result has the derivatives of every output with
-/// respect to everything given.
+/// Solves a case from nothing; with [`SolveOptions::sensitivities`], the result has the derivatives of every output
+/// with respect to everything given.
 ///
 /// # Errors
 /// [`Error::Case`], [`Error::Solve`].
@@ -112,7 +113,8 @@ pub fn sweep_table(case: Case, axes: impl IntoIterator<Item = Axis>, options: So
     Ok(study::table(&Study::new(case, axes, options)?, None)?)
 }
 
-/// A case over a grid of its keys, point by point, the last axis fastest; each point starts from the solutions before it.
+/// A case over a grid of its keys, point by point, the last axis fastest; each point starts from the solutions before
+/// it.
 ///
 /// # Errors
 /// [`Error::Study`]. A point without a solution is an item that says why.

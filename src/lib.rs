@@ -2,8 +2,9 @@
 //!
 //! # The problem
 //!
-//! A belt with bending stiffness runs around two pulleys, primary `P` and secondary `S`. Along each contact, over the angle φ̂
-//! from its entry, the tractive tension T, the angle of inclination θ with its derivatives and the penetration x satisfy
+//! A belt with bending stiffness runs around two pulleys, primary `P` and secondary `S`. Along each contact, over the
+//! angle φ̂ from its entry, the tractive tension T, the angle of inclination θ with its derivatives and the penetration
+//! x satisfy
 //!
 //! ```text
 //! T'   = f_T(T, θ, θ', θ'', x; c)    tangential momentum: friction drives or brakes the belt
@@ -11,13 +12,14 @@
 //! x'   = −(R − x) tan θ              geometry (3.24)
 //! ```
 //!
-//! and along each span, where nothing touches the belt, the tension τ and the direction ϑ satisfy the same balances without
-//! contact. Friction follows Coulomb's law against the sliding velocity, and is proportional to it below a threshold. The
-//! constants c are those of belt, pulleys and operating point, which are given, and eight that are found with the states:
-//! speed ratio, mass flow, two wrap and two orientation angles, two lengths of spans. 26 conditions at the ends of the four
-//! regions determine them: tension, direction, curvature and (in the consistent edition) shear are continuous, torque and
-//! tension are what is given, and both spans close the loop. [`solver`] solves this by collocation with Newton's method and
-//! continuation, from nothing. Success means that defects and boundary residuals hold on the final mesh.
+//! and along each span, where nothing touches the belt, the tension τ and the direction ϑ satisfy the same balances
+//! without contact. Friction follows Coulomb's law against the sliding velocity, and is proportional to it below a
+//! threshold. The constants c are those of belt, pulleys and operating point, which are given, and eight that are found
+//! with the states: speed ratio, mass flow, two wrap and two orientation angles, two lengths of spans. 26 conditions at
+//! the ends of the four regions determine them: tension, direction, curvature and (in the consistent edition) shear are
+//! continuous, torque and tension are what is given, and both spans close the loop. [`solver`] solves this by
+//! collocation with Newton's method and continuation, from nothing. Success means that defects and boundary residuals
+//! hold on the final mesh.
 //!
 //! # An example
 //!
@@ -32,14 +34,15 @@
 //! # Ok::<(), sheave::Error>(())
 //! ```
 //!
-//! [`sweep`] solves over a grid, [`largest_torque`], [`smallest_clamps`] and [`optimum`] find limits and the best clamp.
+//! [`sweep`] solves over a grid, [`largest_torque`], [`smallest_clamps`] and [`optimum`] find limits and the best
+//! clamp.
 //!
 //! # What is where
 //!
 //! A [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a [`study`] does so over a grid,
-//! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models stand
-//! beside the full one, and [`actuator`]s press the sheaves together. `bench` (a feature) leads from measurements to what a
-//! case needs.
+//! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models
+//! stand beside the full one, and [`actuator`]s press the sheaves together. `bench` (a feature) leads from measurements
+//! to what a case needs.
 
 pub mod actuator;
 #[cfg(feature = "bench")]

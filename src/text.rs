@@ -25,8 +25,8 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// The text with every character on which a terminal would act replaced by one of as many bytes, so that places in it stay
-/// what they are; line feeds and the carriage returns before them are kept.
+/// The text with every character on which a terminal would act replaced by one of as many bytes, so that places in it
+/// stay what they are; line feeds and the carriage returns before them are kept.
 pub fn printable_in_place(text: &str) -> Cow<'_, str> {
     if !text.contains(acts) {
         return Cow::Borrowed(text);

@@ -9,8 +9,8 @@ use sheave::actuator::{
 
 const SPEED: f64 = 320.0;
 
-/// A Gaged GX9 as shua5115/Terps-Racing-Baja-Simulator (MIT) states it: arm 33.02 mm, pivot radius 41.88 mm; the path of
-/// the centre of a roller of 6.35 mm on a ramp 20.25 − 0.805 x + 0.01 x² mm below a cage of 65.23 mm, by points.
+/// A Gaged GX9 as shua5115/Terps-Racing-Baja-Simulator (MIT) states it: arm 33.02 mm, pivot radius 41.88 mm; the path
+/// of the centre of a roller of 6.35 mm on a ramp 20.25 − 0.805 x + 0.01 x² mm below a cage of 65.23 mm, by points.
 fn gaged() -> RollerArm {
     let (cage, roller) = (65.231e-3, 6.35e-3);
     let points: Vec<(f64, f64)> = (0..=60)
@@ -205,8 +205,8 @@ fn angles_may_be_measured_from_the_axis() {
     assert!((from_axis - AngleFrom::Rotation.from_rotation(38f64.to_radians())).abs() < 1e-15);
 }
 
-/// Spring "purple" and flyweight "1072" of the bench of the University of Pretoria (HP-Eng1004/TuksBaja_CVT_Code_2025, MIT):
-/// the primary presses from about 2060 rpm on, where its measured curve begins to rise.
+/// Spring "purple" and flyweight "1072" of the bench of the University of Pretoria (HP-Eng1004/TuksBaja_CVT_Code_2025,
+/// MIT): the primary presses from about 2060 rpm on, where its measured curve begins to rise.
 #[test]
 fn a_measured_primary_engages_where_it_was_seen_to() {
     let table = Profile::new(

@@ -1,5 +1,5 @@
-//! Belt properties from bench tests: every number of the thesis's sections 4.1 to 4.6 from its raw inputs, a second belt,
-//! and every mistake with its words; `sheave belt` and `sheave radii` as they are called.
+//! Belt properties from bench tests: every number of the thesis's sections 4.1 to 4.6 from its raw inputs, a second
+//! belt, and every mistake with its words; `sheave belt` and `sheave radii` as they are called.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use serde_json::Value;

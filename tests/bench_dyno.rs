@@ -110,8 +110,8 @@ fn one_file_form_and_its_steady_stretches() {
     assert!(reports[0].unsteady > 0 && reports[0].gaps == 0);
 }
 
-/// Ten seconds around the run window of one of the real logs (tests/data/terps/README.md): engine at 60 rpm steps, wheel, 50 Hz
-/// of several rates in one file.
+/// Ten seconds around the run window of one of the real logs (tests/data/terps/README.md): engine at 60 rpm steps,
+/// wheel, 50 Hz of several rates in one file.
 #[test]
 fn a_real_log_is_read_as_it_is() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");

@@ -1,5 +1,5 @@
-//! Faults that must cost nothing: kills, two sweeps at once, files of other people, damaged journals, full disks, closed
-//! pipes. Prints one line for each; `SHEAVE_FAULTS=60 cargo test --test faults` tries each kill sixty times.
+//! Faults that must cost nothing: kills, two sweeps at once, files of other people, damaged journals, full disks,
+//! closed pipes. Prints one line for each; `SHEAVE_FAULTS=60 cargo test --test faults` tries each kill sixty times.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use sheave::case::Case;

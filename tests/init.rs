@@ -34,8 +34,9 @@ fn random_drive(random: &mut Random) -> SimpleDrive {
     }
 }
 
-/// A state from the primitive relations alone: belt speed, slack force and sliding angle are chosen, the longitudinal force
-/// and the axial load S' = (L (EA − m* v_0²) − m* v_0² EA)/(2 tan δ_0 EA) of (12) are followed around each pulley in steps.
+/// A state from the primitive relations alone: belt speed, slack force and sliding angle are chosen, the longitudinal
+/// force and the axial load S' = (L (EA − m* v_0²) − m* v_0² EA)/(2 tan δ_0 EA) of (12) are followed around each pulley
+/// in steps.
 fn reference(drive: &SimpleDrive, v_0: f64, excess: f64, sliding: f64, drives: bool) -> State {
     let (ea, m) = (drive.longitudinal_stiffness, drive.mass_per_length);
     let lift_off = m * v_0 * v_0 * ea / (ea - m * v_0 * v_0);
@@ -274,8 +275,8 @@ fn no_numbers_panic() {
     assert!(solved > 1000 && refused > 1000 && lost < 100, "{solved}, {refused}, {lost}");
 }
 
-/// By hand: r = 0.1 m on both pulleys, φ = π/2, EA = 1e5 N, m* = 0, δ_0 with tan δ_0 = 0.25, F_CO = 200 N, ω_I = 100 rad/s.
-/// Then L is F tan δ_0/φ = 100/π N everywhere, and v_0 = r ω/(1 + L/EA).
+/// By hand: r = 0.1 m on both pulleys, φ = π/2, EA = 1e5 N, m* = 0, δ_0 with tan δ_0 = 0.25, F_CO = 200 N, ω_I = 100
+/// rad/s. Then L is F tan δ_0/φ = 100/π N everywhere, and v_0 = r ω/(1 + L/EA).
 #[test]
 fn a_light_belt_by_hand() {
     let drive = SimpleDrive {
@@ -362,8 +363,8 @@ fn the_bound_of_2_4_is_out_of_reach() {
     }
 }
 
-/// Base case, 900 N on the input: with v_0 as without a torque (15) and ω_O from it (21), the slack span is pressed into no
-/// groove from 8.33 N·m on; a solution exists all the same.
+/// Base case, 900 N on the input: with v_0 as without a torque (15) and ω_O from it (21), the slack span is pressed
+/// into no groove from 8.33 N·m on; a solution exists all the same.
 #[test]
 fn the_printed_start_may_be_impossible() {
     let (radius, ea, m, half_angle) = (0.068309, 243.5e3, 0.4375, 12f64.to_radians());

@@ -101,8 +101,8 @@ fn the_printed_equations_fold_in_the_secondarys_axial_force() {
     assert!(with(fold.value - 0.5).is_err());
 }
 
-/// On the first, slack tension and speed efficiency turn close to each other; on the others, the axial force has a minimum
-/// and a maximum at nearly the same speed.
+/// On the first, slack tension and speed efficiency turn close to each other; on the others, the axial force has a
+/// minimum and a maximum at nearly the same speed.
 #[test]
 fn curves_that_turn_twice_are_followed() {
     let drive = |edition: &str, torque: &str, ratio: &str| {

@@ -182,8 +182,9 @@ fn derivatives_are_those_of_the_residuals() {
     }
 }
 
-/// Two pulleys joined at their ports: the tight span leads from B of the driven one to A of the driving one, the slack span
-/// back. Newton's method with the components' derivatives finds belt speed, tight tension, output speed and input torque.
+/// Two pulleys joined at their ports: the tight span leads from B of the driven one to A of the driving one, the slack
+/// span back. Newton's method with the components' derivatives finds belt speed, tight tension, output speed and input
+/// torque.
 #[test]
 fn two_components_make_a_drive() {
     let driving =

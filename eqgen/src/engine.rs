@@ -76,7 +76,8 @@ fn start() -> Result<Mutex<mpsc::Sender<Job>>, String> {
     Ok(Mutex::new(send))
 }
 
-/// The lock that lets one process of this user at Symbolica; held until the process ends. Symbolica counts instances by user.
+/// The lock that lets one process of this user at Symbolica; held until the process ends. Symbolica counts instances by
+/// user.
 fn machine_lock() -> Result<File, String> {
     let mut refused = Vec::new();
     let opened = folders().into_iter().find_map(|folder| match lock_file(&folder) {
@@ -100,8 +101,8 @@ fn machine_lock() -> Result<File, String> {
     Ok(file)
 }
 
-/// Folders for the lock file, the best first: places of this user alone, where nobody else can put a pipe or a link in its way,
-/// and for users without a home one of their own among the temporary files.
+/// Folders for the lock file, the best first: places of this user alone, where nobody else can put a pipe or a link in
+/// its way, and for users without a home one of their own among the temporary files.
 fn folders() -> Vec<PathBuf> {
     let variable = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
     let user = ["USER", "LOGNAME", "USERNAME"].iter().find_map(|name| std::env::var(name).ok()).unwrap_or_default();
@@ -116,8 +117,8 @@ fn folders() -> Vec<PathBuf> {
     own.chain([std::env::temp_dir().join(format!("sheave-{user}"))]).collect()
 }
 
-/// Opens the lock file in a folder, and makes both where they are missing. Nothing is opened that is no regular file: a pipe
-/// would block, a link lead elsewhere. Reading is enough to lock.
+/// Opens the lock file in a folder, and makes both where they are missing. Nothing is opened that is no regular file: a
+/// pipe would block, a link lead elsewhere. Reading is enough to lock.
 fn lock_file(folder: &Path) -> io::Result<(File, PathBuf)> {
     make_private(folder)?;
     if !std::fs::symlink_metadata(folder)?.is_dir() {

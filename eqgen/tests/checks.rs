@@ -109,8 +109,8 @@ fn dimensions_of_sums_and_powers() {
     .unwrap();
 }
 
-/// What a reader is told of the conditions: that the belt's curvature and shear follow from bending, and that all else is
-/// typed in.
+/// What a reader is told of the conditions: that the belt's curvature and shear follow from bending, and that all else
+/// is typed in.
 #[test]
 fn conditions_say_whether_they_are_typed_in_or_derived() {
     symbolic(|| {

@@ -1,4 +1,5 @@
-//! The example that is no belt: its committed kernels are what its equations give, and no symbol of the belt is in them.
+//! The example that is no belt: its committed kernels are what its equations give, and no symbol of the belt is in
+//! them.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 #[path = "../examples/elastica/equations.rs"]

@@ -1,5 +1,5 @@
-//! What eqgen derives for the small models against what their sources print: the difference has to vanish symbolically, and
-//! must not where a source is wrong. Plain numbers are those of Z. Wang, *Belt Velocity Initialization* (2012).
+//! What eqgen derives for the small models against what their sources print: the difference has to vanish symbolically,
+//! and must not where a source is wrong. Plain numbers are those of Z. Wang, *Belt Velocity Initialization* (2012).
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use eqgen::derive::{quadratic_in, substitute};
@@ -72,8 +72,8 @@ fn residuals_are_2_5_13_18() {
     .unwrap();
 }
 
-/// The integral of L over the sliding arc in (12): its derivative is L at the arc's end, it vanishes with the arc, and it is
-/// what the derivation has in its place.
+/// The integral of L over the sliding arc in (12): its derivative is L at the arc's end, it vanishes with the arc, and
+/// it is what the derivation has in its place.
 #[test]
 fn sliding_arc_is_that_of_12() {
     symbolic(|| {

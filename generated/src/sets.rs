@@ -32,8 +32,8 @@ impl OutputKernel {
     }
 }
 
-/// Formulae whose inputs `I` and outputs `O` are enums of their own: the set's constants are the inputs, all in order; its
-/// equations are the outputs, all in order. There are neither ends nor integrals.
+/// Formulae whose inputs `I` and outputs `O` are enums of their own: the set's constants are the inputs, all in order;
+/// its equations are the outputs, all in order. There are neither ends nor integrals.
 #[derive(Debug)]
 pub struct FormulaKernel<I, O> {
     /// The formulae, one an equation.

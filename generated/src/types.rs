@@ -124,7 +124,8 @@ pub type BoundaryFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: 
 pub type BoundaryJacobianFn = fn(ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
 
 /// A set of equations in ends, integrals and constants, as generated: the boundary equations of a drive; within an
-/// [`OutputKernel`](crate::OutputKernel) or a [`FormulaKernel`](crate::FormulaKernel), each equation's value is an output.
+/// [`OutputKernel`](crate::OutputKernel) or a [`FormulaKernel`](crate::FormulaKernel), each equation's value is an
+/// output.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundaryKernel {
     /// Name, as in `boundary_continuous_full`.

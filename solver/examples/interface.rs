@@ -42,8 +42,8 @@ impl Model for Rod {
     }
 }
 
-/// Source, flow at the left end and temperature of the joint, in closed form: the two conditions are linear in the first
-/// two.
+/// Source, flow at the left end and temperature of the joint, in closed form: the two conditions are linear in the
+/// first two.
 fn exact() -> (f64, f64, f64) {
     // T(1) = -(w a + q a²/2)/k1 - (w + q a)(1 - a)/k2 = 1,  ∫T = -(w a²/2 + q a³/6)/k1 = a mean.
     let (a, [k1, k2]) = (JOINT, K);

@@ -9,8 +9,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A handle that stops computations from another thread or from a signal handler: clone it, hand one clone to
-/// [`Options::cancel`](crate::Options::cancel), and call [`cancel`](Self::cancel) on another. Asking costs one atomic load;
-/// every Newton iteration and every damped step of it asks. Once cancelled, a handle stays so.
+/// [`Options::cancel`](crate::Options::cancel), and call [`cancel`](Self::cancel) on another. Asking costs one atomic
+/// load; every Newton iteration and every damped step of it asks. Once cancelled, a handle stays so.
 #[derive(Debug, Clone, Default)]
 pub struct Cancel(Arc<AtomicBool>);
 

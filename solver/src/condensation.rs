@@ -80,8 +80,8 @@ impl Condensation {
 }
 
 impl Factorisation {
-    /// Factors the columns of ends and unknowns of a dense system in all constants; answers those of the given constants,
-    /// negated, one for each constant.
+    /// Factors the columns of ends and unknowns of a dense system in all constants; answers those of the given
+    /// constants, negated, one for each constant.
     fn split(&mut self, ends: usize, unknowns: &[usize]) -> Vec<Option<Vec<f64>>> {
         let (size, width) = (ends + unknowns.len(), ends + self.scales.constants.len());
         let given = |constant: usize| !unknowns.contains(&constant);

@@ -34,8 +34,8 @@
 //! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
-//! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the whole
-//!   solution, one by one; adjoints; conditioning.
+//! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the
+//!   whole solution, one by one; adjoints; conditioning.
 //!
 //! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/solver.md`. How well it does on 48
 //! problems of the literature: `docs/testset.md`.

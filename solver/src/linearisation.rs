@@ -192,8 +192,8 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         gradient
     }
 
-    /// Weights on integrals that the Newton matrix does not hold, and on those over single intervals, as weights on nodes and
-    /// constants.
+    /// Weights on integrals that the Newton matrix does not hold, and on those over single intervals, as weights on
+    /// nodes and constants.
     fn integral_weights(
         &self,
         region: usize,

@@ -1,8 +1,8 @@
 //! What is a large and what a small change of each component: how tolerances become typical magnitudes.
 //!
-//! A component `y` with relative tolerance r and absolute tolerance a is to be known to `max(r |y|, a)`, with |y| its largest
-//! magnitude over the region. Divided by the solve's tolerance this is its typical magnitude: every error, defect and
-//! correction is measured in units of it, and held to the one tolerance.
+//! A component `y` with relative tolerance r and absolute tolerance a is to be known to `max(r |y|, a)`, with |y| its
+//! largest magnitude over the region. Divided by the solve's tolerance this is its typical magnitude: every error,
+//! defect and correction is measured in units of it, and held to the one tolerance.
 
 use crate::error::SolveError;
 use crate::options::{ComponentTolerance, Options, Which};

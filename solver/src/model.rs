@@ -28,11 +28,13 @@
 //! ```
 //!
 //! What to write in which place:
-//! - **constants** `c` hold parameters and unknowns alike, in the layout's order; which are unknown is said when solving.
+//! - **constants** `c` hold parameters and unknowns alike, in the layout's order; which are unknown is said when
+//!   solving.
 //! - **ends** hold, region by region, all entry values and then all exit values: for one region of two states
 //!   `[y0(a), y1(a), y0(b), y1(b)]`. Interface and multi-point conditions are equations between ends of different
 //!   regions, periodic ones between the two ends of one.
-//! - **integrands** follow the right-hand side in `f`; their integrals over the region come to `boundary` as `integrals`.
+//! - **integrands** follow the right-hand side in `f`; their integrals over the region come to `boundary` as
+//!   `integrals`.
 //! - a **number** beside a `Scalar` stands on the right (`y[0] * 2.0`), or is made one: `S::from(2.0)`.
 //! - an **unknown length** is a constant: write the region on `(0, 1)` and multiply the right-hand side by the length.
 

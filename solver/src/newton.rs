@@ -28,13 +28,14 @@ pub(crate) struct Limits {
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
     pub stagnation: f64,
-    /// Whether every step must be progress. That can lead into a corner where the matrix is singular; a few steps that are
-    /// none can lead out of it.
+    /// Whether every step must be progress. That can lead into a corner where the matrix is singular; a few steps that
+    /// are none can lead out of it.
     pub insistent: bool,
 }
 
-/// An iteration that does not insist on progress tries every correction in full, halves it as long as that is no progress, and takes this fraction
-/// of it whatever comes of it. Estimates of the Lipschitz constant are not used: where it is needed, they mislead.
+/// An iteration that does not insist on progress tries every correction in full, halves it as long as that is no
+/// progress, and takes this fraction of it whatever comes of it. Estimates of the Lipschitz constant are not used:
+/// where it is needed, they mislead.
 const FORCED_DAMPING: f64 = 1.0 / 16.0;
 
 /// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is

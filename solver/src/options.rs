@@ -61,17 +61,17 @@ pub struct ComponentTolerance {
     pub of: Which,
     /// Relative to the component's largest magnitude over its region. Default: [`Options::tolerance`].
     pub relative: Option<f64>,
-    /// In the component's own unit. Default: `tolerance` times the scale that the layout states for the component; if it
-    /// states none, [`Options::absolute_tolerance`].
+    /// In the component's own unit. Default: `tolerance` times the scale that the layout states for the component; if
+    /// it states none, [`Options::absolute_tolerance`].
     pub absolute: Option<f64>,
 }
 
 /// Tolerances and limits.
 ///
 /// A component is held to `max(relative * |y|, absolute)`, with |y| its largest magnitude over the region. By default
-/// both tolerances are [`tolerance`](Self::tolerance), so that what is much smaller than 1 is known to 1e-6 only, however
-/// small it is: where such a component matters, state its [`scale`](crate::State::scale) in the layout, or lower the absolute
-/// tolerance here.
+/// both tolerances are [`tolerance`](Self::tolerance), so that what is much smaller than 1 is known to 1e-6 only,
+/// however small it is: where such a component matters, state its [`scale`](crate::State::scale) in the layout, or
+/// lower the absolute tolerance here.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Order of the method.
@@ -81,8 +81,8 @@ pub struct Options {
     /// Relative tolerance: largest relative defect of the solution (see
     /// [`Solution::max_defect`](crate::Solution::max_defect)) and, as `control` says, largest error.
     pub tolerance: f64,
-    /// Absolute tolerance of all components for which the layout states no scale: SciPy's and SUNDIALS' `atol`. Default: as
-    /// `tolerance`.
+    /// Absolute tolerance of all components for which the layout states no scale: SciPy's and SUNDIALS' `atol`.
+    /// Default: as `tolerance`.
     pub absolute_tolerance: Option<f64>,
     /// Components with tolerances of their own; the later entry counts.
     pub components: Vec<ComponentTolerance>,
@@ -107,9 +107,9 @@ pub struct Options {
     /// the iteration starts again without insisting on progress at every step.
     pub rescues: usize,
     /// Points at which the right-hand side may be evaluated, with its derivatives or without
-    /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a continuation,
-    /// all attempts of an automatic solve. Beyond it the call ends with [`SolveError::WorkLimit`]. Default: 1000 times
-    /// `max_intervals`, which a few seconds suffice for.
+    /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a
+    /// continuation, all attempts of an automatic solve. Beyond it the call ends with [`SolveError::WorkLimit`].
+    /// Default: 1000 times `max_intervals`, which a few seconds suffice for.
     pub work_limit: Option<usize>,
     /// Ends the whole call from outside, with [`SolveError::Cancelled`]. Default: none.
     pub cancel: Option<Cancel>,

@@ -1,9 +1,9 @@
-//! Which of several solutions it is: the sign of the linearised problem's determinant, and what speaks against a solution
-//! being the one that its start leads to.
+//! Which of several solutions it is: the sign of the linearised problem's determinant, and what speaks against a
+//! solution being the one that its start leads to.
 
-/// Sign of the determinant of a problem linearised at a solution. It does not depend on the mesh, once that resolves the
-/// solution. Along a branch it changes at folds and at simple branch points, and nowhere else: two solutions of unlike
-/// orientation are not joined by a path without one.
+/// Sign of the determinant of a problem linearised at a solution. It does not depend on the mesh, once that resolves
+/// the solution. Along a branch it changes at folds and at simple branch points, and nowhere else: two solutions of
+/// unlike orientation are not joined by a path without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Orientation {
     /// The determinant is positive.
@@ -23,11 +23,12 @@ impl Orientation {
     }
 }
 
-/// Whether a solution can be vouched for as the one that its guess, or the start of its path, leads to. Where a problem has
-/// one solution only, this does not matter.
+/// Whether a solution can be vouched for as the one that its guess, or the start of its path, leads to. Where a problem
+/// has one solution only, this does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BranchCheck {
-    /// Newton's iteration contracted at once, by half at least, wherever it was started, and the orientation stayed the same.
+    /// Newton's iteration contracted at once, by half at least, wherever it was started, and the orientation stayed the
+    /// same.
     Kept,
     /// Newton's iteration went a long way from a start: it took damped steps, contracted slowly at first, or had to be
     /// started anew. Another solution may be nearer to the start.
@@ -35,17 +36,17 @@ pub enum BranchCheck {
         /// Path parameter of the step; 0 if there is no path.
         at: f64,
     },
-    /// The orientation changed, between two meshes or two steps: a fold or a branch point was passed, or another branch was
-    /// met.
+    /// The orientation changed, between two meshes or two steps: a fold or a branch point was passed, or another branch
+    /// was met.
     Turned {
         /// Path parameter of the step; 0 if there is no path.
         at: f64,
     },
 }
 
-/// The first contraction of Newton's iteration up to which its limit is taken for the solution nearest to its start. At 1/2
-/// the theorem of Newton and Mysovskikh gives uniqueness in a ball about the start (P. Deuflhard, "Newton Methods for
-/// Nonlinear Problems", Springer 2004, section 2.1).
+/// The first contraction of Newton's iteration up to which its limit is taken for the solution nearest to its start. At
+/// 1/2 the theorem of Newton and Mysovskikh gives uniqueness in a ball about the start (P. Deuflhard, "Newton Methods
+/// for Nonlinear Problems", Springer 2004, section 2.1).
 const NEAR: f64 = 0.5;
 
 impl BranchCheck {

@@ -41,7 +41,8 @@ pub struct Region {
     pub states: Vec<State>,
     /// Names of the `k` integrals.
     pub integrals: Vec<String>,
-    /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, rows `n..n+k` the integrands.
+    /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, rows `n..n+k` the
+    /// integrands.
     pub state_pattern: Vec<(usize, usize)>,
     /// Structurally nonzero derivatives `(row, constant)`, rows as in `state_pattern`.
     pub constant_pattern: Vec<(usize, usize)>,
@@ -301,8 +302,8 @@ pub trait Problem {
     fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]);
 }
 
-/// A reference to a problem is one. Made an object, it lets the solver be compiled once for all problems; what is called
-/// works on whole batches of points.
+/// A reference to a problem is one. Made an object, it lets the solver be compiled once for all problems; what is
+/// called works on whole batches of points.
 impl<P: Problem + ?Sized> Problem for &P {
     fn layout(&self) -> &Layout {
         (**self).layout()

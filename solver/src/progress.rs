@@ -33,8 +33,8 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     creeping: usize,
 }
 
-/// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a factor
-/// of 16, a kink in it of 2.
+/// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a
+/// factor of 16, a kink in it of 2.
 const SLOW: f64 = 0.9;
 /// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up,
 const CREEPING: usize = 2;

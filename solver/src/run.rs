@@ -171,8 +171,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         }
     }
 
-    /// A guess that was a solution, without its negligible correction if that makes a defect exceed the tolerance: where
-    /// the equations are stiff, they tell more of a solution than the tolerance of Newton's iteration.
+    /// A guess that was a solution, without its negligible correction if that makes a defect exceed the tolerance:
+    /// where the equations are stiff, they tell more of a solution than the tolerance of Newton's iteration.
     fn unless_worse(&mut self, mut solved: Solved<'a, P>, origin: Start) -> Result<Solved<'a, P>, SolveError> {
         let tolerance = self.options.tolerance;
         if measured(&solved, tolerance, Rounding::Counted).iter().all(|measure| measure.largest <= tolerance) {
@@ -296,7 +296,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     /// Finer meshes where the defects are too large.
     ///
     /// # Errors
-    /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's may.
+    /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
+    /// may.
     fn refined(
         &self,
         solved: &Solved<'a, P>,

@@ -228,9 +228,9 @@ impl Solution {
     }
 
     /// Largest defect over all intervals, as held to the tolerance: per interval the root mean square of
-    /// `|S' - f| ℓ / (Y + F ℓ)`, largest over states, with Y the state's typical magnitude, ℓ the region's length, and F
-    /// the size of the right-hand side's terms, `max(|f|, Σ |∂f/∂y| |y|)`; intervals whose defects together cannot move a state by more than the tolerance are counted by that
-    /// movement instead.
+    /// `|S' - f| ℓ / (Y + F ℓ)`, largest over states, with Y the state's typical magnitude, ℓ the region's length, and
+    /// F the size of the right-hand side's terms, `max(|f|, Σ |∂f/∂y| |y|)`; intervals whose defects together cannot
+    /// move a state by more than the tolerance are counted by that movement instead.
     pub fn max_defect(&self) -> f64 {
         self.max_defect
     }
@@ -277,8 +277,8 @@ impl Solution {
         self.regions.iter().map(RegionSolution::intervals).sum()
     }
 
-    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`; the orientation
-    /// does not.
+    /// Of a problem with one more integral in each region and more constants, the part that belongs to `layout`; the
+    /// orientation does not.
     pub(crate) fn restricted(mut self, layout: &Layout, unknowns: &[usize]) -> Self {
         for (region, inner) in self.regions.iter_mut().zip(&layout.regions) {
             region.integrals.truncate(inner.integrals.len());

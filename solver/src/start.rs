@@ -21,8 +21,8 @@ pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<
     Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
 }
 
-/// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more than
-/// its width, which Newton's iteration may not follow; splitting all moves it less.
+/// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more
+/// than its width, which Newton's iteration may not follow; splitting all moves it less.
 pub(crate) fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>> {
     solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
 }

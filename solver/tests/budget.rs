@@ -33,8 +33,8 @@ fn bratu(lambda: f64) -> (Differentiated<Bratu>, Guess) {
     (problem, guess)
 }
 
-/// A batch of points may be under way when the limit is passed: one Newton iteration on ten or twenty intervals, with its
-/// defects.
+/// A batch of points may be under way when the limit is passed: one Newton iteration on ten or twenty intervals, with
+/// its defects.
 const SLACK: usize = 2000;
 
 #[test]

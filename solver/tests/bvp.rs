@@ -85,7 +85,8 @@ fn an_unknown_parameter_is_found() {
     assert!((solution.constants()[0] - TAU).abs() < 1e-5);
 }
 
-/// Five states and three parameters: more inputs than one pass of derivatives carries. `y_i' = p_(i mod 3) y_(i+1) + x`.
+/// Five states and three parameters: more inputs than one pass of derivatives carries.
+/// `y_i' = p_(i mod 3) y_(i+1) + x`.
 #[test]
 fn many_states_and_parameters_have_all_their_derivatives() {
     let chain = Bvp::new(

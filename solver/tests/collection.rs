@@ -1,7 +1,8 @@
-//! The problems of Cash's collection that the test set leaves out (5, 9, 14, 15, 20, 24, 27, 30, 32), at hard parameters:
-//! the solver's choices were made without them.
+//! The problems of Cash's collection that the test set leaves out (5, 9, 14, 15, 20, 24, 27, 30, 32), at hard
+//! parameters: the solver's choices were made without them.
 //!
-//! Source of the statements: J. R. Cash, *BVP software web page*; F. Mazzia, *Test set for boundary value problem solvers*.
+//! Source of the statements: J. R. Cash, *BVP software web page*; F. Mazzia, *Test set for boundary value problem
+//! solvers*.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use solver::continuation::{Automatic, Stiffness, solve_automatically};
@@ -40,7 +41,8 @@ impl Cash {
         }
     }
 
-    /// The guess of the collection: linear where the equation has no meaning at zero, or where there are several solutions.
+    /// The guess of the collection: linear where the equation has no meaning at zero, or where there are several
+    /// solutions.
     fn guess(self, x: f64, y: &mut [f64]) {
         y.fill(0.0);
         if matches!(self.0, 24 | 27 | 30) {
@@ -109,8 +111,8 @@ impl Model for Cash {
     }
 }
 
-/// Largest error over all states and points, in tolerances; by the closed form for the first state, if there is one, and
-/// by a solution to 1e-10 for all.
+/// Largest error over all states and points, in tolerances; by the closed form for the first state, if there is one,
+/// and by a solution to 1e-10 for all.
 fn error(cash: Cash, problem: &dyn Problem, solution: &Solution) -> f64 {
     let options = Options {
         order: Order::Six,

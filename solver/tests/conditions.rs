@@ -69,8 +69,8 @@ fn an_integral_condition_that_cannot_be_met_is_no_success() {
     assert!(matches!(error, SolveError::Newton { error: NewtonError::Singular { .. }, .. }), "{error}");
 }
 
-/// AUTO's demo `int`: `u'' = -λ exp(u)`, `u(0) - u(1) = p`, `∫ u = m`, at p = m = 0 from λ = 0; λ is found for a growing
-/// jump p.
+/// AUTO's demo `int`: `u'' = -λ exp(u)`, `u(0) - u(1) = p`, `∫ u = m`, at p = m = 0 from λ = 0; λ is found for a
+/// growing jump p.
 struct Int;
 
 impl Model for Int {
@@ -86,8 +86,8 @@ impl Model for Int {
     }
 }
 
-/// Along the branch in λ with both prescribed, `u' = -λ (exp u)` integrated over a period and the mean zero leave a family
-/// that the two orders must agree on.
+/// Along the branch in λ with both prescribed, `u' = -λ (exp u)` integrated over a period and the mean zero leave a
+/// family that the two orders must agree on.
 #[test]
 fn a_branch_with_an_integral_constraint_is_traced_from_zero() {
     let problem = Differentiated::new(Int).unwrap();

@@ -42,7 +42,8 @@ fn orientation_tells_two_solutions_apart_on_any_mesh() {
         for intervals in [5, 8, 11, 20, 23, 64] {
             let [low, high] = [0.1, 4.0].map(|height| bratu(height, intervals, order));
             assert!(low.regions()[0].eval(0.5)[0] < 1.0 && high.regions()[0].eval(0.5)[0] > 3.0);
-            // Linearised at the lower solution, v(1) for v(0) = 0, v'(0) = 1 is positive; at the upper one it is negative.
+            // Linearised at the lower solution, v(1) for v(0) = 0, v'(0) = 1 is positive; at the upper one it is
+            // negative.
             assert_eq!(low.orientation(), bratu(0.1, 10, Order::Four).orientation(), "{intervals}");
             assert!(low.orientation().is_some() && low.orientation() != high.orientation(), "{intervals}");
         }
@@ -87,7 +88,8 @@ fn a_path_that_jumps_at_a_fold_says_so() {
     let kept = to(1.0).unwrap().solution;
     assert_eq!(kept.branch_check(), BranchCheck::Kept);
     assert!(kept.constants()[0] > 1.0, "still on the upper branch");
-    // Beyond the fold at λ = 2 the only solution is on the lower branch: the path ends, or says that it left its branch.
+    // Beyond the fold at λ = 2 the only solution is on the lower branch: the path ends, or says that it left its
+    // branch.
     if let Ok(jumped) = to(3.0) {
         assert!(jumped.solution.constants()[0] < -1.0);
         assert_ne!(jumped.solution.branch_check(), BranchCheck::Kept);
@@ -126,7 +128,8 @@ fn the_five_branch_points_of_autos_demo_are_located() {
         let found: Vec<f64> = branch.branch_points().map(|point| point.parameter).collect();
         assert_eq!(found.len(), 5, "{order:?}: {found:?}");
         for (found, wanted) in found.iter().zip(1..) {
-            // The mesh stays as coarse as the trivial solution allows; its eigenvalues are those of the discrete problem.
+            // The mesh stays as coarse as the trivial solution allows; its eigenvalues are those of the discrete
+            // problem.
             assert!((found - f64::from(wanted)).abs() < 2e-2, "{order:?}: {found} for {wanted}");
         }
         assert_eq!(branch.folds().count(), 0);

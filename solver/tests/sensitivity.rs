@@ -7,8 +7,8 @@ use solver::{
     Condensation, Functional, Guess, Layout, Linearisation, Options, Order, Problem, Region, Solution, solve,
 };
 
-/// A hot rod in two pieces whose interface temperature and heat flow are continuous; the source strength `q` follows from
-/// the mean temperature. Constants: conductivities, exponent of radiation, ends, mean; unknown: source.
+/// A hot rod in two pieces whose interface temperature and heat flow are continuous; the source strength `q` follows
+/// from the mean temperature. Constants: conductivities, exponent of radiation, ends, mean; unknown: source.
 struct Rod;
 
 const UNKNOWN: [usize; 1] = [5];

@@ -30,8 +30,8 @@ impl Model for Layers {
     }
 }
 
-/// On 6,000 intervals 8 ε N is 1e-11: defects of a tenth of that are met in layers, where intervals are short because the
-/// solution varies, and not because they are many.
+/// On 6,000 intervals 8 ε N is 1e-11: defects of a tenth of that are met in layers, where intervals are short because
+/// the solution varies, and not because they are many.
 #[test]
 fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     let problem = Differentiated::new(Layers).unwrap();

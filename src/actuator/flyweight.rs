@@ -104,8 +104,8 @@ impl Flyweights {
     /// The axial force at a speed in rad/s and a travel in m.
     ///
     /// # Errors
-    /// [`ActuatorError::OffRamp`] where the roller has no place on its ramp, [`ActuatorError::NoForce`] where the mechanism
-    /// locks or pulls.
+    /// [`ActuatorError::OffRamp`] where the roller has no place on its ramp, [`ActuatorError::NoForce`] where the
+    /// mechanism locks or pulls.
     pub fn force(&self, speed: f64, travel: f64, shift: Shift) -> Result<FlyweightForce, ActuatorError> {
         let force = match &self.mechanism {
             Mechanism::Coefficient { coefficient, lost } => {

@@ -7,8 +7,8 @@ use super::profile::Profile;
 use super::shift::Shift;
 use crate::small::formula::Inputs;
 
-/// From where makers measure a helix angle. A steep helix turns little of the torque into force; of the two conventions, the
-/// first calls it large and the second small.
+/// From where makers measure a helix angle. A steep helix turns little of the torque into force; of the two
+/// conventions, the first calls it large and the second small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AngleFrom {
     /// From the plane of rotation, as here everywhere: a helix of 90° would press with nothing.

@@ -1,8 +1,8 @@
 //! Actuators: what presses the sheaves of a drive together.
 //!
-//! On the primary, [`Flyweights`] press against a [`Spring`]: F_P = F_fly(ω_P, s) − F_spring(s). On the secondary a spring
-//! and a [`Helix`] press: F_S = F_spring(s) + F_helix(M_S, s). Travel s is measured from where the primary's sheaves stand
-//! farthest apart and from where the secondary's stand closest; s = 2 tan β ΔR ([`travel`]).
+//! On the primary, [`Flyweights`] press against a [`Spring`]: F_P = F_fly(ω_P, s) − F_spring(s). On the secondary a
+//! spring and a [`Helix`] press: F_S = F_spring(s) + F_helix(M_S, s). Travel s is measured from where the primary's
+//! sheaves stand farthest apart and from where the secondary's stand closest; s = 2 tan β ΔR ([`travel`]).
 //!
 //! Their laws are derived in the same place as the belt's (`eqgen/src/physics/small/actuator.rs`), and each force comes
 //! with its exact derivatives. Friction turns the force of a contact by its friction angle, and its sign follows the
@@ -39,8 +39,8 @@ use generated::{SHEAVE_TRAVEL, SheaveTravelInput, SheaveTravelOutput};
 
 use crate::small::formula::Inputs;
 
-/// Travel of a movable sheave in m, positive where it closes, between the belt's radii `start` and `radius` in m in a groove
-/// of half angle `half_angle` in rad.
+/// Travel of a movable sheave in m, positive where it closes, between the belt's radii `start` and `radius` in m in a
+/// groove of half angle `half_angle` in rad.
 pub fn travel(half_angle: f64, start: f64, radius: f64) -> f64 {
     use SheaveTravelInput as Input;
     let inputs = [(Input::HalfAngle, half_angle), (Input::Radius, radius), (Input::Start, start)];

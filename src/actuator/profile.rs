@@ -1,9 +1,9 @@
 //! Tables that become smooth curves: flyweights, ramps, helices and engines as they are measured.
 //!
-//! Between its points a profile is the monotone piecewise cubic of F. N. Fritsch and J. Butland, "A method for constructing
-//! local monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5 (1984) 300: no wiggle that the table does not
-//! have, a continuous first derivative, so that Newton's method and exact sensitivities can use it. Beyond its ends it goes
-//! on as a straight line.
+//! Between its points a profile is the monotone piecewise cubic of F. N. Fritsch and J. Butland, "A method for
+//! constructing local monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5 (1984) 300: no wiggle that
+//! the table does not have, a continuous first derivative, so that Newton's method and exact sensitivities can use it.
+//! Beyond its ends it goes on as a straight line.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -182,8 +182,8 @@ impl Profile {
     }
 }
 
-/// Slopes at the points: the weighted harmonic mean of the neighbouring secants where these have one sign, else zero; at
-/// the ends the three-point formula, limited so that the curve stays monotone.
+/// Slopes at the points: the weighted harmonic mean of the neighbouring secants where these have one sign, else zero;
+/// at the ends the three-point formula, limited so that the curve stays monotone.
 fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     let widths: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let secants: Vec<f64> = values.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();

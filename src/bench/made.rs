@@ -1,5 +1,5 @@
-//! A made data set: logs as a test stand would write them, from the model with known constants. Whoever reads it back knows
-//! what should come out.
+//! A made data set: logs as a test stand would write them, from the model with known constants. Whoever reads it back
+//! knows what should come out.
 
 use super::engine::EngineCurve;
 use super::error::{BenchError, Problem};
@@ -106,8 +106,8 @@ impl Random {
     }
 }
 
-/// Solves the model at `steps` ratios from `high` to `low` range, the engine a little slower in low range, and its power
-/// `engine_scale` times that of the curve.
+/// Solves the model at `steps` ratios from `high` to `low` range, the engine a little slower in low range, and its
+/// power `engine_scale` times that of the curve.
 ///
 /// # Errors
 /// Points that the case has no solution for, or at which the engine's curve has no power.

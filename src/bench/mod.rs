@@ -1,5 +1,6 @@
-//! From the bench to the model: [`belt`] properties from material tests, [`radii`] of a belt around two pulleys, operating
-//! points from the logs of a dynamometer ([`dyno`]), how they [`compare`] with the model, and data [`made`] from it.
+//! From the bench to the model: [`belt`] properties from material tests, [`radii`] of a belt around two pulleys,
+//! operating points from the logs of a dynamometer ([`dyno`]), how they [`compare`] with the model, and data [`made`]
+//! from it.
 //!
 //! Formulae that reduce measurements stand here, each once and with its source; the equations of the belt do not.
 

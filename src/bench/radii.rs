@@ -110,7 +110,8 @@ impl Geometry {
         Ok(self.with(self.beside("secondary radius", radius)?, radius))
     }
 
-    /// Radii from what the primary's movable sheave has travelled, positive to close, from where the belt ran at `from`.
+    /// Radii from what the primary's movable sheave has travelled, positive to close, from where the belt ran at
+    /// `from`.
     ///
     /// # Errors
     /// As [`Geometry::at_primary`].

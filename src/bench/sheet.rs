@@ -52,8 +52,8 @@ enum Value {
     Outline(Vec<(f64, f64)>),
 }
 
-/// A file as it was read: every value checked against the table. Keys of an array of tables carry the table's number, from
-/// 0: `rubber.test.0.temperature`.
+/// A file as it was read: every value checked against the table. Keys of an array of tables carry the table's number,
+/// from 0: `rubber.test.0.temperature`.
 #[derive(Debug, Clone)]
 pub struct Sheet {
     table: &'static [Entry],

@@ -281,8 +281,8 @@ fn keys_near(path: &str) -> String {
 /// A [`Problem`] with the places it is about.
 ///
 /// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
-/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the place
-/// in the case file or the argument.
+/// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the
+/// place in the case file or the argument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseError(Box<Inner>);
 

@@ -1,4 +1,5 @@
-//! Any given constant unknown, and any output prescribed in its place: `belt.bending_stiffness for efficiency.overall = 0.96`.
+//! Any given constant unknown, and any output prescribed in its place:
+//! `belt.bending_stiffness for efficiency.overall = 0.96`.
 
 use super::keys::Key;
 use crate::model::{Constant, Output};

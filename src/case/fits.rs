@@ -5,8 +5,8 @@ use super::geometry::pitch_length;
 use super::keys::Key;
 use crate::model::Free;
 
-/// Share of the pitch length (6.12) by which `belt.length` may differ from that of both radii before it is said. A belt that
-/// bends is not as long as arcs and tangents, and the radii of a drive are seldom known better.
+/// Share of the pitch length (6.12) by which `belt.length` may differ from that of both radii before it is said. A belt
+/// that bends is not as long as arcs and tangents, and the radii of a drive are seldom known better.
 pub const PITCH_TOLERANCE: f64 = 0.02;
 
 impl Case {
@@ -30,8 +30,8 @@ impl Case {
         })
     }
 
-    /// What a case leaves to the base case although it gives what goes with it, and what it gives twice and differently: worth
-    /// knowing before a result is used.
+    /// What a case leaves to the base case although it gives what goes with it, and what it gives twice and
+    /// differently: worth knowing before a result is used.
     pub fn remarks(&self) -> Vec<String> {
         let free = self.choice(Key::Free).and_then(Free::from_name);
         let one = |given: Key, other: Key, free_other: Free| {

@@ -10,8 +10,8 @@ pub fn pitch_length(primary: f64, secondary: f64, center_distance: f64) -> f64 {
     2.0 * center_distance * tangent.cos() + PI * (primary + secondary) + 2.0 * tangent * difference
 }
 
-/// Wrap angles of the primary and the secondary in radians, around radii `primary` and `secondary` at `center_distance`:
-/// π ∓ 2 θ_T with θ_T from (6.10).
+/// Wrap angles of the primary and the secondary in radians, around radii `primary` and `secondary` at
+/// `center_distance`: π ∓ 2 θ_T with θ_T from (6.10).
 pub fn wrap_angles(primary: f64, secondary: f64, center_distance: f64) -> (f64, f64) {
     let tangent = ((secondary - primary) / center_distance).asin();
     (PI - 2.0 * tangent, PI + 2.0 * tangent)

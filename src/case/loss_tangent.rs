@@ -9,8 +9,8 @@ pub enum LossTangent {
     Table(Grid),
 }
 
-/// Values over frequency and temperature: linear in the logarithm of the frequency and in the temperature between those given,
-/// and beyond them as at the nearest.
+/// Values over frequency and temperature: linear in the logarithm of the frequency and in the temperature between those
+/// given, and beyond them as at the nearest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// Frequencies, Hz, increasing.
@@ -21,7 +21,8 @@ pub struct Grid {
     values: Vec<Vec<f64>>,
 }
 
-/// Where a value lies among increasing places: the interval, the share of the way through it, and how fast that share grows.
+/// Where a value lies among increasing places: the interval, the share of the way through it, and how fast that share
+/// grows.
 fn place(places: &[f64], at: f64) -> (usize, f64, f64) {
     let last = places.len().saturating_sub(2);
     let interval = places.iter().skip(1).take(last).filter(|place| **place <= at).count();
@@ -33,8 +34,8 @@ fn place(places: &[f64], at: f64) -> (usize, f64, f64) {
 }
 
 impl Grid {
-    /// From frequencies in Hz and temperatures in K, both increasing, and frequency by frequency a value for each temperature;
-    /// `None` if these are not so many, not in order, or not finite, or if a frequency is not positive.
+    /// From frequencies in Hz and temperatures in K, both increasing, and frequency by frequency a value for each
+    /// temperature; `None` if these are not so many, not in order, or not finite, or if a frequency is not positive.
     pub fn new(frequencies: Vec<f64>, temperatures: Vec<f64>, values: Vec<Vec<f64>>) -> Option<Self> {
         let in_order = |places: &[f64]| {
             !places.is_empty()

@@ -1,8 +1,8 @@
 //! Cases: what a user writes, and what the solver is given.
 //!
 //! A [`Case`] is sparse and remembers where everything was written. [`Case::resolve`] fills in the base case
-//! (Table 6.1) and the edition's choices, checks what holds between keys, and gives a [`Resolved`] case: plain data, SI.
-//! All keys, with their units, ranges, defaults and meaning, stand in [`TABLE`].
+//! (Table 6.1) and the edition's choices, checks what holds between keys, and gives a [`Resolved`] case: plain data,
+//! SI. All keys, with their units, ranges, defaults and meaning, stand in [`TABLE`].
 //!
 //! ```
 //! use sheave::case::Case;
@@ -19,8 +19,9 @@
 //!   `drive.free = "both"` there must be exactly one key more.
 //! - A radius that is free must not be given. With `drive.ratio` and one free radius, the other comes from the ratio,
 //!   and the free one starts there.
-//! - `model.*` overrides any edition's choices, one by one: `published` with `model.ends = "zero"` keeps the printed spans
-//!   only. The printed end conditions exist for linearised shear only; a string takes no choice but its friction law.
+//! - `model.*` overrides any edition's choices, one by one: `published` with `model.ends = "zero"` keeps the printed
+//!   spans only. The printed end conditions exist for linearised shear only; a string takes no choice but its friction
+//!   law.
 //! - `swap = ["belt.bending_stiffness for efficiency.overall = 0.96"]` at the top makes any given constant unknown and
 //!   prescribes any output in its place; the constant's own key says where the search starts.
 //! - Setting a key replaces what was given for that key, never for another of its slot: [`Case::unset`] and

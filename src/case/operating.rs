@@ -238,8 +238,8 @@ fn fourth(case: &Case, loads: &[Key], clamps: &[Key], free: Option<Free>) -> Res
 }
 
 impl Case {
-    /// Takes out what the keys in `given` stand in place of: the ratio in place of both radii, a clamp or a load in place of
-    /// another. Keys in `given` stay.
+    /// Takes out what the keys in `given` stand in place of: the ratio in place of both radii, a clamp or a load in
+    /// place of another. Keys in `given` stay.
     pub fn make_room(&mut self, given: &[Key]) {
         let radii = [Key::PrimaryRadius, Key::SecondaryRadius];
         let mut out: Vec<Key> = Vec::new();

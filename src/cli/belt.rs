@@ -10,9 +10,9 @@ use std::path::PathBuf;
 
 /// Find a belt's properties from bench tests
 ///
-/// From moduli of the rubber, data of the yarns, a tension, a bending and a lateral test, length and mass to what a case
-/// needs of a belt, as in chapter 4 of the thesis. What it prints is a case file: everything on the way as comments, then the
-/// table [belt].
+/// From moduli of the rubber, data of the yarns, a tension, a bending and a lateral test, length and mass to what a
+/// case needs of a belt, as in chapter 4 of the thesis. What it prints is a case file: everything on the way as
+/// comments, then the table [belt].
 ///
 ///     sheave belt examples/belts/cvtech.toml > belt.toml && sheave solve belt.toml
 #[derive(Debug, Args)]

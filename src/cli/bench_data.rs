@@ -11,9 +11,9 @@ use std::path::PathBuf;
 
 /// Make a set of dynamometer logs from the model
 ///
-/// Solves the case at several ratios and writes what a test stand would have logged there, with noise, firing, dropouts of the slip ring
-/// and errors of the transmission; and what is known: known.json. For trying out, and for testing, `sheave dyno` and
-/// `sheave compare`. The same seed makes the same files.
+/// Solves the case at several ratios and writes what a test stand would have logged there, with noise, firing, dropouts
+/// of the slip ring and errors of the transmission; and what is known: known.json. For trying out, and for testing,
+/// `sheave dyno` and `sheave compare`. The same seed makes the same files.
 #[derive(Debug, Args)]
 #[command(after_help = super::STATUS)]
 pub struct Arguments {

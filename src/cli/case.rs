@@ -20,8 +20,8 @@ pub struct CaseArguments {
     /// Take a key out of the file's case, before any --set: another key can then fill its slot
     #[arg(long = "unset", value_name = "KEY")]
     unset: Vec<String>,
-    /// Find a constant for an output that is prescribed: "belt.bending_stiffness for efficiency.overall = 0.96"; in a case
-    /// file, swap = ["..."]
+    /// Find a constant for an output that is prescribed: "belt.bending_stiffness for efficiency.overall = 0.96"; in a
+    /// case file, swap = ["..."]
     #[arg(long = "swap", value_name = "KEY for OUTPUT = VALUE")]
     swap: Vec<String>,
     /// Edition of the equations, in place of the case's

@@ -15,16 +15,16 @@ use std::path::PathBuf;
 
 /// Compare measured operating points with the model
 ///
-/// Each point is solved with its measured speeds and output torque and with the case's clamp, or that of the primary's flyweights and
-/// spring (9.3). Points that are not steady are named and left out. The scale of the
+/// Each point is solved with its measured speeds and output torque and with the case's clamp, or that of the primary's
+/// flyweights and spring (9.3). Points that are not steady are named and left out. The scale of the
 /// engine's curve is found by least squares, and constants of the model with --fit.
 #[derive(Debug, Args)]
 #[command(after_long_help = help() + "\n" + super::STATUS)]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Table of operating points, as `sheave dyno --out` writes it: primary_rpm, secondary_rpm, secondary_torque_Nm; with their
-    /// standard deviations (_sd) and errors (_se), run, step, primary_torque_Nm where there are
+    /// Table of operating points, as `sheave dyno --out` writes it: primary_rpm, secondary_rpm, secondary_torque_Nm;
+    /// with their standard deviations (_sd) and errors (_se), run, step, primary_torque_Nm where there are
     #[arg(long, value_name = "POINTS.csv")]
     data: PathBuf,
     /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
@@ -36,7 +36,8 @@ pub struct Arguments {
     /// What the radii follow from
     #[arg(long, value_name = "FROM", default_value = "speeds")]
     radii: RadiiFrom,
-    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, or engine.scale; may be given several times
+    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, or engine.scale; may be given several
+    /// times
     #[arg(long, value_name = "KEY")]
     fit: Vec<String>,
     /// Relative tolerance of the solutions, from 1e-12 to 0.1

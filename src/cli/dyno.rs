@@ -18,16 +18,17 @@ use std::path::PathBuf;
 
 /// Reduce raw logs of a dynamometer to operating points
 ///
-/// Reads files of one channel and step each (P_3.csv, S_3.csv, ADC_3.csv, TORQUE_3.csv: time in µs, value), logs with a header
-/// (timestamp_ms,primary_rpm,secondary_rpm,torque) and RaceCapture logs, compressed by gzip or not, and folders of them. Rows that
-/// cannot be used are counted and named. Steady windows are averaged, with standard errors.
+/// Reads files of one channel and step each (P_3.csv, S_3.csv, ADC_3.csv, TORQUE_3.csv: time in µs, value), logs with a
+/// header (timestamp_ms,primary_rpm,secondary_rpm,torque) and RaceCapture logs, compressed by gzip or not, and folders
+/// of them. Rows that cannot be used are counted and named. Steady windows are averaged, with standard errors.
 #[derive(Debug, Args)]
 #[command(after_help = super::STATUS)]
 pub struct Arguments {
     /// Logs, or folders of logs
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
-    /// Calibration of the torque: rows of torque in N·m and ADC, which are fitted, or of slope, intercept, R² (the last applies)
+    /// Calibration of the torque: rows of torque in N·m and ADC, which are fitted, or of slope, intercept, R² (the last
+    /// applies)
     #[arg(long, value_name = "FILE")]
     calibration: Option<PathBuf>,
     /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
@@ -72,7 +73,8 @@ pub struct Arguments {
     /// Print the result as one JSON object, in SI units
     #[arg(long, conflicts_with = "out")]
     json: bool,
-    /// Write operating-points.csv, result.json, figures (SVG, PNG) and report.html into this folder, and print the summary
+    /// Write operating-points.csv, result.json, figures (SVG, PNG) and report.html into this folder, and print the
+    /// summary
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -197,7 +199,8 @@ impl Arguments {
     }
 }
 
-/// Warns of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is none.
+/// Warns of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is
+/// none.
 fn tell(reports: &[RecordReport], warnings: &mut Vec<String>) {
     let files = || reports.iter().flat_map(|report| &report.files);
     warnings.extend(files().filter_map(|file| Some(format!("{}: {}", file.file, file.problem.as_ref()?))));

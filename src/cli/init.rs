@@ -12,9 +12,9 @@ use std::fmt::Write;
 
 /// Where a drive starts: belt speed, speeds, torques and axial forces of the simple belt drive
 ///
-/// The belt adheres where it enters a pulley, slides before it leaves, and does not move in its groove: closed forms, or two
-/// equations by Newton's method. The case's operating point has to be one of the seven situations that are listed below.
-/// The equations are in docs/small-models.md.
+/// The belt adheres where it enters a pulley, slides before it leaves, and does not move in its groove: closed forms,
+/// or two equations by Newton's method. The case's operating point has to be one of the seven situations that are
+/// listed below. The equations are in docs/small-models.md.
 #[derive(Debug, Args)]
 #[command(after_long_help = SITUATIONS.to_owned() + super::STATUS)]
 pub struct Arguments {

@@ -15,8 +15,9 @@ use std::fmt::Write;
 
 /// Find the largest torque for the clamp of a case, and the smallest clamps for its torque
 ///
-/// Follows the drive from an operating point to a speed efficiency of 95 %, below which it slips and burns its belt; a limit is
-/// a fold on the way, or that end. With --stall it is followed until the secondary stands still. With --over, a table over a grid of any keys, and with --out its figures.
+/// Follows the drive from an operating point to a speed efficiency of 95 %, below which it slips and burns its belt; a
+/// limit is a fold on the way, or that end. With --stall it is followed until the secondary stands still. With --over,
+/// a table over a grid of any keys, and with --out its figures.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct Arguments {
@@ -25,7 +26,8 @@ pub struct Arguments {
     /// Count the drive as slipping below this speed efficiency, from 0 to 1: what a workshop calls the limit
     #[arg(long, value_name = "S", default_value = "0.95", value_parser = share)]
     least_speed_efficiency: f64,
-    /// Follow the drive to the stall of its secondary, as --least-speed-efficiency 0 does: what the model bears, and no belt
+    /// Follow the drive to the stall of its secondary, as --least-speed-efficiency 0 does: what the model bears, and no
+    /// belt
     #[arg(long, conflicts_with = "least_speed_efficiency")]
     stall: bool,
 }

@@ -111,7 +111,8 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act on.
+/// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act
+/// on.
 fn misunderstood(stop: &clap::Error) -> ExitCode {
     let acts = |argument: std::ffi::OsString| {
         let argument = argument.to_string_lossy();

@@ -10,8 +10,8 @@ use sheave::design::{Bound, State, optimum, optimum_figures, optimum_map};
 
 /// Find the clamp of best overall efficiency for the torque of a case
 ///
-/// A tight belt wastes power on its way in and out of the grooves, a loose one by slipping; between lies the best clamp. With
-/// --over, a table over a grid of any keys, and with --out its figures.
+/// A tight belt wastes power on its way in and out of the grooves, a loose one by slipping; between lies the best
+/// clamp. With --over, a table over a grid of any keys, and with --out its figures.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct Arguments {

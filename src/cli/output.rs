@@ -45,7 +45,8 @@ pub fn write_file(
     write().map_err(|error| Stop::Write(path.display().to_string(), error))
 }
 
-/// Writes a file beside `path`, which [`followed`] has been asked about: the content is on the disk, the name is not yet taken.
+/// Writes a file beside `path`, which [`followed`] has been asked about: the content is on the disk, the name is not
+/// yet taken.
 pub fn beside(
     path: &Path,
     content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,

@@ -13,8 +13,8 @@ use std::fmt::Write;
 
 /// Compare the belt pulley of a drive line with the full model
 ///
-/// Solves the case with the full model and asks what a pulley that knows nothing but Euler's relation makes of the tensions:
-/// how much of its friction they take, how fast its belt would creep, and its torque. The equations are in
+/// Solves the case with the full model and asks what a pulley that knows nothing but Euler's relation makes of the
+/// tensions: how much of its friction they take, how fast its belt would creep, and its torque. The equations are in
 /// docs/small-models.md.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]

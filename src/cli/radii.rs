@@ -13,9 +13,9 @@ use std::fmt::Write;
 
 /// Find the radii at which a belt runs
 ///
-/// From one radius to the other, from the ratio R_S/R_P to both, from what the movable sheave of the primary travels to both,
-/// and back, for the case's belt.length, drive.center_distance and sheave.half_angle (6.12). Without any of them the case's own
-/// primary radius applies. With the limits of both pulleys, the shift range too.
+/// From one radius to the other, from the ratio R_S/R_P to both, from what the movable sheave of the primary travels to
+/// both, and back, for the case's belt.length, drive.center_distance and sheave.half_angle (6.12). Without any of them
+/// the case's own primary radius applies. With the limits of both pulleys, the shift range too.
 #[derive(Debug, Args)]
 #[command(after_help = super::STATUS)]
 pub struct Arguments {

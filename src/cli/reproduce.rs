@@ -13,8 +13,9 @@ use std::time::Instant;
 /// Compute chapters 6 and 7 of the thesis again
 ///
 /// Base case, operating range, half angle, bending stiffness, slack tension and friction coefficient, in the editions
-/// `published`, `thesis` and `consistent`: every number of the text beside ours with a verdict. With --out also report.html
-/// with all figures, verdicts.md, verdicts.json, and a folder for each edition with its figures (SVG, PNG) and tables (CSV).
+/// `published`, `thesis` and `consistent`: every number of the text beside ours with a verdict. With --out also
+/// report.html with all figures, verdicts.md, verdicts.json, and a folder for each edition with its figures (SVG, PNG)
+/// and tables (CSV).
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// Folder to write into

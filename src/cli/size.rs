@@ -10,9 +10,9 @@ use std::path::PathBuf;
 
 /// Size a belt drive: torques and inertia at its input
 ///
-/// For a belt that conveys a load in a straight line, one that changes speed, or both: load inertia, inertia with pulleys,
-/// idlers and a rotary load, ratio, and the torques for external force, friction, load torque and acceleration (3.21) to
-/// (3.27). The equations are in docs/small-models.md.
+/// For a belt that conveys a load in a straight line, one that changes speed, or both: load inertia, inertia with
+/// pulleys, idlers and a rotary load, ratio, and the torques for external force, friction, load torque and acceleration
+/// (3.21) to (3.27). The equations are in docs/small-models.md.
 #[derive(Debug, Args)]
 #[command(after_long_help = keys() + "\n" + super::STATUS)]
 pub struct Arguments {

@@ -17,9 +17,9 @@ use std::sync::{Mutex, PoisonError};
 
 /// Solve a case over a grid of any of its keys
 ///
-/// One row a point, in input order, the last --over fastest: the varied keys, `converged`, every scalar of the result in
-/// SI units with dots in its name, `failure`. A point without a solution keeps its row and says why. Rows depend on the
-/// grid alone, not on --jobs; `solver.wall_time` stays empty.
+/// One row a point, in input order, the last --over fastest: the varied keys, `converged`, every scalar of the result
+/// in SI units with dots in its name, `failure`. A point without a solution keeps its row and says why. Rows depend on
+/// the grid alone, not on --jobs; `solver.wall_time` stays empty.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct Arguments {
@@ -36,7 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
     tol: f64,
     /// Write the table into this file: .csv, .parquet or .json. Rows are kept as they come in FILE.journal beside it
-    /// until the table is whole; an earlier table is kept as FILE.old.1. Without it, CSV goes to standard output as rows come
+    /// until the table is whole; an earlier table is kept as FILE.old.1. Without it, CSV goes to standard output as
+    /// rows come
     #[arg(long, value_name = "FILE", value_parser = table_path)]
     out: Option<PathBuf>,
     /// Go on with a sweep that was ended: rows in FILE.journal are not solved again

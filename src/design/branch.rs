@@ -9,9 +9,9 @@ use crate::case::Model;
 use crate::drive::{Curve, End, Failure, SolveOptions, Solved, solve_question_from, trace};
 use crate::model::{Constant, InternalError, Output};
 
-/// Speed efficiency down to which a curve is followed in arclength. Below it the belt comes to rest: states change within
-/// 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and the speed
-/// efficiency itself is the better parameter.
+/// Speed efficiency down to which a curve is followed in arclength. Below it the belt comes to rest: states change
+/// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
+/// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;
@@ -98,7 +98,8 @@ impl Point {
 
 impl Branch {
     /// Follows the curve on which `free` (the primary's torque, or the slack tension) moves, from the operating point
-    /// `start` down to the speed efficiency `last`, 0 being the stall; at first so that `sought` rises (`upwards`) or falls.
+    /// `start` down to the speed efficiency `last`, 0 being the stall; at first so that `sought` rises (`upwards`) or
+    /// falls.
     ///
     /// # Errors
     /// [`Failure::NoEquations`].

@@ -173,8 +173,8 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
     }
 }
 
-/// The largest (`upwards`) or smallest value of an output on the curve on which `free` moves: at its first extremum, else at
-/// the curve's end.
+/// The largest (`upwards`) or smallest value of an output on the curve on which `free` moves: at its first extremum,
+/// else at the curve's end.
 fn limit(
     model: &Model,
     start: &Solved,
@@ -219,7 +219,8 @@ fn extrema(branch: &Branch, output: Output, sign: f64) -> Result<Vec<Point>, Des
     Ok(extrema)
 }
 
-/// Where the rate is zero between two points: regula falsi, the Illinois variant (M. Dowell and P. Jarratt, BIT 11, 1971).
+/// Where the rate is zero between two points: regula falsi, the Illinois variant (M. Dowell and P. Jarratt, BIT 11,
+/// 1971).
 fn located(
     branch: &Branch,
     first: (&Point, f64),

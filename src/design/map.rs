@@ -86,7 +86,8 @@ const OPTIMA: [Shown; 4] = [
     },
 ];
 
-/// The limits of one case: the largest torque, unless the load is what varies; the smallest clamps, unless the clamp is.
+/// The limits of one case: the largest torque, unless the load is what varies; the smallest clamps, unless the clamp
+/// is.
 ///
 /// # Errors
 /// See [`DesignError`].

@@ -1,9 +1,9 @@
-//! What a designer asks beyond one operating point: how much torque a clamp carries, how little clamp a torque needs, and
-//! which clamp wastes least.
+//! What a designer asks beyond one operating point: how much torque a clamp carries, how little clamp a torque needs,
+//! and which clamp wastes least.
 //!
-//! Torque, clamp and speed lie on one curve. It is followed from an ordinary operating point by pseudo-arclength, in what is
-//! sought, whose extrema are folds that the solver locates; and where the belt comes to rest, in the speed efficiency
-//! ω_S R_S/(ω_P R_P), down to the stall of the secondary (docs/operating-points.md).
+//! Torque, clamp and speed lie on one curve. It is followed from an ordinary operating point by pseudo-arclength, in
+//! what is sought, whose extrema are folds that the solver locates; and where the belt comes to rest, in the speed
+//! efficiency ω_S R_S/(ω_P R_P), down to the stall of the secondary (docs/operating-points.md).
 
 mod branch;
 mod error;

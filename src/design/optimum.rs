@@ -1,9 +1,9 @@
 //! The clamp of best overall efficiency for a torque and a ratio.
 //!
-//! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping. The
-//! efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That derivative comes
-//! of the factorisation that Newton's method holds, by one transposed solve. A case that asks for losses besides friction
-//! (`losses.include = "on"`) has the efficiency with these maximised.
+//! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping.
+//! The efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That
+//! derivative comes of the factorisation that Newton's method holds, by one transposed solve. A case that asks for
+//! losses besides friction (`losses.include = "on"`) has the efficiency with these maximised.
 
 use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};
@@ -21,7 +21,8 @@ const FACTOR: f64 = 1.4;
 const LEAST_FACTOR: f64 = 1.01;
 /// Slack tensions over M_in/R_P between which the maximum is sought.
 const RANGE: (f64, f64) = (5e-3, 30.0);
-/// Evaluations that locate a maximum, and the bracket in the logarithm of the slack tension at which the maximum counts as located.
+/// Evaluations that locate a maximum, and the bracket in the logarithm of the slack tension at which the maximum counts
+/// as located.
 const LOCATING: usize = 30;
 const LOCATED: f64 = 1e-8;
 
@@ -140,7 +141,8 @@ impl Search {
         self.trial(solved)
     }
 
-    /// Goes to tighter (`direction` 1) belts until that costs efficiency, or to looser ones (−1) as far as there are any.
+    /// Goes to tighter (`direction` 1) belts until that costs efficiency, or to looser ones (−1) as far as there are
+    /// any.
     fn march(&mut self, start: &Trial, direction: f64) -> Result<Vec<Trial>, DesignError> {
         let scale = start.solved.constant(Constant::PrimaryTorque) / start.solved.constant(Constant::PrimaryRadius);
         let range = (RANGE.0 * scale).ln()..(RANGE.1 * scale).ln();

@@ -73,8 +73,8 @@ fn asked(question: &Question, constant: Constant) -> f64 {
     question.swaps.iter().find(prescribes).map_or(question.constants[constant], |swap| swap.value)
 }
 
-/// A path on which radii may move. What counts on the secondary is σ R_S/R_P, the belt's speed over the rim's, to a share
-/// of the slip threshold: it, rather than σ, is predicted linearly.
+/// A path on which radii may move. What counts on the secondary is σ R_S/R_P, the belt's speed over the rim's, to a
+/// share of the slip threshold: it, rather than σ, is predicted linearly.
 struct Geared {
     ramp: Ramp,
     /// Whether the speed ratio is unknown.

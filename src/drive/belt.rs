@@ -52,8 +52,8 @@ impl Belt {
     /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
     ///
     /// # Errors
-    /// [`Failure::NoEquations`] for a model that has no kernels, [`Failure::Internal`] for an output that its drives do not
-    /// have, which [`Question::check`](super::Question::check) refuses before.
+    /// [`Failure::NoEquations`] for a model that has no kernels, [`Failure::Internal`] for an output that its drives do
+    /// not have, which [`Question::check`](super::Question::check) refuses before.
     pub fn prescribing(model: &Model, constants: &Constants, outputs: &[(Output, f64)]) -> Result<Self, Failure> {
         let mut belt = Self::new(model, constants).ok_or(Failure::NoEquations)?;
         for &(output, scale) in outputs {
@@ -78,7 +78,8 @@ impl Belt {
         Ok(OutputValues::new(self.outputs, self.output_rows(&ends, &integrals, solution.constants())))
     }
 
-    /// The outputs of a solution of this problem, and the gradient of each with respect to ends, integrals and constants.
+    /// The outputs of a solution of this problem, and the gradient of each with respect to ends, integrals and
+    /// constants.
     ///
     /// # Errors
     /// [`InternalError::Length`] for a solution of another problem.
@@ -201,9 +202,9 @@ fn prescribe(layout: &mut Layout, outputs: &OutputKernel, prescribed: Prescribed
 /// A secondary that stands still may seem to turn back by this share of the primary's speed while its stall is sought.
 const LEAST_RATIO: f64 = -1e-3;
 
-/// Whether the constants describe a belt at all: it runs forward, more slowly than a wave along it, over positive angles
-/// and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a belt that flows
-/// backwards under compression, satisfies the same equations and is shut out here.
+/// Whether the constants describe a belt at all: it runs forward, more slowly than a wave along it, over positive
+/// angles and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a
+/// belt that flows backwards under compression, satisfies the same equations and is shut out here.
 fn is_physical(constants: &[f64]) -> bool {
     let Ok(constants) = Constants::try_from(constants) else { return false };
     let value = |constant: Constant| constants[constant];

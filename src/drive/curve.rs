@@ -1,4 +1,5 @@
-//! The curve on which the solutions of a question lie when one of its given constants moves, followed through its folds.
+//! The curve on which the solutions of a question lie when one of its given constants moves, followed through its
+//! folds.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -16,7 +17,8 @@ use crate::model::{Constant, Output};
 
 /// Intervals at most: a curve that needs more is lost.
 const MAX_INTERVALS: usize = 2000;
-/// First contraction of Newton's iteration that steps aim at: kinks of the friction law upset it more than turns of the curve.
+/// First contraction of Newton's iteration that steps aim at: kinks of the friction law upset it more than turns of the
+/// curve.
 const CONTRACTION: f64 = 0.5;
 /// Largest step in arclength: an axial force may rise and fall again within two of these.
 const LARGEST_STEP: f64 = 0.2;
@@ -47,9 +49,10 @@ pub struct End {
     pub value: f64,
 }
 
-/// Follows the curve through the solution `from` on which `free`, given there, moves: by pseudo-arclength, with `output` as
-/// its parameter, at whose extrema there are points of the kind [`PointKind::Fold`]. It is left in the direction in which the
-/// output rises (`upwards`) or falls, and followed to its `end`, a point of the kind [`PointKind::Event`].
+/// Follows the curve through the solution `from` on which `free`, given there, moves: by pseudo-arclength, with
+/// `output` as its parameter, at whose extrema there are points of the kind [`PointKind::Fold`]. It is left in the
+/// direction in which the output rises (`upwards`) or falls, and followed to its `end`, a point of the kind
+/// [`PointKind::Event`].
 ///
 /// # Errors
 /// [`Failure::NoEquations`]; a curve that is lost holds what was found of it.

@@ -6,10 +6,11 @@ use crate::case::{Clamp, Load, Resolved, Speed};
 use crate::model::{Constant, Constants};
 use crate::small::init::{self, SimpleDrive, Situation};
 
-/// Axial force of the full belt over that of the simple drive at the same tensions, primary and secondary: the one sinks
-/// into its groove and friction holds part of it up, the other does not.
+/// Axial force of the full belt over that of the simple drive at the same tensions, primary and secondary: the one
+/// sinks into its groove and friction holds part of it up, the other does not.
 const FRICTION_SHARES: (f64, f64) = (0.35, 0.5);
-/// Smallest v_0/(R_P ω_P) with which a straight belt is started: one that is stretched more does not start at its tension.
+/// Smallest v_0/(R_P ω_P) with which a straight belt is started: one that is stretched more does not start at its
+/// tension.
 const LEAST_FLOW: f64 = 0.98;
 /// Share of the axial force of a frictionless wedge, Φ T/(2 tan β), that a belt exerts which friction holds up.
 const AXIAL_SHARE: f64 = 0.5;
@@ -20,8 +21,8 @@ const LEAST_TENSION: f64 = 0.35;
 /// M_in over R_P and slack tension, when nothing says how large the torque is.
 const TORQUE: f64 = 1.5;
 
-/// What the operating point does not give, near what it prescribes: in one of the seven situations as the simple drive has
-/// it, where that has a state; else by rules of thumb.
+/// What the operating point does not give, near what it prescribes: in one of the seven situations as the simple drive
+/// has it, where that has a state; else by rules of thumb.
 pub(super) fn estimate(constants: &mut Constants, case: &Resolved) {
     by_rules(constants, case);
     by_simple_drive(constants, case);
@@ -44,8 +45,8 @@ fn by_simple_drive(constants: &mut Constants, case: &Resolved) -> Option<()> {
         constants[Constant::SpeedRatio] = state.output_speed / state.input_speed;
         constants[Constant::Flow] = flow;
     }
-    // For two speeds its torque is several times too large, as the full belt loses most of its speed by sinking into the
-    // groove; for the other torque, the rule counts losses that it does not have.
+    // For two speeds its torque is several times too large, as the full belt loses most of its speed by sinking into
+    // the groove; for the other torque, the rule counts losses that it does not have.
     if !matches!(situation, Situation::Three { .. } | Situation::Four { .. }) {
         let least = LEAST_TENSION * constants[Constant::PrimaryTorque] / constants[Constant::PrimaryRadius];
         constants[Constant::SlackTension] = state.slack_tension.max(least);

@@ -1,7 +1,7 @@
 //! The last corrections: boundary equations met as closely as asked, or as rounding permits.
 //!
-//! Sliding speeds are small differences of large ones: a correction of the belt's speed that is small enough for the speed
-//! may still move the torque, or an axial force that is prescribed.
+//! Sliding speeds are small differences of large ones: a correction of the belt's speed that is small enough for the
+//! speed may still move the torque, or an axial force that is prescribed.
 
 use solver::{Guess, Options, Solution, SolveError, Stats};
 

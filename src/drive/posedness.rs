@@ -1,9 +1,9 @@
 //! Whether what is given and prescribed is independent, whatever the belt does between the ends of its regions.
 //!
-//! The boundary equations, the given constants and the prescribed outputs are functions of ends, integrals and constants.
-//! If their gradients depend on each other linearly at a generic point, one of them says nothing new: a speed that
-//! is given twice, a power beside its torque and its speed. What the differential equations add to that is seen only in
-//! solving.
+//! The boundary equations, the given constants and the prescribed outputs are functions of ends, integrals and
+//! constants. If their gradients depend on each other linearly at a generic point, one of them says nothing new: a
+//! speed that is given twice, a power beside its torque and its speed. What the differential equations add to that is
+//! seen only in solving.
 
 use generated::BoundaryKernel;
 use nalgebra::DMatrix;

@@ -20,8 +20,9 @@ const THINNING: f64 = 0.1;
 /// Nodes in a row that may be left out.
 const LONGEST_GAP: usize = 7;
 
-/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the way from the solution before it
-/// bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight, inextensible belt.
+/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the way from the solution
+/// before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight,
+/// inextensible belt.
 pub(super) fn predicted(
     belt: &Belt,
     before: Option<&Solution>,
@@ -130,8 +131,8 @@ impl<'a> Way<'a> {
         Constant::ALL.into_iter().map(constant).collect()
     }
 
-    /// Where the belt adheres, its sliding speed is the tiny difference of two large ones, and friction hangs on it: so the
-    /// tangential sliding speed is what is predicted, and the penetration is what gives that.
+    /// Where the belt adheres, its sliding speed is the tiny difference of two large ones, and friction hangs on it: so
+    /// the tangential sliding speed is what is predicted, and the penetration is what gives that.
     fn adhere(&self, region: RegionId, guess: &mut Guess) -> Option<()> {
         let (index, kernel) = (region.index(), self.belt.kernel(region));
         let x = kernel.state(State::Penetration)?;
@@ -199,9 +200,9 @@ fn square_back(here: &Constants, back: &Constants, to: &Constants, unknowns: &[u
     (product < -STRAIGHT * (ahead * behind).sqrt() && square > SHORTEST_BACK * SHORTEST_BACK).then_some(square)
 }
 
-/// The unknown constants of the tight, inextensible belt along a way. The drive's stay close to them, and what a tangent
-/// leaves out of them would put the sliding speeds wrong by many slip thresholds: 2.5 % of change in both radii change the
-/// speed ratio by 5 %, and its square by 0.25 %, which is 60 mm/s of sliding.
+/// The unknown constants of the tight, inextensible belt along a way. The drive's stay close to them, and what a
+/// tangent leaves out of them would put the sliding speeds wrong by many slip thresholds: 2.5 % of change in both radii
+/// change the speed ratio by 5 %, and its square by 0.25 %, which is 60 mm/s of sliding.
 struct Tight {
     begin: Constants,
     end: Constants,
@@ -256,8 +257,8 @@ fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
     kept
 }
 
-/// Whether Hermite's cubic from one node to another gives the states between. The cubic of length h that is wrong by e in
-/// the middle is wrong by about 3 e/h in its slope: the defect that a mesh without the node would have.
+/// Whether Hermite's cubic from one node to another gives the states between. The cubic of length h that is wrong by e
+/// in the middle is wrong by about 3 e/h in its slope: the defect that a mesh without the node would have.
 fn hermite_holds(part: &RegionSolution, sizes: &[f64], nodes: [usize; 3], tolerance: f64) -> bool {
     let [Some(a), Some(s), Some(b)] = nodes.map(|node| part.mesh().get(node).copied()) else { return false };
     let h = b - a;

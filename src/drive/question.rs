@@ -1,4 +1,5 @@
-//! What is asked of a drive: its constants, and which of the given ones are unknown for something else that is prescribed.
+//! What is asked of a drive: its constants, and which of the given ones are unknown for something else that is
+//! prescribed.
 
 use crate::case::{constant_label, output_label};
 use crate::model::{Constant, Constants, Output};

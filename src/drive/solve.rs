@@ -57,8 +57,8 @@ impl Default for SolveOptions {
 }
 
 impl SolveOptions {
-    /// For the solver. What is asked of a belt is that its defects meet the tolerance; where a design amplifies them, the
-    /// solver's estimate of the error may exceed it all the same.
+    /// For the solver. What is asked of a belt is that its defects meet the tolerance; where a design amplifies them,
+    /// the solver's estimate of the error may exceed it all the same.
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
         Options { tolerance, order, accept_inaccurate: true, ..Options::default() }
@@ -76,10 +76,10 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
     solve_question(&case.model, &Question::of(case), options)
 }
 
-/// Answers a question from nothing: a straight belt under a small torque, at a tension that wraps it, with friction that
-/// is linear in the sliding speed; then torque, slip threshold and tension go where the question wants them, or near it
-/// where they are unknown. From there the values found of what is prescribed move to the values asked for, with the
-/// constants unknown that are to be found: one boundary value problem at every step.
+/// Answers a question from nothing: a straight belt under a small torque, at a tension that wraps it, with friction
+/// that is linear in the sliding speed; then torque, slip threshold and tension go where the question wants them, or
+/// near it where they are unknown. From there the values found of what is prescribed move to the values asked for, with
+/// the constants unknown that are to be found: one boundary value problem at every step.
 ///
 /// # Errors
 /// See [`Failure`].

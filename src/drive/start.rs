@@ -29,8 +29,8 @@ pub(super) fn constants(given: &Constants) -> Constants {
 /// As [`constants`], for a belt that is stretched by its tension and by its own inertia, and sinks into its grooves: it
 /// runs with the rims where it has sunk to.
 ///
-/// A belt of speed V and tractive tension T carries the force T + m_o V² that stretches it; from (3.11) its mass flow is
-/// g = v (1 − ε_c)/(1 + T/EA) with v = V/(R_P ω_P) and ε_c the share of EA that inertia takes, to first order.
+/// A belt of speed V and tractive tension T carries the force T + m_o V² that stretches it; from (3.11) its mass flow
+/// is g = v (1 − ε_c)/(1 + T/EA) with v = V/(R_P ω_P) and ε_c the share of EA that inertia takes, to first order.
 pub(super) fn stretched(given: &Constants) -> Constants {
     let mut start = constants(given);
     let [primary, secondary] = [Constant::PrimaryRadius, Constant::SecondaryRadius].map(|radius| {

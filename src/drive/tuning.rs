@@ -1,23 +1,23 @@
 //! Every number of the cold start that was chosen, what it is relative to, and what chose it.
 //!
-//! All are dimensionless, so that a drive and its model at another scale start alike. "The base case" is that of Table 6.1;
-//! "the survey" is `benches/survey.rs`, tuned on seed 1 and judged on others.
+//! All are dimensionless, so that a drive and its model at another scale start alike. "The base case" is that of Table
+//! 6.1; "the survey" is `benches/survey.rs`, tuned on seed 1 and judged on others.
 
-/// Torque of the start over slack tension times radius of the primary. At the base case's 100 N this is 0.5 N·m, from which
-/// Newton's iteration on the straight belt takes six steps.
+/// Torque of the start over slack tension times radius of the primary. At the base case's 100 N this is 0.5 N·m, from
+/// which Newton's iteration on the straight belt takes six steps.
 pub(super) const TORQUE: f64 = 0.0732;
 
-/// Slip threshold of the start over the belt's speed R_P ω_P, if the case's is lower: friction is then linear in the sliding
-/// speed almost everywhere, as sliding speeds are the belt's speed times penetration over radius (below [`DEEPEST`]) or
-/// times differences of strain. 1 m/s in the base case.
+/// Slip threshold of the start over the belt's speed R_P ω_P, if the case's is lower: friction is then linear in the
+/// sliding speed almost everywhere, as sliding speeds are the belt's speed times penetration over radius (below
+/// [`DEEPEST`]) or times differences of strain. 1 m/s in the base case.
 pub(super) const THRESHOLD: f64 = 0.041_117;
 
-/// T/(k R² tan β) of the smaller pulley, at most, in the start: a tighter belt sinks too deep for the straight guess. 220 N
-/// in the base case. Of its ratios from 0.72 to 1.74, 0.008 takes more steps to reach the case's tension.
+/// T/(k R² tan β) of the smaller pulley, at most, in the start: a tighter belt sinks too deep for the straight guess.
+/// 220 N in the base case. Of its ratios from 0.72 to 1.74, 0.008 takes more steps to reach the case's tension.
 pub(super) const DEEPEST: f64 = 0.012;
 
-/// T R²/EI of the smaller pulley, at least, in the start: a looser belt does not wrap. Beside the base case's ratios from 0.6
-/// to 2, 1.2 loses starts and 2.5 costs steps.
+/// T R²/EI of the smaller pulley, at least, in the start: a looser belt does not wrap. Beside the base case's ratios
+/// from 0.6 to 2, 1.2 loses starts and 2.5 costs steps.
 pub(super) const LEAST_WRAPPED: f64 = 1.7;
 
 /// Share of the tension that the groove's elasticity carries, against friction, in the start's penetration.

@@ -29,10 +29,10 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
     solve_along(&[from], case, options)
 }
 
-/// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values, goes
-/// to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if there is
-/// one, tells how the way bends. All must be of one model; the caller sees to that. Gives up early, on anything but a case
-/// nearby.
+/// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values,
+/// goes to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if
+/// there is one, tells how the way bends. All must be of one model; the caller sees to that. Gives up early, on
+/// anything but a case nearby.
 ///
 /// # Errors
 /// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).

@@ -91,11 +91,11 @@ fn a_sum_is_quadratic_in_its_field_and_linear_in_its_weight() {
     assert!((sum(2.0, 1.0) / one - 4.0).abs() < 1e-9);
 }
 
-/// A belt of a standard linear solid run through the field in time, step by step, against the sum with the solid's own loss
-/// tangent at each harmonic.
+/// A belt of a standard linear solid run through the field in time, step by step, against the sum with the solid's own
+/// loss tangent at each harmonic.
 ///
-/// The solid: σ = E_∞ a + E_1 (a − b), τ db/dt = a − b. Storage E' = E_∞ + E_1 (ωτ)²/(1 + (ωτ)²), loss E'' = E_1 ωτ/(1 + (ωτ)²);
-/// a cycle of the field dissipates ∮ σ da per length.
+/// The solid: σ = E_∞ a + E_1 (a − b), τ db/dt = a − b. Storage E' = E_∞ + E_1 (ωτ)²/(1 + (ωτ)²), loss E'' = E_1 ωτ/(1
+/// + (ωτ)²); a cycle of the field dissipates ∮ σ da per length.
 #[test]
 fn a_standard_linear_solid_followed_in_time_dissipates_what_the_sum_says() {
     let (stiff, branch, relaxation, period) = (3.0, 0.8, 0.004, 0.05);

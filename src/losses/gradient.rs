@@ -1,4 +1,5 @@
-//! Derivatives of a sum over harmonics by what it is made of: coordinates, values and slopes at all nodes, and its weights.
+//! Derivatives of a sum over harmonics by what it is made of: coordinates, values and slopes at all nodes, and its
+//! weights.
 
 use std::f64::consts::TAU;
 
@@ -114,7 +115,8 @@ fn by_jumps(track: &Track, first: usize, adjoints: &[Complex], gradient: &mut Tr
     }
     for (j, cubic) in track.cubics().enumerate() {
         let (here, next) = (sums[j], sums[j + 1]);
-        // By the second derivatives at both ends and the third, which jump by them here and by less them at the next node.
+        // By the second derivatives at both ends and the third, which jump by them here and by less them at the next
+        // node.
         let (left, right, bend) = (-here[2], next[2], next[3] - here[3]);
         let (h, slope) = (cubic.h, 6.0 * bend / (cubic.h * cubic.h));
         let (at_left, at_right, third) = cubic.bends();

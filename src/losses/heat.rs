@@ -1,13 +1,14 @@
-//! The belt's temperature: what friction and hysteresis heat it with, it gives off to the air, and its stiffnesses are those at that
-//! temperature.
+//! The belt's temperature: what friction and hysteresis heat it with, it gives off to the air, and its stiffnesses are
+//! those at that temperature.
 //!
 //! ```text
 //! h (T − T_a) = a W + P_bend + P_groove + P_cord,      EI = EI_0 exp(−s_b (T − T_0)),   k = k_0 exp(−s_k (T − T_0))
 //! ```
 //!
-//! The right-hand side is a functional of the whole path, with harmonics of it: no function of ends, integrals and constants, as the
-//! boundary equations are. So the temperature is found by Newton's method around the belt's equations, with the exact derivative of the
-//! heat by it, which comes of the linearisation at each solution. A few iterations close it to rounding.
+//! The right-hand side is a functional of the whole path, with harmonics of it: no function of ends, integrals and
+//! constants, as the boundary equations are. So the temperature is found by Newton's method around the belt's
+//! equations, with the exact derivative of the heat by it, which comes of the linearisation at each solution. A few
+//! iterations close it to rounding.
 
 use std::collections::BTreeMap;
 
@@ -77,8 +78,8 @@ pub fn at_temperature(case: &Resolved, thermal: &Thermal, temperature: f64) -> R
     warm
 }
 
-/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at the reference; the solution
-/// there.
+/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at the reference;
+/// the solution there.
 ///
 /// # Errors
 /// As [`solve`]; [`Failure::Sensitivities`]; [`Failure::Temperature`] where the balance has no end.

@@ -1,7 +1,8 @@
 //! Where power goes besides friction: hysteresis of the belt, drag, gears.
 //!
-//! The belt's hysteresis is what its material dissipates when curvature, penetration and cord strain change as it runs around,
-//! evaluated on the elastic solution: first order in the loss tangent. Derivation and assumptions: `docs/losses.md`.
+//! The belt's hysteresis is what its material dissipates when curvature, penetration and cord strain change as it runs
+//! around, evaluated on the elastic solution: first order in the loss tangent. Derivation and assumptions:
+//! `docs/losses.md`.
 
 #[cfg(test)]
 mod checks;
@@ -24,12 +25,12 @@ use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, InternalError, Output};
 use tracks::Tracks;
 
-/// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of the
-/// thesis's measurements (4.1), 60 °C.
+/// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of
+/// the thesis's measurements (4.1), 60 °C.
 pub const REFERENCE_TEMPERATURE: f64 = 333.15;
 
-/// Loss tangent of the rubber that the thesis measured (4.1). Sums end where what is missing, were this the loss tangent, is below
-/// the tolerance: as many harmonics at any loss tangent, so that losses are exactly linear in it.
+/// Loss tangent of the rubber that the thesis measured (4.1). Sums end where what is missing, were this the loss
+/// tangent, is below the tolerance: as many harmonics at any loss tangent, so that losses are exactly linear in it.
 const TYPICAL_TANGENT: f64 = 1.0 / 8.2;
 
 /// Why there are no losses.
@@ -77,8 +78,9 @@ pub struct Harmonics {
     pub cord: usize,
 }
 
-/// Power that is lost besides friction, W. What hysteresis takes in a region is the power of the stress that leads the strain by
-/// a quarter of a cycle over the rate of strain there: it may be negative, where the belt gives back more than it takes.
+/// Power that is lost besides friction, W. What hysteresis takes in a region is the power of the stress that leads the
+/// strain by a quarter of a cycle over the rate of strain there: it may be negative, where the belt gives back more
+/// than it takes.
 #[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
 pub struct Losses {
     /// Of bending the belt.
@@ -121,7 +123,8 @@ struct Sums {
     cord: Series,
 }
 
-/// The losses of a solved case besides friction, loss tangents taken at a temperature in K, sums to `tolerance` times the power that the drive takes in.
+/// The losses of a solved case besides friction, loss tangents taken at a temperature in K, sums to `tolerance` times
+/// the power that the drive takes in.
 ///
 /// # Errors
 /// [`NoLosses`], if what the case asks for cannot be told of this solution.
@@ -184,7 +187,8 @@ fn evaluate<I, O: Identity, const N: usize>(kernel: &FormulaKernel<I, O>, inputs
     values
 }
 
-/// What hysteresis takes: in all, region by region, and with how many harmonics; nothing where no loss tangent is given.
+/// What hysteresis takes: in all, region by region, and with how many harmonics; nothing where no loss tangent is
+/// given.
 type Dissipated = Option<(Hysteresis, [Hysteresis; 4], Harmonics)>;
 
 fn hysteresis(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Dissipated, NoLosses> {

@@ -1,5 +1,5 @@
-//! Derivatives of the losses with respect to what is given: exactly those of the sums, which are functions of the solution's
-//! states at its nodes, of the unstretched lengths of its intervals and of the drive's constants.
+//! Derivatives of the losses with respect to what is given: exactly those of the sums, which are functions of the
+//! solution's states at its nodes, of the unstretched lengths of its intervals and of the drive's constants.
 
 use std::collections::BTreeMap;
 
@@ -34,8 +34,8 @@ struct Adjoint {
     temperature: f64,
 }
 
-/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones), by their names in the
-/// result object; and of what hysteresis takes by the temperature at which the loss tangents are taken.
+/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones), by their names in
+/// the result object; and of what hysteresis takes by the temperature at which the loss tangents are taken.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Gradients {
     /// By name, by constant.

@@ -1,17 +1,18 @@
 //! Sums over the harmonics of a field that runs around with the belt.
 //!
-//! A field a is periodic in u = S/L_0, the unstretched coordinate over the loop's unstretched length. On each interval of the
-//! solution's own meshes it is the cubic that has the field's values and slopes at both nodes: the interpolant of the solution
-//! itself, of the solution's order. What is summed is
+//! A field a is periodic in u = S/L_0, the unstretched coordinate over the loop's unstretched length. On each interval
+//! of the solution's own meshes it is the cubic that has the field's values and slopes at both nodes: the interpolant
+//! of the solution itself, of the solution's order. What is summed is
 //!
 //! ```text
 //! P = Σ_n w_n |B_n|²/n,      B_n = ∮ (da/du) exp(−2πi n u) du
 //! ```
 //!
-//! B_n is integrated exactly: by parts three times, until the cubics' derivatives are used up, which leaves what they jump by at
-//! the nodes. Where an interval is short against the wave length that loses digits, and Gauss quadrature is exact to rounding:
-//! the first few harmonics are integrated so. The share of a region is Re(B̄_n B_n^r), its own part of B_n put in: that is the
-//! power of the stress that leads the strain by a quarter of a cycle over the rate of strain in this region (`docs/losses.md`).
+//! B_n is integrated exactly: by parts three times, until the cubics' derivatives are used up, which leaves what they
+//! jump by at the nodes. Where an interval is short against the wave length that loses digits, and Gauss quadrature is
+//! exact to rounding: the first few harmonics are integrated so. The share of a region is Re(B̄_n B_n^r), its own part
+//! of B_n put in: that is the power of the stress that leads the strain by a quarter of a cycle over the rate of strain
+//! in this region (`docs/losses.md`).
 
 use std::f64::consts::TAU;
 
@@ -98,8 +99,8 @@ impl Track {
     }
 }
 
-/// What a track's derivatives jump by at its nodes, to the right less to the left, and nothing outside of it; padded to whole
-/// lanes.
+/// What a track's derivatives jump by at its nodes, to the right less to the left, and nothing outside of it; padded to
+/// whole lanes.
 #[derive(Debug, Clone)]
 pub(super) struct Jumps {
     pub u: Vec<f64>,

@@ -1,5 +1,5 @@
-//! The ground that everything else stands on: editions of the equations and what they choose, the constants of a drive, its
-//! outputs, and the error for what must not happen. It knows neither case files nor solutions.
+//! The ground that everything else stands on: editions of the equations and what they choose, the constants of a drive,
+//! its outputs, and the error for what must not happen. It knows neither case files nor solutions.
 
 mod choice;
 mod constants;

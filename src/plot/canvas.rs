@@ -125,7 +125,8 @@ fn parts(text: &str) -> impl Iterator<Item = (&str, bool)> {
 /// A figure on its way to an area.
 pub struct Canvas<'a, B: DrawingBackend> {
     figure: &'a Figure,
-    /// Whether subscripts are drawn piece by piece, at the sizes that the area tells; otherwise they are marked in the text.
+    /// Whether subscripts are drawn piece by piece, at the sizes that the area tells; otherwise they are marked in the
+    /// text.
     pieces: bool,
     area: &'a DrawingArea<B, Shift>,
     /// Points of the area for one of the figure.

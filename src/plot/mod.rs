@@ -1,8 +1,8 @@
 //! Figures: what a solution or a study looks like, as SVG and PNG, in one style.
 //!
 //! A [`Figure`] is data: axes with symbols and units, and series. With the feature `figures`, `Figure::svg` and
-//! `Figure::png` draw it, dark on white, so that it reads in print and on a page of any colour. [`drive`] makes the figures
-//! of one solution.
+//! `Figure::png` draw it, dark on white, so that it reads in print and on a page of any colour. [`drive`] makes the
+//! figures of one solution.
 //!
 //! ```
 //! use sheave::plot::{Axis, Figure, Series};

@@ -51,8 +51,8 @@ impl Quantity {
     }
 }
 
-/// Reads a quantity: a number, then optionally a product of units (`18.71 MPa`, `0.2602 N*m^2`, `18 lbf·ft`, `2 kg m/s²`).
-/// Factors of units are separated by `*`, `·`, a space or `/`; a `/` divides by the one factor behind it.
+/// Reads a quantity: a number, then optionally a product of units (`18.71 MPa`, `0.2602 N*m^2`, `18 lbf·ft`,
+/// `2 kg m/s²`). Factors of units are separated by `*`, `·`, a space or `/`; a `/` divides by the one factor behind it.
 ///
 /// # Errors
 /// What is wrong with the text, see [`QuantityError`].

@@ -3,8 +3,8 @@
 //! Factors are exact by definition. SI and the units accepted with it: BIPM, *The International System of Units*,
 //! 9th edition (2019), tables 4, 7 and 8. Inch, foot, pound: the international yard and pound agreement of 1959
 //! (1 in = 25.4 mm, 1 lb = 0.453 592 37 kg). Pound-force with the standard acceleration 9.806 65 m/s² (3rd CGPM, 1901);
-//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B. Yarns: 1 tex is
-//! 1 g/km, 1 denier (`den`) 1 g in 9000 m (ISO 1144).
+//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B. Yarns: 1 tex
+//! is 1 g/km, 1 denier (`den`) 1 g in 9000 m (ISO 1144).
 
 use super::Dimension;
 use std::f64::consts::{PI, TAU};

@@ -103,9 +103,9 @@ fn clamp(result: &DriveResult<Resolved>) -> String {
     text
 }
 
-/// The slack tension at which about `reserve` of the friction at hand is left over, N, for the same torque: the pressure, and
-/// with it the friction at hand, goes with the mean tension less the centrifugal one. Nothing if the drive has that reserve
-/// already, or without torque.
+/// The slack tension at which about `reserve` of the friction at hand is left over, N, for the same torque: the
+/// pressure, and with it the friction at hand, goes with the mean tension less the centrifugal one. Nothing if the
+/// drive has that reserve already, or without torque.
 pub fn tension_for(result: &DriveResult<Resolved>, reserve: f64) -> Option<f64> {
     let primary = &result.primary;
     let (used, wanted) = (1.0 - result.slip_reserve, 1.0 - reserve);

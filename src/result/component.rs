@@ -1,4 +1,5 @@
-//! The belt pulley of [`small::pulley`](crate::small::pulley), a component, beside the full model: what Euler's relation makes of the tensions that the full model finds.
+//! The belt pulley of [`small::pulley`](crate::small::pulley), a component, beside the full model: what Euler's
+//! relation makes of the tensions that the full model finds.
 
 use super::{Outcome, Pulley};
 use crate::model::{Constant, Constants, InternalError};

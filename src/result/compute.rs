@@ -300,7 +300,8 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// The pulley that drives the other, by the powers; none where one of them is zero or both pulleys feed the belt's losses.
+    /// The pulley that drives the other, by the powers; none where one of them is zero or both pulleys feed the belt's
+    /// losses.
     fn driving(&self) -> Result<Option<Driving>, InternalError> {
         let power_in = self.outputs.get(Output::EnergyPowerIn)?;
         let power_out = self.outputs.get(Output::EnergyPowerOut)?;

@@ -1,4 +1,5 @@
-//! What every command's `--json` has in common: `schema`, `command`, `inputs`, `warnings`, and `failure` where it did not work.
+//! What every command's `--json` has in common: `schema`, `command`, `inputs`, `warnings`, and `failure` where it did
+//! not work.
 
 use super::SCHEMA;
 use serde::{Deserialize, Serialize};
@@ -57,7 +58,8 @@ pub fn envelope(
     Ok(Value::Object(object))
 }
 
-/// The object of a command that did not work, with `"converged": false`; `known` is what can be said nevertheless, such as the `inputs`.
+/// The object of a command that did not work, with `"converged": false`; `known` is what can be said nevertheless, such
+/// as the `inputs`.
 ///
 /// # Errors
 /// What the serialisation of `known` says.

@@ -28,8 +28,8 @@ pub fn utilization(solved: &Solved) -> Result<f64, InternalError> {
     Ok(reading.primary()?.friction_utilization.max(reading.secondary()?.friction_utilization))
 }
 
-/// Solves a case whose clamp is found for a margin: the slack tension at which it holds, by the secant method. The reciprocal
-/// of the utilization is nearly linear in the slack tension, for the pressure is.
+/// Solves a case whose clamp is found for a margin: the slack tension at which it holds, by the secant method. The
+/// reciprocal of the utilization is nearly linear in the slack tension, for the pressure is.
 ///
 /// # Errors
 /// [`Failure::Margin`] if no clamp that was tried leaves that margin, with the nearest; else see [`Failure`].

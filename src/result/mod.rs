@@ -41,8 +41,8 @@ pub struct Outcome {
     pub no_losses: Option<NoLosses>,
 }
 
-/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the slack
-/// tension at which that margin holds.
+/// Solves a case from nothing and reads the solution; if its clamp is to be found for a margin against slip, at the
+/// slack tension at which that margin holds.
 ///
 /// # Errors
 /// See [`Failure`].
@@ -55,7 +55,8 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     interpret(case, options, solved, start)
 }
 
-/// Reads a solution of a case, found since `start`; where the case asks for the belt's temperature, the solution at that.
+/// Reads a solution of a case, found since `start`; where the case asks for the belt's temperature, the solution at
+/// that.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`]; with heat, as [`run`].

@@ -9,8 +9,8 @@ use crate::losses::{Heat, Losses};
 /// Version of the result object.
 pub const SCHEMA: u32 = 1;
 
-/// Everything a solved drive tells. Torques and powers are positive where the primary drives and the secondary delivers; where
-/// the secondary drives, as in engine braking, both pulleys' are negative.
+/// Everything a solved drive tells. Torques and powers are positive where the primary drives and the secondary
+/// delivers; where the secondary drives, as in engine braking, both pulleys' are negative.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DriveResult<I> {
     /// [`SCHEMA`].
@@ -21,8 +21,8 @@ pub struct DriveResult<I> {
     pub converged: bool,
     /// The case, resolved to SI: what was asked, and beside it what was found for the keys in [`DriveResult::found`].
     pub inputs: I,
-    /// What was found, SI, by key of the case file: for every key that was solved for in place of what was prescribed. Empty
-    /// where nothing was.
+    /// What was found, SI, by key of the case file: for every key that was solved for in place of what was prescribed.
+    /// Empty where nothing was.
     pub found: BTreeMap<String, f64>,
     /// The driving pulley.
     pub primary: Pulley,
@@ -34,8 +34,9 @@ pub struct DriveResult<I> {
     pub slack_span: Span,
     /// Efficiencies (6.7)–(6.9).
     pub efficiency: Efficiency,
-    /// Share of the friction at hand that is not yet used: 1 less the larger [`Pulley::friction_utilization`]. It falls to
-    /// about zero where the belt slips grossly; what torque is left above the present one, `design::largest_torque` says.
+    /// Share of the friction at hand that is not yet used: 1 less the larger [`Pulley::friction_utilization`]. It falls
+    /// to about zero where the belt slips grossly; what torque is left above the present one, `design::largest_torque`
+    /// says.
     pub slip_reserve: f64,
     /// The larger [`Pulley::friction_utilization`]: 1 less the slip reserve.
     pub friction_utilization: f64,
@@ -83,8 +84,8 @@ pub struct Pulley {
     pub max_sliding_speed: f64,
     /// Share of the wrap angle on which the belt slides more slowly than the slip threshold.
     pub adhesion_fraction: f64,
-    /// Mean over the contact, weighted by pressure, of the friction that acts along the rim, over μ_k times the pressure:
-    /// 0 without torque, 1 where all friction that this pressure permits drives or brakes the pulley.
+    /// Mean over the contact, weighted by pressure, of the friction that acts along the rim, over μ_k times the
+    /// pressure: 0 without torque, 1 where all friction that this pressure permits drives or brakes the pulley.
     pub friction_utilization: f64,
     /// Nominal radius, m: as given, or as found where it was free.
     pub radius: f64,
@@ -115,14 +116,15 @@ pub struct Span {
     pub max_tension: f64,
 }
 
-/// Efficiencies as fractions, of the driven pulley over the driving one. The primary drives where both powers are positive,
-/// the secondary where both are negative; where neither drives the other (no torque, or so little that both pulleys only
-/// cover the belt's losses), there is no efficiency and all three are absent.
+/// Efficiencies as fractions, of the driven pulley over the driving one. The primary drives where both powers are
+/// positive, the secondary where both are negative; where neither drives the other (no torque, or so little that both
+/// pulleys only cover the belt's losses), there is no efficiency and all three are absent.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Efficiency {
     /// Rim speed of the driven pulley over that of the driving one, ω_S R_S/(ω_P R_P) (6.7) where the primary drives.
     pub speed: Option<f64>,
-    /// Rim force of the driven pulley over that of the driving one, M_out R_P/(M_in R_S) (6.8) where the primary drives.
+    /// Rim force of the driven pulley over that of the driving one, M_out R_P/(M_in R_S) (6.8) where the primary
+    /// drives.
     pub torque: Option<f64>,
     /// Power out over power in (6.9): the product of the other two.
     pub overall: Option<f64>,
@@ -156,8 +158,8 @@ pub struct Energy {
     pub friction_loss: f64,
     /// (power_in − power_out − friction_loss)/power_in; no number (`null` in JSON) without power in.
     pub imbalance: f64,
-    /// Power that the belt's stretching takes from the energy of bending and squeezing, W: moment and pressure are given
-    /// per stretched length, so that a piece of belt that grows shorter carries a little less.
+    /// Power that the belt's stretching takes from the energy of bending and squeezing, W: moment and pressure are
+    /// given per stretched length, so that a piece of belt that grows shorter carries a little less.
     pub stretch_work: f64,
     /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for; no number
     /// (`null` in JSON) without power in.

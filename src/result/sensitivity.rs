@@ -12,8 +12,8 @@ use crate::model::Constant;
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
 pub type Sensitivities = BTreeMap<String, BTreeMap<String, f64>>;
 
-/// Differentiates every output that is a smooth function of the solution's ends, integrals and constants: one elimination
-/// for all given constants and prescribed outputs. Extremes along a contact or a span are left out.
+/// Differentiates every output that is a smooth function of the solution's ends, integrals and constants: one
+/// elimination for all given constants and prescribed outputs. Extremes along a contact or a span are left out.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`] if the equations are singular at the solution, as at a limit; [`Failure::Internal`].

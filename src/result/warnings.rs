@@ -91,8 +91,8 @@ fn powers(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without what the
-/// belt's own inertia adds.
+/// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without
+/// what the belt's own inertia adds.
 fn compression(outcome: &Outcome) -> Option<String> {
     let places = [
         (RegionId::Primary, State::Tension, "on the primary"),

@@ -2,7 +2,8 @@
 
 use generated::{FormulaKernel, Identity};
 
-/// A set of formulae with values for its inputs; an input that is not given is not a number, and so is all that needs it.
+/// A set of formulae with values for its inputs; an input that is not given is not a number, and so is all that needs
+/// it.
 #[derive(Debug)]
 pub struct Inputs<I: 'static, O: 'static> {
     kernel: &'static FormulaKernel<I, O>,

@@ -2,7 +2,8 @@
 //!
 //! A [`Study`] is a case and some [`Axis`]; its points are numbered in input order, the last axis running fastest.
 //! [`run`] solves them on several threads and hands over one [`Row`] a point; [`Journal`] keeps rows as they come, so
-//! that whatever ends the program loses none; [`Table`] is the finished study, and [`Rows`] what its writers need of one.
+//! that whatever ends the program loses none; [`Table`] is the finished study, and [`Rows`] what its writers need of
+//! one.
 //!
 //! Every point's row is a function of the study alone. Points are solved in chains of neighbours along the last axis,
 //! each started from the solution before it; where the chains begin depends on nothing but the grid, so the number

@@ -60,8 +60,9 @@ impl Study {
         Ok(study)
     }
 
-    /// Resolves the case at every point. Whether a question has an answer whatever the numbers depends on which keys are given
-    /// and on the names among them: it is asked once for each such set, for it takes far longer than resolving.
+    /// Resolves the case at every point. Whether a question has an answer whatever the numbers depends on which keys
+    /// are given and on the names among them: it is asked once for each such set, for it takes far longer than
+    /// resolving.
     fn check(&self) -> Result<(), CaseError> {
         let mut asked: Vec<Vec<(Key, Option<&str>)>> = Vec::new();
         for index in 0..self.points() {
@@ -160,7 +161,8 @@ impl Study {
             .to_string()
     }
 
-    /// Whether the rows of all points that have a solution have the same columns: what is varied decides on values only.
+    /// Whether the rows of all points that have a solution have the same columns: what is varied decides on values
+    /// only.
     pub fn is_uniform(&self) -> bool {
         let mut columns: Option<Vec<String>> = None;
         for place in 0..self.axes.iter().filter(|axis| !axis.is_continuous()).map(Axis::points).product() {

@@ -201,8 +201,8 @@ impl Layouts {
         at.and_then(|at| cells.get(at)) == Some(&Cell::Truth(true))
     }
 
-    /// The columns of a table whose rows have these sets, in the order in which the rows bring them, a row's own between
-    /// those it shares; and by set the column of each of its names.
+    /// The columns of a table whose rows have these sets, in the order in which the rows bring them, a row's own
+    /// between those it shares; and by set the column of each of its names.
     pub(super) fn joined(&self, rows: impl Iterator<Item = usize>) -> (Columns, Vec<Vec<Option<usize>>>) {
         let mut order: Vec<usize> = Vec::new();
         for layout in rows {

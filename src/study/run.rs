@@ -22,9 +22,9 @@ const FARTHEST: f64 = 1.6;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
 const PATIENCE: usize = 2;
 
-/// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given, and no more than that), and hands each row to
-/// `keep` as soon as it is there: in any order, from any thread. What a point is solved from depends on the study alone,
-/// so that rows are the same whoever asks.
+/// Solves all points of which `wanted` says so, on `jobs` threads (all cores if none are given, and no more than that),
+/// and hands each row to `keep` as soon as it is there: in any order, from any thread. What a point is solved from
+/// depends on the study alone, so that rows are the same whoever asks.
 ///
 /// # Errors
 /// [`StudyError::Keep`] ends the run; [`StudyError::Threads`]. A point without a solution has a row that says why.

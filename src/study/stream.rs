@@ -9,8 +9,8 @@ use std::io::{self, Write};
 /// Writes rows in input order as soon as all before them are there.
 ///
 /// The header stands before the first row, so that the study's rows must have the same columns, see
-/// [`Study::is_uniform`]. They are known from the first row that has a solution, or at the end; of rows without one that
-/// have to wait for it, only the reason is kept.
+/// [`Study::is_uniform`]. They are known from the first row that has a solution, or at the end; of rows without one
+/// that have to wait for it, only the reason is kept.
 #[derive(Debug)]
 pub struct Stream<'a, W: Write> {
     study: &'a Study,

@@ -44,7 +44,8 @@ impl Format {
     }
 }
 
-/// Writes a header and one line a row; an empty cell is an empty field. Numbers are the shortest that read back the same.
+/// Writes a header and one line a row; an empty cell is an empty field. Numbers are the shortest that read back the
+/// same.
 ///
 /// # Errors
 /// What the writer says.

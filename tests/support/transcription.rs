@@ -154,7 +154,8 @@ pub fn span<S: Number>(choice: Choice, tight: bool, y: &[S], c: &Constants<S>) -
     [t1, y[2], y[3], d3, y[1].cos(), y[1].sin(), l / (one + f / c.ea), e1]
 }
 
-/// The 26 boundary equations. `ends`: region by region (primary, slack span, secondary, tight span), entry then exit; integrals likewise.
+/// The 26 boundary equations. `ends`: region by region (primary, slack span, secondary, tight span), entry then exit;
+/// integrals likewise.
 pub fn boundary<S: Number>(choice: Choice, ends: &[S], integrals: &[S], c: &Constants<S>) -> Vec<S> {
     let pi = std::f64::consts::PI;
     let one = S::from(1.0);

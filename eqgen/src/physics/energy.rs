@@ -8,9 +8,9 @@
 //! ```
 //!
 //! W is what friction turns to heat. E is left over because (3.26) and (3.16) state moment and pressure per stretched
-//! length while the belt's speed, and with it the length that a piece of belt has, changes with its tension: the flow of
-//! bent and squeezed belt carries V times the energy per length, which is not the work done on it. E is of the order of
-//! the belt's strain times the flow of bending energy, 1e-5 to 1e-4 of the power.
+//! length while the belt's speed, and with it the length that a piece of belt has, changes with its tension: the flow
+//! of bent and squeezed belt carries V times the energy per length, which is not the work done on it. E is of the order
+//! of the belt's strain times the flow of bending energy, 1e-5 to 1e-4 of the power.
 
 use symbolica::atom::Atom;
 

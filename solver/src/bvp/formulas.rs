@@ -26,8 +26,8 @@ pub struct Exact<F, B> {
     pub(super) bc: B,
 }
 
-/// Closures of `f64`s: derivatives by forward differences, good for some eight digits, which Newton's iteration is content
-/// with.
+/// Closures of `f64`s: derivatives by forward differences, good for some eight digits, which Newton's iteration is
+/// content with.
 #[derive(Debug, Clone)]
 pub struct Differenced<F, B> {
     pub(super) f: F,

@@ -266,10 +266,11 @@ impl Factorisation {
 
     /// Sign of the determinant of the linearised problem; none if that is singular.
     ///
-    /// With B the coefficients of an interval's right node, `[Q 0; A B]` becomes `[R F; 0 Q']` by n reflections, so that the
-    /// sign of det Q' is that of `(-1)^n det Q det B det R`; det B is positive on intervals that resolve the solution. The
-    /// reduced equations `P u_0 + Q u_N = r` are Q times `u_N - Φ u_0 = ...`: the sign of the dense system's determinant over
-    /// those of det Q is that of the boundary conditions' for the problem itself, whatever the mesh.
+    /// With B the coefficients of an interval's right node, `[Q 0; A B]` becomes `[R F; 0 Q']` by n reflections, so
+    /// that the sign of det Q' is that of `(-1)^n det Q det B det R`; det B is positive on intervals that resolve the
+    /// solution. The reduced equations `P u_0 + Q u_N = r` are Q times `u_N - Φ u_0 = ...`: the sign of the dense
+    /// system's determinant over those of det Q is that of the boundary conditions' for the problem itself, whatever
+    /// the mesh.
     pub(crate) fn orientation(&self) -> Option<Orientation> {
         let mut sign = self.border.determinant_sign();
         for region in &self.regions {

@@ -69,8 +69,8 @@ impl Basis {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Defects {
     /// Root mean square over the interval of `|S' - f| ℓ / (Y + F ℓ)`, largest over states: Y the state's typical
-    /// magnitude, ℓ the region's length, F the larger of |f| and of the size of f's terms, `Σ |∂f/∂y| |y|`, at the nodes:
-    /// where large terms nearly cancel, they cannot be met better than they are known.
+    /// magnitude, ℓ the region's length, F the larger of |f| and of the size of f's terms, `Σ |∂f/∂y| |y|`, at the
+    /// nodes: where large terms nearly cancel, they cannot be met better than they are known.
     pub relative: Vec<f64>,
     /// What the interval's defect can move a state by, relative to its typical magnitude: `h |S' - f| / Y`.
     pub contribution: Vec<f64>,
@@ -273,8 +273,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok(defects)
     }
 
-    /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It is
-    /// large where intervals are short although the solution hardly varies on them, and small in a layer.
+    /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It
+    /// is large where intervals are short although the solution hardly varies on them, and small in a layer.
     fn rounding(&self, terms: &[f64], scales: &Scales) -> Vec<f64> {
         let intervals = self.intervals();
         let (a, b) = self.system.layout.regions[self.region].interval;

@@ -47,8 +47,8 @@ pub enum How {
 /// A solution, and how it was come by.
 #[derive(Debug, Clone)]
 pub struct Automatic {
-    /// The solution; its work counts are of the last attempt. Its [`branch_check`](Solution::branch_check) says whether it is
-    /// known to be the one that the guess leads to.
+    /// The solution; its work counts are of the last attempt. Its [`branch_check`](Solution::branch_check) says whether
+    /// it is known to be the one that the guess leads to.
     pub solution: Solution,
     /// How.
     pub how: How,

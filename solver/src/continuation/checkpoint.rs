@@ -43,8 +43,8 @@ pub enum CheckpointError {
 
 impl Checkpoint {
     /// One line for the header, one for position, step, number of regions and whether a direction follows, one for the
-    /// constants; for each region its number of states, its mesh, and a line a state; then the direction's constants and
-    /// states. Numbers have as many digits as it takes to read back the same.
+    /// constants; for each region its number of states, its mesh, and a line a state; then the direction's constants
+    /// and states. Numbers have as many digits as it takes to read back the same.
     ///
     /// # Errors
     /// Those of the writer.

@@ -8,8 +8,9 @@ pub trait Path {
     /// Writes d(constant)/dλ of those that vary; the others stay 0.
     fn slope(&self, lambda: f64, slope: &mut [f64]);
 
-    /// Bends a prediction: `predicted` are the constants on the tangent at the solution with constants `from`, given and
-    /// unknown alike. Where a product of constants matters more than each of them, its curvature can be put right here.
+    /// Bends a prediction: `predicted` are the constants on the tangent at the solution with constants `from`, given
+    /// and unknown alike. Where a product of constants matters more than each of them, its curvature can be put right
+    /// here.
     fn bend(&self, from: &[f64], predicted: &mut [f64]) {
         let _ = (from, predicted);
     }

@@ -83,8 +83,8 @@ fn kept_mut<T>(Sizes { n, p, .. }: Sizes, data: &mut [T]) -> Kept<&mut [T]> {
     Kept { reflectors, r, inverse, e, f, g, x }
 }
 
-/// Where a chain has its coefficients from. Not a closure: those cannot be told to be inlined, and on their own they are
-/// compiled without the vectors of their caller.
+/// Where a chain has its coefficients from. Not a closure: those cannot be told to be inlined, and on their own they
+/// are compiled without the vectors of their caller.
 pub(crate) trait Intervals<T> {
     /// Writes the coefficients of interval `t`. Must be `#[inline(always)]`.
     fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<T>);

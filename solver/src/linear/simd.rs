@@ -26,7 +26,8 @@ fn with_avx2<J: Job>(job: J) -> J::Output {
     job.run()
 }
 
-/// `out[p] = f(out[p], [x[p], ...])`, with the widest vectors the processor has. The inputs are at least as long as `out`.
+/// `out[p] = f(out[p], [x[p], ...])`, with the widest vectors the processor has. The inputs are at least as long as
+/// `out`.
 #[inline(always)]
 pub(crate) fn elementwise<const K: usize>(out: &mut [f64], inputs: [&[f64]; K], f: impl Fn(f64, [f64; K]) -> f64) {
     vectorised(Elementwise { out, inputs, f });

@@ -78,8 +78,9 @@ fn hard_parameters_are_solved_to_ten_times_the_tolerance() {
     }
 }
 
-/// A periodic orbit of unknown period from a rough guess, on twenty meshes: an iteration that insists on progress at every
-/// step succeeds on a few of them only. Some lead to the orbit run through backwards or twice, which are solutions too.
+/// A periodic orbit of unknown period from a rough guess, on twenty meshes: an iteration that insists on progress at
+/// every step succeeds on a few of them only. Some lead to the orbit run through backwards or twice, which are
+/// solutions too.
 #[test]
 fn a_rough_guess_of_a_periodic_orbit_leads_to_it_from_nearly_every_mesh() {
     let mut case = problems::cases().into_iter().find(|case| case.id == "NERVE").unwrap();

@@ -1,5 +1,5 @@
-//! Properties of a belt from bench tests, as the thesis's chapter 4 has them: what a case's `[belt]` needs, with every value
-//! on the way.
+//! Properties of a belt from bench tests, as the thesis's chapter 4 has them: what a case's `[belt]` needs, with every
+//! value on the way.
 //!
 //! ```
 //! use sheave::bench::belt::Description;

@@ -77,8 +77,8 @@ impl Rubber {
         Ok(Some(Self { poisson_ratio, tests }))
     }
 
-    /// The rubber at a temperature in K: between two tests, moduli are geometric means, ln E linear in the temperature. This
-    /// is exact at the tests, never negative, and levels off as measured moduli do.
+    /// The rubber at a temperature in K: between two tests, moduli are geometric means, ln E linear in the temperature.
+    /// This is exact at the tests, never negative, and levels off as measured moduli do.
     ///
     /// # Errors
     /// A temperature outside the tests: nothing is extrapolated.

@@ -1,5 +1,5 @@
-//! The equivalent cross-section of Appendix A: a rectangle outside the cords and a trapezoid inside them, whose height is such
-//! that the section has the second moment of area that a bending test found.
+//! The equivalent cross-section of Appendix A: a rectangle outside the cords and a trapezoid inside them, whose height
+//! is such that the section has the second moment of area that a bending test found.
 
 use crate::bench::error::{BenchError, Problem};
 use serde::Serialize;

@@ -187,8 +187,8 @@ const CORRELATED: f64 = 0.95;
 /// Compares a table of points with the model: each is solved with its measured speeds and output torque.
 ///
 /// # Errors
-/// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the model can
-/// solve, or fewer points than constants to fit.
+/// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the
+/// model can solve, or fewer points than constants to fit.
 pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Comparison, BenchError> {
     let keys = keys(base, options)?;
     let mut warnings = Vec::new();

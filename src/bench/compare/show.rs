@@ -13,7 +13,8 @@ const HALF: f64 = 1.96;
 /// Radius in mm, ratio, measured and computed efficiency, standard error of the measured one.
 type Drawn = (f64, f64, f64, f64, f64);
 
-/// Figures: measured and computed efficiency over the primary's radius with error bars, and what remains over the ratio.
+/// Figures: measured and computed efficiency over the primary's radius with error bars, and what remains over the
+/// ratio.
 pub fn figures(comparison: &Comparison) -> Vec<Figure> {
     let used: Vec<&Compared> = comparison.points.iter().filter(|point| point.used).collect();
     let value = |point: &Compared| {

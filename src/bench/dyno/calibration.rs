@@ -7,8 +7,8 @@ use std::path::Path;
 /// Rows that a calibration may have.
 const ROWS: usize = 10_000_000;
 
-/// Reads a calibration: rows of torque in N·m and ADC, which are fitted (a header such as `torque,adc` may stand in front), or rows
-/// of slope, intercept and R² as the test stand keeps them, of which the last applies.
+/// Reads a calibration: rows of torque in N·m and ADC, which are fitted (a header such as `torque,adc` may stand in
+/// front), or rows of slope, intercept and R² as the test stand keeps them, of which the last applies.
 ///
 /// # Errors
 /// A file that cannot be read; rows that are neither; a line that does not rise.

@@ -89,7 +89,8 @@ impl Clock {
         self.held = None;
         if let Some(last) = self.last {
             self.jumps += 1;
-            // A counter that was set back goes on from the last time. Where it is a little behind only, the last was wrong.
+            // A counter that was set back goes on from the last time. Where it is a little behind only, the last was
+            // wrong.
             if held + self.offset + LEAP / self.tick < last {
                 self.offset = last - held;
             }

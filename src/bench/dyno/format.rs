@@ -161,8 +161,8 @@ pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
     Ok(Format { tick, columns, sparse: rich, header: true })
 }
 
-/// One cell of a header: a name, or as RaceCapture writes them `"RPM2"|"rpm"|0|8000|50`: name, unit, smallest and largest
-/// value, samples per second.
+/// One cell of a header: a name, or as RaceCapture writes them `"RPM2"|"rpm"|0|8000|50`: name, unit, smallest and
+/// largest value, samples per second.
 struct Cell {
     name: String,
     unit: String,

@@ -1,8 +1,9 @@
 //! From the raw logs of a dynamometer to operating points, file by file and row by row in bounded memory.
 //!
-//! Three forms of logs are read: one file for each channel and step (`P_3.csv`, `S_3.csv`, `ADC_3.csv`, `TORQUE_3.csv`: time in µs,
-//! value), one file with a header (`timestamp_ms,primary_rpm,secondary_rpm,torque`), and RaceCapture's, in which channels of several
-//! rates share a file. All may be compressed by gzip. A row that cannot be used is counted by its fault and nothing else is lost.
+//! Three forms of logs are read: one file for each channel and step (`P_3.csv`, `S_3.csv`, `ADC_3.csv`, `TORQUE_3.csv`:
+//! time in µs, value), one file with a header (`timestamp_ms,primary_rpm,secondary_rpm,torque`), and RaceCapture's, in
+//! which channels of several rates share a file. All may be compressed by gzip. A row that cannot be used is counted by
+//! its fault and nothing else is lost.
 
 pub mod calibration;
 mod clock;
@@ -61,7 +62,8 @@ pub struct Options {
     pub secondary_factor: f64,
     /// Speed of the brake's shaft over that of the secondary.
     pub gear: f64,
-    /// Whether torque is measured, and calibrated, at the brake's shaft; else it is calibrated as torque of the secondary.
+    /// Whether torque is measured, and calibrated, at the brake's shaft; else it is calibrated as torque of the
+    /// secondary.
     pub torque_at_sensor: bool,
     /// Revolutions of the engine between two firings.
     pub revolutions: f64,

@@ -88,7 +88,8 @@ const SHORTEST: f64 = 0.3;
 /// Hops by which a window moves on where nothing is steady.
 const HOPS: usize = 6;
 
-/// Sorts files, and the files of folders, into records: files of one channel by folder and number, every other for itself.
+/// Sorts files, and the files of folders, into records: files of one channel by folder and number, every other for
+/// itself.
 ///
 /// # Errors
 /// A path that does not exist, or nothing that is a log.
@@ -182,7 +183,8 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
     Ok(runs)
 }
 
-/// Reads a record and hands on every point: steady ones, and of steps every one. `progress` hears of bytes that were read.
+/// Reads a record and hands on every point: steady ones, and of steps every one. `progress` hears of bytes that were
+/// read.
 ///
 /// What is wrong with a file stands in the report, and loses nothing else.
 pub fn process(

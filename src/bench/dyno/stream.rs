@@ -12,8 +12,8 @@ const AROUND: usize = 5;
 /// Values on each side whose median stands for that side.
 const SIDE: usize = 3;
 /// A value is an outlier when it is off the medians of both sides in the same direction by more than this many standard
-/// deviations, as the median absolute deviation around estimates it (F. R. Hampel, JASA 69, 1974), and than [`FLOOR`] and
-/// [`RESOLUTION`]. A step from one level to another, a ramp and a ripple have none.
+/// deviations, as the median absolute deviation around estimates it (F. R. Hampel, JASA 69, 1974), and than [`FLOOR`]
+/// and [`RESOLUTION`]. A step from one level to another, a ramp and a ripple have none.
 const FARTHEST: f64 = 8.0;
 /// Median absolute deviation to standard deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;

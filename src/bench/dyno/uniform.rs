@@ -32,7 +32,8 @@ pub struct Uniform {
 }
 
 impl Uniform {
-    /// At `rate` per second; between samples of one channel that are farther apart than `longest` s nothing is interpolated.
+    /// At `rate` per second; between samples of one channel that are farther apart than `longest` s nothing is
+    /// interpolated.
     pub fn new(present: [bool; CHANNELS], rate: f64, longest: f64) -> Self {
         let period = 1.0 / rate;
         Self { present, waiting: Default::default(), period, longest, next: None, gaps: 0, resident: 0 }

@@ -1,5 +1,5 @@
-//! The simple belt drive: from two speeds, torques and axial forces to the speed v_0 of the unstretched belt, in the seven
-//! situations of Z. Wang, *Belt Velocity Initialization* (2012).
+//! The simple belt drive: from two speeds, torques and axial forces to the speed v_0 of the unstretched belt, in the
+//! seven situations of Z. Wang, *Belt Velocity Initialization* (2012).
 //!
 //! The belt adheres where it enters a pulley and slides on an angle Φ before it leaves; it does not move up or down the
 //! groove. Torques are those of the belt on the pulleys in the direction of rotation: the output's is positive and the
@@ -164,8 +164,8 @@ impl Situation {
         }
     }
 
-    /// The situation that a case's operating point is, its torques positive where the primary drives; with `no_load` the
-    /// torque is zero, and two speeds follow from the primary's.
+    /// The situation that a case's operating point is, its torques positive where the primary drives; with `no_load`
+    /// the torque is zero, and two speeds follow from the primary's.
     ///
     /// # Errors
     /// [`InitError::NoSituation`] if it is none of the seven, [`InitError::FreeRadius`] if a radius is solved for.
@@ -408,8 +408,8 @@ impl Problem {
         State::read(&self.drive, &closed, Method::Newton { iterations })
     }
 
-    /// The start: v_0 as without a torque, and where the belt would then lift off or slide all over, slower by the strain
-    /// that the torque takes, twice that, four times.
+    /// The start: v_0 as without a torque, and where the belt would then lift off or slide all over, slower by the
+    /// strain that the torque takes, twice that, four times.
     fn start(&self, closed: &mut ClosedForms, v_0: f64) -> Result<(), InitError> {
         self.complete(closed, v_0);
         let torque = closed.get(Given::OutputTorque).abs();

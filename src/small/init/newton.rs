@@ -61,7 +61,8 @@ impl System<'_> {
         [(f_v * g - g_v * f) / determinant, (g_x * f - f_x * g) / determinant]
     }
 
-    /// Takes the step, halved until the belt is tight and some of it adheres; the share that was taken, if there is one.
+    /// Takes the step, halved until the belt is tight and some of it adheres; the share that was taken, if there is
+    /// one.
     fn walk(&self, residuals: &mut Inputs<Given, Residual>, closed: &mut ClosedForms, step: [f64; 2]) -> Option<f64> {
         let from = [self.unknown, Given::BeltSpeed].map(|input| residuals.get(input));
         let mut go = |share: f64, closed: &mut ClosedForms| {
@@ -96,7 +97,8 @@ impl System<'_> {
     }
 }
 
-/// Whether the belt runs more slowly than a wave along it, is pressed into both grooves, and adheres somewhere on `pulley`.
+/// Whether the belt runs more slowly than a wave along it, is pressed into both grooves, and adheres somewhere on
+/// `pulley`.
 pub(super) fn is_possible(drive: &SimpleDrive, closed: &ClosedForms, pulley: PulleyId) -> bool {
     let outputs = closed.outputs();
     let (v_0, lift_off) = (closed.get(Given::BeltSpeed), outputs.get(Derived::LiftOffForce));

@@ -160,7 +160,8 @@ pub(super) fn gross_slip(closed: &ClosedForms, pulley: PulleyId) -> InitError {
 }
 
 impl State {
-    /// Reads the state of a drive whose speeds, torques and v_0 are known; what was not given of the axial forces follows.
+    /// Reads the state of a drive whose speeds, torques and v_0 are known; what was not given of the axial forces
+    /// follows.
     pub(super) fn read(drive: &SimpleDrive, closed: &ClosedForms, method: Method) -> Result<Self, InitError> {
         let mut closed = closed.clone();
         let outputs = closed.outputs();

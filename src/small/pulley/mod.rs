@@ -1,8 +1,8 @@
 //! One pulley of a drive line, wrapped by an ideal, flat or V-belt: a component with three ports.
 //!
-//! The belt is rigid and runs from branch A over the pulley to branch B; both branches are pulled away from the pulley. The
-//! tight and the slack branch obey Euler's relation with centrifugal tension; friction is smooth in the sliding speed; the
-//! pulley has inertia and its bearing damps.
+//! The belt is rigid and runs from branch A over the pulley to branch B; both branches are pulled away from the pulley.
+//! The tight and the slack branch obey Euler's relation with centrifugal tension; friction is smooth in the sliding
+//! speed; the pulley has inertia and its bearing damps.
 //!
 //! | port | variables |
 //! |---|---|
@@ -219,8 +219,8 @@ impl BeltPulley {
         ])
     }
 
-    /// The component's equations at some values of its ports' variables: direction in m/s, friction in N (for an ideal belt
-    /// no slip in m/s), moments in N·m. All vanish where the ports fit.
+    /// The component's equations at some values of its ports' variables: direction in m/s, friction in N (for an ideal
+    /// belt no slip in m/s), moments in N·m. All vanish where the ports fit.
     pub fn residuals(&self, ports: &Ports) -> [f64; 3] {
         let outputs = self.inputs(ports).outputs();
         self.equations().map(|equation| outputs.get(equation))
@@ -250,8 +250,8 @@ impl BeltPulley {
         }
     }
 
-    /// The branches that have lost their tension: those that centrifugal tension lifts off the pulley. What the component
-    /// says then is not to be relied on.
+    /// The branches that have lost their tension: those that centrifugal tension lifts off the pulley. What the
+    /// component says then is not to be relied on.
     pub fn slack_branches(&self, ports: &Ports) -> Vec<End> {
         let lift_off = self.behaviour(ports).centrifugal_tension;
         let branches = [(End::A, ports.a.tension), (End::B, ports.b.tension)];
@@ -263,8 +263,8 @@ impl BeltPulley {
     }
 
     /// The ports of a pulley that turns at `speed` rad/s, faster by `acceleration` rad/s², under a belt that runs at
-    /// `velocity` m/s from A to B, with one tension known: friction gives the other, the moments the torque. Tells a warning
-    /// where a branch loses its tension.
+    /// `velocity` m/s from A to B, with one tension known: friction gives the other, the moments the torque. Tells a
+    /// warning where a branch loses its tension.
     ///
     /// # Errors
     /// [`PulleyError::Parameter`]; [`PulleyError::Ideal`]: an ideal belt leaves both tensions open.

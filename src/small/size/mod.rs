@@ -1,5 +1,5 @@
-//! Sizing of a belt drive: the torques and the inertia that its motor has to deal with, (3.21) to (3.27) of the chapter on
-//! power transmission in R. Crowder, *Electric Drives and Electromechanical Systems*.
+//! Sizing of a belt drive: the torques and the inertia that its motor has to deal with, (3.21) to (3.27) of the chapter
+//! on power transmission in R. Crowder, *Electric Drives and Electromechanical Systems*.
 //!
 //! ```
 //! use sheave::small::size::{BeltDrive, size};

@@ -2,8 +2,9 @@
 //!
 //! A journal is a line that says what the study is, then lines about sets of column names and about rows, as they come.
 //! Every line carries a checksum, and every row the index of its point: of a line that is damaged or torn nothing is
-//! believed, and the others stand. A set of names, on which many rows hang, is written twice. The file is locked while a
-//! sweep writes it; once a second its lines are forced onto the disk, so that a power cut costs a second's rows at most.
+//! believed, and the others stand. A set of names, on which many rows hang, is written twice. The file is locked while
+//! a sweep writes it; once a second its lines are forced onto the disk, so that a power cut costs a second's rows at
+//! most.
 //!
 //! Rows stay on the disk: in memory there is a place in the file for each.
 
@@ -122,8 +123,8 @@ impl Journal {
         Err(JournalError::Busy { path: path.display().to_string() })
     }
 
-    /// Goes on with the journal at `path`, which must be one of the same study; begins one if there is none. Lines that are
-    /// damaged are passed over, see [`Journal::damaged`].
+    /// Goes on with the journal at `path`, which must be one of the same study; begins one if there is none. Lines that
+    /// are damaged are passed over, see [`Journal::damaged`].
     ///
     /// # Errors
     /// See [`JournalError`].

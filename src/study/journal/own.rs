@@ -1,4 +1,5 @@
-//! Opening files that have to be this program's own: regular files, reached without a symbolic link, held by one process.
+//! Opening files that have to be this program's own: regular files, reached without a symbolic link, held by one
+//! process.
 
 use std::fs::{File, Metadata, OpenOptions, TryLockError};
 use std::io;

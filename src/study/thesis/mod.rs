@@ -21,8 +21,8 @@ use std::sync::{Mutex, PoisonError};
 
 /// Of the base case, whose numbers the thesis states to four digits.
 const BASE_TOLERANCE: f64 = 1e-6;
-/// Of the studies: forces and efficiencies then are right to 2e-4 of themselves, the width of a line in a figure, and far
-/// beyond the digits that the thesis states.
+/// Of the studies: forces and efficiencies then are right to 2e-4 of themselves, the width of a line in a figure, and
+/// far beyond the digits that the thesis states.
 const TOLERANCE: f64 = 1e-3;
 
 /// Points of the operating range, both ends among them.
@@ -113,9 +113,9 @@ pub enum ChaptersError {
     },
 }
 
-/// Solves chapters 6 and 7 in some editions, with `ratios` points ([`RATIOS`] suit the figures) over the operating range,
-/// on `jobs` threads (all cores if none are given); says also how many points were solved. What studies have in common is
-/// solved once.
+/// Solves chapters 6 and 7 in some editions, with `ratios` points ([`RATIOS`] suit the figures) over the operating
+/// range, on `jobs` threads (all cores if none are given); says also how many points were solved. What studies have in
+/// common is solved once.
 ///
 /// # Errors
 /// See [`ChaptersError`]. A point of a family without a solution is told in [`Chapters::failures`].

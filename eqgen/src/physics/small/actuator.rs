@@ -1,9 +1,9 @@
 //! What presses the sheaves together: flyweights and springs on the primary, a spring and a helix on the secondary.
 //!
-//! Every centrifugal mechanism without friction obeys one law of virtual work: turning at ω, masses at the radius r whose
-//! radius changes by dr when the movable sheave closes by ds press with N m ω² r dr/ds. The kinds of mechanism differ in how
-//! r follows from s; friction turns the force of each contact by its friction angle ρ, positive where the sheave closes
-//! against friction and negative where it opens.
+//! Every centrifugal mechanism without friction obeys one law of virtual work: turning at ω, masses at the radius r
+//! whose radius changes by dr when the movable sheave closes by ds press with N m ω² r dr/ds. The kinds of mechanism
+//! differ in how r follows from s; friction turns the force of each contact by its friction angle ρ, positive where the
+//! sheave closes against friction and negative where it opens.
 //!
 //! (9.2) and (9.3) are the thesis's. Helix angles are measured from the plane of rotation.
 
@@ -153,8 +153,8 @@ pub fn flyweight_arm() -> Result<BoundaryModel, Error> {
     plan.derived("tan_t", tangent_of_sum("tan_e")?, "ρ")?;
     // d² = (R_r − R_p)² + z², so d dd/ds = z; and d χ' = −(R_r − R_p)/d.
     plan.primitive("distance_s", "z/distance", "kinematics")?;
-    // The arm turns by dθ/ds = dχ/ds − ξ_d dd/ds; virtual work makes M_c dθ = F ds. With friction the contact's force is
-    // turned by ρ, which turns ε into ε + ρ.
+    // The arm turns by dθ/ds = dχ/ds − ξ_d dd/ds; virtual work makes M_c dθ = F ds. With friction the contact's force
+    // is turned by ρ, which turns ε into ε + ρ.
     let turn =
         |tangent: &str| read("dθ/ds", &format!("-((R_roller - R_pivot)/distance + {tangent}*z/distance)/distance"));
     let slope = read("slope", "l_m*cos_m")? * turn("tan_e")?;

@@ -101,7 +101,8 @@ struct Side {
     suffix: &'static str,
     /// Half the contact angle.
     half: &'static str,
-    /// dL/dθ over L − K where the belt slides (2.211): L rises along the output pulley and falls along the input pulley.
+    /// dL/dθ over L − K where the belt slides (2.211): L rises along the output pulley and falls along the input
+    /// pulley.
     friction: &'static str,
 }
 

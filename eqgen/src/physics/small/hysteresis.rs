@@ -1,8 +1,8 @@
-//! Hysteresis of a belt that runs around: what is followed along the material, what a harmonic of it dissipates, and the
-//! balance of power with all losses.
+//! Hysteresis of a belt that runs around: what is followed along the material, what a harmonic of it dissipates, and
+//! the balance of power with all losses.
 //!
-//! S is the unstretched coordinate along the belt. A piece of belt passes every place of the loop in turn, so that what it
-//! is subjected to is periodic in S with the loop's unstretched length L_0, and passes G/(m_o L_0) times a second.
+//! S is the unstretched coordinate along the belt. A piece of belt passes every place of the loop in turn, so that what
+//! it is subjected to is periodic in S with the loop's unstretched length L_0, and passes G/(m_o L_0) times a second.
 
 use symbolica::atom::{Atom, AtomCore};
 use symbolica::symbol;

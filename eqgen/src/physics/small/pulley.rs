@@ -1,5 +1,6 @@
-//! The belt pulley of a drive line: a rigid belt that wraps a pulley, Euler's relation with centrifugal tension, friction
-//! that is smooth in the sliding speed. The belt runs from branch A over the pulley to branch B where V_B > 0 and ω > 0.
+//! The belt pulley of a drive line: a rigid belt that wraps a pulley, Euler's relation with centrifugal tension,
+//! friction that is smooth in the sliding speed. The belt runs from branch A over the pulley to branch B where V_B > 0
+//! and ω > 0.
 
 use symbolica::atom::AtomCore;
 

@@ -9,7 +9,8 @@ use faer::{Mat, MatMut, MatRef, Par, Spec};
 pub(super) struct Factors(Mat<f64>);
 
 impl Factors {
-    /// Factors `a` (by rows, `n * n`) and says in `rows` which of its rows stands where; reuses earlier factors' memory.
+    /// Factors `a` (by rows, `n * n`) and says in `rows` which of its rows stands where; reuses earlier factors'
+    /// memory.
     pub(super) fn of(n: usize, a: &[f64], rows: &mut Vec<usize>, earlier: Option<Self>) -> Self {
         let mut factors =
             earlier.map(|Self(old)| old).filter(|old| old.nrows() == n).unwrap_or_else(|| Mat::zeros(n, n));

@@ -1,9 +1,9 @@
 //! The small dense system that is left for ends and constants: LU with partial pivoting, in one thread, by faer, or by
 //! nalgebra where the feature `faer` is off.
 //!
-//! Elimination with complete pivoting would reveal the rank at once, but takes 9, 25 and 57 µs for 30, 44 and 60 unknowns
-//! where partial pivoting, as called here, takes 5, 16 and 20 µs (x86-64 with AVX2; a substitution 1 to 3 µs either
-//! way). A pivot that is small beside the others raises a suspicion; singular values (some 300 µs) then tell.
+//! Elimination with complete pivoting would reveal the rank at once, but takes 9, 25 and 57 µs for 30, 44 and 60
+//! unknowns where partial pivoting, as called here, takes 5, 16 and 20 µs (x86-64 with AVX2; a substitution 1 to 3 µs
+//! either way). A pivot that is small beside the others raises a suspicion; singular values (some 300 µs) then tell.
 
 #[cfg(feature = "faer")]
 mod by_faer;
@@ -59,8 +59,8 @@ impl Lu {
         self.rank = if sound { n } else { self.numerical_rank() };
     }
 
-    /// Singular values, decreasing, and if wanted the transposed right singular vectors; `None` for a matrix that is not
-    /// finite. By nalgebra: faer's decomposition takes half a minute to compile, and this is for diagnosis only.
+    /// Singular values, decreasing, and if wanted the transposed right singular vectors; `None` for a matrix that is
+    /// not finite. By nalgebra: faer's decomposition takes half a minute to compile, and this is for diagnosis only.
     fn svd(&self, vectors: bool) -> Option<SVD<f64, Dyn, Dyn>> {
         let n = self.scale.len();
         if n == 0 || self.scaled.iter().any(|x| !x.is_finite()) {

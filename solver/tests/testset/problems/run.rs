@@ -23,8 +23,8 @@ pub struct Outcome {
     pub seconds: f64,
 }
 
-/// Solves from the suggested guess, automatically by continuation where that fails: the parameter is named as what makes
-/// the problem hard if the data suggests where to continue from.
+/// Solves from the suggested guess, automatically by continuation where that fails: the parameter is named as what
+/// makes the problem hard if the data suggests where to continue from.
 pub fn run(case: &Case, parameter: Option<f64>, options: &Options) -> Outcome {
     let start = Instant::now();
     let stiffness = case.continue_from.zip(case.parameter);
