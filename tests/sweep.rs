@@ -53,6 +53,10 @@ fn rows_are_in_input_order_with_every_scalar_of_the_result() {
             open.extend(members.iter().map(|(key, value)| (format!("{name}.{key}"), value)));
             continue;
         }
+        // What is a list, as the warnings are, is no scalar and has no column.
+        if value.is_array() {
+            continue;
+        }
         scalars += 1;
         let column = headers.iter().position(|header| *header == name[1..]).unwrap_or_else(|| panic!("no {name}"));
         let cell = &rows[5][column];

@@ -5,7 +5,7 @@
 //! let drive = Geometry { pitch_length: 0.8572, center_distance: 0.214, half_angle: 12f64.to_radians() };
 //! let low = drive.at_ratio(1.74)?;
 //! let high = drive.at_ratio(0.72)?;
-//! assert!((drive.travel(low.primary_radius, high.primary_radius) - 0.0122).abs() < 1e-4); // 2 tan β ΔR
+//! assert!((drive.travel(low.primary_radius, high.primary_radius) - 0.0127).abs() < 1e-5); // 2 tan β ΔR
 //! # Ok::<(), sheave::bench::BenchError>(())
 //! ```
 
