@@ -1,6 +1,6 @@
 // strut: A thin elastic strut under a load at its ends.
-// Generated from eqgen/examples/elastica/equations.rs. Do not edit;
-// `cargo run -p sheave-eqgen --example elastica_write` writes it anew. Operations:
+// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
+// Operations:
 //   value: 1 add, 1 mul, 0 div, 0 sqrt, 1 fn a point; 4 once
 //   jacobian: 4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once
 //   full: 5 add, 5 mul, 0 div, 0 sqrt, 1 fn a point; 10 once
@@ -65,8 +65,7 @@ impl Sweep for Value {
         at.write_f(3, sin_theta);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn
-///a point; 5 once)
+///Right-hand side, integrands, and their derivatives in states and usual constants. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 2;
@@ -110,8 +109,7 @@ impl Sweep for Derivatives {
         at.write_dc(0, d_theta_hat_2_d_P);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (5 add, 5 mul, 0 div, 0 sqrt, 1 fn a
-///point; 10 once)
+///Right-hand side, integrands, and their derivatives in states and all constants. (5 add, 5 mul, 0 div, 0 sqrt, 1 fn a point; 10 once)
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 2;
