@@ -28,10 +28,12 @@ pub struct Scaling {
     pub exponents: [Option<f64>; 3],
 }
 
+/// An edition, and at each ratio the elastic efficiency and that with losses.
+pub type OverRatio = (&'static str, Vec<(f64, f64, f64)>);
+
 pub struct Trends {
     pub scaling: Vec<Scaling>,
-    /// Edition; ratio, elastic efficiency, efficiency with losses.
-    pub ratios: Vec<(&'static str, Vec<(f64, f64, f64)>)>,
+    pub ratios: Vec<OverRatio>,
 }
 
 pub fn trends() -> Result<Trends, Box<dyn Error>> {
@@ -81,7 +83,7 @@ fn scaling(stiffness: f64) -> Result<Scaling, Box<dyn Error>> {
     Ok(Scaling { stiffness, lost, exponents })
 }
 
-fn over_ratio(edition: &'static str) -> Result<(&'static str, Vec<(f64, f64, f64)>), Box<dyn Error>> {
+fn over_ratio(edition: &'static str) -> Result<OverRatio, Box<dyn Error>> {
     let (low, high, count) = RATIOS;
     let mut points = Vec::new();
     for i in 0..count {
