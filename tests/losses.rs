@@ -6,6 +6,9 @@ use sheave::drive::SolveOptions;
 use sheave::losses::Losses;
 use sheave::result::{Outcome, run};
 
+/// Reads a number of a result.
+type Read = fn(&sheave::result::DriveResult<sheave::case::Resolved>) -> f64;
+
 const TOLERANCE: f64 = 1e-6;
 
 fn solve(settings: &[(&str, &str)], options: &SolveOptions) -> Outcome {
@@ -141,7 +144,7 @@ fn derivatives_are_those_of_finite_differences() {
             run(&case.resolve().unwrap(), &options).unwrap().result
         };
         let (plus, minus) = (moved(step), moved(-step));
-        let read: [(&str, fn(&sheave::result::DriveResult<sheave::case::Resolved>) -> f64); 6] = [
+        let read: [(&str, Read); 6] = [
             ("losses.bending", |result| result.losses.as_ref().unwrap().bending),
             ("losses.groove", |result| result.losses.as_ref().unwrap().groove),
             ("losses.cord", |result| result.losses.as_ref().unwrap().cord),
@@ -207,7 +210,7 @@ fn the_belt_is_as_warm_as_what_it_loses_makes_it() {
             run(&case.resolve().unwrap(), &options).unwrap().result
         };
         let (plus, minus) = (moved(step), moved(-step));
-        let read: [(&str, fn(&sheave::result::DriveResult<sheave::case::Resolved>) -> f64); 4] = [
+        let read: [(&str, Read); 4] = [
             ("belt.temperature", |result| result.belt.temperature.unwrap()),
             ("primary.axial_force", |result| result.primary.axial_force),
             ("losses.total", |result| result.losses.as_ref().unwrap().total),
