@@ -117,7 +117,7 @@ pub struct Average {
     pub mean: f64,
     /// Standard deviation of the samples.
     pub deviation: f64,
-    /// Standard error of the mean, from the scatter of the means of [`BATCHES`] parts: what repeats within a part, as
+    /// Standard error of the mean, from the scatter of the means of several parts: what repeats within a part, as
     /// firing does, cancels, and what drifts over the parts counts in full.
     pub error: f64,
     /// Samples.

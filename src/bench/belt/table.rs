@@ -26,10 +26,10 @@ pub fn read(path: &Path, dimensions: [Dimension; 2]) -> Result<Columns, BenchErr
     parse(&name, &text, dimensions)
 }
 
-/// As [`read`], from the bytes of a file.
+/// As `read`, from the bytes of a file.
 ///
 /// # Errors
-/// As [`read`].
+/// A header without units of these dimensions, no row that can be read.
 pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Columns, BenchError> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(bytes);
     let (mut units, mut rows, mut bad) = (None, Vec::new(), None);
