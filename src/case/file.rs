@@ -147,6 +147,14 @@ impl Case {
         self.argument("--set", format!("{key}={value}"), key.len())
     }
 
+    /// As [`Case::set`], with the name of where it was said, which errors show.
+    ///
+    /// # Errors
+    /// As [`Case::set`].
+    pub fn set_from(&mut self, source: &str, key: &str, value: &str) -> Result<(), CaseError> {
+        self.argument(source, format!("{key}={value}"), key.len())
+    }
+
     /// Sets a key from the text `KEY=VALUE`, as [`Case::set`] does.
     ///
     /// # Errors

@@ -61,7 +61,8 @@ impl SolveOptions {
     /// the solver's estimate of the error may exceed it all the same.
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
-        Options { tolerance, order, accept_inaccurate: true, ..Options::default() }
+        let cancel = crate::cancel::current();
+        Options { tolerance, order, cancel, accept_inaccurate: true, ..Options::default() }
     }
 }
 

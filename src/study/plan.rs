@@ -9,6 +9,9 @@ use std::ops::Range;
 /// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
 /// start of the first hardly counts.
 const CHAIN: usize = 16;
+/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
+/// whoever wants a point of the last.
+pub(super) const HEADS: usize = 16;
 
 /// A case, what is varied in it, and how accurately it is solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,8 +137,23 @@ impl Study {
             .collect()
     }
 
+    /// The points in parts that can be computed apart, on other machines too, in order: [`run`](super::run) of one part
+    /// solves nothing of another, and its rows are those of the whole. Each has at least `points` points, the last
+    /// excepted; for none, the smallest such parts.
+    pub fn parts(&self, points: usize) -> Vec<Range<usize>> {
+        let mut parts: Vec<Range<usize>> = Vec::new();
+        for group in self.chains().chunks(HEADS) {
+            let (Some(first), Some(last)) = (group.first(), group.last()) else { continue };
+            match parts.last_mut() {
+                Some(part) if part.len() < points => part.end = last.end,
+                _ => parts.push(first.start..last.end),
+            }
+        }
+        parts
+    }
+
     /// Everything the rows depend on, as one line of text; of each axis, keys, ends, number and checksum of its points.
-    pub(super) fn fingerprint(&self) -> String {
+    pub fn fingerprint(&self) -> String {
         let point = |axis: &Axis, at: usize| {
             axis.at(at).map(|(key, setting)| serde_json::json!([key.path(), setting])).collect::<Vec<_>>()
         };

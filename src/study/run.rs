@@ -1,7 +1,7 @@
 //! Solving the points of studies, on several threads.
 
 use super::error::StudyError;
-use super::plan::{Point, Study};
+use super::plan::{HEADS, Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
@@ -14,9 +14,6 @@ use std::sync::{Mutex, PoisonError};
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
-/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
-/// whoever wants a point of the last.
-const HEADS: usize = 16;
 /// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
 const FARTHEST: f64 = 1.6;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
