@@ -23,7 +23,7 @@ pub struct Study {
 
 /// The case at a point of the grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct GridPoint {
     /// What is varied, with its values here.
     pub varied: Vec<(Key, Setting)>,
     /// The case; or why there is no drive at this point, although there may be at others: pulleys that overlap, or a
@@ -100,9 +100,9 @@ impl Study {
     ///
     /// # Errors
     /// A case that contradicts itself; [`Study::new`] has seen to it that there is none.
-    pub fn point(&self, index: usize) -> Result<Point, CaseError> {
+    pub fn point(&self, index: usize) -> Result<GridPoint, CaseError> {
         let (varied, case) = self.case_at(index)?;
-        Ok(Point { varied, case: resolved(&case)? })
+        Ok(GridPoint { varied, case: resolved(&case)? })
     }
 
     /// What is varied at a point, and the case there, not yet resolved.
@@ -170,8 +170,8 @@ impl Study {
         };
         let case = self.point(0).ok().and_then(|point| point.case.ok());
         let settings = self.case.settings().map(|(key, setting)| serde_json::json!([key.path(), setting]));
-        let exchanges = self.case.exchanges().map(|exchange| serde_json::json!(exchange.to_string()));
-        let given: Vec<serde_json::Value> = settings.chain(exchanges).collect();
+        let swaps = self.case.swaps().map(|swap| serde_json::json!(swap.to_string()));
+        let given: Vec<serde_json::Value> = settings.chain(swaps).collect();
         let axes: Vec<serde_json::Value> = self.axes.iter().map(axis).collect();
         let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
         let version = env!("CARGO_PKG_VERSION");
@@ -192,7 +192,7 @@ impl Study {
                 }
                 stride *= axis.points();
             }
-            let Ok(Point { case: Ok(case), .. }) = self.point(index) else { continue };
+            let Ok(GridPoint { case: Ok(case), .. }) = self.point(index) else { continue };
             let here = case.settings().iter().map(|(key, _)| key.path().to_owned()).collect();
             match &columns {
                 Some(columns) if *columns != here => return false,
