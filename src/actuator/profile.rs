@@ -61,6 +61,7 @@ pub struct Jet {
 
 /// A smooth curve through the points of a table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(try_from = "Points", into = "Points")]
 pub struct Profile {
     places: Vec<f64>,
@@ -70,6 +71,7 @@ pub struct Profile {
 
 /// A profile as it is written: its points.
 #[derive(Debug, Clone, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Points {
     places: Vec<f64>,
     values: Vec<f64>,

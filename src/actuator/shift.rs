@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Which way the movable sheave of an actuator goes, or is about to go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Shift {
     /// It closes against friction, which takes of the force that presses it.

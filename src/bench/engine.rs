@@ -12,6 +12,7 @@ const ROWS: usize = 1_000_000;
 
 /// Which quantity the table has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Tabulated {
     /// Power.
@@ -22,6 +23,7 @@ pub enum Tabulated {
 
 /// A curve of full throttle, linear between its points in the quantity that is tabulated.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EngineCurve {
     /// What the second column is.
     pub tabulated: Tabulated,

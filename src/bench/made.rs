@@ -13,6 +13,7 @@ use std::fmt::Write;
 
 /// What is known of the data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Known {
     /// Factor of the true engine's power on that of the curve.
     pub engine_scale: f64,
@@ -26,6 +27,7 @@ pub struct Known {
 
 /// A true operating point, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Step {
     /// R_S/R_P.
     pub ratio: f64,
@@ -43,6 +45,7 @@ pub struct Step {
 
 /// What disturbs the logs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Disturbance {
     /// Standard deviation of the torque's noise, N·m.
     pub torque_noise: f64,

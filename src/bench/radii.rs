@@ -15,6 +15,7 @@ use serde::Serialize;
 
 /// A belt around two pulleys; SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Geometry {
     /// L_p, m.
     pub pitch_length: f64,
@@ -26,6 +27,7 @@ pub struct Geometry {
 
 /// Where the belt runs; SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Radii {
     /// R_P, m.
     pub primary_radius: f64,
@@ -43,6 +45,7 @@ pub struct Radii {
 
 /// Smallest and largest radii that the pulleys have room for, m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Limits {
     /// Of the primary.
     pub primary: (f64, f64),
@@ -52,6 +55,7 @@ pub struct Limits {
 
 /// From the lowest range, where the secondary runs slowest, to the highest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShiftRange {
     /// Lowest range.
     pub low: Radii,

@@ -9,6 +9,7 @@ pub const CONFIDENCE: f64 = 0.95;
 
 /// y = `intercept` + `slope` x by ordinary least squares, in the units of the data.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Line {
     /// Rise of y per x.
     pub slope: f64,
@@ -112,6 +113,7 @@ pub fn student(degrees: usize) -> f64 {
 
 /// Mean of equally spaced samples, and its standard error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Average {
     /// Mean.
     pub mean: f64,

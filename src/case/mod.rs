@@ -44,6 +44,8 @@ mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
+#[cfg(feature = "schema")]
+mod schema;
 mod swap;
 mod thermal;
 

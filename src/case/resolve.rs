@@ -80,6 +80,7 @@ pub struct Drive {
 
 /// The value of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Setting {
     /// In SI.

@@ -100,8 +100,8 @@ fn gear(text: &str) -> Result<f64, String> {
     Ok(own / brake)
 }
 
-#[derive(Debug, Serialize)]
-struct Found {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Found {
     points: Vec<Point>,
     records: Vec<RecordReport>,
 }

@@ -43,8 +43,8 @@ So that with the base case's speed and torque: sheave init --set operating_point
 ";
 
 /// The result object: keys as those of `solve --json` where they mean the same.
-#[derive(Debug, Serialize)]
-struct Object {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Object {
     converged: bool,
     situation: u8,
     primary: Pulley,
@@ -54,7 +54,7 @@ struct Object {
 }
 
 /// Torques are positive where the primary drives.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 struct Pulley {
     speed: f64,
     torque: f64,
@@ -64,7 +64,7 @@ struct Pulley {
     sliding_angle: f64,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 struct Belt {
     speed: f64,
     lift_off_force: f64,

@@ -32,8 +32,8 @@ pub struct Arguments {
     stall: bool,
 }
 
-#[derive(Debug, Serialize)]
-struct Found<'a> {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Found<'a> {
     edition: &'static str,
     #[serde(skip)]
     inputs: &'a Resolved,

@@ -17,6 +17,7 @@ mod output;
 mod pulley;
 mod radii;
 mod reproduce;
+mod schema;
 mod size;
 mod solve;
 mod stop;
@@ -58,6 +59,7 @@ enum Command {
     Compare(compare::Arguments),
     BenchData(bench_data::Arguments),
     Keys(keys::Arguments),
+    Schema(schema::Arguments),
 }
 
 /// What the exit status means.
@@ -96,6 +98,7 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(arguments),
         Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,

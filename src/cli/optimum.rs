@@ -19,8 +19,8 @@ pub struct Arguments {
     grid: GridArguments,
 }
 
-#[derive(Debug, Serialize)]
-struct Found {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Found {
     edition: &'static str,
     #[serde(flatten)]
     state: DriveState,

@@ -33,7 +33,7 @@ pub struct Arguments {
 }
 
 /// How a belt grips.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum Belt {
     /// Friction on both faces of the groove
@@ -54,8 +54,8 @@ impl Belt {
     }
 }
 
-#[derive(Debug, Serialize)]
-struct Object<'a> {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Object<'a> {
     edition: &'static str,
     converged: bool,
     belt: Belt,

@@ -47,8 +47,8 @@ pub struct Arguments {
     json: bool,
 }
 
-#[derive(Debug, Serialize)]
-struct Inputs {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Inputs {
     #[serde(flatten)]
     geometry: Geometry,
     travel_from: f64,
@@ -56,8 +56,8 @@ struct Inputs {
     secondary_limits: Option<(f64, f64)>,
 }
 
-#[derive(Debug, Serialize)]
-struct Found {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Found {
     #[serde(flatten)]
     radii: Radii,
     /// From `travel_from`, positive to close.

@@ -51,8 +51,20 @@ impl Serialize for LimitKind {
     }
 }
 
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for LimitKind {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "LimitKind".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string", "enum": ["fold", "collapse", "speed_efficiency", "lost"] })
+    }
+}
+
 /// A limit, and the drive there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Limit {
     /// The limiting value, N or N·m.
     pub value: f64,
@@ -64,6 +76,7 @@ pub struct Limit {
 
 /// The smallest clamps, in the ways to give one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ClampLimits {
     /// Tractive tension at the exit of the primary, N.
     pub slack_tension: Limit,

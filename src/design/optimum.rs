@@ -47,6 +47,17 @@ impl Serialize for OptimumPlace {
     }
 }
 
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for OptimumPlace {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "OptimumPlace".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string", "enum": ["inner", "loosest", "tightest"] })
+    }
+}
+
 /// The best clamp.
 #[derive(Debug, Clone)]
 pub struct Optimum {

@@ -7,6 +7,7 @@ use crate::model::{InternalError, Output};
 
 /// Where a drive stands: torque, clamp, speeds and efficiency. SI, ratios as fractions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DriveState {
     /// Torque into the primary, N·m.
     pub primary_torque: f64,

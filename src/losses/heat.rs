@@ -31,6 +31,7 @@ const LEAST_BALANCED: f64 = 1e-6;
 
 /// Heat of a solved case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Heat {
     /// Temperature of the belt, K.
     #[serde(skip)]
@@ -54,6 +55,7 @@ pub struct Heat {
 
 /// One of the two pulleys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Hotter {
     /// The driving one.

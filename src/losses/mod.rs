@@ -58,6 +58,7 @@ pub enum NoLosses {
 
 /// Power that hysteresis takes in one region, W.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Hysteresis {
     /// Of bending the belt.
     pub bending: f64,
@@ -69,6 +70,7 @@ pub struct Hysteresis {
 
 /// How many harmonics were summed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Harmonics {
     /// Of the curvature.
     pub bending: usize,
@@ -82,6 +84,7 @@ pub struct Harmonics {
 /// strain by a quarter of a cycle over the rate of strain there: it may be negative, where the belt gives back more
 /// than it takes.
 #[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Losses {
     /// Of bending the belt.
     pub bending: f64,

@@ -39,6 +39,17 @@ macro_rules! choices {
                 serializer.serialize_str(self.name())
             }
         }
+
+        #[cfg(feature = "schema")]
+        impl schemars::JsonSchema for $type {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($type).into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({ "type": "string", "enum": [$($name),+] })
+            }
+        }
     };
 }
 
@@ -122,6 +133,7 @@ choices! {
 
 /// What is computed: the edition's choices, or finer ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModelChoices {
     /// How the belt bends; `None` for a string.
     #[serde(flatten)]
@@ -132,6 +144,7 @@ pub struct ModelChoices {
 
 /// Choices that matter for a belt with bending stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bending {
     /// Form of the shear force in the contact regions.
     pub shear: Shear,

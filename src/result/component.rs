@@ -13,6 +13,7 @@ const FORCE_THRESHOLD: f64 = 1e-3;
 
 /// Both pulleys of a drive.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Comparison {
     /// The driving pulley.
     pub primary: PulleyComparison,
@@ -22,6 +23,7 @@ pub struct Comparison {
 
 /// One pulley of the full model, and the same as a component.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PulleyComparison {
     /// Tractive tension of the tight span in the full model, N.
     pub tight_tension: f64,

@@ -12,6 +12,7 @@ pub const SCHEMA: u32 = 1;
 /// Everything a solved drive tells. Torques and powers are positive where the primary drives and the secondary
 /// delivers; where the secondary drives, as in engine braking, both pulleys' are negative.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DriveResult<I> {
     /// [`SCHEMA`].
     pub schema: u32,
@@ -59,6 +60,7 @@ pub struct DriveResult<I> {
 
 /// One pulley and its contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Pulley {
     /// Speed of rotation, rad/s.
     pub speed: f64,
@@ -105,6 +107,7 @@ pub struct Pulley {
 
 /// One span.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Span {
     /// Arc length, m.
     pub arc_length: f64,
@@ -120,6 +123,7 @@ pub struct Span {
 /// positive, the secondary where both are negative; where neither drives the other (no torque, or so little that both
 /// pulleys only cover the belt's losses), there is no efficiency and all three are absent.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Efficiency {
     /// Rim speed of the driven pulley over that of the driving one, ω_S R_S/(ω_P R_P) (6.7) where the primary drives.
     pub speed: Option<f64>,
@@ -135,6 +139,7 @@ pub struct Efficiency {
 
 /// The belt as a whole.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BeltResult {
     /// Mass flow G, kg/s (3.5).
     pub mass_flow: f64,
@@ -149,6 +154,7 @@ pub struct BeltResult {
 
 /// The energy audit: power in = power out + friction loss + stretch work, exactly for full shear with continuous ends.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Energy {
     /// Power into the primary, W.
     pub power_in: f64,
@@ -168,6 +174,7 @@ pub struct Energy {
 
 /// How the solution was found, and how well it holds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SolverReport {
     /// Order of the collocation.
     pub order: usize,
@@ -189,6 +196,7 @@ pub struct SolverReport {
 
 /// Mesh intervals by region.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeshIntervals {
     /// Primary contact.
     pub primary: usize,

@@ -48,6 +48,7 @@ pub struct Description {
 
 /// The belt as a case has it, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Belt {
     /// L_p, m.
     pub length: f64,
@@ -63,6 +64,7 @@ pub struct Belt {
 
 /// All that follows from a description, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Properties {
     /// What the belt is called.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -97,6 +99,7 @@ pub struct Properties {
 
 /// The yarns (section 4.2), SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Yarns {
     /// Across the belt.
     pub count: f64,
@@ -112,6 +115,7 @@ pub struct Yarns {
 
 /// The tension test (section 4.3), SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Tension {
     /// Whether rubber alone was tested, and the yarns' stiffness comes on top.
     pub of_rubber: bool,
@@ -127,6 +131,7 @@ pub struct Tension {
 
 /// The bending test (section 4.4), SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bending {
     /// E of the rubber at the test's temperature, Pa.
     pub youngs_modulus: Option<f64>,
@@ -138,6 +143,7 @@ pub struct Bending {
 
 /// The lateral test (section 4.5), SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Lateral {
     /// m, N/m.
     pub slope: f64,
@@ -157,6 +163,7 @@ pub struct Lateral {
 
 /// Length and mass (section 4.6), SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Length {
     /// m; `None` where the pitch length was given.
     pub outside_circumference: Option<f64>,

@@ -9,6 +9,7 @@ const ELASTIC: f64 = 5.0;
 
 /// One test of the rubber, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Test {
     /// K.
     pub temperature: f64,
@@ -24,6 +25,7 @@ pub struct Test {
 
 /// The rubber: tests in the order of their temperatures.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rubber {
     /// ν.
     pub poisson_ratio: f64,
@@ -33,6 +35,7 @@ pub struct Rubber {
 
 /// The rubber at a temperature.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AtTemperature {
     /// K.
     pub temperature: f64,

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// The equivalent section; SI. Heights are counted from the outside surface of the belt inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Section {
     /// Width at the cords and outside them, m.
     pub width: f64,

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// A factor on the engine's power that makes model and measurement agree best.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Scale {
     /// True over tabulated power.
     pub value: f64,

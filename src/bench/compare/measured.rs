@@ -15,6 +15,7 @@ const ROWS: usize = 100_000;
 
 /// A measured operating point, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Measured {
     /// What the table calls the run.
     pub run: String,
@@ -38,6 +39,7 @@ pub struct Measured {
 
 /// A row that is no operating point.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BadRow {
     /// Counted from 1.
     pub line: u64,

@@ -46,6 +46,7 @@ pub struct Options {
 
 /// One point with what the model says, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Compared {
     /// Run of the table.
     pub run: String,
@@ -79,6 +80,7 @@ pub struct Compared {
 
 /// A constant that was fitted, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedConstant {
     /// Its key.
     pub key: String,
@@ -94,6 +96,7 @@ pub struct FittedConstant {
 
 /// A fit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fit {
     /// What was fitted.
     pub constants: Vec<FittedConstant>,
@@ -113,6 +116,7 @@ pub struct Fit {
 
 /// The comparison.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Comparison {
     /// All points, in the order of the table.
     pub points: Vec<Compared>,

@@ -5,6 +5,7 @@ use std::fmt;
 
 /// What can be wrong with a row, or had to be done about it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
     /// A line longer than any row.
@@ -63,6 +64,7 @@ impl Fault {
 
 /// One kind of fault: how often, and where first.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Count {
     /// What.
     pub fault: Fault,
@@ -74,6 +76,7 @@ pub struct Count {
 
 /// The faults of one file.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(transparent)]
 pub struct Faults {
     counts: Vec<Count>,

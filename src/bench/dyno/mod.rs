@@ -49,6 +49,7 @@ pub struct Sample {
 
 /// How logs are reduced.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Options {
     /// Uniform rate, Hz.
     pub rate: f64,

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// What makes a window steady; shares of the mean over the window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Criteria {
     /// Largest trend of a speed.
     pub speed_trend: f64,
@@ -26,6 +27,7 @@ impl Default for Criteria {
 
 /// A value with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Estimate {
     /// Value.
     pub value: f64,
@@ -35,6 +37,7 @@ pub struct Estimate {
 
 /// One operating point, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Point {
     /// Which record it is from.
     pub record: String,

@@ -29,6 +29,7 @@ type Step = (PathBuf, u64);
 
 /// A time window of a log.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Run {
     /// Name of the file, without `.gz`.
     pub file: String,
@@ -40,6 +41,7 @@ pub struct Run {
 
 /// What was read of one file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FileReport {
     /// Its path.
     pub file: String,
@@ -57,6 +59,7 @@ pub struct FileReport {
 
 /// What became of a record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RecordReport {
     /// What it is called.
     pub record: String,

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// A line that a shaft is expected to make.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Order {
     /// What turns.
     pub name: &'static str,
@@ -17,6 +18,7 @@ pub struct Order {
 
 /// Single-sided amplitudes of samples without their mean.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spectrum {
     /// Hz between lines.
     pub resolution: f64,

@@ -6,6 +6,7 @@ use std::fmt;
 
 /// One of the two pulleys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum PulleyId {
     /// The input, where the drive is driven; the primary of a case.

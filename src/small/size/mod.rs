@@ -53,6 +53,7 @@ pub struct BeltDrive {
 
 /// A pulley that only turns with the belt.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Idler {
     /// kg·m².
     pub inertia: f64,
@@ -62,6 +63,7 @@ pub struct Idler {
 
 /// What the input of a belt drive sees.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sizing {
     /// n, diameter of the output over that of the input pulley (3.25).
     pub ratio: f64,
@@ -73,6 +75,7 @@ pub struct Sizing {
 
 /// Inertia at the input, kg·m².
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Inertia {
     /// I_L, of the belt and of what it moves in a straight line (3.22).
     pub load: f64,
@@ -86,6 +89,7 @@ pub struct Inertia {
 
 /// Torque at the input, N·m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Torque {
     /// T_ext, for the external force (3.23).
     pub external: f64,
