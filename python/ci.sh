@@ -27,9 +27,12 @@ wheel=$(echo target/wheels/sheave-*.whl)
 (cd / && "$venv/python" -c 'import sheave; print(sheave.solve(tolerance=1e-3))')
 
 "$venv/pip" install --quiet "$wheel[test]"
-"$venv/python" -m mypy
+"$venv/ruff" check sheave tests notebooks
+"$venv/ruff" format --check sheave tests notebooks
+"$venv/mypy"
+# Away from the sources, so that what is installed is what is tested.
 (cd target && "$venv/python" -m mypy.stubtest sheave._sheave --allowlist ../tests/stubtest.txt)
-"$venv/python" -m pytest
-"$venv/python" -m pytest --doctest-modules --pyargs sheave
-"$venv/python" -m doctest ../docs/python.md
-MPLBACKEND=agg "$venv/python" -m pytest --nbmake --nbmake-timeout=600 notebooks
+"$venv/pytest"
+MPLBACKEND=agg "$venv/pytest" --doctest-modules --pyargs sheave
+(cd target && "$venv/python" -m doctest ../../docs/python.md)
+"$venv/pytest" --nbmake --nbmake-timeout=600 notebooks

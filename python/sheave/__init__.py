@@ -3,7 +3,7 @@
 >>> import sheave
 >>> result = sheave.solve(slack_tension="120 N", tolerance=1e-3)
 >>> round(result.primary.axial_force)
-1137
+1133
 >>> result.efficiency.overall > 0.95
 True
 

@@ -7,8 +7,8 @@ from typing import Any, Optional, Union, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-CaseLike = Union[str, PathLike[str], Mapping[str, Any], Case, None]
-Array = NDArray[np.float64]
+_CaseLike = Union[str, PathLike[str], Mapping[str, Any], Case, None]
+_Array = NDArray[np.float64]
 
 __version__: str
 
@@ -244,7 +244,7 @@ class Case:
     file ("operating_point.slack_tension"), or by their last part alone where that says which ("slack_tension").
     """
 
-    def __new__(cls, case: CaseLike = None, /, **keys: Any) -> Case: ...
+    def __new__(cls, case: _CaseLike = None, /, **keys: Any) -> Case: ...
     def with_(self, keys: Optional[Mapping[str, Any]] = None, /, **more: Any) -> Case:
         """The case with some keys set in place of what was given for them."""
     def without(self, *keys: str) -> Case:
@@ -265,13 +265,13 @@ class Case:
 
 @final
 class Region:
-    """One region of the belt: a contact or a span. Columns are attributes, or reached by name.
+    """One region of the belt: a contact or a span. Columns are those of ``profile.csv``, as attributes or by name.
 
     The arrays are views of memory that the region holds: nothing is copied, and they cannot be written to.
     """
 
     @property
-    def position(self) -> Array:
+    def position(self) -> _Array:
         """Position in the region, from 0 where the belt enters to 1."""
     @property
     def columns(self) -> list[str]:
@@ -282,10 +282,10 @@ class Region:
     @property
     def meanings(self) -> dict[str, str]:
         """What each column is."""
-    def to_dict(self) -> dict[str, Array]:
+    def to_dict(self) -> dict[str, _Array]:
         """All columns by name."""
-    def __getitem__(self, name: str, /) -> Array: ...
-    def __getattr__(self, name: str, /) -> Array: ...
+    def __getitem__(self, name: str, /) -> _Array: ...
+    def __getattr__(self, name: str, /) -> _Array: ...
     def __dir__(self) -> list[str]: ...
     def __len__(self) -> int: ...
 
@@ -419,7 +419,7 @@ class Study:
     """A study that is not yet solved: a case, what varies in it, and how accurately it is solved."""
 
     def __new__(
-        cls, case: CaseLike = None, /, *, over: Any, tolerance: float = 1e-6, order: int = 4, **keys: Any
+        cls, case: _CaseLike = None, /, *, over: Any, tolerance: float = 1e-6, order: int = 4, **keys: Any
     ) -> Study: ...
     def __len__(self) -> int: ...
     @property
@@ -445,13 +445,13 @@ class BvpSolution:
     """The solution of a boundary value problem."""
 
     @property
-    def x(self) -> Array: ...
+    def x(self) -> _Array: ...
     @property
-    def y(self) -> Array: ...
+    def y(self) -> _Array: ...
     @property
-    def yp(self) -> Array: ...
+    def yp(self) -> _Array: ...
     @property
-    def p(self) -> Optional[Array]: ...
+    def p(self) -> Optional[_Array]: ...
     @property
     def max_defect(self) -> float: ...
     @property
@@ -466,10 +466,10 @@ class BvpSolution:
     def meshes(self) -> int: ...
     @property
     def evaluations(self) -> int: ...
-    def evaluate(self, x: Sequence[float]) -> Array: ...
+    def evaluate(self, x: Sequence[float]) -> _Array: ...
 
 def solve(
-    case: CaseLike = None,
+    case: _CaseLike = None,
     /,
     *,
     tolerance: float = 1e-6,
@@ -495,14 +495,14 @@ def rebuild_case(given: Mapping[str, Any], swaps: Sequence[str]) -> Case: ...
 def rebuild_study(case: Case, axes: Sequence[str], tolerance: float, order: int) -> Study: ...
 def bare_seconds(case: Case, repeats: int, tolerance: float = 1e-6) -> list[float]: ...
 def limit(
-    case: CaseLike = None,
+    case: _CaseLike = None,
     /,
     *,
     least_speed_efficiency: float = 0.95,
     tolerance: float = 1e-6,
     **keys: Any,
 ) -> dict[str, Any]: ...
-def optimum(case: CaseLike = None, /, *, tolerance: float = 1e-6, **keys: Any) -> dict[str, Any]: ...
+def optimum(case: _CaseLike = None, /, *, tolerance: float = 1e-6, **keys: Any) -> dict[str, Any]: ...
 def belt(file: Union[str, PathLike[str]], *, temperature: Any = None) -> dict[str, Any]: ...
 def dyno(
     paths: Sequence[Union[str, PathLike[str]]],
@@ -522,7 +522,7 @@ def dyno(
     revolutions_per_firing: float = 2.0,
 ) -> dict[str, Any]: ...
 def compare(
-    case: CaseLike = None,
+    case: _CaseLike = None,
     /,
     *,
     data: Union[str, PathLike[str]],

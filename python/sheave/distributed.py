@@ -20,10 +20,10 @@ affair: ``LocalCluster``, ``SSHCluster``, ``dask_kubernetes``, ``dask_jobqueue.S
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
-from collections.abc import Iterable, Iterator
+import uuid
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
@@ -124,10 +124,7 @@ def _alike(tables: list[Any]) -> Iterator[Any]:
                 kinds[field.name] = pyarrow.float64()
     texts = {"failure", "edition"}
     schema = pyarrow.schema(
-        [
-            (name, kind or (pyarrow.string() if name in texts else pyarrow.float64()))
-            for name, kind in _in_order(kinds)
-        ]
+        [(name, kind or (pyarrow.string() if name in texts else pyarrow.float64())) for name, kind in _in_order(kinds)]
     )
     for table in tables:
         columns = []
@@ -161,56 +158,65 @@ def run(
     *,
     client: Any = None,
     points: int = _PART_POINTS,
-    retries: int = 10,
+    attempts: int = 10,
     progress: Progress = None,
 ) -> Dataset:
     """Solves a study on the workers of a Dask cluster, and gives its dataset.
 
     ``folder`` is created if need be; of one that has parts of the same study, those that are missing are solved, and
     one of another study is refused. ``client`` is a ``distributed.Client``, or the one that is current. ``points`` is
-    the least number of points of a part, ``retries`` how often a part is tried again where it fails other than by the
-    death of its worker; how many workers a part may take with it, Dask's ``distributed.scheduler.allowed-failures``
-    says.
+    the least number of points of a part. A part whose worker dies is solved again elsewhere; one that Dask gives up,
+    because it has taken several workers with it or because the cluster has lost its task, is handed out anew,
+    ``attempts`` times in all.
 
-    Raises ``StudyError``.
+    Raises ``StudyError`` where parts are still missing then, and what a part raises.
     """
     dataset = prepare(study, folder, points)
+    for _ in range(max(attempts, 1)):
+        missing = dataset.missing
+        if not missing:
+            break
+        _solve(dataset, missing, client, progress)
     missing = dataset.missing
-    done = len(dataset.parts) - len(missing)
     if missing:
-        from distributed import as_completed, get_client
-
-        client = client or get_client()
-        handed = client.scatter(study, broadcast=True)
-        futures = [
-            client.submit(
-                solve_part, handed, part, str(dataset.path(part)), retries=retries, pure=False, key=_key(dataset, part)
-            )
-            for part in missing
-        ]
-        lengths = {str(dataset.path(part)): part[1] - part[0] for part in missing}
-        solved = len(study) - sum(lengths.values())
-        try:
-            with progress_bar(progress, len(study)) as tell:
-                for path in _results(as_completed(futures)):
-                    solved += lengths[path]
-                    done += 1
-                    if tell is not None:
-                        tell(solved)
-        finally:
-            client.cancel(futures)
+        raise StudyError(
+            f"{len(missing)} of {len(dataset.parts)} parts were not solved in {attempts} attempts: their workers died",
+            "look at the workers' memory and logs, then run the study again with the same folder",
+        )
     return dataset
 
 
-def _results(completed: Iterable[Any]) -> Iterator[str]:
-    for future in completed:
-        yield future.result()
+def _solve(dataset: Dataset, missing: list[tuple[int, int]], client: Any, progress: Progress) -> None:
+    """Hands out parts once; those that the cluster loses stay missing."""
+    from distributed import KilledWorker, as_completed, get_client
+    from distributed.client import FutureCancelledError
+
+    client = client or get_client()
+    study = dataset.study
+    # The study goes with each task: data that is scattered dies with the workers that hold it.
+    futures = {
+        client.submit(solve_part, study, part, str(dataset.path(part)), pure=False, key=_key(part)): part
+        for part in missing
+    }
+    solved = len(study) - sum(stop - start for start, stop in missing)
+    try:
+        with progress_bar(progress, len(study)) as tell:
+            for future in as_completed(futures):
+                try:
+                    future.result()
+                except (KilledWorker, FutureCancelledError):
+                    continue
+                start, stop = futures[future]
+                solved += stop - start
+                if tell is not None:
+                    tell(solved)
+    finally:
+        client.cancel(list(futures))
 
 
-def _key(dataset: Dataset, part: tuple[int, int]) -> str:
-    """A task's name says what it computes, so that one that is under way is not begun again."""
-    digest = hashlib.sha256(f"{dataset.folder}{dataset.study.fingerprint}".encode()).hexdigest()[:16]
-    return f"sheave-{digest}-{part[0]}-{part[1]}"
+def _key(part: tuple[int, int]) -> str:
+    """A task's name, for Dask's pages; no two tasks have one name, so that one that was lost can be handed out anew."""
+    return f"sheave-{part[0]}-{part[1]}-{uuid.uuid4().hex[:12]}"
 
 
 def prepare(study: Study, folder: Union[str, PathLike[str]], points: int = _PART_POINTS) -> Dataset:

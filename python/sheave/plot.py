@@ -145,7 +145,11 @@ def _dress(axes: Any, figure: dict[str, Any]) -> None:
             axis.set_major_locator(MultipleLocator(side["step"]))
     if figure["equal"]:
         axes.set_aspect("equal", adjustable="datalim")
-    if any(series["label"] for series in figure["series"]):
+    labels = sum(bool(series["label"]) for series in figure["series"])
+    if labels and figure["equal"]:
+        # Below: a picture in its true shape has no corner to spare.
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=labels)
+    elif labels:
         axes.legend(loc="best")
 
 

@@ -74,7 +74,7 @@ impl<'py> Callables<'py> {
                 "{name} returned an array of shape {shaped:?}: expected {shape:?}"
             )));
         }
-        array.extract().map_err(Into::into)
+        array.extract()
     }
 
     fn slopes(&self, x: &[f64], y: &Matrix<'py>, p: &[f64]) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {

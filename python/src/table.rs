@@ -76,11 +76,13 @@ impl Table {
     fn __getitem__<'py>(slf: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let table = &slf.get().table;
         let at = table.column(name).ok_or_else(|| PyKeyError::new_err(format!("no column `{name}`")))?;
-        if let Some(numbers) = slf.get().arrow()?.column(at).as_any().downcast_ref::<Float64Array>() {
+        let array = slf.get().arrow()?.column(at);
+        if let Some(numbers) = array.as_any().downcast_ref::<Float64Array>() {
             return Ok(convert::borrowed(slf.clone().into_any(), numbers.values())?.into_any());
         }
         let cells = table.rows.iter().map(|row| row.get(at).unwrap_or(&Cell::Empty));
-        if cells.clone().all(|cell| matches!(cell, Cell::Number(_) | Cell::Empty)) {
+        if *array.data_type() == DataType::Int64 {
+            // Counts, as numbers where a point has none.
             let numbers = cells.map(|cell| cell.number().unwrap_or(f64::NAN));
             return Ok(PyArray1::from_iter(slf.py(), numbers).into_any());
         }

@@ -127,7 +127,7 @@ def test_jacobians_may_be_given() -> None:
         return np.array([[0, 1], [0, 0], [1.0, 0]]), np.array([[0, 0], [0, 1.0], [0, 0]]), np.zeros((3, 1))
 
     x, y = guess("Mathieu")
-    both = {"jacobian": jacobian, "boundary_jacobian": boundary_jacobian}
+    both: dict[str, Any] = {"jacobian": jacobian, "boundary_jacobian": boundary_jacobian}
     given = bvp.solve(eigenvalue, ends_of_eigenvalue, x, y, [15.0], **both)
     assert calls > 0 and given.p is not None
     exact = bvp.solve(eigenvalue, ends_of_eigenvalue, x, y, [15.0], jacobian="complex")
@@ -140,15 +140,13 @@ def test_a_jacobian_of_sympy_is_one() -> None:
     sympy = pytest.importorskip("sympy")
     u, v = sympy.symbols("u v")
     right = sympy.Matrix([v, -sympy.exp(u)])
-    entries = sympy.lambdify((u, v), right.jacobian([u, v]), "numpy")
+    entries = sympy.lambdify((u, v), list(right.jacobian([u, v])), "numpy")
 
     def jacobian(x: Array, y: Array) -> Array:
-        matrix = np.zeros((2, 2, x.size))
-        values: Any = entries(y[0], y[1])
-        for i in range(2):
-            for j in range(2):
-                matrix[i, j] = values[i, j]
-        return matrix
+        matrix = np.zeros((4, x.size))
+        for entry, values in enumerate(entries(y[0], y[1])):
+            matrix[entry] = values
+        return matrix.reshape(2, 2, x.size)
 
     x = np.linspace(0, 1, 11)
     solution = bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11)), jacobian=jacobian)
@@ -184,7 +182,7 @@ def test_what_has_no_solution_says_what_to_try() -> None:
     with pytest.raises(sheave.SolveError) as caught:
         bvp.solve(lambda x, y: np.vstack((y[1], -10 * np.exp(y[0]))), fixed_ends, x, np.zeros((2, 11)))
     assert caught.value.hint
-    with pytest.raises(sheave.SolveError, match="not finite|undefined"):
+    with pytest.raises(sheave.SolveError, match=r"not finite|undefined"):
         bvp.solve(lambda x, y: np.full((2, x.size), np.nan), fixed_ends, x, np.zeros((2, 11)))
 
 

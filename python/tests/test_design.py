@@ -40,7 +40,7 @@ def test_a_belt_is_found_from_bench_tests(root: Path) -> None:
     assert 0.5 < belt.length < 1.5 and belt.longitudinal_stiffness > 1e4
     case = belt.case(slack_tension="150 N")
     assert case.given["belt.length"] == pytest.approx(belt.length, rel=1e-3)
-    assert belt.details["tension"]["stiffness"] == belt.longitudinal_stiffness
+    assert belt.details["belt"]["longitudinal_stiffness"] == belt.longitudinal_stiffness
     with pytest.raises(sheave.BenchError, match="cannot read"):
         sheave.belt(root / "nowhere.toml")
 

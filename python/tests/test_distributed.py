@@ -22,9 +22,12 @@ import sheave.distributed  # noqa: E402  (Dask is optional)
 @pytest.fixture(scope="module")
 def client() -> Iterator[Any]:
     """Two workers, processes of their own, which are started anew when they die."""
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
-    ) as cluster, distributed.Client(cluster) as client:
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
         yield client
 
 
