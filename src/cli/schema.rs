@@ -1,7 +1,7 @@
 //! The JSON Schema of what each command prints with `--json`.
 
 use super::stop::Stop;
-use super::{dyno, init, limit, optimum, output, pulley, radii};
+use super::{init, limit, optimum, output, pulley, radii};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -34,7 +34,7 @@ const COMMANDS: [(&str, fn(&str) -> Value); 10] = [
     ("size", schema::<Value, sheave::small::size::Sizing>),
     ("belt", schema::<Value, sheave::bench::belt::Properties>),
     ("radii", schema::<radii::Inputs, radii::Found>),
-    ("dyno", schema::<Value, dyno::Found>),
+    ("dyno", schema::<Value, sheave::bench::dyno::Reduced>),
     ("compare", schema::<Value, sheave::bench::compare::Comparison>),
 ];
 
