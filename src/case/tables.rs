@@ -1,6 +1,6 @@
 //! Tables that stand in place of a number: `loss_tangent = { frequency = [..], temperature = [..], value = [[..]] }`.
 
-use super::error::{CaseError, Place, Problem};
+use super::error::{CaseError, CaseProblem, Place};
 use super::file::quantity_value;
 use super::grid::{Grid, GridError, KEYS};
 use super::keys::Key;
@@ -56,7 +56,7 @@ impl Reader<'_> {
     /// Reads the table of a key.
     ///
     /// # Errors
-    /// [`Problem::Table`], or what is wrong with a quantity in it, at its own place.
+    /// [`CaseProblem::Table`], or what is wrong with a quantity in it, at its own place.
     pub fn read(&self, table: &DeTable<'_>) -> Result<Grid, CaseError> {
         let [frequency, temperature, _] = KEYS;
         let (mut frequencies, mut temperatures, mut values) = (Vec::new(), Vec::new(), None);
@@ -89,7 +89,7 @@ impl Reader<'_> {
 
     fn wrong(&self, reason: String, span: std::ops::Range<usize>) -> CaseError {
         let expected = self.key.over().words().unwrap_or_default();
-        CaseError::new(Problem::Table { key: self.key, reason, expected }, [self.at(span)])
+        CaseError::new(CaseProblem::Table { key: self.key, reason, expected }, [self.at(span)])
     }
 
     fn at(&self, span: std::ops::Range<usize>) -> Place {

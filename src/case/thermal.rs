@@ -31,7 +31,7 @@ impl Stiffnesses {
     /// Of a case.
     ///
     /// # Errors
-    /// [`Problem::Conflict`](super::Problem::Conflict) for a softening beside a table, which says it already.
+    /// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) for a softening beside a table, which says it already.
     pub(super) fn of(case: &Case) -> Result<Self, CaseError> {
         let pairs = [(Key::BendingStiffness, Key::BendingSoftening), (Key::RadialStiffness, Key::RadialSoftening)];
         let both = pairs.into_iter().find(|(table, softening)| case.table(*table).is_some() && case.has(*softening));
@@ -106,8 +106,8 @@ pub struct Surface {
 /// What a case says of heat; nothing unless both the air and the heat transfer are given.
 ///
 /// # Errors
-/// [`Problem::Missing`](super::Problem::Missing) if one is given without the other;
-/// [`Problem::Conflict`](super::Problem::Conflict) for a heat transfer that is given twice.
+/// [`CaseProblem::Missing`](super::CaseProblem::Missing) if one is given without the other;
+/// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) for a heat transfer that is given twice.
 pub(super) fn thermal(case: &Case) -> Result<Option<Thermal>, CaseError> {
     if case.has(Key::HeatTransfer) && case.has(Key::HeatTransferPerArea) {
         let reason = "one is that of the whole belt, the other that of each square metre of it";

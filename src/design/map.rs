@@ -8,7 +8,7 @@ use super::optimum::optimum;
 use crate::case::{Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use crate::plot::{Axis, Figure, Series};
-use crate::study::{Cell, Point, Row, Study, StudyError, Table, TableBuilder};
+use crate::study::{Cell, GridPoint, Row, Study, StudyError, Table, TableBuilder};
 
 /// Keys of the load and of the clamp: what is varied is not sought.
 const LOADS: [Key; 2] = [Key::PrimaryTorque, Key::SecondaryTorque];
@@ -157,7 +157,7 @@ fn map(
     Ok(table.finish())
 }
 
-fn table_row(index: usize, point: &Point, answer: Result<Value, String>) -> Row {
+fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> Row {
     let mut cells: Vec<(String, Value)> = Vec::new();
     for (key, setting) in &point.varied {
         cells.push((key.path().to_owned(), serde_json::to_value(setting).unwrap_or_default()));

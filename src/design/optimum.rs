@@ -12,7 +12,7 @@ use solver::{Functional, Linearisation};
 
 use super::error::DesignError;
 use super::limit::clamped;
-use super::state::State;
+use super::state::DriveState;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve_from};
 use crate::losses::{Heat, NoDerivatives, NoLosses, gradients, losses, warm_start};
@@ -31,7 +31,7 @@ const LOCATED: f64 = 1e-8;
 
 /// Where the best clamp lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bound {
+pub enum OptimumPlace {
     /// At a maximum of the efficiency.
     Inner,
     /// At the loosest belt that has a solution: the efficiency rises up to there.
@@ -40,7 +40,7 @@ pub enum Bound {
     Tightest,
 }
 
-impl Serialize for Bound {
+impl Serialize for OptimumPlace {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(match self {
             Self::Inner => "inner",
@@ -54,9 +54,9 @@ impl Serialize for Bound {
 #[derive(Debug, Clone)]
 pub struct Optimum {
     /// The drive there.
-    pub state: State,
+    pub state: DriveState,
     /// Whether it is a maximum.
-    pub bound: Bound,
+    pub bound: OptimumPlace,
     /// d(overall efficiency)/d(slack tension) there, 1/N.
     pub gradient: f64,
     /// Efficiency with losses besides friction, if that was sought.
@@ -101,9 +101,9 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     trials.push(start.clone());
     trials.extend(search.march(&start, -1.0)?);
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
-    let mut best: Option<(f64, Trial, Bound)> = None;
+    let mut best: Option<(f64, Trial, OptimumPlace)> = None;
     let told = search.case.clone();
-    let mut offer = |trial: Trial, bound: Bound| -> Result<(), DesignError> {
+    let mut offer = |trial: Trial, bound: OptimumPlace| -> Result<(), DesignError> {
         let efficiency = efficiency(&told, &trial, options)?;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
@@ -115,14 +115,14 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
             && tight.slope <= 0.0
             && loose.slope > 0.0
         {
-            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner)?;
+            offer(search.located(tight.clone(), loose.clone())?, OptimumPlace::Inner)?;
         }
     }
     if let Some(loosest) = trials.last().filter(|trial| trial.slope < 0.0) {
-        offer(loosest.clone(), Bound::Loosest)?;
+        offer(loosest.clone(), OptimumPlace::Loosest)?;
     }
     if let Some(tightest) = trials.first().filter(|trial| trial.slope > 0.0) {
-        offer(tightest.clone(), Bound::Tightest)?;
+        offer(tightest.clone(), OptimumPlace::Tightest)?;
     }
     match best {
         Some((_, trial, bound)) => search.finish(trial, bound),
@@ -195,10 +195,10 @@ impl Search {
         Ok(b)
     }
 
-    fn finish(&self, best: Trial, bound: Bound) -> Result<Optimum, DesignError> {
+    fn finish(&self, best: Trial, bound: OptimumPlace) -> Result<Optimum, DesignError> {
         let with_losses = with_losses(&self.case).then(|| efficiency(&self.case, &best, &self.options)).transpose()?;
         Ok(Optimum {
-            state: State::of(&best.solved)?,
+            state: DriveState::of(&best.solved)?,
             bound,
             efficiency_with_losses: with_losses,
             belt_temperature: best.heat.map(|heat| heat.temperature),
@@ -220,7 +220,7 @@ fn efficiency(case: &Resolved, trial: &Trial, options: &SolveOptions) -> Result<
         let temperature = trial.heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
         return Ok(losses(case, &trial.solved, temperature, options.tolerance)?.efficiency);
     }
-    Ok(State::of(&trial.solved)?.overall_efficiency)
+    Ok(DriveState::of(&trial.solved)?.overall_efficiency)
 }
 
 /// d(efficiency sought)/d(slack tension), 1/N.
