@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use sheave::bench::dyno::{
-    Fault, Names, Options, Point, RecordReport, calibration, figures, points_csv, process, records, runs,
-    spectrum_figures,
+    Fault, LogFile, Names, Options, Point, Record, RecordReport, calibration, figures, points_csv, process, records,
+    runs, spectrum_figures,
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, PageTable, Problem, page};
@@ -78,6 +78,10 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
+
+/// Points that are kept: what the command holds in memory is bounded by them, about a kilobyte each, and by nothing else
+/// that grows with its logs.
+const MOST_POINTS: usize = 100_000;
 
 /// A place on the way of the torque.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -161,8 +165,9 @@ impl Arguments {
     fn find(&self, warnings: &mut Vec<String>) -> Result<(Options, Found, Option<Point>), BenchError> {
         let options = self.options(warnings)?;
         let files = records(&self.paths)?;
-        let bar = self.bar();
+        let bar = progress(&files);
         let (mut points, mut reports, mut chosen) = (Vec::new(), Vec::new(), None);
+        let mut beyond = 0_u64;
         for record in &files {
             let take = |mut point: Point| {
                 let wanted = match self.spectrum {
@@ -173,12 +178,21 @@ impl Arguments {
                     chosen = Some(point.clone());
                 }
                 point.forget_samples();
-                points.push(point);
+                if points.len() < MOST_POINTS {
+                    points.push(point);
+                } else {
+                    beyond += 1;
+                }
             };
             reports.push(process(record, &options, take, |bytes| bar.inc(bytes)));
         }
         bar.finish_and_clear();
         tell(&reports, warnings);
+        if beyond > 0 {
+            warnings.push(format!(
+                "{beyond} points behind the first {MOST_POINTS} are counted only: choose a longer --window, or fewer logs"
+            ));
+        }
         if reports.iter().all(|report| report.samples == 0) {
             let names: Vec<String> = self.paths.iter().map(|path| path.display().to_string()).collect();
             let reason = match warnings.first() {
@@ -189,14 +203,14 @@ impl Arguments {
         }
         Ok((options, Found { points, records: reports }, chosen))
     }
+}
 
-    /// Progress in bytes, on standard error if people look at it.
-    fn bar(&self) -> ProgressBar {
-        let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |metadata| metadata.len());
-        let bar = ProgressBar::new(self.paths.iter().map(size).sum());
-        let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
-        bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-    }
+/// Progress in bytes, on standard error if people look at it.
+fn progress(records: &[Record]) -> ProgressBar {
+    let size = |(path, _): &LogFile| std::fs::metadata(path).map_or(0, |metadata| metadata.len());
+    let bar = ProgressBar::new(records.iter().flat_map(|record| &record.files).map(size).sum());
+    let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// Warns of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is

@@ -4,8 +4,8 @@
 pub const WRAP: f64 = 4_294_967_296.0;
 /// A stamp no farther behind the one before is believed as it is, s; so is one within [`STEADY`] of the last steps.
 const NEAR: f64 = 0.5;
-/// Steps of a slow counter that are believed.
-const STEADY: f64 = 20.0;
+/// Steps of a slow counter that are believed: two rows in between may be missing.
+const STEADY: f64 = 3.0;
 /// A stamp that is farther is believed when those behind it follow within this time of one another, s.
 const LEAP: f64 = 10.0;
 /// Two steps that far apart are of one counter when neither is longer than the other by more than this factor.
@@ -88,16 +88,17 @@ impl<R> Clock<R> {
         self.far(ticks, row)
     }
 
-    /// Reads a stamp that is far from the last: one more than half a second from the one before it counts only when a
-    /// third follows at a step like that between them, for a single one may be garbled, whichever of them it is.
+    /// Reads a stamp that is far from the last. It counts when one that is held is close before it; farther from that, only
+    /// when a third follows at a step like that between them: a single one may be garbled, whichever of them it is.
     fn far(&mut self, ticks: f64, row: R) -> (Stamp<R>, Vec<R>) {
         let first = self.held.first().and_then(|held| self.after(held, ticks));
         let second = self.held.get(1).and_then(|held| self.after(held, ticks));
         let between = match self.held.as_slice() {
-            [first, second] => (second.ticks - first.ticks) * self.tick,
-            _ => f64::INFINITY,
+            [first, second] => Some((second.ticks - first.ticks) * self.tick),
+            _ => None,
         };
-        let alike = |step: f64| step <= ALIKE * between && between <= ALIKE * step;
+        let between = between.filter(|between| (0.0..=LEAP).contains(between));
+        let alike = |step: f64| between.is_some_and(|between| step <= ALIKE * between && between <= ALIKE * step);
         let near = |step: f64| step <= NEAR;
         // Which of the rows that are held this one goes with, where it stands beside them, and whether that confirms it.
         let (kept, place, confirmed) = match (first, second) {
@@ -106,12 +107,19 @@ impl<R> Clock<R> {
             (Some(place), _) if near(place.step) => (0..1, Some(place), true),
             (_, Some(place)) => (1..2, Some(place), false),
             (Some(place), None) => (0..1, Some(place), false),
-            (None, None) => (0..0, None, false),
+            // Either may be the garbled one.
+            (None, None) => (self.held.len().saturating_sub(1)..self.held.len(), None, false),
         };
         let behind = self.held.split_off(kept.end.min(self.held.len()));
         let refuted = self.held.drain(..kept.start.min(self.held.len())).chain(behind).map(|held| held.row).collect();
         let (ticks, wrapped) = place.map_or((ticks, false), |place| (place.ticks, place.wrapped));
         self.held.push(Held { ticks, wrapped, row });
+        // Wraps count from the first that is held.
+        if self.held.first().is_some_and(|first| first.wrapped) {
+            for held in self.held.iter_mut().filter(|held| held.wrapped) {
+                (held.ticks, held.wrapped) = (held.ticks - WRAP, false);
+            }
+        }
         (if confirmed { Stamp::Confirmed(self.confirm()) } else { Stamp::Held }, refuted)
     }
 
