@@ -1,14 +1,14 @@
 //! From a solution to what it means.
 
 use generated::{RegionKernel, Symbol};
-use solver::{Points, Solution};
+use solver::{Points, Solution, Tangent};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
 use crate::drive::{Belt, OutputValues, RegionId, Solved};
 use crate::model::{Constant, Constants, Field, InternalError, Output, State};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
-const INNER: usize = 3;
+pub(super) const INNER: usize = 3;
 
 /// A region's states and derived fields at its nodes and between them.
 #[derive(Debug, Clone)]
@@ -43,6 +43,32 @@ impl Sampled {
         let fields = belt.fields(region, &points, solution.constants());
         let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
         Self { region, s, kernel: belt.kernel(region), states, fields }
+    }
+
+    /// Samples a region at its nodes after a step of length `h` along a tangent of the solution.
+    pub(super) fn moved(belt: &Belt, solution: &Solution, region: RegionId, tangent: &Tangent, h: f64) -> Self {
+        let part = &solution.regions()[region.index()];
+        let s = part.mesh().to_vec();
+        let step = |y: &[f64], rates: &[f64]| y.iter().zip(rates).map(|(y, rate)| y + h * rate).collect::<Vec<f64>>();
+        let rates = tangent.regions.get(region.index()).map_or(&[][..], |region| &region.states);
+        let states: Vec<Vec<f64>> = rates.iter().enumerate().map(|(i, rates)| step(part.state(i), rates)).collect();
+        let constants = step(solution.constants(), &tangent.constants);
+        let flat = states.concat();
+        let points = Points { len: s.len(), stride: s.len(), s: &s, y: &flat };
+        let fields = belt.fields(region, &points, &constants);
+        let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
+        Self { region, s, kernel: belt.kernel(region), states, fields }
+    }
+
+    /// Mean over a contact, weighted by pressure, of the friction that acts along the rim.
+    ///
+    /// # Errors
+    /// [`InternalError::Field`] of a span.
+    pub(super) fn rim_friction(&self) -> Result<f64, InternalError> {
+        let friction = self.field(Field::FrictionAtPoint)?.iter();
+        let along = friction.zip(self.field(Field::ApparentSheaveAngle)?).zip(self.field(Field::SlidingAngle)?);
+        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
+        Ok(weighted_mean(&self.s, &along, self.field(Field::Pressure)?))
     }
 
     /// The samples of a state.
@@ -125,10 +151,7 @@ impl Contact {
         let sampled = Sampled::new(&solved.belt, &solved.solution, region, INNER);
         let sliding = sampled.field(Field::SlidingSpeed)?;
         let (slowest, fastest) = extremes(sliding);
-        let friction = sampled.field(Field::FrictionAtPoint)?.iter();
-        let along = friction.zip(sampled.field(Field::ApparentSheaveAngle)?).zip(sampled.field(Field::SlidingAngle)?);
-        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
-        let mean = weighted_mean(&sampled.s, &along, sampled.field(Field::Pressure)?);
+        let mean = sampled.rim_friction()?;
         Ok(Self {
             penetration: extremes(sampled.state(State::Penetration)?).1,
             slowest,
