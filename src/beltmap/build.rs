@@ -13,6 +13,7 @@ use super::map::BeltMap;
 use super::quantity::{Node, Quantity, sample};
 use super::record::{self, PointRow};
 use super::report::{ErrorReport, Report};
+use super::utilization::utilization_slopes;
 use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::result::Outcome;
@@ -295,6 +296,22 @@ impl Builder<'_> {
         Shape::new(self.axes.iter().map(MapAxis::len).collect())
     }
 
+    /// The points in the order in which they are solved: each a neighbour of the one before it, most often along the
+    /// axis along which a solution is followed most easily.
+    fn order<'s>(&self, shape: &'s Shape) -> impl Iterator<Item = usize> + 's {
+        let ease = |key: Key| match key {
+            Key::SlackTension => 5,
+            Key::PrimaryTorque => 4,
+            Key::TightTension | Key::PrimaryAxialForce | Key::SecondaryAxialForce => 3,
+            Key::PrimarySpeed | Key::SecondarySpeed => 2,
+            Key::Ratio | Key::PrimaryRadius | Key::SecondaryRadius => 0,
+            _ => 1,
+        };
+        let mut axes: Vec<usize> = (0..self.axes.len()).collect();
+        axes.sort_by_key(|axis| ease(self.axes[*axis].key()));
+        shape.snake(axes)
+    }
+
     fn place(&self, shape: &Shape, point: usize) -> Vec<f64> {
         self.axes.iter().enumerate().map(|(k, axis)| axis.breakpoints()[shape.place(point, k)]).collect()
     }
@@ -302,7 +319,7 @@ impl Builder<'_> {
     /// Solves what the grid does not have yet.
     fn solve_nodes(&mut self) -> Result<(), MapError> {
         let shape = self.shape();
-        let missing = shape.snake().map(|point| self.place(&shape, point));
+        let missing = self.order(&shape).map(|point| self.place(&shape, point));
         let missing: Vec<Vec<f64>> = missing.filter(|at| !self.nodes.contains_key(&bits(at))).collect();
         let solved = self.solve(&missing)?;
         self.nodes.extend(missing.iter().map(|at| bits(at)).zip(solved));
@@ -322,7 +339,7 @@ impl Builder<'_> {
             map.cells().for_each(|cell| usable[cell] = true);
             usable
         };
-        let cells: Vec<usize> = map.shape.snake().filter(|cell| usable[*cell] && !seen[*cell]).collect();
+        let cells: Vec<usize> = self.order(&map.shape).filter(|cell| usable[*cell] && !seen[*cell]).collect();
         let first = self.checks.len();
         let at = |(number, cell): (usize, &usize)| inside(map, *cell, first + number);
         let missing: Vec<Vec<f64>> = cells.iter().enumerate().map(at).collect();
@@ -353,7 +370,7 @@ impl Builder<'_> {
             let node = match (&point.case, outcome) {
                 (Err(_), _) => Node::NoDrive,
                 (Ok(_), Err(_)) => Node::Unsolved,
-                (Ok(case), Ok(outcome)) => read(case, outcome, quantities, &lengths, &plan.options),
+                (Ok(case), Ok(outcome)) => read(case, outcome, quantities, &keys, &plan.options),
             };
             let row = PointRow { number: first + index, keys: &keys, at: &points[index], node: &node };
             self.keep.keep(record::write(&row, quantities))?;
@@ -368,7 +385,9 @@ impl Builder<'_> {
     fn map(&self) -> BeltMap {
         let shape = self.shape();
         let node = |point: usize| self.nodes.get(&bits(&self.place(&shape, point))).cloned().unwrap_or(Node::Unsolved);
-        let nodes: Vec<Node> = (0..shape.points()).map(node).collect();
+        let mut nodes: Vec<Node> = (0..shape.points()).map(node).collect();
+        let places: Vec<&[f64]> = self.axes.iter().map(MapAxis::breakpoints).collect();
+        utilization_slopes(&mut nodes, &self.plan.quantities, &shape, &places);
         let inputs = serde_json::to_value(&self.plan.first).unwrap_or_default();
         let map = |excluded: Vec<usize>| {
             let report = self.report(&nodes);
@@ -487,13 +506,7 @@ fn inside(map: &BeltMap, cell: usize, number: usize) -> Vec<f64> {
 }
 
 /// What a node has of a solution.
-fn read(
-    case: &Resolved,
-    outcome: &Outcome,
-    quantities: &[Quantity],
-    axes: &[(Key, f64)],
-    options: &MapOptions,
-) -> Node {
+fn read(case: &Resolved, outcome: &Outcome, quantities: &[Quantity], axes: &[Key], options: &MapOptions) -> Node {
     match sample(case, &outcome.solved, quantities, axes, &options.solve) {
         Err(failure) => {
             tracing::debug!("a solution has no derivatives, and is left out: {failure}");

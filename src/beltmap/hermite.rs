@@ -42,17 +42,19 @@ impl Shape {
         point / self.strides[axis] % self.lens[axis]
     }
 
-    /// The points in an order in which each is a neighbour of the one before it.
-    pub fn snake(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.points()).map(|number| {
-            let along = |axis: usize| {
-                let (stride, len) = (self.strides[axis], self.lens[axis]);
-                let place = number / stride % len;
+    /// The points in an order in which each is a neighbour of the one before it, the last of `axes`, which are all,
+    /// running fastest.
+    pub fn snake(&self, axes: Vec<usize>) -> impl Iterator<Item = usize> + '_ {
+        (0..self.points()).map(move |number| {
+            let (mut point, mut rest) = (0, number);
+            for axis in axes.iter().rev() {
+                let (place, above) = (rest % self.lens[*axis], rest / self.lens[*axis]);
                 // A line goes back after one that went forth.
-                let turned = if number / (stride * len) % 2 == 1 { len - 1 - place } else { place };
-                turned * stride
-            };
-            (0..self.axes()).map(along).sum()
+                let turned = if above % 2 == 1 { self.lens[*axis] - 1 - place } else { place };
+                point += turned * self.strides[*axis];
+                rest = above;
+            }
+            point
         })
     }
 }
@@ -166,7 +168,7 @@ pub(super) fn jets(shape: &Shape, places: &[&[f64]], known: &[Option<(f64, &[f64
 
 /// The derivative along an axis of what is known at points: by the parabola through three neighbours, by a line where
 /// there are two, zero where there is one.
-fn difference(shape: &Shape, places: &[f64], point: usize, axis: usize, at: impl Fn(usize) -> f64) -> f64 {
+pub(super) fn difference(shape: &Shape, places: &[f64], point: usize, axis: usize, at: impl Fn(usize) -> f64) -> f64 {
     let (place, stride) = (shape.place(point, axis), shape.stride(axis));
     let neighbour = |step: isize| -> Option<(f64, f64)> {
         let there = place.checked_add_signed(step).filter(|there| *there < shape.len(axis))?;
@@ -270,7 +272,7 @@ mod tests {
     #[test]
     fn a_snake_visits_every_point_by_single_steps() {
         let shape = Shape::new(vec![3, 4, 2, 3]);
-        let order: Vec<usize> = shape.snake().collect();
+        let order: Vec<usize> = shape.snake(vec![2, 0, 3, 1]).collect();
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..72).collect::<Vec<_>>());

@@ -19,6 +19,7 @@ mod netcdf;
 mod quantity;
 mod record;
 mod report;
+mod utilization;
 
 pub use axis::{FIRST_BREAKPOINTS, MAX_AXES, MapAxis};
 pub use build::{Keep, KeepNothing, MapOptions, MapPlan, Progress};

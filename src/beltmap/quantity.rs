@@ -5,7 +5,7 @@ use crate::case::{Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved};
 use crate::losses::{NoDerivatives, NoLosses, REFERENCE_TEMPERATURE, gradients, losses};
 use crate::model::{Constant, Constants, InternalError, Output};
-use crate::result::utilization_rates;
+use crate::result::utilizations;
 use solver::Linearisation;
 
 /// A quantity that a map interpolates.
@@ -50,8 +50,6 @@ pub enum Measure {
 
 /// Share of the largest size on the map below which a size does not count.
 const FLOOR: f64 = 0.1;
-/// Share of an axis that differences of the friction's utilization take, along the exact tangent of the solution.
-const DIFFERENCE: f64 = 1e-6;
 
 impl Quantity {
     /// All, in the order of a map's columns.
@@ -190,25 +188,21 @@ impl Node {
     }
 }
 
-/// Reads the quantities and their derivatives along the axes, each key with the length of its axis.
+/// Reads the quantities and their derivatives along the axes; those of the friction's utilization are left zero.
 pub(super) fn sample(
     case: &Resolved,
     solved: &Solved,
     quantities: &[Quantity],
-    axes: &[(Key, f64)],
+    axes: &[Key],
     options: &SolveOptions,
 ) -> Result<Sample, Failure> {
     let (values, partials) = solved.belt.output_gradients(&solved.solution)?;
     let constants = Constants::try_from(solved.solution.constants())?;
     let linearisation = Linearisation::new(&solved.belt, &solved.solution).map_err(Failure::Sensitivities)?;
-    let directions: Vec<Vec<f64>> = axes.iter().map(|(key, _)| direction(*key, case, solved)).collect();
+    let directions: Vec<Vec<f64>> = axes.iter().map(|key| direction(*key, case, solved)).collect();
     let tangents: Vec<_> = directions.iter().map(|direction| linearisation.tangent(direction)).collect();
     let inputs: Vec<Vec<f64>> = tangents.iter().map(solver::Tangent::inputs).collect();
-    let mut uses = Vec::with_capacity(axes.len());
-    for (tangent, (_, length)) in tangents.iter().zip(axes) {
-        uses.push(utilization_rates(solved, tangent, DIFFERENCE * length)?);
-    }
-    let used = crate::result::utilizations(solved)?;
+    let used = utilizations(solved)?;
     let lost = match quantities.contains(&Quantity::Losses) {
         true => Some(lost(case, solved, options)?),
         false => None,
@@ -227,7 +221,8 @@ pub(super) fn sample(
                 let rate = |tangent: &solver::Tangent| tangent.constants.get(constant.index()).copied();
                 (constants[constant], tangents.iter().map(|tangent| rate(tangent).unwrap_or(f64::NAN)).collect())
             }
-            Source::Utilization(pulley) => (used[pulley], uses.iter().map(|rates| rates[pulley]).collect()),
+            // Its derivatives are found when all nodes are known.
+            Source::Utilization(pulley) => (used[pulley], vec![0.0; axes.len()]),
             Source::Losses => {
                 let Some((value, gradient)) = &lost else { continue };
                 (*value, directions.iter().map(|direction| dot(gradient, direction)).collect::<Vec<f64>>())

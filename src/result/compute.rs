@@ -1,7 +1,7 @@
 //! From a solution to what it means.
 
 use generated::{RegionKernel, Symbol};
-use solver::{Points, Solution, Tangent};
+use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
 use crate::drive::{Belt, OutputValues, RegionId, Solved};
@@ -41,21 +41,6 @@ impl Sampled {
         let flat = states.concat();
         let points = Points { len: s.len(), stride: s.len(), s: &s, y: &flat };
         let fields = belt.fields(region, &points, solution.constants());
-        let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
-        Self { region, s, kernel: belt.kernel(region), states, fields }
-    }
-
-    /// Samples a region at its nodes after a step of length `h` along a tangent of the solution.
-    pub(super) fn moved(belt: &Belt, solution: &Solution, region: RegionId, tangent: &Tangent, h: f64) -> Self {
-        let part = &solution.regions()[region.index()];
-        let s = part.mesh().to_vec();
-        let step = |y: &[f64], rates: &[f64]| y.iter().zip(rates).map(|(y, rate)| y + h * rate).collect::<Vec<f64>>();
-        let rates = tangent.regions.get(region.index()).map_or(&[][..], |region| &region.states);
-        let states: Vec<Vec<f64>> = rates.iter().enumerate().map(|(i, rates)| step(part.state(i), rates)).collect();
-        let constants = step(solution.constants(), &tangent.constants);
-        let flat = states.concat();
-        let points = Points { len: s.len(), stride: s.len(), s: &s, y: &flat };
-        let fields = belt.fields(region, &points, &constants);
         let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
         Self { region, s, kernel: belt.kernel(region), states, fields }
     }

@@ -23,7 +23,7 @@ pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pul
 use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
-pub use utilization::{utilization_rates, utilizations};
+pub use utilization::utilizations;
 pub use warnings::warnings;
 
 use crate::case::{Key, Resolved};
