@@ -357,8 +357,6 @@ impl Builder<'_> {
         }
         let plan = self.plan;
         let quantities = &plan.quantities;
-        let lengths: Vec<(Key, f64)> =
-            plan.axes.iter().map(|axis| (axis.key(), axis.range().1 - axis.range().0)).collect();
         let kept: Vec<Option<Node>> = (first..self.solved)
             .map(|number| record::read(&self.keep.kept(number)?, quantities, plan.axes.len()))
             .collect();

@@ -9,7 +9,7 @@ use super::map::BeltMap;
 use super::quantity::{Node, Quantity, Sample};
 use super::record::{STATUS, cells, columns, slope_name};
 use super::report::Report;
-use crate::case::{Key, Kind};
+use crate::case::{Key, ValueKind};
 use crate::quantity::Dimension;
 use crate::study::{Cell, Table, write_csv};
 use serde::{Deserialize, Serialize};
@@ -96,7 +96,7 @@ impl MapFormat {
 
 /// SI unit of a key, as files state it.
 pub(super) fn unit(key: Key) -> &'static str {
-    let Kind::Quantity { unit, .. } = key.entry().kind else { return "1" };
+    let ValueKind::Quantity { unit, .. } = key.entry().kind else { return "1" };
     match unit.scale.dimension {
         Dimension::NONE => "1",
         Dimension::LENGTH => "m",

@@ -41,7 +41,7 @@ pub use file::StudyFile;
 pub use journal::{Journal, JournalError, Journaled, set_aside, sync_folder};
 #[cfg(feature = "parquet")]
 pub use parquet::{write_parquet, write_parquet_with};
-pub use plan::{Point, Study};
+pub use plan::{GridPoint, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
 pub use rows::{Rows, StoredRows};
 pub use run::{each, run, table, tables, visit};
