@@ -105,27 +105,27 @@ fn error_at_random_points(map: &BeltMap, case: &Case, points: usize) -> f64 {
 
 #[test]
 fn a_map_holds_its_error_at_points_that_nobody_looked_at() {
-    let axes = ["ratio=0.9..1.3", "torque=8..20", "slack_tension=80..200 N"];
-    let map = map(Case::base(), &axes, options(2e-3));
+    let axes = ["ratio=0.9..1.3", "slack_tension=80..200 N"];
+    let map = map(Case::base(), &axes, options(3e-3));
     let report = map.report();
-    assert!(report.reached && report.error.largest <= 2e-3 && report.checks >= report.usable_cells, "{report:?}");
+    assert!(report.reached && report.error.largest <= 3e-3 && report.checks >= report.usable_cells, "{report:?}");
     assert_eq!((report.solved, report.usable_cells), (report.nodes, report.cells));
-    let worst = error_at_random_points(&map, &Case::base(), 12);
-    assert!(worst <= 2e-3, "{worst:.2e} at random points, {:.2e} at check points", report.error.largest);
+    let worst = error_at_random_points(&map, &Case::base(), 8);
+    assert!(worst <= 3e-3, "{worst:.2e} at random points, {:.2e} at check points", report.error.largest);
     // Linear interpolation of the same table is worse, and the report says so.
     assert!(report.linear_error.largest > report.error.largest);
 }
 
 #[test]
 fn a_coarse_map_reports_a_larger_error() {
-    let axes = ["ratio=0.8..1.6", "torque=4..24", "slack_tension=70..300 N"];
-    let coarse = map(quiet(), &axes, MapOptions { max_points: 40, ..options(1e-3) });
+    let axes = ["ratio=0.8..1.8", "torque=2..40 N*m"];
+    let coarse = map(quiet(), &axes, MapOptions { max_points: 14, ..options(1e-3) });
     let report = coarse.report();
     assert!(!report.reached, "{report:?}");
-    assert_eq!((report.nodes, report.checks), (27, 8));
+    assert_eq!((report.nodes, report.checks), (9, 4));
     assert!(report.error.largest > 1e-3, "{report:?}");
     // And rightly so.
-    let worst = error_at_random_points(&coarse, &quiet(), 10);
+    let worst = error_at_random_points(&coarse, &quiet(), 6);
     assert!(worst > 1e-3, "{worst:.2e} at random points, {:.2e} at check points", report.error.largest);
 }
 
@@ -150,13 +150,14 @@ fn gradients_are_those_of_the_values() {
 
 #[test]
 fn nothing_is_said_beyond_the_map_and_beyond_the_slip_limit() {
-    let axes = ["torque=2..60 N*m", "slack_tension=40..200 N"];
-    let map = map(quiet(), &axes, MapOptions { max_points: 120, ..options(2e-2) });
+    let axes = ["torque=2..100 N*m", "slack_tension=2..200 N"];
+    let few = MapOptions { max_points: 30, least_speed_efficiency: 0.95, ..options(2e-2) };
+    let map = map(quiet(), &axes, few);
     let report = map.report();
     assert!(report.slipping + report.unsolved > 0 && report.usable_cells < report.cells, "{report:?}");
-    assert!(matches!(map.at(&[60.0, 40.0]), Err(Outside::Slipping)));
+    assert!(matches!(map.at(&[100.0, 2.0]), Err(Outside::Slipping)));
     assert!(map.at(&[2.0, 200.0]).is_ok());
-    assert!(matches!(map.at(&[61.0, 100.0]), Err(Outside::Range { key: Key::PrimaryTorque, .. })));
+    assert!(matches!(map.at(&[101.0, 100.0]), Err(Outside::Range { key: Key::PrimaryTorque, .. })));
     assert!(matches!(map.at(&[f64::NAN, 100.0]), Err(Outside::Range { .. })));
     assert!(matches!(map.at(&[10.0]), Err(Outside::Coordinates { given: 1, expected: 2 })));
     assert!(map.at(&[10.0, 150.0]).unwrap().value(Quantity::Losses).is_err());

@@ -5,7 +5,7 @@ use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, Constants, InternalError};
 
 /// Both contacts, each with the sign of the friction along its rim where the primary drives.
-const CONTACTS: [(RegionId, f64); 2] = [(RegionId::Primary, 1.0), (RegionId::Secondary, -1.0)];
+const CONTACTS: [(RegionId, f64); 2] = [(RegionId::Primary, -1.0), (RegionId::Secondary, 1.0)];
 
 /// As [`Pulley::friction_utilization`](super::Pulley::friction_utilization) of the primary and of the secondary, but
 /// positive where the primary drives and negative where the secondary does: smooth where the torque changes its sign.
