@@ -60,7 +60,7 @@ fn shares(count: usize) -> Vec<f64> {
 }
 
 /// Largest error of a map at random points, against solutions from nothing.
-fn error_at_random_points(map: &BeltMap, case: &Case, points: usize) -> f64 {
+fn error_at_random_points(map: &BeltMap, case: &Case, points: usize, shares_within: f64) -> f64 {
     let largest = |quantity: Quantity| {
         let of = |axis: &MapAxis| axis.breakpoints().to_vec();
         let grid: Vec<Vec<f64>> = map.axes().iter().map(of).collect();
@@ -93,11 +93,11 @@ fn error_at_random_points(map: &BeltMap, case: &Case, points: usize) -> f64 {
             worst = worst.max((found - exact).abs() / scale);
         }
         let efficiency = outcome.result.efficiency.overall.unwrap();
-        assert!((point.efficiency().unwrap() - efficiency).abs() < 5e-3, "{at:?}");
-        assert!((point.slip_reserve().unwrap() - outcome.result.slip_reserve).abs() < 5e-3, "{at:?}");
+        assert!((point.efficiency().unwrap() - efficiency).abs() < shares_within, "{at:?}");
+        assert!((point.slip_reserve().unwrap() - outcome.result.slip_reserve).abs() < shares_within, "{at:?}");
         if map.quantities().contains(&Quantity::Losses) {
             let with = outcome.result.efficiency.overall_with_losses.unwrap();
-            assert!((point.efficiency_with_losses().unwrap() - with).abs() < 5e-3, "{at:?}");
+            assert!((point.efficiency_with_losses().unwrap() - with).abs() < shares_within, "{at:?}");
         }
     }
     worst
@@ -110,7 +110,7 @@ fn a_map_holds_its_error_at_points_that_nobody_looked_at() {
     let report = map.report();
     assert!(report.reached && report.error.largest <= 3e-3 && report.checks >= report.usable_cells, "{report:?}");
     assert_eq!((report.solved, report.usable_cells), (report.nodes, report.cells));
-    let worst = error_at_random_points(&map, &Case::base(), 8);
+    let worst = error_at_random_points(&map, &Case::base(), 8, 5e-3);
     assert!(worst <= 3e-3, "{worst:.2e} at random points, {:.2e} at check points", report.error.largest);
     // Linear interpolation of the same table is worse, and the report says so.
     assert!(report.linear_error.largest > report.error.largest);
@@ -125,7 +125,7 @@ fn a_coarse_map_reports_a_larger_error() {
     assert_eq!((report.nodes, report.checks), (9, 4));
     assert!(report.error.largest > 1e-3, "{report:?}");
     // And rightly so.
-    let worst = error_at_random_points(&coarse, &quiet(), 6);
+    let worst = error_at_random_points(&coarse, &quiet(), 6, 1.0);
     assert!(worst > 1e-3, "{worst:.2e} at random points, {:.2e} at check points", report.error.largest);
 }
 
@@ -291,16 +291,17 @@ fn files_that_are_no_maps_are_refused() {
 fn netcdf_and_parquet_hold_the_same_numbers() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     let folder = tempfile::tempdir().unwrap();
-    let csv = folder.path().join("map.csv");
-    written(&csv, &[]);
-    let map = BeltMap::read(&csv).unwrap();
-    let forces: Vec<f64> = {
-        let table = map.table();
-        (0..table.rows.len()).map(|row| table.number(row, "primary.axial_force")).collect()
+    let map = map(quiet(), &["ratio=0.9..1.1", "slack_tension=100..200 N"], options(1e-2));
+    let table = map.table();
+    let forces: Vec<f64> = (0..table.rows.len()).map(|row| table.number(row, "primary.axial_force")).collect();
+    let written = |name: &str| {
+        let path = folder.path().join(name);
+        let mut file = std::fs::File::create(&path).unwrap();
+        MapFormat::of(&path).unwrap().write(&map, &mut file).unwrap();
+        path
     };
 
-    let path = folder.path().join("map.nc");
-    written(&path, &[]);
+    let path = written("map.nc");
     let mut reader = netcdf3::FileReader::open(&path).unwrap();
     assert_eq!(reader.read_var_f64("ratio").unwrap(), map.axes()[0].breakpoints());
     assert_eq!(reader.read_var_f64("primary_axial_force").unwrap(), forces);
@@ -309,8 +310,7 @@ fn netcdf_and_parquet_hold_the_same_numbers() {
     assert_eq!(set.get_var_attr_as_string("primary_axial_force_by_slack_tension", "units").unwrap(), "N/(N)");
     assert_eq!(set.get_global_attr_f64("largest_error").unwrap(), [map.report().error.largest]);
 
-    let path = folder.path().join("map.parquet");
-    written(&path, &[]);
+    let path = written("map.parquet");
     let reader = SerializedFileReader::new(std::fs::File::open(&path).unwrap()).unwrap();
     let metadata = reader.metadata().file_metadata().key_value_metadata().unwrap();
     assert!(

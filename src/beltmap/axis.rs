@@ -60,12 +60,8 @@ impl MapAxis {
         };
         let axis = Axis::parse(&format!("{path}={values}{count}"))?;
         let [key] = axis.keys() else { return Err(MapError::Together { text: text.into() }) };
-        let number = |point: usize| {
-            axis.at(point).find_map(|(_, setting)| match setting {
-                Setting::Number(value) => Some(value),
-                Setting::Name(_) => None,
-            })
-        };
+        let value = |setting: Setting| if let Setting::Number(value) = setting { Some(value) } else { None };
+        let number = |point: usize| axis.at(point).find_map(|(_, setting)| value(setting));
         Self::new(*key, (0..axis.points()).filter_map(number))
     }
 
