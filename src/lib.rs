@@ -51,10 +51,13 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod equilibrium;
 mod facade;
+mod formula;
 pub mod losses;
 pub mod model;
 pub mod plot;
+pub mod powertrain;
 pub mod prelude;
 pub mod quantity;
 #[cfg(feature = "figures")]

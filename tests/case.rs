@@ -149,6 +149,7 @@ fn rewritten(resolved: &Resolved) -> Case {
     for (key, setting) in resolved.settings() {
         match setting {
             Setting::Number(value) => case.set_si(key, value).unwrap(),
+            Setting::List(values) => case.set_list(key, &values).unwrap(),
             Setting::Name(name) => case.set(key.path(), name).unwrap(),
         }
     }

@@ -29,6 +29,11 @@ impl Range {
     /// Above zero.
     pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
 
+    /// From `low` up to `high`, both allowed.
+    pub const fn within(low: f64, high: f64) -> Self {
+        Self { low: Bound::Closed(low), high: Bound::Closed(high) }
+    }
+
     /// From zero up to and with `high`.
     pub const fn up_to(high: f64) -> Self {
         Self { low: Bound::Closed(0.0), high: Bound::Closed(high) }

@@ -64,6 +64,13 @@ fn line(entry: &Entry) -> String {
             };
             (default, range)
         }
+        Kind::List { unit, range, .. } => {
+            let range = match (range.low, range.high) {
+                (Bound::None, Bound::None) | (Bound::Open(0.0), Bound::None) => String::new(),
+                _ => format!("; each {}", range.words(unit.symbol)),
+            };
+            ("list".into(), range)
+        }
         Kind::Choice { default, .. } => (default.map_or("-".into(), |name| format!("\"{name}\"")), String::new()),
     };
     let symbol = if entry.symbol.is_empty() { String::new() } else { format!("{}, ", entry.symbol) };

@@ -6,6 +6,7 @@ mod case;
 mod compare;
 mod derive;
 mod design;
+mod drive;
 mod dyno;
 mod envelope;
 mod init;
@@ -44,6 +45,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Drive(drive::Arguments),
     Sweep(sweep::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
@@ -82,6 +84,7 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Drive(arguments) => drive::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),

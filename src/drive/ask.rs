@@ -29,7 +29,7 @@ impl Question {
         let swaps = swaps(case);
         let mut constants = start::constants(&constants);
         estimate(&mut constants, case);
-        Self { constants, swaps }
+        Self { constants, swaps, closings: Vec::new() }
     }
 }
 
