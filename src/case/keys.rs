@@ -1,6 +1,6 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::range::{Bound, Range};
+use super::range::{Range, RangeEnd};
 use crate::model::{
     Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, SecondaryKind, Shear, Spans,
 };
@@ -127,12 +127,12 @@ pub struct Entry {
     /// What it means, in one line.
     pub doc: &'static str,
     /// What values it takes.
-    pub kind: Kind,
+    pub kind: ValueKind,
 }
 
 /// What values a key takes.
 #[derive(Debug, Clone, Copy)]
-pub enum Kind {
+pub enum ValueKind {
     /// A number with a unit.
     Quantity {
         /// Unit in which people read it, and its dimension.
@@ -186,24 +186,24 @@ const KG_PER_M3: Unit = Unit::decimal("kg/m^3", 0, Dimension::DENSITY);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
 /// A quantity of the base case.
-const fn base(unit: Unit, range: Range, value: f64) -> Kind {
-    Kind::Quantity { unit, range, example: value, base: true }
+const fn base(unit: Unit, range: Range, value: f64) -> ValueKind {
+    ValueKind::Quantity { unit, range, example: value, base: true }
 }
 
 /// A quantity that the base case does not have.
-const fn other(unit: Unit, range: Range, example: f64) -> Kind {
-    Kind::Quantity { unit, range, example, base: false }
+const fn other(unit: Unit, range: Range, example: f64) -> ValueKind {
+    ValueKind::Quantity { unit, range, example, base: false }
 }
 
-const fn list(unit: Unit, range: Range, example: &'static str) -> Kind {
-    Kind::List { unit, range, example }
+const fn list(unit: Unit, range: Range, example: &'static str) -> ValueKind {
+    ValueKind::List { unit, range, example }
 }
 
-const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> Kind {
-    Kind::Choice { choices, default }
+const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> ValueKind {
+    ValueKind::Choice { choices, default }
 }
 
-const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, doc: &'static str) -> Entry {
+const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: ValueKind, doc: &'static str) -> Entry {
     Entry { key, path, symbol, doc, kind }
 }
 
@@ -309,7 +309,7 @@ pub static TABLE: [Entry; 102] = [
         "mass of one flyweight"),
     entry(Key::FlyweightFriction, "primary.actuator.friction_angle", "ρ", other(DEG, Range::up_to(45.0), 3.0),
         "friction angle of the flyweights' contact; 0 if not given"),
-    entry(Key::FlyweightLost, "primary.actuator.friction_loss", "", other(NUMBER, Range { low: Bound::Closed(0.0), high: Bound::Open(1.0) }, 0.05),
+    entry(Key::FlyweightLost, "primary.actuator.friction_loss", "", other(NUMBER, Range { low: RangeEnd::Closed(0.0), high: RangeEnd::Open(1.0) }, 0.05),
         "table: share of the flyweights' force that friction takes; 0 if not given"),
     entry(Key::FlyweightTravels, "primary.actuator.travels", "s", list(MM, Range::ANY, "0, 7.2, 14.4, 21.6, 28.8 mm"),
         "table, ramp: travels at which the next list holds"),
@@ -361,11 +361,11 @@ pub static TABLE: [Entry; 102] = [
         "what presses on the secondary"),
     entry(Key::HelixRadius, "secondary.actuator.helix_radius", "r_h", other(MM, Range::positive_to(1e4), 46.04),
         "radius at which the helix bears"),
-    entry(Key::HelixAngle, "secondary.actuator.helix_angle", "α", other(DEG, Range { low: Bound::Open(0.0), high: Bound::Open(90.0) }, 38.0),
+    entry(Key::HelixAngle, "secondary.actuator.helix_angle", "α", other(DEG, Range { low: RangeEnd::Open(0.0), high: RangeEnd::Open(90.0) }, 38.0),
         "helix angle"),
     entry(Key::HelixOpenings, "secondary.actuator.helix_openings", "s", list(MM, Range::ANY, "0, 9, 18 mm"),
         "varying helix: openings of the secondary at which the next list holds"),
-    entry(Key::HelixAngles, "secondary.actuator.helix_angles", "α", list(DEG, Range { low: Bound::Open(0.0), high: Bound::Open(90.0) }, "42, 38, 34 deg"),
+    entry(Key::HelixAngles, "secondary.actuator.helix_angles", "α", list(DEG, Range { low: RangeEnd::Open(0.0), high: RangeEnd::Open(90.0) }, "42, 38, 34 deg"),
         "varying helix: helix angle over the openings, in place of one angle"),
     entry(Key::HelixAngleFrom, "secondary.actuator.angle_from", "", choice(HelixAngleFrom::CHOICES, Some(HelixAngleFrom::Rotation.name())),
         "from where helix angles are measured"),
@@ -467,7 +467,7 @@ impl Entry {
     /// The base case's value in SI, for a quantity that it has.
     pub fn base(&self) -> Option<f64> {
         match self.kind {
-            Kind::Quantity { unit, example, base: true, .. } => Some(unit.to_si(example)),
+            ValueKind::Quantity { unit, example, base: true, .. } => Some(unit.to_si(example)),
             _ => None,
         }
     }
@@ -486,8 +486,8 @@ impl Entry {
     /// A value in SI as people read it: the number, and its unit as it is printed.
     pub fn readable(&self, si: f64) -> (f64, String) {
         let number = match self.kind {
-            Kind::Quantity { unit, .. } | Kind::List { unit, .. } => unit.from_si(si),
-            Kind::Choice { .. } => si,
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. } => unit.from_si(si),
+            ValueKind::Choice { .. } => si,
         };
         (number, self.printed_unit())
     }
@@ -508,18 +508,18 @@ impl Entry {
 
     fn printed_unit(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit, .. } | Kind::List { unit, .. } => unit.printed(),
-            Kind::Choice { .. } => String::new(),
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. } => unit.printed(),
+            ValueKind::Choice { .. } => String::new(),
         }
     }
 
     /// A value that could be written in a case file.
     pub fn example(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
-            Kind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
-            Kind::List { example, .. } => format!("\"{example}\""),
-            Kind::Choice { choices, default } => {
+            ValueKind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
+            ValueKind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
+            ValueKind::List { example, .. } => format!("\"{example}\""),
+            ValueKind::Choice { choices, default } => {
                 let name = default.or(choices.first().map(|choice| choice.name)).unwrap_or_default();
                 format!("\"{name}\"")
             }
@@ -529,18 +529,18 @@ impl Entry {
     /// What is expected as a value, in words.
     pub fn expected(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit, range, .. } => {
+            ValueKind::Quantity { unit, range, .. } => {
                 let (words, example) = (range.words(unit.symbol), self.example());
                 format!("{} {words}, such as {example}", unit.scale.dimension)
             }
-            Kind::List { unit, range, .. } => {
+            ValueKind::List { unit, range, .. } => {
                 let words = match (range.low, range.high) {
-                    (Bound::None, Bound::None) => String::new(),
+                    (RangeEnd::None, RangeEnd::None) => String::new(),
                     _ => format!(", each {}", range.words(unit.symbol)),
                 };
                 format!("numbers with one unit{words}, such as {}", self.example())
             }
-            Kind::Choice { choices, .. } => {
+            ValueKind::Choice { choices, .. } => {
                 let names: Vec<_> = choices.iter().map(|choice| format!("\"{}\"", choice.name)).collect();
                 format!("one of {}", names.join(", "))
             }
@@ -592,18 +592,18 @@ mod tests {
         for entry in &TABLE {
             let example = entry.example();
             match entry.kind {
-                Kind::Quantity { unit, range, example: value, .. } => {
+                ValueKind::Quantity { unit, range, example: value, .. } => {
                     let read = parse(example.trim_matches('"')).and_then(|read| read.expect(unit.scale.dimension));
                     assert_eq!(read, Ok(unit.to_si(value)), "{}", entry.path);
                     assert!(range.contains(unit.to_si(value), |bound| unit.to_si(bound)), "{}", entry.path);
                 }
-                Kind::List { unit, range, .. } => {
+                ValueKind::List { unit, range, .. } => {
                     let read = crate::quantity::parse_list(example.trim_matches('"'), unit.scale.dimension);
                     for value in read.unwrap() {
                         assert!(range.contains(value, |bound| unit.to_si(bound)), "{}: {value}", entry.path);
                     }
                 }
-                Kind::Choice { choices, .. } => {
+                ValueKind::Choice { choices, .. } => {
                     assert!(choices.iter().any(|choice| example.trim_matches('"') == choice.name), "{}", entry.path);
                 }
             }

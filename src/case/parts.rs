@@ -1,6 +1,6 @@
 //! Parts of a whole drive that a case may have: actuators, engine, vehicle.
 
-use super::error::{CaseError, Problem};
+use super::error::{CaseError, CaseProblem};
 use super::file::Case;
 use super::geometry::radius_beside;
 use super::keys::{Key, TABLE};
@@ -72,7 +72,7 @@ struct Reading<'a> {
 /// The parts of a case.
 ///
 /// # Errors
-/// All that is wrong with them: [`Problem::Needs`], [`Problem::Conflict`], [`Problem::Part`].
+/// All that is wrong with them: [`CaseProblem::Needs`], [`CaseProblem::Conflict`], [`CaseProblem::Part`].
 pub(super) fn parts(case: &Case) -> Result<Parts, CaseError> {
     let mut reading = Reading { case, errors: Vec::new() };
     let has = |sections: &[&str]| case.keys().any(|key| sections.contains(&key.entry().section()));
@@ -102,7 +102,7 @@ impl Reading<'_> {
 
     fn missing(&mut self, by: Key, key: Key) {
         let given = self.case.has(by).then(|| self.case.written(by));
-        self.errors.push(CaseError::new(Problem::Needs { key: by, given, needs: key }, self.case.places([by])));
+        self.errors.push(CaseError::new(CaseProblem::Needs { key: by, given, needs: key }, self.case.places([by])));
     }
 
     fn value(&self, key: Key, otherwise: f64) -> f64 {
@@ -110,7 +110,7 @@ impl Reading<'_> {
     }
 
     fn wrong(&mut self, key: Key, reason: impl std::fmt::Display) {
-        let problem = Problem::Part { key, reason: reason.to_string() };
+        let problem = CaseProblem::Part { key, reason: reason.to_string() };
         self.errors.push(CaseError::new(problem, self.case.places([key])));
     }
 

@@ -247,10 +247,10 @@ impl DriveReport {
             let entry = part.key.entry();
             // How much of the SI unit one unit is.
             let (unit, symbol) = match entry.kind {
-                crate::case::Kind::Quantity { unit, .. } | crate::case::Kind::List { unit, .. } => {
+                crate::case::ValueKind::Quantity { unit, .. } | crate::case::ValueKind::List { unit, .. } => {
                     (unit.to_si(1.0), unit.printed())
                 }
-                crate::case::Kind::Choice { .. } => continue,
+                crate::case::ValueKind::Choice { .. } => continue,
             };
             let symbol = if symbol.is_empty() { "1".to_owned() } else { symbol };
             let rpm = |by: f64| signed(by * unit * 30.0 / PI);

@@ -7,8 +7,8 @@ mod error;
 mod posed;
 
 pub use choice::{
-    Bending, Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, Model, SecondaryKind,
-    Shear, Spans,
+    Bending, Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, ModelChoices,
+    SecondaryKind, Shear, Spans,
 };
 pub use constants::Constants;
 pub use error::InternalError;
