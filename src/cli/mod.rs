@@ -18,6 +18,7 @@ mod output;
 mod pulley;
 mod radii;
 mod reproduce;
+mod shift;
 mod size;
 mod solve;
 mod stop;
@@ -46,6 +47,7 @@ struct Arguments {
 enum Command {
     Solve(solve::Arguments),
     Drive(drive::Arguments),
+    Shift(shift::Arguments),
     Sweep(sweep::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
@@ -85,6 +87,7 @@ pub fn run() -> ExitCode {
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Drive(arguments) => drive::run(arguments),
+        Command::Shift(arguments) => shift::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),

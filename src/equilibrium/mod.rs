@@ -22,18 +22,22 @@
 mod curve;
 mod error;
 mod estimate;
+mod figure;
 mod heat;
 mod laws;
 mod point;
 mod question;
 mod report;
 mod sensitivity;
+mod table;
 
 pub use curve::{Landmark, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed, shift_branch};
 pub use error::EquilibriumError;
+pub use figure::{ShiftCurve, shift_figures};
 pub use heat::equilibrium_outcome;
 pub use laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 pub use point::{Direction, Equilibrium, Forces, Phase, Stop};
 pub use question::{equilibrium, equilibrium_from};
 pub use report::{DriveReport, SLIPPING};
 pub use sensitivity::{PartSensitivity, sensitivities};
+pub use table::{DataError, Deviation, Measured, deviation, read_measured, shift_table};
