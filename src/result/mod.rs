@@ -9,6 +9,7 @@ mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
+mod utilization;
 mod warnings;
 
 use std::collections::BTreeMap;
@@ -22,6 +23,7 @@ pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pul
 use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::summary;
+pub use utilization::utilizations;
 pub use warnings::warnings;
 
 use crate::case::{Key, Resolved};
