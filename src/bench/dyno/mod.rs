@@ -23,7 +23,7 @@ pub use faults::{Count, Fault, Faults};
 pub use format::{Channel, Column, Format, Kind, Names, by_header, step_file};
 pub use lines::{LONGEST, Line, Lines};
 pub use point::{Criteria, Estimate, Point};
-pub use read::{FileReport, Record, RecordReport, Run, process, records, runs};
+pub use read::{FileReport, LogFile, Record, RecordReport, Run, process, records, runs};
 pub use reduce::{Reduced, reduce};
 pub(crate) use show::aired;
 pub use show::{figures, points_csv, spectrum_figures};
