@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// How a map was made, and how accurate it is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report {
     /// The error that was asked for: of forces, torques, speeds and radii over their size (at least a tenth of their
     /// largest on the map), of shares as they are.
@@ -41,6 +42,7 @@ pub struct Report {
 
 /// Errors at check points: each the largest of all quantities there.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ErrorReport {
     /// The largest.
     pub largest: f64,
@@ -56,6 +58,7 @@ pub struct ErrorReport {
 
 /// The largest error of a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct QuantityError {
     /// Its name.
     pub name: String,

@@ -57,8 +57,8 @@ pub struct Arguments {
 }
 
 /// What the command tells of a map.
-#[derive(Debug, Serialize)]
-struct Told<'a> {
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Told<'a> {
     axes: Vec<AxisTold>,
     quantities: Vec<&'static str>,
     #[serde(flatten)]
@@ -67,7 +67,7 @@ struct Told<'a> {
 }
 
 /// An axis of a map, SI.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 struct AxisTold {
     key: &'static str,
     from: f64,

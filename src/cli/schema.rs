@@ -1,7 +1,7 @@
 //! The JSON Schema of what each command prints with `--json`.
 
 use super::stop::Stop;
-use super::{init, limit, optimum, output, pulley, radii};
+use super::{init, limit, map, optimum, output, pulley, radii, shift};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 /// Commands that print an object, and its schema.
-const COMMANDS: [(&str, fn(&str) -> Value); 10] = [
+const COMMANDS: [(&str, fn(&str) -> Value); 13] = [
     ("solve", schema::<Resolved, DriveResult<Resolved>>),
     ("limit", schema::<Resolved, limit::Found<'static>>),
     ("optimum", schema::<Resolved, optimum::Found>),
@@ -35,6 +35,9 @@ const COMMANDS: [(&str, fn(&str) -> Value); 10] = [
     ("belt", schema::<Value, sheave::bench::belt::Properties>),
     ("radii", schema::<radii::Inputs, radii::Found>),
     ("dyno", schema::<Value, sheave::bench::dyno::Reduced>),
+    ("drive", schema::<Resolved, sheave::equilibrium::DriveReport>),
+    ("shift", schema::<Resolved, shift::Told<'static>>),
+    ("map", schema::<Resolved, map::Told<'static>>),
     ("compare", schema::<Value, sheave::bench::compare::Comparison>),
 ];
 
