@@ -1,17 +1,67 @@
 //! `sheave keys`: the keys of a case file, from their table.
 
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
+use serde::Serialize;
 use sheave::case::{Bound, Choice, Entry, Kind, TABLE};
 use std::fmt::Write;
 
 /// List the keys of a case file with their units, ranges and defaults
 #[derive(Debug, Args)]
-pub struct Arguments {}
+pub struct Arguments {
+    /// Print them as one JSON object
+    #[arg(long)]
+    json: bool,
+}
 
-pub fn run(_: &Arguments) -> Result<(), Stop> {
+/// A key, for programs.
+#[derive(Debug, Serialize)]
+struct Described {
+    key: &'static str,
+    doc: &'static str,
+    symbol: &'static str,
+    /// Unit in which range and default are given; none for a choice, and for a number without unit.
+    unit: Option<&'static str>,
+    /// Values that are taken, in words; none if all positive ones are.
+    range: Option<String>,
+    /// Value of the base case, or the default of a choice.
+    default: Option<String>,
+    choices: Vec<Chosen>,
+}
+
+#[derive(Debug, Serialize)]
+struct Chosen {
+    name: &'static str,
+    doc: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Keys {
+    keys: Vec<Described>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    if arguments.json {
+        let keys = TABLE.iter().map(described).collect();
+        return output::print(&envelope::object("keys", &(), &[], &Keys { keys })?);
+    }
     output::print(&table())
+}
+
+fn described(entry: &Entry) -> Described {
+    let (unit, range, default, choices) = match entry.kind {
+        Kind::Quantity { unit, range, base, .. } => {
+            let positive = range.low == Bound::Open(0.0) && range.high == Bound::None;
+            let unit = Some(unit.symbol).filter(|symbol| !symbol.is_empty());
+            let words = (!positive).then(|| range.words(unit.unwrap_or_default()).to_string());
+            (unit, words, base.then(|| entry.example()), &[][..])
+        }
+        Kind::Choice { choices, default } => (None, None, default.map(str::to_owned), choices),
+    };
+    let choices = choices.iter().map(|choice| Chosen { name: choice.name, doc: choice.doc }).collect();
+    Described { key: entry.path, doc: entry.doc, symbol: entry.symbol, unit, range, default, choices }
 }
 
 /// All keys by section, for people to read.

@@ -1,9 +1,11 @@
 //! What the commands share; each command has a file of its own.
 
 mod belt;
+mod beside;
 mod bench_data;
 mod case;
 mod compare;
+mod completions;
 mod derive;
 mod design;
 mod dyno;
@@ -14,6 +16,7 @@ mod limit;
 mod measured;
 mod optimum;
 mod output;
+mod plot;
 mod pulley;
 mod radii;
 mod reproduce;
@@ -44,7 +47,9 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Beside(beside::Arguments),
     Sweep(sweep::Arguments),
+    Plot(plot::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
     Reproduce(reproduce::Arguments),
@@ -58,11 +63,14 @@ enum Command {
     Compare(compare::Arguments),
     BenchData(bench_data::Arguments),
     Keys(keys::Arguments),
+    Completions(completions::CompletionsArguments),
+    Man(completions::ManArguments),
 }
 
 /// What the exit status means.
 const STATUS: &str = "\
-Exit status: 0 solved; 2 bad input, nothing computed; 3 no solution found; 1 anything else.
+Exit status: 0 solved; 2 bad input, nothing computed; 3 no solution found; 130 cancelled by Ctrl-C; 1 anything
+else.
 Results go to standard output, all else to standard error.";
 
 /// Runs the command that the arguments name.
@@ -82,7 +90,9 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Beside(arguments) => beside::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Plot(arguments) => plot::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
@@ -96,6 +106,8 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(arguments),
         Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
+        Command::Completions(arguments) => completions::completions(arguments),
+        Command::Man(arguments) => completions::man(arguments),
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,
@@ -127,6 +139,12 @@ fn misunderstood(stop: &clap::Error) -> ExitCode {
     ExitCode::from(u8::try_from(stop.exit_code()).unwrap_or(1))
 }
 
+/// Whether standard error shows colours: on a terminal, unless NO_COLOR is set (no-color.org).
+fn colours() -> bool {
+    let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    !declined && std::io::IsTerminal::is_terminal(&std::io::stderr())
+}
+
 /// Warnings always; more with `-v`, or as the environment variable RUST_LOG says.
 fn log_to_stderr(verbose: u8) {
     let level = match verbose {
@@ -139,7 +157,7 @@ fn log_to_stderr(verbose: u8) {
     let filter = asked.unwrap_or_else(|| Targets::new().with_default(level));
     let lines = tracing_subscriber::fmt::layer()
         .with_writer(|| stop::Diagnostics)
-        .with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr()))
+        .with_ansi(colours())
         .without_time()
         .with_target(verbose > 1);
     // Fails only if a subscriber is set already, and then logs go there.

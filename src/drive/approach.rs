@@ -1,9 +1,10 @@
 //! From one solution to the answer of another question.
 
 use solver::Guess;
-use solver::continuation::{Path, PathOptions, Ramp, follow};
+use solver::continuation::{Path, PathOptions, Ramp, follow_observed};
 
 use super::belt::Belt;
+use super::budget::Budget;
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::question::{Known, Question, Swap};
@@ -18,6 +19,7 @@ pub(super) fn approach(
     from: &Solved,
     question: &Question,
     options: &PathOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let (belt, start) = posed(model, from, question)?;
     let mut path = Ramp::new();
@@ -39,14 +41,15 @@ pub(super) fn approach(
     let unknowns: Vec<usize> = unknowns.into_iter().map(Constant::index).collect();
     let path = Geared { ramp: path, free: unknowns.contains(&Constant::SpeedRatio.index()) };
     let lenient = PathOptions { solve: lenient(&options.solve), ..options.clone() };
-    let followed = match follow(&belt, &start, &path, &unknowns, &lenient) {
+    let followed = match follow_observed(&belt, &start, &path, &unknowns, &lenient, budget) {
         Ok(followed) => followed,
+        Err(_) if budget.is_cancelled() => return Err(Failure::Cancelled),
         Err(error) => return Err(Failure::approaching(&belt, question, error.last.as_deref(), error.cause)),
     };
     let mut stats = from.stats;
     stats += *followed.solution.stats();
     let continuation_steps = from.continuation_steps + accepted(&followed);
-    match polished(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
+    match polished(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats, budget) {
         Ok(solution) => {
             Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
         }

@@ -5,13 +5,14 @@ use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
-use super::budget::Budget;
+use super::budget::{Budget, Cancel};
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
+use super::trouble::Trouble;
 use crate::case::{Model, Resolved};
 use crate::model::{Constant, Constants};
 
@@ -31,11 +32,19 @@ const WAY_INTERVALS: usize = 2000;
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a leg of the way, accepted or not.
 const LEG_STEPS: usize = 400;
+/// Tolerances to which a solution is sought that was not found to the one asked for.
+const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
+/// How far the end of the way may be from a place where it was lost, for a try to get there at once: factors on slip
+/// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
+const LEAP_THRESHOLD: f64 = 10.0;
+const LEAP_TENSION: f64 = 2.0;
+const LEAP_PULL: f64 = 0.5;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
-/// Newton iterations of a solve from nothing, unless asked otherwise.
-pub const WORK_LIMIT: usize = 14_000;
+/// Work of a solve, unless asked otherwise: Newton iterations, each counted once for every mesh interval. The base case
+/// takes some thousands.
+pub const WORK_LIMIT: usize = 2_000_000;
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,13 +55,18 @@ pub struct SolveOptions {
     pub order: Order,
     /// Whether derivatives of the outputs with respect to the given constants are wanted.
     pub sensitivities: bool,
-    /// Newton iterations that a solve from nothing may take, over all routes that it tries.
+    /// Work that a solve may take, over all that it tries: Newton iterations, each counted once for every interval of the
+    /// mesh that it works on.
     pub work_limit: usize,
+    /// Whether the errors of the outputs are estimated, and the solution refined until they hold to the tolerance.
+    pub uncertainty: bool,
+    /// Stops the solve from elsewhere.
+    pub cancel: Option<Cancel>,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, work_limit: WORK_LIMIT }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, uncertainty: true, work_limit: WORK_LIMIT, cancel: None }
     }
 }
 
@@ -85,12 +99,85 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 /// See [`Failure`].
 pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
+    let mut budget = Budget::new(options.work_limit, options.cancel);
+    match attempt(model, question, options, Routes::UntilThere, &mut budget) {
+        Err(failure) if failure.is_at(question) => at_another_tolerance(model, question, options, &mut budget)
+            .unwrap_or_else(|| attempt(model, question, options, Routes::All, &mut budget)),
+        answer => answer,
+    }
+}
+
+/// A question whose way was followed to its end and no farther: by a solution to another tolerance; nothing if there is
+/// none, either.
+fn at_another_tolerance(
+    model: &Model,
+    question: &Question,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Option<Result<Solved, Failure>> {
+    for tolerance in LADDER.into_iter().filter(|other| (other / options.tolerance).log10().abs() > 0.5) {
+        let other = SolveOptions { tolerance, ..*options };
+        let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
+            Ok(found) => found,
+            Err(Failure::Cancelled) => return Some(Err(Failure::Cancelled)),
+            Err(_) => continue,
+        };
+        tracing::info!("not found to {:.0e}, and found to {tolerance:.0e}", options.tolerance);
+        // A solution that holds more than was asked for holds that, too.
+        let enough = tolerance <= options.tolerance;
+        return Some(if enough { Ok(found) } else { tightened(found, tolerance, options, budget) });
+    }
+    None
+}
+
+/// A solution made more accurate, step by step.
+fn tightened(
+    mut solved: Solved,
+    mut attained: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
+    while attained > options.tolerance {
+        let tolerance = (0.1 * attained).max(options.tolerance);
+        let finer = Options { tolerance, ..options.solver() };
+        let unknowns = solved.solution.unknowns().to_vec();
+        match solver::solve_observed(&solved.belt, &Guess::from(&solved.solution), &unknowns, &finer, budget) {
+            Ok(solution) => {
+                solved.stats += *solution.stats();
+                (solved.solution, attained) = (solution, tolerance);
+            }
+            Err(_) if budget.is_cancelled() => return Err(Failure::Cancelled),
+            Err(cause) => {
+                return Err(Failure::Tolerance { asked: options.tolerance, attainable: attained, cause: Box::new(cause) });
+            }
+        }
+    }
+    Ok(solved)
+}
+
+/// How many routes are tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Routes {
+    /// No more once one has led to the case, whether or not it has a solution there to the tolerance.
+    UntilThere,
+    /// All, until there is a solution.
+    All,
+}
+
+/// Answers a question to the tolerance of `options`.
+fn attempt(
+    model: &Model,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     if question.swaps.is_empty() {
-        return ordinary(model, question, options);
+        return ordinary(model, question, options, routes, budget);
     }
     let mut failure = None;
     for factor in TENSIONS {
-        let near = match near(model, question, factor, options) {
+        let near = match near(model, question, factor, options, budget) {
             Ok(near) => near,
             Err(next) => {
                 failure = Some(Failure::farther(failure, next));
@@ -98,17 +185,35 @@ pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions
             }
         };
         for order in [together, one_by_one] {
-            match order(model, &near, question, options) {
+            let given = budget.part(options.work_limit / (2 * TENSIONS.len()));
+            let mut left = given;
+            let answer = order(model, &near, question, options, &mut left);
+            budget.take(&given, &left);
+            match answer {
                 Ok(solved) => return Ok(solved),
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
+        if budget.is_cancelled() || budget.is_spent() {
+            break;
+        }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
+    Err(ended(budget, failure))
+}
+
+/// Why everything that was tried came to nothing.
+fn ended(budget: &Budget, failure: Option<Failure>) -> Failure {
+    if budget.is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
 }
 
 /// An ordinary solution, to the tolerance of the way, near that of a question.
-fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
+fn near(
+    model: &Model,
+    question: &Question,
+    factor: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
     if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
@@ -116,23 +221,35 @@ fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions)
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
-    ordinary(model, &Question::new(constants), &rough)
+    ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
 }
 
 /// Moves everything that is prescribed at once.
-fn together(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
-    approach(model, near, question, &way(model, options.solver()))
+fn together(
+    model: &Model,
+    near: &Solved,
+    question: &Question,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
+    approach(model, near, question, &way(model, options.solver()), budget)
 }
 
 /// Moves what is prescribed one value after the other.
-fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn one_by_one(
+    model: &Model,
+    near: &Solved,
+    question: &Question,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
         let next = Question { constants: constants.clone(), swaps };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &way(model, solver))?;
+        here = approach(model, &here, &next, &way(model, solver), budget)?;
     }
     here.question = question.clone();
     Ok(here)
@@ -160,32 +277,46 @@ fn way(model: &Model, solve: Options) -> PathOptions {
 }
 
 /// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
-fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn ordinary(
+    model: &Model,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let target = &question.constants;
     let belt = Belt::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    let mut budget = Budget::new(options.work_limit);
     for route in Route::ALL {
         let given = budget.part(options.work_limit / Route::ALL.len());
         let mut left = given;
         let climbed = climb(model, &belt, route, target, options, &mut left);
         budget.take(&given, &left);
+        let spent = given.left() - left.left();
         match climbed {
             Ok((solution, stats, continuation_steps)) => {
+                tracing::info!("solved by the route {:?}, {continuation_steps} continuation steps", route.name());
                 let (question, route) = (question.clone(), Some(route));
                 return Ok(Solved { question, belt, solution, stats, continuation_steps, route });
             }
             Err(next) => {
-                let spent = given.left() - left.left();
-                tracing::debug!("the route by {} was lost after {spent} Newton iterations: {next}", route.name());
+                tracing::info!("the route {:?} was lost after work of {spent}: {next}", route.name());
+                if let Some(words) = next.solver() {
+                    tracing::debug!("the solver says: {words}");
+                }
+                let there = next.is_at(question);
                 failure = Some(Failure::farther(failure, next));
+                if there && routes == Routes::UntilThere {
+                    break;
+                }
             }
         }
-        if budget.is_spent() {
+        // Where a strand would be pushed, no other route has more.
+        if budget.is_cancelled() || budget.is_spent() || Trouble::of_case(target).is_some() {
             break;
         }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
+    Err(ended(budget, failure))
 }
 
 /// Follows the legs of a route; where the way is lost, it goes on from there once more, on finer meshes.
@@ -206,9 +337,28 @@ fn climb(
     let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
         return Err(lost.failure);
     };
-    let solution = climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget);
-    let solution = solution.map_err(|again| Failure::farther(Some(lost.failure), again.failure))?;
-    Ok((solution, climb.stats, climb.steps))
+    if let Some(solution) = climb.leap(&last, budget) {
+        return Ok((solution, climb.stats, climb.steps));
+    }
+    let again = match climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget) {
+        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
+        Err(again) => again,
+    };
+    match again.last.and_then(|last| climb.leap(&last, budget)) {
+        Some(solution) => Ok((solution, climb.stats, climb.steps)),
+        None => Err(Failure::farther(Some(lost.failure), again.failure)),
+    }
+}
+
+/// Whether a place on the way is so near its end that Newton's iteration may get there at once.
+fn is_near(here: &Constants, target: &Constants) -> bool {
+    let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
+    let pull = (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
+    here[Constant::BendingStiffness] == target[Constant::BendingStiffness]
+        && here[Constant::MassPerLength] == target[Constant::MassPerLength]
+        && factor(Constant::SlipThreshold) <= LEAP_THRESHOLD.ln()
+        && factor(Constant::SlackTension) <= LEAP_TENSION.ln()
+        && pull <= LEAP_PULL * target[Constant::SlackTension]
 }
 
 /// How fine the meshes of the way are.
@@ -235,13 +385,30 @@ struct Lost {
     failure: Failure,
 }
 
-impl Lost {
-    fn new(last: Option<Box<Solution>>, cause: Box<SolveError>) -> Self {
-        Self { failure: Failure::of(last.as_deref(), cause), last }
-    }
-}
-
 impl Climb<'_> {
+    /// The end of the way from a place near it, in one step, on meshes that are halved where Newton's iteration fails:
+    /// where the belt adheres on a sliver, steps along the way become too short to be of use.
+    fn leap(&mut self, last: &Solution, budget: &mut Budget) -> Option<Solution> {
+        if !is_near(&Constants::of(last), self.target) || budget.is_spent() || budget.is_cancelled() {
+            return None;
+        }
+        let mut guess = Guess::from(last);
+        let given = guess.constants.iter_mut().zip(&self.target.0).skip(Constant::UNKNOWN);
+        given.for_each(|(here, there)| *here = *there);
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let (rough, solver) = (rough(self.options), self.options.solver());
+        let near = solver::solve_observed(self.belt, &guess, &unknowns, &lenient(&rough), budget).ok()?;
+        self.stats += *near.stats();
+        let found = solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &lenient(&solver), budget).ok()?;
+        self.stats += *found.stats();
+        self.steps += 1;
+        polished(self.belt, found, &solver, false, &mut self.stats, budget).ok()
+    }
+
+    fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {
+        Lost { failure: Failure::of(self.belt, self.target, last.as_deref(), cause), last }
+    }
+
     /// Follows the legs from a guess whose given constants are those of `begin`.
     fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
         let legs = self.route.legs(begin, self.target);
@@ -256,11 +423,28 @@ impl Climb<'_> {
             }
             let followed = follow_observed(self.belt, &guess, &path, &unknowns, &way, budget);
             // What was found on the legs before is as good a place to go on from.
-            let followed = followed.map_err(|error| Lost::new(error.last.or(found.map(Box::new)), error.cause))?;
+            let followed = match followed {
+                Ok(followed) => followed,
+                Err(error) => return Err(self.lost(error.last.or(found.map(Box::new)), error.cause)),
+            };
             self.stats += *followed.solution.stats();
-            self.steps += accepted(&followed);
-            let solution = polished(self.belt, followed.solution, &solver, false, &mut self.stats)
-                .map_err(|(last, cause)| Lost::new(Some(last), Box::new(cause)))?;
+            let steps = accepted(&followed);
+            self.steps += steps;
+            let polished = polished(self.belt, followed.solution, &solver, false, &mut self.stats, budget);
+            let solution = match polished {
+                Ok(solution) => solution,
+                Err((last, cause)) => return Err(self.lost(Some(last), Box::new(cause))),
+            };
+            let here = Constants::of(&solution);
+            tracing::info!(
+                "leg {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
+                index + 1,
+                steps,
+                here[Constant::PrimaryTorque],
+                here[Constant::SlackTension],
+                here[Constant::SlipThreshold],
+                solution.intervals(),
+            );
             guess = Guess::from(&solution);
             found = Some(solution);
         }

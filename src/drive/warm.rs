@@ -5,6 +5,7 @@ use solver::{Options, Solution, SolveError, Stats};
 
 use super::approach::approach;
 use super::belt::Belt;
+use super::budget::Budget;
 use super::failure::Failure;
 use super::polish::{lenient, polished};
 use super::predict::predicted;
@@ -58,6 +59,7 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
+    let work = options;
     let options = PathOptions {
         solve: within(options),
         tolerance: ROUGH_TOLERANCE,
@@ -66,7 +68,8 @@ pub fn solve_question_from(
         max_steps: MAX_STEPS,
         ..PathOptions::default()
     };
-    let mut solved = approach(model, from, question, &options)?;
+    let mut budget = Budget::new(work.work_limit, work.cancel);
+    let mut solved = approach(model, from, question, &options, &mut budget)?;
     // The work from here on, not that of the solution nearby.
     solved.stats = *solved.solution.stats();
     solved.continuation_steps -= from.continuation_steps;
@@ -90,22 +93,29 @@ fn along(
     let origin = Constants::of(from);
     let (mut stats, mut steps, mut way, mut step) = (Stats::default(), 0, 0.0, 1.0);
     let (mut before, mut here) = (before.cloned(), from.clone());
+    let mut budget = Budget::new(options.work_limit, options.cancel);
+    let lost = |here: &Solution, cause, budget: &Budget| {
+        let failure = || Failure::of(&belt, &question.constants, Some(here), Box::new(cause));
+        if budget.is_cancelled() { Failure::Cancelled } else { failure() }
+    };
     while way < 1.0 {
         let next = f64::min(way + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
         let to = origin.toward(&question.constants, next);
-        match advance(&belt, before.as_ref(), &here, &to, tolerance, options) {
+        match advance(&belt, before.as_ref(), &here, &to, tolerance, options, &mut budget) {
             Ok(solution) => {
                 stats += *solution.stats();
                 steps += 1;
                 (before, way) = (Some(std::mem::replace(&mut here, solution)), next);
             }
-            Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::of(Some(&here), Box::new(cause))),
+            Err(cause) if step < 2.0 * SMALLEST_STEP || budget.is_spent() || budget.is_cancelled() => {
+                return Err(lost(&here, cause, &budget));
+            }
             Err(_) => step /= 2.0,
         }
     }
-    let polished = polished(&belt, here, &options.solver(), false, &mut stats);
-    let solution = polished.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
+    let polished = polished(&belt, here, &options.solver(), false, &mut stats, &mut budget);
+    let solution = polished.map_err(|(last, cause)| lost(&last, cause, &budget))?;
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
@@ -134,10 +144,11 @@ fn advance(
     to: &Constants,
     tolerance: f64,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solution, SolveError> {
     let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
     let guess = predicted(belt, before, from, to, tolerance)?;
-    solver::solve(belt, &guess, from.unknowns(), &lenient(&options))
+    solver::solve_observed(belt, &guess, from.unknowns(), &lenient(&options), budget)
 }
 
 impl Constants {

@@ -5,7 +5,7 @@ use super::plan::{Point, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
-use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
+use crate::drive::{Cancel, Failure, SolveOptions, Solved, remoteness, solve_along};
 use crate::result::{self, Outcome};
 use crate::threads::{self, Scope};
 use std::io;
@@ -191,6 +191,7 @@ impl Work<'_> {
             let begun = self.checked(|| {
                 let point = study.point(task.start)?;
                 let head = attempt(&point, |case| head(case, study.options(), &heads));
+                uncancelled(study)?;
                 Ok((point, head))
             });
             let Some((point, head)) = begun else { return };
@@ -218,6 +219,7 @@ impl Work<'_> {
                 let near: Vec<&Solved> = near.map(|(_, outcome)| &outcome.solved).collect();
                 solve(case, study.options(), &near, &mut too_far)
             });
+            uncancelled(study)?;
             (self.take)(task, index, &point, found(&solved))?;
             if let Ok(solved) = solved {
                 if trail.len() == TRAIL {
@@ -242,6 +244,13 @@ impl Work<'_> {
             }
         }
     }
+}
+
+/// # Errors
+/// [`StudyError::Cancelled`]: what was being solved then says nothing of its point.
+fn uncancelled(study: &Study) -> Result<(), StudyError> {
+    let cancelled = study.options().cancel.is_some_and(Cancel::is_cancelled);
+    if cancelled { Err(StudyError::Cancelled) } else { Ok(()) }
 }
 
 fn found(solved: &Result<Known, String>) -> Found<'_> {
@@ -277,6 +286,7 @@ fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mu
                 *too_far = 0;
                 return result::interpret(case, options, solved, start);
             }
+            Err(Failure::Cancelled) => return Err(Failure::Cancelled),
             Err(_) => *too_far += 1,
         }
     }
