@@ -18,7 +18,6 @@ const REFERENCE: SolveOptions = SolveOptions {
     sensitivities: false,
     uncertainty: false,
     work_limit: sheave::drive::WORK_LIMIT,
-    cancel: None,
 };
 /// Relative error of the reference: less says nothing.
 const FLOOR: f64 = 1e-9;

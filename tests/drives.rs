@@ -4,7 +4,7 @@
 
 use sheave::case::{Case, Resolved};
 use sheave::design::{DesignError, LimitOptions, largest_torque};
-use sheave::drive::{Cancel, Failure, SolveOptions, Trouble, solve};
+use sheave::drive::{Failure, SolveOptions, Trouble, solve};
 use sheave::result::{Outcome, run};
 
 const ROUGH: SolveOptions = SolveOptions {
@@ -13,7 +13,6 @@ const ROUGH: SolveOptions = SolveOptions {
     sensitivities: false,
     work_limit: sheave::drive::WORK_LIMIT,
     uncertainty: false,
-    cancel: None,
 };
 
 fn case(settings: &[(&str, &str)]) -> Resolved {
@@ -129,16 +128,17 @@ fn torque_passes_through_zero_without_a_gap() {
 /// A handle that is cancelled ends a solve from nothing, a swap and a limit, each as cancelled and as nothing else.
 #[test]
 fn a_solve_is_cancelled_from_elsewhere() {
-    let cancel = Cancel::new();
-    let options = SolveOptions { cancel: Some(cancel), ..ROUGH };
-    assert!(solve(&case(&[]), &options).is_ok());
-    cancel.cancel();
+    let cancel = sheave::Cancel::new();
     let force = [("operating_point.primary_axial_force", "800 N")];
+    let work = |settings: &[(&str, &str)]| sheave::cancellable(&cancel, || run(&case(settings), &ROUGH));
+    assert!(work(&[]).is_ok());
+    cancel.cancel();
     for settings in [&[][..], &force, &[("operating_point.slip_reserve", "0.4")]] {
-        assert!(matches!(run(&case(settings), &options), Err(Failure::Cancelled)), "{settings:?}");
+        assert!(matches!(work(settings), Err(Failure::Cancelled)), "{settings:?}");
     }
-    let limits = LimitOptions { solve: options, least_speed_efficiency: 0.0 };
-    assert!(matches!(largest_torque(&case(&[]), &limits), Err(DesignError::Start(Failure::Cancelled))));
+    let limits = LimitOptions { solve: ROUGH, least_speed_efficiency: 0.0 };
+    let limit = sheave::cancellable(&cancel, || largest_torque(&case(&[]), &limits));
+    assert!(matches!(limit, Err(DesignError::Start(Failure::Cancelled))));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::envelope;
 use super::output;
-use super::stop::{self, Stop};
+use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::case::{Case, Key, Resolved};
@@ -59,8 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     if let Some(edition) = &arguments.edition {
         second.set(Key::Edition.path(), edition)?;
     }
-    let cancel = Some(stop::cancel_on_interrupt());
-    let options = SolveOptions { tolerance: arguments.tol, cancel, ..SolveOptions::default() };
+    let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
     let solved = |case: &Case| -> Result<_, Stop> {
         let case = super::case::CaseArguments::check(case)?;
         solve(&case, &options).map_err(|failure| Stop::from(&failure))

@@ -2,7 +2,7 @@
 
 use super::case::CaseArguments;
 use super::output;
-use super::stop::{self, Stop};
+use super::stop::Stop;
 use clap::Args;
 use sheave::design::DesignError;
 use sheave::drive::{Failure, SolveOptions, WORK_LIMIT};
@@ -42,8 +42,7 @@ impl GridArguments {
     }
 
     pub fn options(&self) -> SolveOptions {
-        let cancel = Some(stop::cancel_on_interrupt());
-        SolveOptions { tolerance: self.tol, work_limit: self.work_limit, cancel, ..SolveOptions::default() }
+        SolveOptions { tolerance: self.tol, work_limit: self.work_limit, ..SolveOptions::default() }
     }
 
     pub fn json(&self) -> bool {

@@ -89,12 +89,12 @@ pub fn run() -> ExitCode {
     log_to_stderr(arguments.verbose);
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
-        Command::Solve(arguments) => solve::run(arguments),
-        Command::Beside(arguments) => beside::run(arguments),
-        Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Solve(arguments) => in_order(|| solve::run(arguments)),
+        Command::Beside(arguments) => in_order(|| beside::run(arguments)),
+        Command::Sweep(arguments) => in_order(|| sweep::run(arguments)),
         Command::Plot(arguments) => plot::run(arguments),
-        Command::Limit(arguments) => limit::run(arguments),
-        Command::Optimum(arguments) => optimum::run(arguments),
+        Command::Limit(arguments) => in_order(|| limit::run(arguments)),
+        Command::Optimum(arguments) => in_order(|| optimum::run(arguments)),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
@@ -121,6 +121,11 @@ pub fn run() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+/// A command that Ctrl-C ends at the next step of what is being solved, rather than the program at once.
+fn in_order(command: impl FnOnce() -> Result<(), stop::Stop>) -> Result<(), stop::Stop> {
+    sheave::cancellable(&stop::cancel_on_interrupt(), command)
 }
 
 /// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act

@@ -3,7 +3,7 @@
 use super::case::CaseArguments;
 use super::envelope;
 use super::output;
-use super::stop::{self, Stop};
+use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::case::{CaseError, Clamp, Key, Resolved};
@@ -76,7 +76,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         sensitivities: arguments.sensitivities,
         uncertainty: true,
         work_limit: arguments.work_limit,
-        cancel: Some(stop::cancel_on_interrupt()),
     };
     let wanted = if arguments.branch == Branch::Loose.name() { Branch::Loose } else { Branch::Tight };
     match solve(&case, wanted, &options) {

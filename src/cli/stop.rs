@@ -1,7 +1,8 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
 use sheave::case::CaseError;
-use sheave::drive::{Cancel, Failure};
+use sheave::Cancel;
+use sheave::drive::Failure;
 use sheave::model::InternalError;
 use sheave::plot::PlotError;
 use sheave::study::StudyError;
@@ -70,11 +71,12 @@ const INTERRUPTED: u8 = 130;
 /// A handle that Ctrl-C cancels, so that the command ends in order; a second Ctrl-C ends the program at once.
 pub fn cancel_on_interrupt() -> Cancel {
     let cancel = Cancel::new();
+    let handle = cancel.clone();
     let interrupted = move || {
-        if cancel.is_cancelled() {
+        if handle.is_cancelled() {
             std::process::exit(i32::from(INTERRUPTED));
         }
-        cancel.cancel();
+        handle.cancel();
         tell("stopping; Ctrl-C once more stops at once\n");
     };
     if let Err(error) = ctrlc::set_handler(interrupted) {

@@ -2,7 +2,7 @@
 
 use super::case::CaseArguments;
 use super::output;
-use super::stop::{self, Stop};
+use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sheave::drive::{SolveOptions, WORK_LIMIT};
@@ -118,9 +118,8 @@ impl Arguments {
         // What the command line varies is not varied by the file as well.
         axes.retain(|axis| !given.iter().any(|other| other.keys().iter().any(|key| axis.keys().contains(key))));
         axes.extend(given);
-        let cancel = Some(stop::cancel_on_interrupt());
         let (tolerance, work_limit) = (self.tol, self.work_limit);
-        Study::new(case, axes, SolveOptions { tolerance, work_limit, cancel, ..SolveOptions::default() })
+        Study::new(case, axes, SolveOptions { tolerance, work_limit, ..SolveOptions::default() })
     }
 
     fn journal(&self, out: &Path, study: &Study) -> Result<Journal, Stop> {

@@ -3,12 +3,12 @@
 use serde_json::Value;
 
 use super::error::DesignError;
-use super::limit::{Kind, LimitOptions, largest_torque, smallest_clamps};
+use super::limit::{LimitKind, LimitOptions, largest_torque, smallest_clamps};
 use super::optimum::optimum;
 use crate::case::{Key, Resolved, Setting};
 use crate::drive::{Failure, SolveOptions};
 use crate::plot::{Axis, Figure, Look, Series};
-use crate::study::{Cell, Point, Row, Study, StudyError, Table, TableBuilder};
+use crate::study::{Cell, GridPoint, Row, Study, StudyError, Table, TableBuilder};
 
 /// Keys of the load and of the clamp: what is varied is not sought.
 const LOADS: [Key; 2] = [Key::PrimaryTorque, Key::SecondaryTorque];
@@ -152,7 +152,7 @@ fn map(
     Ok(table.finish())
 }
 
-fn table_row(index: usize, point: &Point, answer: Result<Value, String>) -> Row {
+fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> Row {
     let mut cells: Vec<(String, Value)> = Vec::new();
     for (key, setting) in &point.varied {
         let value = match setting {
@@ -213,7 +213,7 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
     let is_bound = |row: usize, column: &str| {
         let kind = column.strip_suffix("value").map(|stem| format!("{stem}kind"));
         let cell = kind.and_then(|kind| table.rows.get(row)?.get(table.column(&kind)?));
-        cell == Some(&Cell::Text(Kind::LOST.into()))
+        cell == Some(&Cell::Text(LimitKind::LOST.into()))
     };
     let line = |(color, first): (usize, usize), column: &str, scale: f64| {
         let varied = study.point(first).map(|point| point.varied).unwrap_or_default();

@@ -13,10 +13,10 @@ mod optimum;
 mod state;
 mod verdict;
 
-pub use branch::{Branch, BranchEnd, Parameter, Point};
+pub use branch::{Branch, BranchEnd, BranchPoint, Parameter};
 pub use error::DesignError;
-pub use limit::{ClampLimits, Kind, Limit, LimitOptions, largest_torque, smallest_clamps, smallest_slack_tension};
+pub use limit::{ClampLimits, LimitKind, Limit, LimitOptions, largest_torque, smallest_clamps, smallest_slack_tension};
 pub use map::{limit_figures, limit_map, limits, optimum_figures, optimum_map};
-pub use optimum::{Bound, Optimum, optimum};
-pub use state::State;
+pub use optimum::{Optimum, OptimumPlace, optimum};
+pub use state::DriveState;
 pub use verdict::{Verdict, verdict};

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::limit::{Kind, Limit, LimitOptions, largest_torque, smallest_slack_tension};
+use super::limit::{LimitKind, Limit, LimitOptions, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
 use crate::drive::{Failure, SolveOptions, Trouble};
 
@@ -69,7 +69,7 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     }
     let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
     let clear = 1.0 + if torque < 0.0 { CLEAR_BRAKING } else { CLEAR };
-    let ends = |limit: &Limit| matches!(limit.kind, Kind::Fold | Kind::Collapse);
+    let ends = |limit: &Limit| matches!(limit.kind, LimitKind::Fold | LimitKind::Collapse);
     if let Ok((limit, _)) = smallest_slack_tension(case, &options)
         && ends(&limit)
         && limit.value > tension * clear
@@ -91,7 +91,7 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
 impl Display for Verdict {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         let end = |limit: &Limit| match limit.kind {
-            Kind::Fold => "below it no solution is left",
+            LimitKind::Fold => "below it no solution is left",
             _ => "there the driven pulley comes to rest",
         };
         match self {
@@ -112,7 +112,7 @@ impl Display for Verdict {
                 to,
                 "this clamp carries at most {:.2} N·m, and {given:.2} N·m is asked for ({})",
                 limit.value,
-                if limit.kind == Kind::Fold { "beyond it no solution is left" } else { end(limit) }
+                if limit.kind == LimitKind::Fold { "beyond it no solution is left" } else { end(limit) }
             ),
             Self::Open => to.write_str("no limit was found before the case: it may have a solution that was not found"),
         }

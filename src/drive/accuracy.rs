@@ -54,7 +54,7 @@ pub fn refined(mut solved: Solved, options: &SolveOptions) -> Result<(Solved, Ou
         Err(Failure::Sensitivities(_)) => return Ok((solved, None)),
         Err(failure) => return Err(failure),
     };
-    let mut budget = Budget::new(options.work_limit, options.cancel);
+    let mut budget = Budget::new(options.work_limit);
     let mut tolerance = options.tolerance;
     for _ in 0..ROUNDS {
         let excess = excess(&solved, &errors)? / options.tolerance;

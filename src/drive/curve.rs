@@ -8,12 +8,12 @@ use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed
 use solver::{Event, Observer, Options, Solution, SolveError, Stats};
 
 use super::approach::posed;
-use super::budget::{Budget, Cancel};
+use super::budget::Budget;
 use super::failure::Failure;
-use super::polish::lenient;
 use super::solve::SolveOptions;
 use super::solved::Solved;
-use crate::case::Model;
+use crate::case::ModelChoices;
+use crate::cancel::is_cancelled;
 use crate::model::{Constant, Output};
 
 /// Intervals at most: a curve that needs more is lost.
@@ -60,7 +60,7 @@ pub struct End {
 /// # Errors
 /// [`Failure::NoEquations`]; a curve that is lost holds what was found of it.
 pub fn trace(
-    model: &Model,
+    model: &ModelChoices,
     from: &Solved,
     (free, output): (Constant, Output),
     upwards: bool,
@@ -80,13 +80,13 @@ pub fn trace(
         over.set(over.get() || excess <= 0.0);
         excess
     };
-    let mut budget = Budget::new(options.work_limit, options.cancel);
+    let mut budget = Budget::new(options.work_limit);
     let mut observer = |event: &Event| match event {
         Event::Step { .. } if over.get() => ControlFlow::Break(()),
         event => budget.notify(event),
     };
     let tolerance = options.tolerance.max(TOLERANCE);
-    let solve = lenient(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
+    let solve = relaxed(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
     let branch = BranchOptions {
         solve,
         upwards,
@@ -109,7 +109,7 @@ pub fn trace(
     let ended = points.iter().position(|point| matches!(point.kind, PointKind::Event(_)));
     points.truncate(ended.map_or(points.len(), |at| at + 1));
     let last = points.last().map(|point| &point.solution);
-    let lost = ended.is_none().then(|| match options.cancel.is_some_and(Cancel::is_cancelled) {
+    let lost = ended.is_none().then(|| match is_cancelled() {
         true => Failure::Cancelled,
         false => Failure::of(&belt, &from.question.constants, last, cause),
     });

@@ -3,7 +3,7 @@
 use solver::{Solution, SolveError};
 use thiserror::Error;
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::question::{Known, Question};
 use super::trouble::Trouble;
 use crate::model::{Constant, Constants, IllPosed, InternalError};
@@ -35,9 +35,9 @@ pub enum Failure {
     /// The equations are singular at the solution.
     #[error("the solution has no derivatives: {0}")]
     Sensitivities(SolveError),
-    /// The way from the start to the case was lost.
+    /// The path from the start to the case was lost.
     #[error(
-        "no solution: {trouble}; the last one found on the way has a primary torque of {torque:.4} N·m, a slack tension of \
+        "no solution: {trouble}; the last one found on the path has a primary torque of {torque:.4} N·m, a slack tension of \
          {slack_tension:.4} N and a slip threshold of {slip_threshold:.3e} m/s"
     )]
     Lost {
@@ -54,7 +54,7 @@ pub enum Failure {
     },
     /// From a solution nearby, what is prescribed could not be reached.
     #[error(
-        "{} cannot be reached: {trouble}; the last solution on the way has {}, a primary torque of {torque:.4} N·m and a slack \
+        "{} cannot be reached: {trouble}; the last solution on the path has {}, a primary torque of {torque:.4} N·m and a slack \
          tension of {slack_tension:.4} N", asked(.reached), had(.reached)
     )]
     Unreached {
@@ -103,7 +103,7 @@ pub enum Failure {
         /// What the solver says of a tighter one.
         cause: Box<SolveError>,
     },
-    /// The solve was stopped from elsewhere: see [`Cancel`](super::Cancel).
+    /// The solve was stopped from elsewhere: see [`cancellable`](crate::cancellable).
     #[error("cancelled: the solve was stopped before it had a solution")]
     Cancelled,
     /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
@@ -166,7 +166,7 @@ impl Failure {
         }
     }
 
-    /// Whether the way was followed to the question itself, and only the solution there is lacking.
+    /// Whether the path was followed to the question itself, and only the solution there is lacking.
     pub(super) fn is_at(&self, question: &Question) -> bool {
         let near = |here: f64, there: f64| (here - there).abs() <= AT * there.abs().max(f64::MIN_POSITIVE);
         let given = |constant: Constant, here: f64| near(here, question.constants[constant]);
@@ -225,7 +225,7 @@ impl Failure {
     }
 
     /// Of a way to `target` that was lost at the solution `last`.
-    pub(super) fn of(belt: &Belt, target: &Constants, last: Option<&Solution>, cause: Box<SolveError>) -> Self {
+    pub(super) fn of(belt: &BeltProblem, target: &Constants, last: Option<&Solution>, cause: Box<SolveError>) -> Self {
         let trouble = Trouble::of(belt, last, target, &cause);
         let Some(last) = last else { return Self::Start { trouble, cause } };
         match Constants::try_from(last.constants()) {
@@ -240,9 +240,9 @@ impl Failure {
         }
     }
 
-    /// Of a way on which what `question` prescribes was approached.
+    /// Of a path on which what `question` prescribes was approached.
     pub(super) fn approaching(
-        belt: &Belt,
+        belt: &BeltProblem,
         question: &Question,
         last: Option<&Solution>,
         cause: Box<SolveError>,

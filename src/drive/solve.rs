@@ -4,37 +4,37 @@ use solver::continuation::{PathOptions, follow_observed};
 use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 
 use super::approach::approach;
-use super::belt::Belt;
-use super::budget::{Budget, Cancel};
+use super::belt::BeltProblem;
+use super::budget::Budget;
 use super::failure::Failure;
-use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
 use super::trouble::Trouble;
-use crate::case::{Model, Resolved};
+use crate::case::{ModelChoices, Resolved};
+use crate::cancel::is_cancelled;
 use crate::model::{Constant, Constants};
 
-/// Tolerance on the way from the start to the case.
+/// Tolerance on the path from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Factor on it where the way is followed on finer meshes.
+/// Factor on it where the path is followed on finer meshes.
 const FINER: f64 = 0.1;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
-/// Newton iterations of a step on the way: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
+/// Newton iterations of a step on the path: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
 const WAY_ITERATIONS: usize = 25;
 /// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
-/// Intervals of a region on the way.
+/// Intervals of a region on the path.
 const WAY_INTERVALS: usize = 2000;
-/// Smallest step on a leg of the way, as a share of the leg.
+/// Smallest step on a stage of the path, as a share of the stage.
 const SMALLEST_STEP: f64 = 1e-4;
-/// Steps on a leg of the way, accepted or not.
+/// Steps on a stage of the path, accepted or not.
 const LEG_STEPS: usize = 400;
 /// Tolerances to which a solution is sought that was not found to the one asked for.
 const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
-/// How far the end of the way may be from a place where it was lost, for a try to get there at once: factors on slip
+/// How far the end of the path may be from a place where it was lost, for a try to get there at once: factors on slip
 /// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
 const LEAP_THRESHOLD: f64 = 10.0;
 const LEAP_TENSION: f64 = 2.0;
@@ -60,13 +60,11 @@ pub struct SolveOptions {
     pub work_limit: usize,
     /// Whether the errors of the outputs are estimated, and the solution refined until they hold to the tolerance.
     pub uncertainty: bool,
-    /// Stops the solve from elsewhere.
-    pub cancel: Option<Cancel>,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, uncertainty: true, work_limit: WORK_LIMIT, cancel: None }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, uncertainty: true, work_limit: WORK_LIMIT }
     }
 }
 
@@ -75,7 +73,8 @@ impl SolveOptions {
     /// the solver's estimate of the error may exceed it all the same.
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
-        Options { tolerance, order, accept_inaccurate: true, ..Options::default() }
+        let cancel = crate::cancel::current();
+        Options { tolerance, order, cancel, accept_inaccurate: true, ..Options::default() }
     }
 }
 
@@ -97,9 +96,9 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+pub fn solve_question(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
-    let mut budget = Budget::new(options.work_limit, options.cancel);
+    let mut budget = Budget::new(options.work_limit);
     match attempt(model, question, options, Routes::UntilThere, &mut budget) {
         Err(failure) if failure.is_at(question) => at_another_tolerance(model, question, options, &mut budget)
             .unwrap_or_else(|| attempt(model, question, options, Routes::All, &mut budget)),
@@ -107,10 +106,10 @@ pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions
     }
 }
 
-/// A question whose way was followed to its end and no farther: by a solution to another tolerance; nothing if there is
+/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there is
 /// none, either.
 fn at_another_tolerance(
-    model: &Model,
+    model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
     budget: &mut Budget,
@@ -146,7 +145,7 @@ fn tightened(
                 solved.stats += *solution.stats();
                 (solved.solution, attained) = (solution, tolerance);
             }
-            Err(_) if budget.is_cancelled() => return Err(Failure::Cancelled),
+            Err(_) if is_cancelled() => return Err(Failure::Cancelled),
             Err(cause) => {
                 return Err(Failure::Tolerance { asked: options.tolerance, attainable: attained, cause: Box::new(cause) });
             }
@@ -166,7 +165,7 @@ enum Routes {
 
 /// Answers a question to the tolerance of `options`.
 fn attempt(
-    model: &Model,
+    model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
     routes: Routes,
@@ -194,7 +193,7 @@ fn attempt(
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
-        if budget.is_cancelled() || budget.is_spent() {
+        if is_cancelled() || budget.is_spent() {
             break;
         }
     }
@@ -203,12 +202,12 @@ fn attempt(
 
 /// Why everything that was tried came to nothing.
 fn ended(budget: &Budget, failure: Option<Failure>) -> Failure {
-    if budget.is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
+    if is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
 }
 
-/// An ordinary solution, to the tolerance of the way, near that of a question.
+/// An ordinary solution, to the tolerance of the path, near that of a question.
 fn near(
-    model: &Model,
+    model: &ModelChoices,
     question: &Question,
     factor: f64,
     options: &SolveOptions,
@@ -226,18 +225,18 @@ fn near(
 
 /// Moves everything that is prescribed at once.
 fn together(
-    model: &Model,
+    model: &ModelChoices,
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    approach(model, near, question, &way(model, options.solver()), budget)
+    approach(model, near, question, &path_options(model, options.solver()), budget)
 }
 
 /// Moves what is prescribed one value after the other.
 fn one_by_one(
-    model: &Model,
+    model: &ModelChoices,
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
@@ -249,7 +248,7 @@ fn one_by_one(
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
         let next = Question { constants: constants.clone(), swaps };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &way(model, solver), budget)?;
+        here = approach(model, &here, &next, &path_options(model, solver), budget)?;
     }
     here.question = question.clone();
     Ok(here)
@@ -259,8 +258,8 @@ fn rough(options: &SolveOptions) -> Options {
     Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
 }
 
-/// How a leg of the way is followed, `solve` being for its end.
-fn way(model: &Model, solve: Options) -> PathOptions {
+/// How a stage of the path is followed, `solve` being for its end.
+fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
     let (tolerance, max_iterations) = match model.bending {
         Some(_) => (ROUGH_TOLERANCE, WAY_ITERATIONS),
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
@@ -278,14 +277,14 @@ fn way(model: &Model, solve: Options) -> PathOptions {
 
 /// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
 fn ordinary(
-    model: &Model,
+    model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
     routes: Routes,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let target = &question.constants;
-    let belt = Belt::new(model, target).ok_or(Failure::NoEquations)?;
+    let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
     for route in Route::ALL {
         let given = budget.part(options.work_limit / Route::ALL.len());
@@ -312,17 +311,17 @@ fn ordinary(
             }
         }
         // Where a strand would be pushed, no other route has more.
-        if budget.is_cancelled() || budget.is_spent() || Trouble::of_case(target).is_some() {
+        if is_cancelled() || budget.is_spent() || Trouble::of_case(target).is_some() {
             break;
         }
     }
     Err(ended(budget, failure))
 }
 
-/// Follows the legs of a route; where the way is lost, it goes on from there once more, on finer meshes.
+/// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
 fn climb(
-    model: &Model,
-    belt: &Belt,
+    model: &ModelChoices,
+    belt: &BeltProblem,
     route: Route,
     target: &Constants,
     options: &SolveOptions,
@@ -350,7 +349,7 @@ fn climb(
     }
 }
 
-/// Whether a place on the way is so near its end that Newton's iteration may get there at once.
+/// Whether a place on the path is so near its end that Newton's iteration may get there at once.
 fn is_near(here: &Constants, target: &Constants) -> bool {
     let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
     let pull = (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
@@ -361,17 +360,17 @@ fn is_near(here: &Constants, target: &Constants) -> bool {
         && pull <= LEAP_PULL * target[Constant::SlackTension]
 }
 
-/// How fine the meshes of the way are.
+/// How fine the meshes of the path are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mesh {
     Coarse,
     Fine,
 }
 
-/// The way along a route.
+/// The path along a route.
 struct Climb<'a> {
-    model: &'a Model,
-    belt: &'a Belt,
+    model: &'a ModelChoices,
+    belt: &'a BeltProblem,
     route: Route,
     target: &'a Constants,
     options: &'a SolveOptions,
@@ -379,17 +378,17 @@ struct Climb<'a> {
     steps: usize,
 }
 
-/// Where the way was lost, and why.
+/// Where the path was lost, and why.
 struct Lost {
     last: Option<Box<Solution>>,
     failure: Failure,
 }
 
 impl Climb<'_> {
-    /// The end of the way from a place near it, in one step, on meshes that are halved where Newton's iteration fails:
-    /// where the belt adheres on a sliver, steps along the way become too short to be of use.
+    /// The end of the path from a place near it, in one step, on meshes that are halved where Newton's iteration fails:
+    /// where the belt adheres on a sliver, steps along the path become too short to be of use.
     fn leap(&mut self, last: &Solution, budget: &mut Budget) -> Option<Solution> {
-        if !is_near(&Constants::of(last), self.target) || budget.is_spent() || budget.is_cancelled() {
+        if !is_near(&Constants::of(last), self.target) || budget.is_spent() || is_cancelled() {
             return None;
         }
         let mut guess = Guess::from(last);
@@ -397,32 +396,32 @@ impl Climb<'_> {
         given.for_each(|(here, there)| *here = *there);
         let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
         let (rough, solver) = (rough(self.options), self.options.solver());
-        let near = solver::solve_observed(self.belt, &guess, &unknowns, &lenient(&rough), budget).ok()?;
+        let near = solver::solve_observed(self.belt, &guess, &unknowns, &relaxed(&rough), budget).ok()?;
         self.stats += *near.stats();
-        let found = solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &lenient(&solver), budget).ok()?;
+        let found = solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &relaxed(&solver), budget).ok()?;
         self.stats += *found.stats();
         self.steps += 1;
-        polished(self.belt, found, &solver, false, &mut self.stats, budget).ok()
+        corrected(self.belt, found, &solver, false, &mut self.stats, budget).ok()
     }
 
     fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {
         Lost { failure: Failure::of(self.belt, self.target, last.as_deref(), cause), last }
     }
 
-    /// Follows the legs from a guess whose given constants are those of `begin`.
+    /// Follows the stages from a guess whose given constants are those of `begin`.
     fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
-        let legs = self.route.legs(begin, self.target);
+        let stages = self.route.stages(begin, self.target);
         let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-        let (count, mut guess, mut found) = (legs.len(), guess, None::<Solution>);
-        for (index, path) in legs.into_iter().enumerate() {
+        let (count, mut guess, mut found) = (stages.len(), guess, None::<Solution>);
+        for (index, path) in stages.into_iter().enumerate() {
             let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
-            let mut way = way(self.model, lenient(&solver));
+            let mut options = path_options(self.model, relaxed(&solver));
             if mesh == Mesh::Fine {
-                way.tolerance *= FINER;
-                way.max_iterations *= 2;
+                options.tolerance *= FINER;
+                options.max_iterations *= 2;
             }
-            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &way, budget);
-            // What was found on the legs before is as good a place to go on from.
+            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &options, budget);
+            // What was found on the stages before is as good a place to go on from.
             let followed = match followed {
                 Ok(followed) => followed,
                 Err(error) => return Err(self.lost(error.last.or(found.map(Box::new)), error.cause)),
@@ -430,14 +429,14 @@ impl Climb<'_> {
             self.stats += *followed.solution.stats();
             let steps = accepted(&followed);
             self.steps += steps;
-            let polished = polished(self.belt, followed.solution, &solver, false, &mut self.stats, budget);
-            let solution = match polished {
+            let corrected = corrected(self.belt, followed.solution, &solver, false, &mut self.stats, budget);
+            let solution = match corrected {
                 Ok(solution) => solution,
                 Err((last, cause)) => return Err(self.lost(Some(last), Box::new(cause))),
             };
             let here = Constants::of(&solution);
             tracing::info!(
-                "leg {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
+                "stage {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
                 index + 1,
                 steps,
                 here[Constant::PrimaryTorque],

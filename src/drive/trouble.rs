@@ -1,10 +1,10 @@
-//! What happened to the belt where no solution was found, told from the last solution on the way to the case.
+//! What happened to the belt where no solution was found, told from the last solution on the path to the case.
 
 use std::fmt::{self, Display, Formatter};
 
 use solver::{Points, Solution, SolveError};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::region::RegionId;
 use crate::model::{Constant, Constants, Field, State};
 
@@ -53,7 +53,7 @@ pub enum Trouble {
         /// Tension times the square of the radius over the bending stiffness.
         group: f64,
     },
-    /// The search reached its work limit on the way.
+    /// The search reached its work limit on the path.
     Work,
     /// Nothing that a belt shows: the search was lost.
     Unknown,
@@ -102,7 +102,7 @@ impl Trouble {
         }
     }
 
-    /// What holds of the case itself, whatever was solved on the way: a strand that would be pushed.
+    /// What holds of the case itself, whatever was solved on the path: a strand that would be pushed.
     ///
     /// On the primary, M_in is at most R_P times the difference of the tractive tensions, for a belt that sinks has a
     /// shorter lever arm; so the strand whose tension is not given has at most T + M_in/R_P.
@@ -112,8 +112,8 @@ impl Trouble {
         (torque < 0.0 && pull > given).then_some(Self::Pushed { pull, given })
     }
 
-    /// What the last solution on the way to `target` shows, after which the solver failed for `cause`.
-    pub(super) fn of(belt: &Belt, last: Option<&Solution>, target: &Constants, cause: &SolveError) -> Self {
+    /// What the last solution on the path to `target` shows, after which the solver failed for `cause`.
+    pub(super) fn of(belt: &BeltProblem, last: Option<&Solution>, target: &Constants, cause: &SolveError) -> Self {
         if let Some(pushed) = Self::of_case(target) {
             return pushed;
         }
@@ -130,7 +130,7 @@ impl Trouble {
         (group < STIFF).then_some(Self::Stiff { group })
     }
 
-    fn of_solution(belt: &Belt, last: &Solution) -> Option<Self> {
+    fn of_solution(belt: &BeltProblem, last: &Solution) -> Option<Self> {
         let constants = Constants::try_from(last.constants()).ok()?;
         let contacts = [(RegionId::Primary, Constant::PrimaryRadius), (RegionId::Secondary, Constant::SecondaryRadius)];
         let grips: Vec<(RegionId, Grip)> = contacts
@@ -161,7 +161,7 @@ struct Grip {
 
 impl Grip {
     /// Of a contact, at the nodes of its mesh; nothing if the belt does not have the fields.
-    fn of(belt: &Belt, solution: &Solution, constants: &Constants, region: RegionId, radius: f64) -> Option<Self> {
+    fn of(belt: &BeltProblem, solution: &Solution, constants: &Constants, region: RegionId, radius: f64) -> Option<Self> {
         let part = solution.regions().get(region.index())?;
         let kernel = belt.kernel(region);
         let s = part.mesh();
