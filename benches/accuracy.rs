@@ -50,8 +50,10 @@ struct Tally {
 fn main() {
     let numbers: Vec<u64> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let (seed, designs) = (numbers.first().copied().unwrap_or(1), numbers.get(1).copied().unwrap_or(200));
-    let settings: Vec<(f64, Order)> =
-        [1e-3, 1e-6, 1e-9].into_iter().flat_map(|tolerance| [(tolerance, Order::Four), (tolerance, Order::Six)]).collect();
+    let settings: Vec<(f64, Order)> = [1e-3, 1e-6, 1e-9]
+        .into_iter()
+        .flat_map(|tolerance| [(tolerance, Order::Four), (tolerance, Order::Six)])
+        .collect();
     let mut tallies: Vec<Vec<Tally>> =
         settings.iter().map(|_| OUTPUTS.iter().map(|_| Tally::default()).collect()).collect();
     let mut lost = vec![0; settings.len()];
@@ -86,7 +88,9 @@ fn main() {
         }
     }
     println!("seed {seed}, {references} designs with a reference");
-    println!("| tolerance | order | lost | output | missed | worst | uncertainty holds |\n|---|---|---|---|---|---|---|");
+    println!(
+        "| tolerance | order | lost | output | missed | worst | uncertainty holds |\n|---|---|---|---|---|---|---|"
+    );
     for (((tolerance, order), tallies), lost) in settings.iter().zip(&tallies).zip(&lost) {
         for ((name, ..), tally) in OUTPUTS.iter().zip(tallies) {
             println!(

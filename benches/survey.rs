@@ -45,7 +45,9 @@ fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
     }
     let options = SolveOptions { work_limit: PROOF_WORK, ..options };
     match verdict(&resolved, &failure, &options) {
-        proof @ (Verdict::Tension { .. } | Verdict::Torque { .. } | Verdict::Pushed) => Fate::BeyondLimit(proof.to_string()),
+        proof @ (Verdict::Tension { .. } | Verdict::Torque { .. } | Verdict::Pushed) => {
+            Fate::BeyondLimit(proof.to_string())
+        }
         sunk @ Verdict::Sunk { .. } => Fate::Sunk(sunk.to_string()),
         open => {
             let words = failure.solver().map_or(String::new(), ToString::to_string);
@@ -122,6 +124,8 @@ fn main() {
             quantile(1.0),
             work.last().map_or(0, |(_, index)| *index),
         );
-        println!("failed: {failed:?}\nbeyond the slip limit: {beyond:?}\npressed through: {sunk:?}\nrefused: {refused:?}");
+        println!(
+            "failed: {failed:?}\nbeyond the slip limit: {beyond:?}\npressed through: {sunk:?}\nrefused: {refused:?}"
+        );
     }
 }

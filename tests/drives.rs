@@ -173,7 +173,10 @@ fn outputs_are_as_uncertain_as_they_say() {
             for (name, stated) in &uncertainty {
                 let (Some(found), Some(exact)) = (value(&found, name), value(&exact, name)) else { continue };
                 let error = (found - exact).abs();
-                assert!(error <= 3.0 * stated + 1e-8 * exact.abs().max(1e-3), "{ratio} {tolerance} {name}: {error} {stated}");
+                assert!(
+                    error <= 3.0 * stated + 1e-8 * exact.abs().max(1e-3),
+                    "{ratio} {tolerance} {name}: {error} {stated}"
+                );
                 held += 1;
             }
             assert!(held > 30, "{held}");

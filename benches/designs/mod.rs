@@ -88,4 +88,3 @@ pub fn case(edition: &str, design: &Design) -> Result<Resolved, String> {
     }
     case.resolve().map_err(|error| error.to_string())
 }
-

@@ -355,7 +355,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), Failure> {
         let correction = self.system.largest(dx);
-        let event = Event::Newton { iteration: self.iteration, intervals: intervals(&self.system.grids), correction, damping };
+        let event =
+            Event::Newton { iteration: self.iteration, intervals: intervals(&self.system.grids), correction, damping };
         self.budget.notify(self.observer, &event, self.stats).map_err(Failure::Interrupted)
     }
 

@@ -1,8 +1,8 @@
 //! What the commands share; each command has a file of its own.
 
 mod belt;
-mod beside;
 mod bench_data;
+mod beside;
 mod case;
 mod compare;
 mod completions;

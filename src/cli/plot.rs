@@ -36,6 +36,9 @@ const CONVERGED: &str = "converged";
 /// Curves in one figure at most: more cannot be told apart by their colours.
 const CURVES: usize = 12;
 
+/// The values of the other keys, and the points.
+type Curve<'a> = (Vec<&'a str>, Vec<(f64, f64)>);
+
 /// A table as texts.
 struct Table {
     columns: Vec<String>,
@@ -73,7 +76,9 @@ impl Table {
 
     fn column(&self, name: &str) -> Result<usize, Stop> {
         let at = self.columns.iter().position(|column| column == name);
-        at.ok_or_else(|| Stop::Usage(format!("the table has no column `{name}`; its columns: {}", self.columns.join(", "))))
+        at.ok_or_else(|| {
+            Stop::Usage(format!("the table has no column `{name}`; its columns: {}", self.columns.join(", ")))
+        })
     }
 
     fn text(&self, row: usize, column: usize) -> &str {
@@ -90,7 +95,7 @@ impl Table {
     /// A column over another: rows with the same values in `others` make a curve.
     fn figure(&self, x: usize, others: &[usize], name: &str) -> Result<Figure, Stop> {
         let y = self.column(name)?;
-        let mut curves: Vec<(Vec<&str>, Vec<(f64, f64)>)> = Vec::new();
+        let mut curves: Vec<Curve<'_>> = Vec::new();
         for row in 0..self.rows.len() {
             let of: Vec<&str> = others.iter().map(|&column| self.text(row, column)).collect();
             let point = (self.number(row, x), self.number(row, y));

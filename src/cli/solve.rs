@@ -9,7 +9,9 @@ use serde::Serialize;
 use sheave::case::{CaseError, Clamp, Key, Resolved};
 use sheave::design::{Verdict, verdict};
 use sheave::drive::{Branch, Failure, SolveOptions, WORK_LIMIT};
-use sheave::result::{FailureKind, FailureReport, Outcome, Units, run_on_branch as solve, summary_in, warnings, write_profile};
+use sheave::result::{
+    FailureKind, FailureReport, Outcome, Units, run_on_branch as solve, summary_in, warnings, write_profile,
+};
 use solver::Order;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -101,7 +103,8 @@ impl Arguments {
             Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_)
         ) && outcome.result.other_solution.is_none();
         if self.branch == Branch::Loose.name() {
-            warnings.extend(only.then(|| "Only one operating point was found for this axial force: this one.".to_owned()));
+            warnings
+                .extend(only.then(|| "Only one operating point was found for this axial force: this one.".to_owned()));
         }
         // With --json they are in the object, for people on standard error, too; the summary has them itself.
         if self.json {

@@ -1,7 +1,7 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
-use sheave::case::CaseError;
 use sheave::Cancel;
+use sheave::case::CaseError;
 use sheave::drive::Failure;
 use sheave::model::InternalError;
 use sheave::plot::PlotError;

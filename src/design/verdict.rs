@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::limit::{LimitKind, Limit, LimitOptions, largest_torque, smallest_slack_tension};
+use super::limit::{Limit, LimitKind, LimitOptions, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
 use crate::drive::{Failure, SolveOptions, Trouble};
 

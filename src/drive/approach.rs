@@ -5,11 +5,12 @@ use solver::continuation::{Path, PathOptions, Ramp, follow_observed};
 
 use super::belt::BeltProblem;
 use super::budget::Budget;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
-use crate::case::ModelChoices;
 use crate::cancel::is_cancelled;
+use crate::case::ModelChoices;
 use crate::model::Constant;
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those

@@ -68,7 +68,11 @@ pub fn branch(solved: &Solved) -> Result<Option<Branch>, Failure> {
 /// # Errors
 /// [`Failure::NoEquations`], [`Failure::Cancelled`]. A curve that is lost before it comes back has no other solution to
 /// show.
-pub fn other_solution(model: &ModelChoices, solved: &Solved, options: &SolveOptions) -> Result<Option<Solved>, Failure> {
+pub fn other_solution(
+    model: &ModelChoices,
+    solved: &Solved,
+    options: &SolveOptions,
+) -> Result<Option<Solved>, Failure> {
     let Some((_, output, value)) = axial_force(solved) else { return Ok(None) };
     let mut plain = solved.clone();
     plain.question.swaps.retain(|swap| swap.free != Constant::SlackTension);

@@ -9,11 +9,12 @@ use solver::{Event, Observer, Options, Solution, SolveError, Stats};
 
 use super::approach::posed;
 use super::budget::Budget;
+use super::correct::relaxed;
 use super::failure::Failure;
 use super::solve::SolveOptions;
 use super::solved::Solved;
-use crate::case::ModelChoices;
 use crate::cancel::is_cancelled;
+use crate::case::ModelChoices;
 use crate::model::{Constant, Output};
 
 /// Intervals at most: a curve that needs more is lost.
@@ -76,7 +77,8 @@ pub fn trace(
     let excess = |solution: &Solution| {
         let value = belt.output_values(solution).and_then(|values| values.get(end.output));
         // A value that is missing ends the curve; the error is told below.
-        let excess = value.map_err(|error| broken.set(Some(error))).map_or(f64::NAN, |value| sign * (value - end.value));
+        let excess =
+            value.map_err(|error| broken.set(Some(error))).map_or(f64::NAN, |value| sign * (value - end.value));
         over.set(over.get() || excess <= 0.0);
         excess
     };

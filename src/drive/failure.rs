@@ -152,7 +152,9 @@ impl Failure {
     /// What happened to the belt, where a solution was sought and not found.
     pub fn trouble(&self) -> Option<Trouble> {
         match self {
-            Self::Start { trouble, .. } | Self::Lost { trouble, .. } | Self::Unreached { trouble, .. } => Some(*trouble),
+            Self::Start { trouble, .. } | Self::Lost { trouble, .. } | Self::Unreached { trouble, .. } => {
+                Some(*trouble)
+            }
             Self::Margin { cause, .. } => cause.trouble(),
             Self::NoEquations
             | Self::Internal(_)

@@ -4,7 +4,8 @@ use solver::continuation::Ramp;
 
 use super::start;
 use super::tuning::{
-    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER, TORQUE,
+    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER,
+    TORQUE,
 };
 use crate::model::{Constant, Constants};
 

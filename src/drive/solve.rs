@@ -6,14 +6,15 @@ use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 use super::approach::approach;
 use super::belt::BeltProblem;
 use super::budget::Budget;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
 use super::trouble::Trouble;
-use crate::case::{ModelChoices, Resolved};
 use crate::cancel::is_cancelled;
+use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
 /// Tolerance on the path from the start to the case.
@@ -34,6 +35,8 @@ const SMALLEST_STEP: f64 = 1e-4;
 const LEG_STEPS: usize = 400;
 /// Tolerances to which a solution is sought that was not found to the one asked for.
 const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
+/// Share of a route's work that its first path may take.
+const SHARE: f64 = 0.4;
 /// How far the end of the path may be from a place where it was lost, for a try to get there at once: factors on slip
 /// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
 const LEAP_THRESHOLD: f64 = 10.0;
@@ -147,7 +150,11 @@ fn tightened(
             }
             Err(_) if is_cancelled() => return Err(Failure::Cancelled),
             Err(cause) => {
-                return Err(Failure::Tolerance { asked: options.tolerance, attainable: attained, cause: Box::new(cause) });
+                return Err(Failure::Tolerance {
+                    asked: options.tolerance,
+                    attainable: attained,
+                    cause: Box::new(cause),
+                });
             }
         }
     }
@@ -197,11 +204,11 @@ fn attempt(
             break;
         }
     }
-    Err(ended(budget, failure))
+    Err(ended(failure))
 }
 
 /// Why everything that was tried came to nothing.
-fn ended(budget: &Budget, failure: Option<Failure>) -> Failure {
+fn ended(failure: Option<Failure>) -> Failure {
     if is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
 }
 
@@ -315,7 +322,7 @@ fn ordinary(
             break;
         }
     }
-    Err(ended(budget, failure))
+    Err(ended(failure))
 }
 
 /// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
@@ -329,7 +336,12 @@ fn climb(
 ) -> Result<(Solution, Stats, usize), Failure> {
     let begin = route.begin(target);
     let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
-    let lost = match climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, budget) {
+    // What short steps do not reach, a leap may: something is left for it.
+    let given = budget.part((SHARE * budget.left() as f64) as usize);
+    let mut part = given;
+    let followed = climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part);
+    budget.take(&given, &part);
+    let lost = match followed {
         Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
         Err(lost) => lost,
     };
@@ -352,7 +364,8 @@ fn climb(
 /// Whether a place on the path is so near its end that Newton's iteration may get there at once.
 fn is_near(here: &Constants, target: &Constants) -> bool {
     let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
-    let pull = (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
+    let pull =
+        (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
     here[Constant::BendingStiffness] == target[Constant::BendingStiffness]
         && here[Constant::MassPerLength] == target[Constant::MassPerLength]
         && factor(Constant::SlipThreshold) <= LEAP_THRESHOLD.ln()
@@ -398,7 +411,8 @@ impl Climb<'_> {
         let (rough, solver) = (rough(self.options), self.options.solver());
         let near = solver::solve_observed(self.belt, &guess, &unknowns, &relaxed(&rough), budget).ok()?;
         self.stats += *near.stats();
-        let found = solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &relaxed(&solver), budget).ok()?;
+        let found =
+            solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &relaxed(&solver), budget).ok()?;
         self.stats += *found.stats();
         self.steps += 1;
         corrected(self.belt, found, &solver, false, &mut self.stats, budget).ok()

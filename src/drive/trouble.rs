@@ -161,7 +161,13 @@ struct Grip {
 
 impl Grip {
     /// Of a contact, at the nodes of its mesh; nothing if the belt does not have the fields.
-    fn of(belt: &BeltProblem, solution: &Solution, constants: &Constants, region: RegionId, radius: f64) -> Option<Self> {
+    fn of(
+        belt: &BeltProblem,
+        solution: &Solution,
+        constants: &Constants,
+        region: RegionId,
+        radius: f64,
+    ) -> Option<Self> {
         let part = solution.regions().get(region.index())?;
         let kernel = belt.kernel(region);
         let s = part.mesh();

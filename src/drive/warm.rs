@@ -6,13 +6,14 @@ use solver::{Options, Solution, SolveError, Stats};
 use super::approach::approach;
 use super::belt::BeltProblem;
 use super::budget::Budget;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::predict::predicted;
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
-use crate::case::{ModelChoices, Resolved};
 use crate::cancel::is_cancelled;
+use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
 // What a warm start may cost; beyond it, a cold start is the cheaper one.

@@ -106,10 +106,8 @@ fn clamp(units: Units, result: &DriveResult<Resolved>) -> String {
     );
     if let Some(tension) = tension_for(result, WANTED_RESERVE) {
         let (percent, tension) = (100.0 * WANTED_RESERVE, show(rounded(tension)));
-        let _ = write!(
-            text,
-            "; for {percent:.0} % reserve about {tension} slack (--reserve {percent:.0}% solves for it)"
-        );
+        let _ =
+            write!(text, "; for {percent:.0} % reserve about {tension} slack (--reserve {percent:.0}% solves for it)");
     }
     text
 }

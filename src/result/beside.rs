@@ -31,8 +31,11 @@ const ROWS: [Row; 17] = [
     ("belt length", Measured::Length, 2, |r| r.belt.unstretched_length),
 ];
 
+/// A share by its name, read off a result.
+type Share = (&'static str, fn(&Result) -> Option<f64>);
+
 /// Shares by their names; absent where they mean nothing.
-const SHARES: [(&str, fn(&Result) -> Option<f64>); 5] = [
+const SHARES: [Share; 5] = [
     ("efficiency", |r| r.efficiency.overall),
     ("speed efficiency", |r| r.efficiency.speed),
     ("torque efficiency", |r| r.efficiency.torque),

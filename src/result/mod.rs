@@ -71,7 +71,8 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
 /// As [`run`].
 pub fn run_on_branch(case: &Resolved, wanted: Branch, options: &SolveOptions) -> Result<Outcome, Failure> {
     let start = Stopwatch::start();
-    if case.operating_point.margin.is_some() || !matches!(case.operating_point.clamp, Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_))
+    if case.operating_point.margin.is_some()
+        || !matches!(case.operating_point.clamp, Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_))
     {
         return run(case, options);
     }
@@ -140,13 +141,15 @@ pub fn interpret(
 fn uncertainty(result: &DriveResult<Resolved>, errors: &[(Output, f64)]) -> BTreeMap<String, f64> {
     let efficiency = &result.efficiency;
     let braking = result.energy.power_in < 0.0;
-    let scale = |output: Output| match output {
-        Output::EfficiencyOverall => efficiency.overall,
-        Output::EfficiencySpeed => efficiency.speed,
-        Output::EfficiencyTorque => efficiency.torque,
-        _ => return Some(1.0),
-    }
-    .map(|value| if braking { value * value } else { 1.0 });
+    let scale = |output: Output| {
+        match output {
+            Output::EfficiencyOverall => efficiency.overall,
+            Output::EfficiencySpeed => efficiency.speed,
+            Output::EfficiencyTorque => efficiency.torque,
+            _ => return Some(1.0),
+        }
+        .map(|value| if braking { value * value } else { 1.0 })
+    };
     let error = |(output, error): &(Output, f64)| Some((output.name().to_owned(), (error * scale(*output)?).abs()));
     errors.iter().filter_map(error).collect()
 }
