@@ -45,6 +45,7 @@
 //! to what a case needs.
 
 pub mod actuator;
+pub mod beltmap;
 #[cfg(feature = "bench")]
 pub mod bench;
 mod cancel;

@@ -11,8 +11,10 @@ mod design;
 mod dyno;
 mod envelope;
 mod init;
+mod keeping;
 mod keys;
 mod limit;
+mod map;
 mod measured;
 mod optimum;
 mod output;
@@ -52,6 +54,7 @@ enum Command {
     Plot(plot::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
+    Map(map::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -95,6 +98,7 @@ pub fn run() -> ExitCode {
         Command::Plot(arguments) => plot::run(arguments),
         Command::Limit(arguments) => in_order(|| limit::run(arguments)),
         Command::Optimum(arguments) => in_order(|| optimum::run(arguments)),
+        Command::Map(arguments) => in_order(|| map::run(arguments)),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),

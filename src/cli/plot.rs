@@ -33,7 +33,7 @@ pub struct Arguments {
 const SHOWN: [&str; 3] = ["efficiency.overall", "primary.axial_force", "secondary.axial_force"];
 /// The column behind those of the varied keys.
 const CONVERGED: &str = "converged";
-/// Curves in one figure at most: more cannot be told apart by their colours.
+/// Curves in one figure at most: more colours cannot be distinguished.
 const CURVES: usize = 12;
 
 /// The values of the other keys, and the points.

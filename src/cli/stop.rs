@@ -23,6 +23,8 @@ pub enum Stop {
     NoSolution(String),
     /// Ctrl-C.
     Cancelled,
+    /// A result was told, and is not what was asked for; the reason.
+    Unreached(String),
     /// A file, or standard output, could not be written.
     Write(String, io::Error),
 }
@@ -45,7 +47,7 @@ impl Stop {
                 tell(&(printable(&reason) + "\n"));
                 ExitCode::from(2)
             }
-            Self::NoSolution(reason) => {
+            Self::NoSolution(reason) | Self::Unreached(reason) => {
                 tell(&(printable(&reason) + "\n"));
                 ExitCode::from(3)
             }

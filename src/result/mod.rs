@@ -11,6 +11,7 @@ mod schema;
 mod sensitivity;
 mod summary;
 mod units;
+mod utilization;
 mod warnings;
 
 use std::collections::BTreeMap;
@@ -28,6 +29,8 @@ use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::{summary, summary_in};
 pub use units::Units;
+pub use summary::summary;
+pub use utilization::utilizations;
 pub use warnings::warnings;
 
 use crate::case::{Clamp, Key, Resolved};

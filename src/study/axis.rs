@@ -57,6 +57,22 @@ impl Axis {
         Ok(Self { keys: vec![key], values: values.collect::<Result<_, CaseError>>()? })
     }
 
+    /// Several quantities that go together: `values` in SI, point by point, each point with one for every key.
+    ///
+    /// # Errors
+    /// A value out of its key's range; values that are not as many for each key.
+    pub fn together(keys: &[Key], values: &[f64]) -> Result<Self, StudyError> {
+        if keys.is_empty() || !values.len().is_multiple_of(keys.len()) {
+            let text = keys.iter().map(|key| key.path()).collect::<Vec<_>>().join(" & ");
+            return Err(StudyError::Unlike { text, first: keys.len(), second: values.len() });
+        }
+        let values = keys.iter().cycle().zip(values).map(|(key, value)| {
+            Case::base().set_si(*key, *value)?;
+            Ok(Setting::Number(*value))
+        });
+        Ok(Self { keys: keys.to_vec(), values: values.collect::<Result<_, CaseError>>()? })
+    }
+
     /// The keys that vary.
     pub fn keys(&self) -> &[Key] {
         &self.keys
