@@ -255,7 +255,7 @@ fn a_belt_comes_to_rest_in_two_ways() {
     let at = |ratio: f64| case(&[("drive.ratio", &ratio.to_string())]);
     let stall = |ratio: f64| {
         let (limits, branch) = smallest_clamps(&at(ratio), &limits(1e-4)).unwrap();
-        assert_eq!(limits.primary_axial_force.kind, Kind::Collapse);
+        assert_eq!(limits.primary_axial_force.kind, LimitKind::Collapse);
         (limits.primary_axial_force.value, branch.points.last().unwrap().solved.clone())
     };
     let (above, mut solved) = stall(1.53);

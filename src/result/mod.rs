@@ -29,7 +29,6 @@ use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::{summary, summary_in};
 pub use units::Units;
-pub use summary::summary;
 pub use utilization::utilizations;
 pub use warnings::warnings;
 
