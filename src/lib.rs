@@ -59,6 +59,7 @@ pub mod model;
 pub mod plot;
 pub mod prelude;
 pub mod quantity;
+pub mod random;
 #[cfg(feature = "figures")]
 pub mod report;
 pub mod result;
