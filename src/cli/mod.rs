@@ -8,6 +8,7 @@ mod compare;
 mod completions;
 mod derive;
 mod design;
+mod drive;
 mod dyno;
 mod envelope;
 mod init;
@@ -22,6 +23,7 @@ mod plot;
 mod pulley;
 mod radii;
 mod reproduce;
+mod shift;
 mod size;
 mod solve;
 mod stop;
@@ -50,6 +52,8 @@ struct Arguments {
 enum Command {
     Solve(solve::Arguments),
     Beside(beside::Arguments),
+    Drive(drive::Arguments),
+    Shift(shift::Arguments),
     Sweep(sweep::Arguments),
     Plot(plot::Arguments),
     Limit(limit::Arguments),
@@ -93,6 +97,8 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => in_order(|| solve::run(arguments)),
+        Command::Drive(arguments) => in_order(|| drive::run(arguments)),
+        Command::Shift(arguments) => shift::run(arguments),
         Command::Beside(arguments) => in_order(|| beside::run(arguments)),
         Command::Sweep(arguments) => in_order(|| sweep::run(arguments)),
         Command::Plot(arguments) => plot::run(arguments),

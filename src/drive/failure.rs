@@ -249,7 +249,7 @@ impl Failure {
         last: Option<&Solution>,
         cause: Box<SolveError>,
     ) -> Self {
-        let Some(last) = last.filter(|_| !question.swaps.is_empty()) else {
+        let Some(last) = last.filter(|_| !question.is_ordinary()) else {
             return Self::of(belt, &question.constants, last, cause);
         };
         let constants = match Constants::try_from(last.constants()) {
@@ -268,7 +268,11 @@ impl Failure {
             .swaps
             .iter()
             .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
-        match reached.collect::<Result<_, InternalError>>() {
+        // Laws are met at zero.
+        let laws = targets.iter().skip(question.conditions().count()).zip(&question.closings);
+        let laws = laws
+            .map(|(target, closing)| Ok(Reached { name: closing.law.name().to_owned(), value: *target, asked: 0.0 }));
+        match reached.chain(laws).collect::<Result<_, InternalError>>() {
             Err(error) => error.into(),
             Ok(reached) => Self::Unreached {
                 // What is not given is what it was there.

@@ -178,7 +178,7 @@ fn attempt(
     routes: Routes,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    if question.swaps.is_empty() {
+    if question.is_ordinary() {
         return ordinary(model, question, options, routes, budget);
     }
     let mut failure = None;
@@ -221,13 +221,29 @@ fn near(
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
-    if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
+    if question.frees(Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
-    } else if question.swaps.iter().any(|swap| swap.free == Constant::PrimaryTorque) {
+    } else if question.frees(Constant::PrimaryTorque) {
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
     ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
+}
+
+/// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in as
+/// many steps as that takes.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn approach_question(
+    from: &Solved,
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    question.check(model)?;
+    let mut budget = Budget::new(options.work_limit);
+    together(model, from, question, options, &mut budget)
 }
 
 /// Moves everything that is prescribed at once.
@@ -251,9 +267,13 @@ fn one_by_one(
 ) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
+    if count == 0 {
+        return together(model, near, question, options, budget);
+    }
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
-        let next = Question { constants: constants.clone(), swaps };
+        let closings = if done == count { question.closings.clone() } else { Vec::new() };
+        let next = Question { constants: constants.clone(), swaps, closings };
         let solver = if done == count { options.solver() } else { rough(options) };
         here = approach(model, &here, &next, &path_options(model, solver), budget)?;
     }
