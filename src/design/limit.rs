@@ -146,8 +146,10 @@ pub fn smallest_slack_tension(case: &Resolved, options: &LimitOptions) -> Result
     primary_speed(case)?;
     let mut case = case.clone();
     case.operating_point.margin = None;
-    let (_, solved) = clamped(&case, &options.solve)?;
-    limit(&case.model, &solved, (Constant::SlackTension, Output::PrimaryExitTension), false, options)
+    in_balance(&case, options, |case| {
+        let (_, solved) = clamped(case, &options.solve)?;
+        limit(&case.model, &solved, (Constant::SlackTension, Output::PrimaryExitTension), false, options)
+    })
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
