@@ -5,7 +5,8 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::{Choice, Entry, RangeEnd, TABLE, ValueKind};
+use sheave::case::{Choice, Entry, Range, RangeEnd, TABLE, ValueKind};
+use sheave::quantity::Unit;
 use std::fmt::Write;
 
 /// List the keys of a case file with their units, ranges and defaults
@@ -26,6 +27,8 @@ struct Described {
     unit: Option<&'static str>,
     /// Values that are taken, in words; none if all positive ones are.
     range: Option<String>,
+    /// Whether it takes a list of numbers.
+    list: bool,
     /// Value of the base case, or the default of a choice.
     default: Option<String>,
     choices: Vec<Chosen>,
@@ -51,17 +54,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 }
 
 fn described(entry: &Entry) -> Described {
-    let (unit, range, default, choices) = match entry.kind {
-        ValueKind::Quantity { unit, range, base, .. } => {
-            let positive = range.low == RangeEnd::Open(0.0) && range.high == RangeEnd::None;
-            let unit = Some(unit.symbol).filter(|symbol| !symbol.is_empty());
-            let words = (!positive).then(|| range.words(unit.unwrap_or_default()).to_string());
-            (unit, words, base.then(|| entry.example()), &[][..])
-        }
-        ValueKind::Choice { choices, default } => (None, None, default.map(str::to_owned), choices),
+    let numbers = |unit: &Unit, range: &Range| {
+        let positive = range.low == RangeEnd::Open(0.0) && range.high == RangeEnd::None;
+        let words = (!positive).then(|| range.words(unit.symbol).to_string());
+        (Some(unit.symbol).filter(|symbol| !symbol.is_empty()), words)
     };
+    let (unit, range) = match &entry.kind {
+        ValueKind::Quantity { unit, range, .. } | ValueKind::List { unit, range, .. } => numbers(unit, range),
+        ValueKind::Choice { .. } => (None, None),
+    };
+    let (default, choices) = match entry.kind {
+        ValueKind::Quantity { base, .. } => (base.then(|| entry.example()), &[][..]),
+        ValueKind::List { .. } => (None, &[][..]),
+        ValueKind::Choice { choices, default } => (default.map(str::to_owned), choices),
+    };
+    let list = matches!(entry.kind, ValueKind::List { .. });
     let choices = choices.iter().map(|choice| Chosen { name: choice.name, doc: choice.doc }).collect();
-    Described { key: entry.path, doc: entry.doc, symbol: entry.symbol, unit, range, default, choices }
+    Described { key: entry.path, doc: entry.doc, symbol: entry.symbol, unit, range, list, default, choices }
 }
 
 /// All keys by section, for people to read.
