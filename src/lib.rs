@@ -53,10 +53,13 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod equilibrium;
 mod facade;
+mod formula;
 pub mod losses;
 pub mod model;
 pub mod plot;
+pub mod powertrain;
 pub mod prelude;
 pub mod quantity;
 #[cfg(feature = "figures")]
@@ -66,6 +69,7 @@ pub mod small;
 pub mod study;
 pub mod text;
 mod threads;
+pub mod tune;
 
 pub use cancel::cancellable;
 pub use facade::{Error, Sweep, largest_torque, optimum, smallest_clamps, solve, solve_with, sweep, sweep_table};

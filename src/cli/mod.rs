@@ -6,6 +6,7 @@ mod case;
 mod compare;
 mod derive;
 mod design;
+mod drive;
 mod dyno;
 mod envelope;
 mod init;
@@ -19,10 +20,12 @@ mod output;
 mod pulley;
 mod radii;
 mod reproduce;
+mod shift;
 mod size;
 mod solve;
 mod stop;
 mod sweep;
+mod tune;
 
 use clap::{ArgAction, Parser, Subcommand};
 use sheave::result::{FailureKind, FailureReport};
@@ -46,10 +49,13 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Drive(drive::Arguments),
+    Shift(shift::Arguments),
     Sweep(sweep::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
     Map(map::Arguments),
+    Tune(tune::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -85,10 +91,13 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Drive(arguments) => drive::run(arguments),
+        Command::Shift(arguments) => shift::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),
         Command::Map(arguments) => map::run(arguments),
+        Command::Tune(arguments) => tune::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),

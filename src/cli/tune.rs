@@ -106,8 +106,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 
 /// No combination shifts.
 fn nothing(ranking: &Ranking) -> Stop {
-    let reasons: Vec<String> =
-        ranking.refused.iter().map(|refused| format!("{} {} ({})", refused.count, refused.reason, refused.example)).collect();
+    let reasons: Vec<String> = ranking
+        .refused
+        .iter()
+        .map(|refused| format!("{} {} ({})", refused.count, refused.reason, refused.example))
+        .collect();
     Stop::NoSolution(format!("none of {} combinations shifts: {}", ranking.candidates, reasons.join("; ")))
 }
 

@@ -154,6 +154,7 @@ fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> 
     for (key, setting) in &point.varied {
         let value = match setting {
             Setting::Number(value) => Value::from(*value),
+            Setting::List(values) => Value::from(values.to_vec()),
             Setting::Name(name) => Value::from(*name),
         };
         cells.push((key.path().to_owned(), value));
@@ -234,6 +235,7 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
 fn label(key: Key, setting: &Setting) -> String {
     match setting {
         Setting::Number(value) => key.entry().label_at(*value),
+        Setting::List(values) => format!("{} of {} values", key.path(), values.len()),
         Setting::Name(name) => (*name).to_owned(),
     }
 }

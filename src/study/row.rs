@@ -78,6 +78,7 @@ impl Row {
         for (key, setting) in &point.varied {
             let value = match setting {
                 Setting::Number(value) => Value::from(*value),
+                Setting::List(values) => Value::from(values.to_vec()),
                 Setting::Name(name) => Value::from(*name),
             };
             row.push(key.path().to_owned(), value);

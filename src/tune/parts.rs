@@ -113,7 +113,8 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
                 return Err(format!("`{name}.{entry}`: expected one key of the case with a list of values"));
             };
             for value in values {
-                let text = text(value).ok_or_else(|| format!("`{name}`: a value of `{path}` is neither text nor a number"))?;
+                let text =
+                    text(value).ok_or_else(|| format!("`{name}`: a value of `{path}` is neither text nor a number"))?;
                 parts.push(Part { name: text.clone(), settings: vec![(path.clone(), text)] });
             }
             continue;

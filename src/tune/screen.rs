@@ -151,10 +151,14 @@ impl<'a> Screen<'a> {
             speed: axis(Key::PrimarySpeed)?,
             tension: axis(Key::SlackTension)?,
         };
-        match map.axes().iter().find(|axis| {
-            ![Key::Ratio, Key::PrimaryTorque, Key::PrimarySpeed, Key::SlackTension].contains(&axis.key())
-        }) {
-            Some(axis) => Err(TuneError::Axis { key: axis.key(), expected: "ratio, torque, speed and slack_tension alone" }),
+        match map
+            .axes()
+            .iter()
+            .find(|axis| ![Key::Ratio, Key::PrimaryTorque, Key::PrimarySpeed, Key::SlackTension].contains(&axis.key()))
+        {
+            Some(axis) => {
+                Err(TuneError::Axis { key: axis.key(), expected: "ratio, torque, speed and slack_tension alone" })
+            }
             None => Ok(screen),
         }
     }
@@ -321,7 +325,8 @@ impl Drive<'_> {
             own + primary.by_travel * by_radius * primary_moves[k] - primary_slopes[k]
         };
         let on_secondary = |k: usize| {
-            secondary.by_drive * torque_slopes[k] - secondary.by_travel * by_radius * secondary_moves[k]
+            secondary.by_drive * torque_slopes[k]
+                - secondary.by_travel * by_radius * secondary_moves[k]
                 - secondary_slopes[k]
         };
         let missed = (rest[0] / primary_belt).abs().max((rest[1] / secondary_belt).abs());

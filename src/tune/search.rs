@@ -153,7 +153,8 @@ impl TunePlan {
             made.map_err(|error| _ = reason.get_or_insert(error.to_string())).ok()
         });
         let count = parts.candidates();
-        let (first, first_case) = first.ok_or_else(|| TuneError::NoDrive { count, reason: reason.unwrap_or_default() })?;
+        let (first, first_case) =
+            first.ok_or_else(|| TuneError::NoDrive { count, reason: reason.unwrap_or_default() })?;
         let actuation = first.parts.actuation.as_ref().ok_or(TuneError::Missing {
             what: "actuators",
             needs: "give [primary.actuator] and [secondary.actuator] in the case or in the file of parts",
@@ -215,7 +216,8 @@ impl TunePlan {
     fn smallest_radius(&self) -> f64 {
         let ratio = self.ratios.first().copied().unwrap_or(1.0);
         let (length, center) = (self.first.belt.length, self.first.drive.center_distance);
-        crate::case::geometry::radii_of_ratio(ratio, length, center).map_or(self.first.drive.primary_radius, |radii| radii.0)
+        crate::case::geometry::radii_of_ratio(ratio, length, center)
+            .map_or(self.first.drive.primary_radius, |radii| radii.0)
     }
 
     /// Screens every combination on a map, and confirms the best. `done` hears of each screened combination.
@@ -395,9 +397,15 @@ mod tests {
             confirmed: None,
             shift: Vec::new(),
         };
-        let mut tunes =
-            [(1.0, 0.2, 0.90), (2.0, 0.1, 0.95), (3.0, 0.15, 0.93), (4.0, 0.1, 0.94), (5.0, 0.3, 0.80), (6.0, 0.2, 0.8)]
-                .map(|(a, b, c)| tune(a, b, c));
+        let mut tunes = [
+            (1.0, 0.2, 0.90),
+            (2.0, 0.1, 0.95),
+            (3.0, 0.15, 0.93),
+            (4.0, 0.1, 0.94),
+            (5.0, 0.3, 0.80),
+            (6.0, 0.2, 0.8),
+        ]
+        .map(|(a, b, c)| tune(a, b, c));
         mark_pareto(&mut tunes);
         assert_eq!(tunes.map(|tune| tune.pareto), [true, true, true, false, true, false]);
     }

@@ -22,11 +22,8 @@ pub fn table(ranking: &Ranking, pareto: bool) -> Table {
         let m = &tune.merits;
         let screened = [m.rms_deviation, m.mean_speed, m.smallest_slip_reserve, m.mean_efficiency];
         let full = tune.confirmed.as_ref().and_then(|confirmed| confirmed.merits);
-        let full = [
-            full.map(|m| m.rms_deviation),
-            full.map(|m| m.smallest_slip_reserve),
-            full.map(|m| m.mean_efficiency),
-        ];
+        let full =
+            [full.map(|m| m.rms_deviation), full.map(|m| m.smallest_slip_reserve), full.map(|m| m.mean_efficiency)];
         let cells = [Cell::Number(tune.candidate.into())].into_iter().chain(names);
         let cells = cells.chain(screened.map(|value| number(Some(value)))).chain([Cell::Truth(tune.pareto)]);
         cells.chain(full.map(number)).collect()
@@ -69,9 +66,18 @@ pub fn summary(ranking: &Ranking) -> String {
     );
     let pareto = ranking.tunes.iter().filter(|tune| tune.pareto).count();
     // Writing to a string cannot fail.
-    let _ = writeln!(text, "{} shift, {pareto} of them are beaten by none; {} readings of the map\n", ranking.tunes.len(), ranking.readings);
+    let _ = writeln!(
+        text,
+        "{} shift, {pareto} of them are beaten by none; {} readings of the map\n",
+        ranking.tunes.len(),
+        ranking.readings
+    );
     for refused in &ranking.refused {
-        let _ = writeln!(text, "  {:>6} refused: {} (number {}: {})", refused.count, refused.reason, refused.candidate, refused.example);
+        let _ = writeln!(
+            text,
+            "  {:>6} refused: {} (number {}: {})",
+            refused.count, refused.reason, refused.candidate, refused.example
+        );
     }
     let _ = writeln!(
         text,
