@@ -41,7 +41,7 @@ pub struct Arguments {
     #[arg(long, value_name = "MAP.csv")]
     map: Option<PathBuf>,
     /// Accuracy of the map that is made
-    #[arg(long, value_name = "E", default_value_t = 5e-3, conflicts_with = "map")]
+    #[arg(long, value_name = "E", default_value_t = 1e-2, conflicts_with = "map")]
     accuracy: f64,
     /// Points of the shift
     #[arg(long, value_name = "N", default_value_t = 11)]

@@ -18,9 +18,11 @@ use crate::threads;
 /// Speeds of the map around the target, as shares of it.
 const SPEEDS: (f64, f64) = (0.6, 1.25);
 /// Slack tensions of the map, N over the largest torque over the smallest radius of the primary.
-const TENSIONS: (f64, f64) = (0.03, 1.2);
+const TENSIONS: (f64, f64) = (0.05, 0.6);
 /// Least span of the map's torques, as a share of the largest.
 const TORQUES: f64 = 0.1;
+/// How far the map's torques reach beyond those of the curve's samples, as a share of the largest.
+const BEYOND: f64 = 0.01;
 /// How much the map reaches beyond both ends of the shift, as a share of the ratio.
 const MARGIN: f64 = 1e-9;
 
@@ -198,7 +200,8 @@ impl TunePlan {
         let speed = |share: f64| from + share * (to - from);
         let torques = (0..=200).map(|i| engine.torque(speed(f64::from(i) / 200.0)).value);
         let (low, high) = torques.fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at), high.max(at)));
-        let low = low.min((1.0 - TORQUES) * high);
+        // The curve may pass its samples a little.
+        let (low, high) = (low.min((1.0 - TORQUES) * high) - BEYOND * high, (1.0 + BEYOND) * high);
         let ends = (self.ratios.first().copied().unwrap_or(1.0), self.ratios.last().copied().unwrap_or(1.0));
         let (slow, fast) = (ends.0 * (1.0 + MARGIN), ends.1 * (1.0 - MARGIN));
         let pull = high / self.smallest_radius();
@@ -207,7 +210,7 @@ impl TunePlan {
             MapAxis::new(Key::Ratio, first)?,
             MapAxis::new(Key::PrimarySpeed, [from, to])?,
             MapAxis::new(Key::PrimaryTorque, [low, high])?,
-            MapAxis::new(Key::SlackTension, [TENSIONS.0, 0.1, 0.3, 0.6, TENSIONS.1].map(|share| share * pull))?,
+            MapAxis::new(Key::SlackTension, [TENSIONS.0, 0.1, 0.2, 0.35, TENSIONS.1].map(|share| share * pull))?,
         ];
         Ok(MapPlan::new(self.first_case.clone(), axes, options)?)
     }
