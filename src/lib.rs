@@ -62,6 +62,7 @@ pub mod plot;
 pub mod powertrain;
 pub mod prelude;
 pub mod quantity;
+pub mod random;
 #[cfg(feature = "figures")]
 pub mod report;
 pub mod result;

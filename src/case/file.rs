@@ -1,10 +1,12 @@
 //! A case as it was written: sparse, with the places where things stand.
 
 use super::error::{CaseError, CaseProblem, Place, Source};
+use super::grid::Grid;
 use super::keys::{Key, ValueKind};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
 use super::swap::{self, GivenSwap};
+use super::tables::{Over, Reader};
 use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
 use crate::text::quoted;
@@ -49,16 +51,18 @@ pub(super) enum Value {
     List(Vec<f64>),
     /// One of the key's choices.
     Choice(&'static str),
+    /// Values in SI over temperature or frequency.
+    Table(Grid),
 }
 
 /// A text that is being read.
-struct Reader<'a> {
+struct TextReader<'a> {
     source: &'a Arc<Source>,
     /// Where files of parts are looked for; empty within a part, which names no others.
     folder: &'a Path,
 }
 
-impl Reader<'_> {
+impl TextReader<'_> {
     fn place(&self, key: &Spanned<Cow<'_, str>>, value: &Spanned<DeValue<'_>>) -> Place {
         Place { source: self.source.clone(), key: key.span(), value: value.span() }
     }
@@ -117,7 +121,7 @@ impl Case {
         let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| syntax(&source, &error))?;
         let mut errors = Vec::new();
-        let reader = Reader { source: &source, folder: &folder_of(name) };
+        let reader = TextReader { source: &source, folder: &folder_of(name) };
         for (key, value) in in_order(table.get_ref()) {
             case.read_top(&reader, key, value, &mut errors);
         }
@@ -127,7 +131,7 @@ impl Case {
     /// A key at the top of a file: `edition`, or a section with its keys.
     fn read_top(
         &mut self,
-        reader: &Reader<'_>,
+        reader: &TextReader<'_>,
         key: &Spanned<Cow<'_, str>>,
         value: &Spanned<DeValue<'_>>,
         errors: &mut Vec<CaseError>,
@@ -152,7 +156,13 @@ impl Case {
 
     /// The keys of a section, and the sections within it; first those of the part that its key `file` names, so that
     /// what stands in the case itself takes their place.
-    fn read_section(&mut self, reader: &Reader<'_>, section: &str, table: &DeTable<'_>, errors: &mut Vec<CaseError>) {
+    fn read_section(
+        &mut self,
+        reader: &TextReader<'_>,
+        section: &str,
+        table: &DeTable<'_>,
+        errors: &mut Vec<CaseError>,
+    ) {
         let entries = in_order(table);
         let is_file = |key: &Spanned<Cow<'_, str>>| key.get_ref() == PART;
         for (key, value) in entries.iter().filter(|(key, _)| is_file(key)) {
@@ -162,7 +172,7 @@ impl Case {
             let path = format!("{section}.{}", key.get_ref());
             match value.get_ref() {
                 DeValue::Table(table) if is_section(&path) => self.read_section(reader, &path, table, errors),
-                _ => errors.extend(self.insert(&path, raw(value.get_ref()), reader.place(key, value)).err()),
+                _ => errors.extend(self.insert_value(&path, value.get_ref(), reader.place(key, value), 0).err()),
             }
         }
     }
@@ -170,7 +180,7 @@ impl Case {
     /// A part in a file of its own: the keys of the section that names it.
     fn read_part(
         &mut self,
-        reader: &Reader<'_>,
+        reader: &TextReader<'_>,
         section: &str,
         key: &Spanned<Cow<'_, str>>,
         value: &Spanned<DeValue<'_>>,
@@ -201,7 +211,7 @@ impl Case {
         let source = Arc::new(Source::new(name, text));
         match DeTable::parse(text) {
             Ok(table) => {
-                let part = Reader { source: &source, folder: Path::new("") };
+                let part = TextReader { source: &source, folder: Path::new("") };
                 self.read_section(&part, section, table.get_ref(), errors);
             }
             Err(error) => errors.push(syntax(&source, &error)),
@@ -324,6 +334,7 @@ impl Case {
             Value::Quantity(si) => (*key, Setting::Number(*si)),
             Value::List(values) => (*key, Setting::List(values.clone())),
             Value::Choice(name) => (*key, Setting::Name(name)),
+            Value::Table(grid) => (*key, Setting::Table(grid.clone())),
         })
     }
 
@@ -338,7 +349,26 @@ impl Case {
             value: trimmed(&text, value_start..text.len()),
             source: Arc::new(Source::new(option, text)),
         };
+        // A table is written as a file has it.
+        if value.starts_with('{')
+            && let Ok(table) = DeValue::parse(&value)
+        {
+            let start = place.value.start;
+            return self.insert_value(&key, table.get_ref(), place, start);
+        }
         self.insert(&key, Raw::Text(value.into()), place)
+    }
+
+    /// As `insert`, for a value that may be a table; `offset` is what spans within it are short of their places.
+    fn insert_value(&mut self, path: &str, value: &DeValue<'_>, place: Place, offset: usize) -> Result<(), CaseError> {
+        match (value, known(path, &place)) {
+            (DeValue::Table(table), Ok(key)) if key.over() != Over::Nothing => {
+                let grid = Reader { key, place: &place, offset }.read(table)?;
+                self.given.insert(key, Given { value: Value::Table(grid), place });
+                Ok(())
+            }
+            _ => self.insert(path, raw(value), place),
+        }
     }
 
     /// Checks one key and its value, and keeps it.
@@ -368,7 +398,7 @@ impl Case {
     pub(super) fn quantity(&self, key: Key) -> Option<f64> {
         match self.given(key)?.value {
             Value::Quantity(si) => Some(si),
-            Value::List(_) | Value::Choice(_) => None,
+            Value::List(_) | Value::Choice(_) | Value::Table(_) => None,
         }
     }
 
@@ -376,7 +406,15 @@ impl Case {
     pub(super) fn list(&self, key: Key) -> Option<&[f64]> {
         match &self.given(key)?.value {
             Value::List(values) => Some(values),
-            Value::Quantity(_) | Value::Choice(_) => None,
+            Value::Quantity(_) | Value::Choice(_) | Value::Table(_) => None,
+        }
+    }
+
+    /// The table given for `key`.
+    pub(super) fn table(&self, key: Key) -> Option<&Grid> {
+        match &self.given(key)?.value {
+            Value::Table(grid) => Some(grid),
+            Value::List(_) | Value::Quantity(_) | Value::Choice(_) => None,
         }
     }
 
@@ -384,7 +422,7 @@ impl Case {
     pub(super) fn choice(&self, key: Key) -> Option<&'static str> {
         match self.given(key)?.value {
             Value::Choice(name) => Some(name),
-            Value::Quantity(_) | Value::List(_) => None,
+            Value::Quantity(_) | Value::List(_) | Value::Table(_) => None,
         }
     }
 
@@ -430,7 +468,7 @@ fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     })
 }
 
-fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, CaseProblem> {
+pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, CaseProblem> {
     let entry = key.entry();
     let ValueKind::Quantity { unit, range, .. } = entry.kind else {
         return Err(CaseProblem::Type { path: entry.path.into(), given: "a quantity", expected: entry.expected() });

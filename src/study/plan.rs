@@ -121,6 +121,7 @@ impl Study {
                 Setting::Number(value) => case.set_si(*key, *value)?,
                 Setting::List(values) => case.set_list(*key, values)?,
                 Setting::Name(name) => case.set(key.path(), name)?,
+                Setting::Table(grid) => case.set(key.path(), &grid.to_string())?,
             }
         }
         Ok((varied, case))
@@ -165,6 +166,7 @@ impl Study {
                     Setting::Number(value) => checksum.update(&value.to_le_bytes()),
                     Setting::List(values) => values.iter().for_each(|value| checksum.update(&value.to_le_bytes())),
                     Setting::Name(name) => checksum.update(name.as_bytes()),
+                    Setting::Table(grid) => checksum.update(grid.to_string().as_bytes()),
                 }
             }
             let ends = [point(axis, 0), point(axis, axis.points().saturating_sub(1))];
