@@ -1,7 +1,7 @@
 //! The JSON Schema of what each command prints with `--json`.
 
 use super::stop::Stop;
-use super::{init, limit, map, optimum, output, pulley, radii, shift};
+use super::{beside, init, keys, limit, map, optimum, output, pulley, radii, shift, tune};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 /// Commands that print an object, and its schema.
-const COMMANDS: [(&str, fn(&str) -> Value); 13] = [
+const COMMANDS: [(&str, fn(&str) -> Value); 16] = [
     ("solve", schema::<Resolved, DriveResult<Resolved>>),
     ("limit", schema::<Resolved, limit::Found<'static>>),
     ("optimum", schema::<Resolved, optimum::Found>),
@@ -38,6 +38,9 @@ const COMMANDS: [(&str, fn(&str) -> Value); 13] = [
     ("drive", schema::<Resolved, sheave::equilibrium::DriveReport>),
     ("shift", schema::<Resolved, shift::Told<'static>>),
     ("map", schema::<Resolved, map::Told<'static>>),
+    ("tune", schema::<Resolved, tune::Told<'static>>),
+    ("beside", schema::<Resolved, beside::Both<'static>>),
+    ("keys", schema::<(), keys::Keys>),
     ("compare", schema::<Value, sheave::bench::compare::Comparison>),
 ];
 
