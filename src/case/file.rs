@@ -350,7 +350,7 @@ fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Resu
 }
 
 /// The text without one pair of quotes around it.
-fn unquoted(text: &str) -> &str {
+pub(super) fn unquoted(text: &str) -> &str {
     let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
     inside('"').or_else(|| inside('\'')).unwrap_or(text)
 }

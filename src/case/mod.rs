@@ -45,6 +45,7 @@ mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
+mod text;
 mod thermal;
 
 pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, Model, Shear, Spans};

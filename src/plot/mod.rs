@@ -22,8 +22,11 @@ mod path;
 mod render;
 #[cfg(feature = "figures")]
 mod ticks;
+mod trajectory;
 
+pub(crate) use drive::dense;
 pub use drive::drive;
 pub use figure::{Axis, Figure, Look, Mark, Series};
 #[cfg(feature = "figures")]
 pub use render::PlotError;
+pub use trajectory::{Path, Rim, Trajectory};
