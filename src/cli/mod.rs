@@ -11,6 +11,8 @@ mod envelope;
 mod init;
 mod keys;
 mod limit;
+#[cfg(feature = "live")]
+mod live;
 mod measured;
 mod optimum;
 mod output;
@@ -58,6 +60,8 @@ enum Command {
     Compare(compare::Arguments),
     BenchData(bench_data::Arguments),
     Keys(keys::Arguments),
+    #[cfg(feature = "live")]
+    Live(live::Arguments),
 }
 
 /// What the exit status means.
@@ -96,6 +100,8 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(arguments),
         Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
+        #[cfg(feature = "live")]
+        Command::Live(arguments) => live::run(arguments),
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,
