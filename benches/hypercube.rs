@@ -3,7 +3,7 @@
 //! `cargo bench --bench hypercube [-- DESIGNS EDITION ...]`.
 
 use sheave::case::{Case, Resolved};
-use sheave::design::{Kind, Limit, LimitOptions, smallest_clamps};
+use sheave::design::{Limit, LimitKind, LimitOptions, smallest_clamps};
 use sheave::drive::SolveOptions;
 use sheave::result::run;
 
@@ -102,7 +102,7 @@ fn fate(edition: &str, point: &[(&'static str, f64)]) -> Fate {
             let Limit { value, kind, .. } = limits.slack_tension;
             let told = format!("limit {value:.2} N ({})", kind.name());
             match kind {
-                Kind::Fold | Kind::Collapse if given < value => Fate::BeyondLimit(told),
+                LimitKind::Fold | LimitKind::Collapse if given < value => Fate::BeyondLimit(told),
                 _ => Fate::Failed(format!("{told}: {failure}")),
             }
         }

@@ -6,7 +6,7 @@
 //! collapse of the secondary's speed). What is left is named as failed.
 
 use sheave::case::{Case, Resolved};
-use sheave::design::{Kind, LimitOptions, smallest_clamps};
+use sheave::design::{LimitKind, LimitOptions, smallest_clamps};
 use sheave::drive::{Route, SolveOptions, solve};
 use std::collections::BTreeMap;
 
@@ -129,7 +129,7 @@ fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
             let limit = limits.slack_tension;
             let told = format!("limit {:.2} N ({})", limit.value, limit.kind.name());
             match limit.kind {
-                Kind::Fold | Kind::Collapse if given < limit.value => Fate::BeyondLimit(told),
+                LimitKind::Fold | LimitKind::Collapse if given < limit.value => Fate::BeyondLimit(told),
                 _ => Fate::Failed(format!("{told}: {failure}")),
             }
         }

@@ -7,7 +7,7 @@ use std::path::Path;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::plot::{Axis as Scale, Figure, Look, Series};
-use sheave::small::init::{SimpleDrive, Situation, State, solve};
+use sheave::small::init::{InitialState, SimpleDrive, Situation, solve};
 use sheave::study::{Axis, Study, table};
 
 const EDITIONS: [&str; 2] = ["consistent", "thesis"];
@@ -50,7 +50,7 @@ struct Row {
 
 /// What the simple drive finds.
 fn simple(case: &Resolved) -> Found {
-    let find = || -> Option<(State, bool)> {
+    let find = || -> Option<(InitialState, bool)> {
         let situation = Situation::of_case(case, false).ok()?;
         let on_primary = matches!(situation, Situation::Seven { .. });
         Some((solve(&SimpleDrive::of_case(case), situation).ok()?, on_primary))

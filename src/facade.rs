@@ -5,7 +5,7 @@ use crate::clock::Stopwatch;
 use crate::design::{self, ClampLimits, DesignError, Limit, LimitOptions, Optimum};
 use crate::drive::{Failure, SolveOptions, solve_along};
 use crate::result::{Outcome, interpret, run};
-use crate::study::{self, Axis, Point, Study, StudyError, Table};
+use crate::study::{self, Axis, GridPoint, Study, StudyError, Table};
 
 /// Why there is no answer.
 #[derive(Debug, thiserror::Error)]
@@ -135,7 +135,7 @@ pub struct Sweep {
 const TRAIL: usize = 2;
 
 impl Sweep {
-    fn solve(&mut self, point: &Point) -> Result<Outcome, Error> {
+    fn solve(&mut self, point: &GridPoint) -> Result<Outcome, Error> {
         let (case, options) = (point.case.clone()?, self.study.options());
         let near: Vec<_> = self.trail.iter().filter(|(before, _)| before.model == case.model).collect();
         let near: Vec<_> = near.iter().map(|(_, outcome)| &outcome.solved).collect();
@@ -154,7 +154,7 @@ impl Sweep {
 }
 
 impl Iterator for Sweep {
-    type Item = Result<(Point, Result<Outcome, Error>), Error>;
+    type Item = Result<(GridPoint, Result<Outcome, Error>), Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.next >= self.study.points() {

@@ -48,6 +48,7 @@
 pub mod actuator;
 #[cfg(feature = "bench")]
 pub mod bench;
+mod cancel;
 pub mod case;
 pub mod clock;
 pub mod design;
@@ -67,6 +68,8 @@ pub mod study;
 pub mod text;
 mod threads;
 
+pub use cancel::cancellable;
 pub use facade::{Error, Sweep, largest_torque, optimum, smallest_clamps, solve, solve_with, sweep, sweep_table};
 /// The boundary value solver, for programs that read the solution itself: meshes, interpolation, statistics.
 pub use solver;
+pub use solver::Cancel;

@@ -10,10 +10,16 @@ mod pool {
     #[derive(Debug)]
     pub(crate) struct NoThreads;
 
+    /// A pool whose threads end their work when the calling thread's is cancelled.
+    fn pool(threads: usize) -> Result<rayon::ThreadPool, NoThreads> {
+        let cancel = crate::cancel::current();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.start_handler(move |_| crate::cancel::set(cancel.clone())).build().map_err(|_| NoThreads)
+    }
+
     /// Runs what `begin` spawns, and what that spawns, first come, first served, on so many threads (0: all cores).
     pub(crate) fn scope<'s>(threads: usize, begin: impl FnOnce(&Scope<'s>) + Send) -> Result<(), NoThreads> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| NoThreads)?;
-        pool.scope_fifo(begin);
+        pool(threads)?.scope_fifo(begin);
         Ok(())
     }
 
@@ -23,8 +29,7 @@ mod pool {
         count: usize,
         item: impl Fn(usize) -> T + Sync + Send,
     ) -> Result<Vec<T>, NoThreads> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| NoThreads)?;
-        Ok(pool.install(|| (0..count).into_par_iter().map(item).collect()))
+        Ok(pool(threads)?.install(|| (0..count).into_par_iter().map(item).collect()))
     }
 
     /// What `of` makes of each item, in order, on all cores.

@@ -4,8 +4,8 @@
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use proptest::prelude::*;
 use sheave::case::{
-    Bending, Case, CaseError, Clamp, Edition, Ends, Fourth, Free, Friction, Key, Kind, Load, Resolved, Setting, Shear,
-    Spans, Speed, TABLE,
+    Bending, Case, CaseError, Clamp, Edition, Ends, Fourth, Free, Friction, Key, Load, Resolved, Setting, Shear, Spans,
+    Speed, TABLE, ValueKind,
 };
 
 fn resolve(toml: &str) -> Result<Resolved, CaseError> {
@@ -253,9 +253,9 @@ fn mistakes_in_arguments_are_shown_too() {
 #[test]
 fn every_range_is_checked_at_both_ends() {
     for entry in &TABLE {
-        let Kind::Quantity { unit, range, .. } = entry.kind else { continue };
+        let ValueKind::Quantity { unit, range, .. } = entry.kind else { continue };
         for bound in [range.low, range.high] {
-            use sheave::case::Bound::{Closed, None, Open};
+            use sheave::case::RangeEnd::{Closed, None, Open};
             let (value, allowed) = match bound {
                 None => continue,
                 Open(value) => (value, false),

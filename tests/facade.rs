@@ -64,3 +64,57 @@ fn limits_and_the_best_clamp_of_a_case() {
     let here = sheave::solve_with(&Case::base(), &rough()).unwrap().result.efficiency.overall.unwrap();
     assert!(best.state.overall_efficiency >= here - 1e-4, "{} {here}", best.state.overall_efficiency);
 }
+
+/// Ended from outside: a solve fails at once, and a study hands over no row that could be mistaken for a result.
+#[test]
+fn work_that_is_cancelled_ends() {
+    use sheave::study::{Axis, Study, StudyError};
+    let cancel = sheave::Cancel::new();
+    let outcome = sheave::cancellable(&cancel, || sheave::solve_with(&Case::base(), &rough()));
+    assert!(outcome.is_ok());
+    cancel.cancel();
+    let outcome = sheave::cancellable(&cancel, || sheave::solve_with(&Case::base(), &rough()));
+    assert!(outcome.is_err_and(|error| error.to_string().contains("cancelled")));
+    assert!(sheave::solve_with(&Case::base(), &rough()).is_ok(), "the handle outlives its work");
+
+    let axes = [Axis::parse("drive.ratio=0.9..1.2:8").unwrap()];
+    let study = Study::new(Case::base(), axes, rough()).unwrap();
+    let solved = std::sync::atomic::AtomicUsize::new(0);
+    let keep = |row: sheave::study::Row| {
+        if cancel.is_cancelled() {
+            assert!(row.failure().is_some(), "a solution after the end");
+            return Err(std::io::ErrorKind::Interrupted.into());
+        }
+        solved.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        Ok(())
+    };
+    let run = sheave::cancellable(&cancel, || sheave::study::run(&study, Some(2), |_| true, keep));
+    assert!(matches!(run, Err(StudyError::Keep(_))), "{run:?}");
+    assert_eq!(solved.into_inner(), 0);
+}
+
+/// The parts of a study cover it, and what one gives on its own is what it gives as part of the whole.
+#[test]
+fn a_study_is_computed_in_parts() {
+    use sheave::study::{Axis, Row, Study, run, table};
+    use std::sync::Mutex;
+    let axes = || {
+        ["operating_point.slack_tension=100..250 N:20", "drive.ratio=0.9..1.1:2"].map(|text| Axis::parse(text).unwrap())
+    };
+    let study = Study::new(Case::base(), axes(), rough()).unwrap();
+    let parts = study.parts(0);
+    assert_eq!(parts, [0..32, 32..40]);
+    assert_eq!(study.parts(33), vec![0..40]);
+    let whole = table(&study, Some(1)).unwrap();
+    let rows = Mutex::new(Vec::new());
+    let keep = |row: Row| {
+        rows.lock().unwrap().push(row);
+        Ok(())
+    };
+    run(&study, Some(1), |index| parts[1].contains(&index), keep).unwrap();
+    let rows = rows.into_inner().unwrap();
+    assert_eq!(rows.len(), 8);
+    for row in rows {
+        assert_eq!(row.cells, whole.rows[row.index], "point {}", row.index);
+    }
+}

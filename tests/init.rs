@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use serde_json::Value;
-use sheave::small::init::{InitError, Method, PulleyId, SimpleDrive, Situation, State, solve};
+use sheave::small::init::{InitError, InitialState, Method, PulleyId, SimpleDrive, Situation, solve};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::process::{Command, Output};
 
@@ -37,7 +37,7 @@ fn random_drive(random: &mut Random) -> SimpleDrive {
 /// A state from the primitive relations alone: belt speed, slack force and sliding angle are chosen, the longitudinal
 /// force and the axial load S' = (L (EA − m* v_0²) − m* v_0² EA)/(2 tan δ_0 EA) of (12) are followed around each pulley
 /// in steps.
-fn reference(drive: &SimpleDrive, v_0: f64, excess: f64, sliding: f64, drives: bool) -> State {
+fn reference(drive: &SimpleDrive, v_0: f64, excess: f64, sliding: f64, drives: bool) -> InitialState {
     let (ea, m) = (drive.longitudinal_stiffness, drive.mass_per_length);
     let lift_off = m * v_0 * v_0 * ea / (ea - m * v_0 * v_0);
     let loose = lift_off + excess;
@@ -53,7 +53,7 @@ fn reference(drive: &SimpleDrive, v_0: f64, excess: f64, sliding: f64, drives: b
         simpson(&load, 0.0, contact - sliding, 2) + simpson(&load, contact - sliding, contact, 2000)
     };
     let rate = if drives { drive.friction_coefficient } else { -drive.friction_coefficient };
-    State {
+    InitialState {
         input_speed: v_0 * (1.0 + input_in / ea) / drive.input_radius,
         output_speed: v_0 * (1.0 + output_in / ea) / drive.output_radius,
         input_torque: drive.input_radius * (output_in - input_in),
@@ -77,7 +77,7 @@ fn simpson(f: &impl Fn(f64) -> f64, from: f64, to: f64, intervals: usize) -> f64
     (0..=intervals).map(|i| weight(i) * f(from + i as f64 * h)).sum::<f64>() * h / 3.0
 }
 
-fn random_state(drive: &SimpleDrive, random: &mut Random, drives: bool) -> State {
+fn random_state(drive: &SimpleDrive, random: &mut Random, drives: bool) -> InitialState {
     let fastest = (drive.longitudinal_stiffness / drive.mass_per_length).sqrt();
     let v_0 = random.between(2.0, (0.2 * fastest).min(45.0));
     let contact = drive.contact_angle(PulleyId::Input).min(drive.contact_angle(PulleyId::Output));
@@ -87,9 +87,16 @@ fn random_state(drive: &SimpleDrive, random: &mut Random, drives: bool) -> State
 }
 
 /// All seven questions to which a state is the answer.
-fn situations(state: &State) -> [Situation; 7] {
-    let State { input_speed, output_speed, input_torque, output_torque, input_axial_force, output_axial_force, .. } =
-        *state;
+fn situations(state: &InitialState) -> [Situation; 7] {
+    let InitialState {
+        input_speed,
+        output_speed,
+        input_torque,
+        output_torque,
+        input_axial_force,
+        output_axial_force,
+        ..
+    } = *state;
     [
         Situation::One { input_speed, output_torque, output_axial_force },
         Situation::Two { output_speed, input_torque, input_axial_force },
@@ -101,7 +108,7 @@ fn situations(state: &State) -> [Situation; 7] {
     ]
 }
 
-fn quantities(state: &State) -> [(&'static str, f64); 13] {
+fn quantities(state: &InitialState) -> [(&'static str, f64); 13] {
     [
         ("ω_I", state.input_speed),
         ("ω_O", state.output_speed),
@@ -119,7 +126,7 @@ fn quantities(state: &State) -> [(&'static str, f64); 13] {
     ]
 }
 
-fn assert_same(found: &State, expected: &State, tolerance: f64, what: &str) {
+fn assert_same(found: &InitialState, expected: &InitialState, tolerance: f64, what: &str) {
     for ((name, found), (_, expected)) in quantities(found).into_iter().zip(quantities(expected)) {
         let error = (found - expected).abs() / expected.abs().max(1e-3);
         assert!(error <= tolerance, "{what}: {name} is {found}, not {expected} ({error:.1e})");
@@ -127,7 +134,7 @@ fn assert_same(found: &State, expected: &State, tolerance: f64, what: &str) {
 }
 
 /// Strains are small differences of speeds: what rounding the speeds does to the tension, relative.
-fn rounding(drive: &SimpleDrive, state: &State) -> f64 {
+fn rounding(drive: &SimpleDrive, state: &InitialState) -> f64 {
     let tension = state.slack_tension.min(state.tight_tension);
     let torque = state.output_torque.abs() / drive.output_radius;
     16.0 * f64::EPSILON * drive.longitudinal_stiffness / tension.min(torque)
@@ -239,7 +246,7 @@ fn no_numbers_panic() {
             friction_coefficient: power(-3.0, 2.0),
             half_angle: power(-2.0, 0.19),
         };
-        let state = State {
+        let state = InitialState {
             input_speed: power(-3.0, 5.0),
             output_speed: power(-3.0, 5.0),
             input_torque: -power(-6.0, 6.0),

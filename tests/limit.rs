@@ -3,8 +3,8 @@
 
 use sheave::case::{Case, Resolved};
 use sheave::design::{
-    Bound, DesignError, Kind, LimitOptions, largest_torque, limit_figures, limit_map, optimum, optimum_figures,
-    optimum_map, smallest_clamps,
+    DesignError, LimitKind, LimitOptions, OptimumPlace, largest_torque, limit_figures, limit_map, optimum,
+    optimum_figures, optimum_map, smallest_clamps,
 };
 use sheave::drive::{SolveOptions, solve};
 use sheave::model::Output;
@@ -36,7 +36,7 @@ fn the_slip_limit_of_the_thesis_is_the_collapse_of_the_speed_ratio() {
         (&rough.primary_axial_force, &fine.primary_axial_force),
         (&rough.secondary_axial_force, &fine.secondary_axial_force),
     ] {
-        assert_eq!((&rough.kind, &fine.kind), (&Kind::Collapse, &Kind::Collapse));
+        assert_eq!((&rough.kind, &fine.kind), (&LimitKind::Collapse, &LimitKind::Collapse));
         assert!((rough.value / fine.value - 1.0).abs() < 1e-4, "{} {}", rough.value, fine.value);
         assert_eq!(fine.state.speed_efficiency, 0.0);
         assert!((fine.state.primary_torque - 18.0).abs() < 1e-6);
@@ -49,7 +49,7 @@ fn the_slip_limit_of_the_thesis_is_the_collapse_of_the_speed_ratio() {
     assert!(solve(&at(18.2), &to(1e-4)).is_err());
     assert!(solve(&at(18.6), &to(1e-4)).is_ok());
     let (torque, _) = largest_torque(&at(fine.slack_tension.value), &limits(1e-6)).unwrap();
-    assert_eq!(torque.kind, Kind::Collapse);
+    assert_eq!(torque.kind, LimitKind::Collapse);
     assert!((torque.value - 18.0).abs() < 1e-3, "{}", torque.value);
 }
 
@@ -79,7 +79,7 @@ fn a_clamp_below_the_limit_does_not_hide_it() {
 #[test]
 fn continuous_shear_carries_the_torque_without_slack_tension() {
     let (limit, _) = smallest_clamps(&case(&[]), &limits(1e-5)).unwrap();
-    assert_eq!(limit.slack_tension.kind, Kind::Collapse);
+    assert_eq!(limit.slack_tension.kind, LimitKind::Collapse);
     assert!((-1.0..0.0).contains(&limit.slack_tension.value), "{}", limit.slack_tension.value);
     assert!((limit.primary_axial_force.value - 458.0).abs() < 0.5);
 }
@@ -89,7 +89,7 @@ fn the_printed_equations_fold_in_the_secondarys_axial_force() {
     let published = [("edition", "published")];
     let (limits, branch) = smallest_clamps(&case(&published), &limits(1e-6)).unwrap();
     let fold = &limits.secondary_axial_force;
-    assert_eq!((&fold.kind, &limits.slack_tension.kind), (&Kind::Fold, &Kind::Collapse));
+    assert_eq!((&fold.kind, &limits.slack_tension.kind), (&LimitKind::Fold, &LimitKind::Collapse));
     assert!(fold.state.speed_efficiency > 0.5 && fold.state.speed_efficiency < 0.95, "{:?}", fold.state);
     let values = branch.points.iter().map(|point| point.state.secondary_axial_force);
     assert!(values.fold(f64::INFINITY, f64::min) >= fold.value - 1e-4);
@@ -110,14 +110,17 @@ fn curves_that_turn_twice_are_followed() {
         smallest_clamps(&case(&keys), &limits(1e-5)).unwrap()
     };
     let (smallest, branch) = drive("thesis", "12", "1.2");
-    assert_eq!((&smallest.slack_tension.kind, &smallest.primary_axial_force.kind), (&Kind::Fold, &Kind::Collapse));
+    assert_eq!(
+        (&smallest.slack_tension.kind, &smallest.primary_axial_force.kind),
+        (&LimitKind::Fold, &LimitKind::Collapse)
+    );
     assert!((smallest.slack_tension.value - 3.2855).abs() < 2e-4, "{:?}", smallest.slack_tension);
     assert!((smallest.slack_tension.state.speed_efficiency - 0.9112).abs() < 1e-4);
     assert!((smallest.primary_axial_force.value - 238.348).abs() < 1e-2);
     assert!(branch.points.len() < 45, "{}", branch.points.len());
     for (ratio, force) in [("1.02", 171.901), ("1.44", 228.298)] {
         let smallest = drive("consistent", "6", ratio).0.primary_axial_force;
-        assert_eq!(smallest.kind, Kind::Fold, "ratio {ratio}");
+        assert_eq!(smallest.kind, LimitKind::Fold, "ratio {ratio}");
         assert!((smallest.value - force).abs() < 2e-3, "ratio {ratio}: {}", smallest.value);
     }
 }
@@ -126,7 +129,7 @@ fn curves_that_turn_twice_are_followed() {
 fn a_least_speed_efficiency_is_a_limit_of_its_own() {
     let options = LimitOptions { least_speed_efficiency: 0.95, ..limits(1e-5) };
     let (limit, _) = largest_torque(&case(&[("operating_point.slack_tension", "20")]), &options).unwrap();
-    assert_eq!(limit.kind, Kind::SpeedEfficiency);
+    assert_eq!(limit.kind, LimitKind::SpeedEfficiency);
     assert!((limit.state.speed_efficiency - 0.95).abs() < 1e-9);
     let (stall, _) = largest_torque(&case(&[("operating_point.slack_tension", "20")]), &limits(1e-5)).unwrap();
     assert!(limit.value < stall.value);
@@ -143,7 +146,7 @@ fn the_best_clamp_is_where_the_gradient_vanishes() {
     for (edition, tension, efficiency) in [("consistent", 38.57, 0.96191), ("thesis", 64.52, 0.97002)] {
         let rough = optimum(&case(&[("edition", edition)]), &to(1e-4)).unwrap();
         let best = optimum(&case(&[("edition", edition)]), &to(1e-6)).unwrap();
-        assert_eq!(best.bound, Bound::Inner);
+        assert_eq!(best.bound, OptimumPlace::Inner);
         assert!((best.state.slack_tension - tension).abs() < 0.02, "{edition}: {}", best.state.slack_tension);
         assert!((best.state.overall_efficiency - efficiency).abs() < 2e-5);
         assert!((rough.state.slack_tension / best.state.slack_tension - 1.0).abs() < 1e-3);

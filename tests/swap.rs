@@ -220,7 +220,7 @@ fn questions_without_an_answer_are_refused_with_their_reason() {
     );
     let (_, text) = said(&speeds);
     assert!(text.contains("secondary_speed") && text.contains("efficiency.speed"), "{text}");
-    said(&ask().exchange(Constant::PrimaryTorque, Constant::SpeedRatio, 0.99).swap(
+    said(&ask().swap_constant(Constant::PrimaryTorque, Constant::SpeedRatio, 0.99).swap(
         Constant::SlackTension,
         output("efficiency.speed"),
         0.99,
@@ -235,7 +235,7 @@ fn questions_without_an_answer_are_refused_with_their_reason() {
 
     let (reason, _) = said(&ask().swap(Constant::SpeedRatio, force, 900.0));
     assert!(matches!(reason, IllPosed::Unknown { .. }));
-    let (reason, _) = said(&ask().exchange(Constant::PrimaryTorque, Constant::HalfAngle, 0.2));
+    let (reason, _) = said(&ask().swap_constant(Constant::PrimaryTorque, Constant::HalfAngle, 0.2));
     assert!(matches!(reason, IllPosed::Given { .. }));
     let (reason, _) = said(&ask().swap(Constant::SlackTension, force, f64::NAN));
     assert!(matches!(reason, IllPosed::Value { .. }));

@@ -53,7 +53,7 @@ fn check() -> Result<(), String> {
     if stale.is_empty() {
         return Ok(());
     }
-    Err(format!("out of date: {}\nmend it with: {COMMAND}", stale.join(", ")))
+    Err(format!("out of date: {}\nwrite it anew with: {COMMAND}", stale.join(", ")))
 }
 
 fn holds(path: &Path, file: &eqgen::SourceFile) -> bool {

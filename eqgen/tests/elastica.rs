@@ -14,8 +14,8 @@ fn committed_kernels_are_current() {
     assert_eq!(files.len(), 3);
     for file in files {
         let path = format!("{}/examples/elastica/{}", env!("CARGO_MANIFEST_DIR"), file.name);
-        let mend = "mend it with: cargo run -p sheave-eqgen --example elastica_write";
-        assert!(std::fs::read_to_string(&path).unwrap() == file.text, "{path} is out of date; {mend}");
+        let advice = "write it anew with: cargo run -p sheave-eqgen --example elastica_write";
+        assert!(std::fs::read_to_string(&path).unwrap() == file.text, "{path} is out of date; {advice}");
     }
 }
 

@@ -12,7 +12,7 @@ fn golden_copy_is_current() {
         let committed = std::fs::read_to_string(folder.join(&file.name)).unwrap_or_default();
         assert!(
             committed == file.text,
-            "generated/golden/{} is out of date; mend it with: cargo run -p sheave-eqgen -- write",
+            "generated/golden/{} is out of date; write it anew with: cargo run -p sheave-eqgen -- write",
             file.name
         );
     }

@@ -40,7 +40,7 @@ fn belt_forces_are_those_of_sections_1_and_2() {
         // (24): the left side is L_I, and EA multiplies both terms.
         let ea = read("", "EA").unwrap();
         let excess = excess("L_Iin") * ea;
-        assert_printed(&excess, "(r_I*omega_I/v_0 - EA/(EA - m_star*v_0^2))*EA", "(24) mended");
+        assert_printed(&excess, "(r_I*omega_I/v_0 - EA/(EA - m_star*v_0^2))*EA", "(24) corrected");
         assert!(!difference(&excess, "r_I*omega_I/v_0 - EA/(EA - m_star*v_0^2)*EA").is_zero(), "(24) as printed");
     })
     .unwrap();
@@ -109,7 +109,7 @@ fn closed_forms_are_6_to_26() {
             ("M_O_of_speeds", "(r_I*omega_I - r_O*omega_O)*r_O*EA/v_0", "(17)"),
             ("M_I_of_speeds", "-(r_I*omega_I - r_O*omega_O)*r_I*EA/v_0", "(19)"),
             ("omega_I_of_M_O", "(v_0*M_O/(EA*r_O) + r_O*omega_O)/r_I", "(2)"),
-            ("omega_O_of_M_O", "r_I*omega_I/r_O - v_0*M_O/(r_O^2*EA)", "(21) mended"),
+            ("omega_O_of_M_O", "r_I*omega_I/r_O - v_0*M_O/(r_O^2*EA)", "(21) corrected"),
         ] {
             assert_printed(&of(name), printed, number);
         }

@@ -89,7 +89,7 @@ impl Place {
 
 /// What is wrong with a case.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Problem {
+pub enum CaseProblem {
     /// The case file cannot be read.
     #[error("cannot read the case file `{path}`: {reason}")]
     Read {
@@ -224,7 +224,7 @@ pub enum Problem {
     IllPosed(IllPosed),
 }
 
-impl Problem {
+impl CaseProblem {
     /// Whether belt and pulleys do not fit: a drive with other numbers might.
     pub const fn is_of_geometry(&self) -> bool {
         matches!(self, Self::Overlap { .. } | Self::NoRadii { .. })
@@ -278,7 +278,7 @@ fn keys_near(path: &str) -> String {
     format!("the keys of [{section}] are {}", names.join(", "))
 }
 
-/// A [`Problem`] with the places it is about.
+/// A [`CaseProblem`] with the places it is about.
 ///
 /// Displays as one line that names the key, what was given and what is expected. [`CaseError::places`] says where,
 /// [`CaseError::hint`] what to do about it. With the feature `cli` it is a `miette::Diagnostic`, which underlines the
@@ -288,7 +288,7 @@ pub struct CaseError(Box<Inner>);
 
 #[derive(Debug, Clone, PartialEq)]
 struct Inner {
-    problem: Problem,
+    problem: CaseProblem,
     /// The first is the one at fault.
     places: Vec<Place>,
     /// What else is wrong with the same text.
@@ -300,7 +300,7 @@ const MOST_OTHERS: usize = 19;
 
 impl CaseError {
     /// A problem, the place at fault, then others that have to do with it.
-    pub(crate) fn new(problem: Problem, places: impl IntoIterator<Item = Place>) -> Self {
+    pub(crate) fn new(problem: CaseProblem, places: impl IntoIterator<Item = Place>) -> Self {
         Self(Box::new(Inner { problem, places: places.into_iter().collect(), others: Vec::new() }))
     }
 
@@ -325,11 +325,11 @@ impl CaseError {
 
     /// A text that cannot be read.
     pub fn unreadable(name: &str, error: &std::io::Error) -> Self {
-        Self::new(Problem::Read { path: name.into(), reason: error.to_string() }, [])
+        Self::new(CaseProblem::Read { path: name.into(), reason: error.to_string() }, [])
     }
 
     /// What is wrong.
-    pub fn problem(&self) -> &Problem {
+    pub fn problem(&self) -> &CaseProblem {
         &self.0.problem
     }
 
@@ -341,11 +341,11 @@ impl CaseError {
     /// What to do about it, where there is more to say than the message says.
     pub fn hint(&self) -> Option<String> {
         let hint = match (&self.0.problem, self.places()) {
-            (Problem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
+            (CaseProblem::Conflict { first, second, .. }, [one, other, ..]) if one.source != other.source => {
                 let [one, other] = [one, other].map(|place| &place.source.name);
                 Some(format!("leave out `{}` ({one}) or `{}` ({other})", first.path(), second.path()))
             }
-            (Problem::Conflict { first, second, .. }, _) => {
+            (CaseProblem::Conflict { first, second, .. }, _) => {
                 Some(format!("leave out `{}` or `{}`", first.path(), second.path()))
             }
             (problem, _) => problem.advice(),
@@ -356,8 +356,8 @@ impl CaseError {
     /// What to underline of a place.
     pub fn span(&self, place: &Place) -> Range<usize> {
         match self.0.problem {
-            Problem::UnknownKey { .. } => place.key.clone(),
-            Problem::Conflict { .. } => place.whole(),
+            CaseProblem::UnknownKey { .. } => place.key.clone(),
+            CaseProblem::Conflict { .. } => place.whole(),
             _ if place.value.is_empty() => place.whole(),
             _ => place.value.clone(),
         }
@@ -366,27 +366,27 @@ impl CaseError {
     /// What to write beside the underlined text of the place with this number.
     pub fn label(&self, index: usize) -> &'static str {
         match (&self.0.problem, index) {
-            (Problem::Syntax { .. } | Problem::Assignment { .. }, _) => "here",
-            (Problem::UnknownKey { .. }, _) => "no such key",
-            (Problem::Type { .. }, _) => "wrong type",
-            (Problem::Quantity { reason, .. }, _) => match reason {
+            (CaseProblem::Syntax { .. } | CaseProblem::Assignment { .. }, _) => "here",
+            (CaseProblem::UnknownKey { .. }, _) => "no such key",
+            (CaseProblem::Type { .. }, _) => "wrong type",
+            (CaseProblem::Quantity { reason, .. }, _) => match reason {
                 QuantityError::NotFinite => "not finite",
                 QuantityError::Dimension { .. } => "wrong dimension",
                 QuantityError::UnknownUnit { .. } => "unknown unit",
                 _ => "not a quantity",
             },
-            (Problem::OutOfRange { .. }, _) => "out of range",
-            (Problem::BareSpeed { .. }, _) => "rad/s",
-            (Problem::UnknownChoice { .. }, _) => "no such choice",
-            (Problem::Conflict { .. }, 0) => "this",
-            (Problem::Conflict { .. }, _) => "and this",
-            (Problem::Missing { .. }, _) => "asks for more",
-            (Problem::Overlap { .. }, _) => "does not fit",
-            (Problem::NoRadii { .. }, 0) => "no radii exist",
-            (Problem::NoRadii { .. }, _) => "with this",
-            (Problem::Swap { .. }, _) => "here",
-            (Problem::IllPosed(_), _) => "with this",
-            (Problem::Read { .. }, _) => "cannot be read",
+            (CaseProblem::OutOfRange { .. }, _) => "out of range",
+            (CaseProblem::BareSpeed { .. }, _) => "rad/s",
+            (CaseProblem::UnknownChoice { .. }, _) => "no such choice",
+            (CaseProblem::Conflict { .. }, 0) => "this",
+            (CaseProblem::Conflict { .. }, _) => "and this",
+            (CaseProblem::Missing { .. }, _) => "asks for more",
+            (CaseProblem::Overlap { .. }, _) => "does not fit",
+            (CaseProblem::NoRadii { .. }, 0) => "no radii exist",
+            (CaseProblem::NoRadii { .. }, _) => "with this",
+            (CaseProblem::Swap { .. }, _) => "here",
+            (CaseProblem::IllPosed(_), _) => "with this",
+            (CaseProblem::Read { .. }, _) => "cannot be read",
         }
     }
 }

@@ -1,10 +1,10 @@
 //! A case as it was written: sparse, with the places where things stand.
 
-use super::error::{CaseError, Place, Problem, Source};
-use super::exchange::{self, Exchange};
-use super::keys::{Key, Kind};
+use super::error::{CaseError, CaseProblem, Place, Source};
+use super::keys::{Key, ValueKind};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
+use super::swap::{self, GivenSwap};
 use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
 use crate::text::quoted;
@@ -27,7 +27,7 @@ pub(super) const SWAP: &str = "swap";
 pub struct Case {
     given: BTreeMap<Key, Given>,
     /// Constants that are found for outputs that are prescribed, in the order of the text.
-    pub(super) swaps: Vec<(Exchange, Place)>,
+    pub(super) swaps: Vec<(GivenSwap, Place)>,
 }
 
 /// One key that was given.
@@ -55,7 +55,7 @@ impl Case {
     /// Reads a case file.
     ///
     /// # Errors
-    /// [`Problem::Read`] if the file cannot be read, else as [`Case::from_toml`].
+    /// [`CaseProblem::Read`] if the file cannot be read, else as [`Case::from_toml`].
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         let name = path.display().to_string();
         match std::fs::read_to_string(path) {
@@ -67,7 +67,7 @@ impl Case {
     /// Reads a case from the text of a case file; `name` is shown in errors.
     ///
     /// # Errors
-    /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`Problem`] and
+    /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`CaseProblem`] and
     /// [`CaseError::others`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
         let mut case = Self::base();
@@ -78,7 +78,7 @@ impl Case {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
             CaseError::new(
-                Problem::Syntax { message },
+                CaseProblem::Syntax { message },
                 [Place { source: source.clone(), key: span.clone(), value: span }],
             )
         })?;
@@ -109,7 +109,7 @@ impl Case {
         }
         let DeValue::Table(table) = value.get_ref() else {
             let (path, given) = (name.to_string(), kind(value.get_ref()));
-            errors.push(CaseError::new(Problem::Type { path, given, expected: "a table of keys".into() }, [place]));
+            errors.push(CaseError::new(CaseProblem::Type { path, given, expected: "a table of keys".into() }, [place]));
             return;
         };
         for (key, value) in in_order(table) {
@@ -127,7 +127,7 @@ impl Case {
     ) -> Result<(), CaseError> {
         let wrong = |given, place| {
             let expected = "a list of texts, such as [\"belt.bending_stiffness for efficiency.overall = 0.96\"]".into();
-            CaseError::new(Problem::Type { path: SWAP.into(), given, expected }, [place])
+            CaseError::new(CaseProblem::Type { path: SWAP.into(), given, expected }, [place])
         };
         let DeValue::Array(items) = value.get_ref() else { return Err(wrong(kind(value.get_ref()), place)) };
         for item in items.iter() {
@@ -142,15 +142,23 @@ impl Case {
     /// file, quotes may be left out: `set("operating_point.slack_tension", "120 N")`.
     ///
     /// # Errors
-    /// An unknown key, or a value that it does not take: see [`Problem`]; the case is left as it was.
+    /// An unknown key, or a value that it does not take: see [`CaseProblem`]; the case is left as it was.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), CaseError> {
         self.argument("--set", format!("{key}={value}"), key.len())
+    }
+
+    /// As [`Case::set`], with the name of where it was said, which errors show.
+    ///
+    /// # Errors
+    /// As [`Case::set`].
+    pub fn set_from(&mut self, source: &str, key: &str, value: &str) -> Result<(), CaseError> {
+        self.argument(source, format!("{key}={value}"), key.len())
     }
 
     /// Sets a key from the text `KEY=VALUE`, as [`Case::set`] does.
     ///
     /// # Errors
-    /// As [`Case::set`], and [`Problem::Assignment`] for a text without a key or without `=`.
+    /// As [`Case::set`], and [`CaseProblem::Assignment`] for a text without a key or without `=`.
     pub fn assign(&mut self, assignment: &str) -> Result<(), CaseError> {
         let equals = assignment.find('=').filter(|equals| !assignment[..*equals].trim().is_empty());
         if let Some(equals) = equals {
@@ -159,7 +167,7 @@ impl Case {
         let source = Arc::new(Source::new("--set", assignment));
         let (whole, text) = (0..assignment.len(), quoted(assignment).into_owned());
         let place = Place { source, key: whole.clone(), value: whole };
-        Err(CaseError::new(Problem::Assignment { text }, [place]))
+        Err(CaseError::new(CaseProblem::Assignment { text }, [place]))
     }
 
     /// Sets a quantity to a value in SI units, as [`Case::set`] does.
@@ -169,7 +177,7 @@ impl Case {
     pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
         // In words: a bare number that is surely in rpm is refused.
         let unit = match key.entry().kind {
-            Kind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
+            ValueKind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
             _ => "",
         };
         self.set(key.path(), &format!("{value:e}{unit}"))
@@ -178,7 +186,7 @@ impl Case {
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
     ///
     /// # Errors
-    /// [`Problem::UnknownKey`].
+    /// [`CaseProblem::UnknownKey`].
     pub fn unset(&mut self, key: &str) -> Result<(), CaseError> {
         let source = Arc::new(Source::new("--unset", key));
         let whole = 0..key.len();
@@ -203,8 +211,8 @@ impl Case {
     }
 
     /// Constants that are to be found for outputs, in the order in which they were given.
-    pub fn exchanges(&self) -> impl Iterator<Item = &Exchange> {
-        self.swaps.iter().map(|(exchange, _)| exchange)
+    pub fn swaps(&self) -> impl Iterator<Item = &GivenSwap> {
+        self.swaps.iter().map(|(swap, _)| swap)
     }
 
     /// The keys that were given, with their values, in the order of the table.
@@ -235,8 +243,8 @@ impl Case {
         let given = if place.given().is_empty() { "nothing".into() } else { quoted(place.given()) };
         let given = given.as_ref();
         let value = match key.entry().kind {
-            Kind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
-            Kind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
+            ValueKind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
+            ValueKind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
         };
         match value {
             Ok(value) => {
@@ -284,7 +292,7 @@ impl Case {
     /// `belt.bending_stiffness for efficiency.overall = 0.96`. The constant's own key says where the search starts.
     ///
     /// # Errors
-    /// [`Problem::Swap`].
+    /// [`CaseProblem::Swap`].
     pub fn swap(&mut self, text: &str) -> Result<(), CaseError> {
         let source = Arc::new(Source::new("--swap", text));
         let whole = 0..text.len();
@@ -292,12 +300,12 @@ impl Case {
     }
 
     pub(super) fn add_swap(&mut self, text: &str, place: Place) -> Result<(), CaseError> {
-        match exchange::read(text) {
-            Ok(exchange) => {
-                self.swaps.push((exchange, place));
+        match swap::read(text) {
+            Ok(swap) => {
+                self.swaps.push((swap, place));
                 Ok(())
             }
-            Err(reason) => Err(CaseError::new(Problem::Swap { text: quoted(text).into_owned(), reason }, [place])),
+            Err(reason) => Err(CaseError::new(CaseProblem::Swap { text: quoted(text).into_owned(), reason }, [place])),
         }
     }
 }
@@ -305,47 +313,49 @@ impl Case {
 fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     Key::from_path(path).ok_or_else(|| {
         let (path, nearest) = (quoted(path).into_owned(), Key::nearest(path));
-        CaseError::new(Problem::UnknownKey { path, nearest }, [place.clone()])
+        CaseError::new(CaseProblem::UnknownKey { path, nearest }, [place.clone()])
     })
 }
 
-fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, Problem> {
+fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, CaseProblem> {
     let entry = key.entry();
-    let Kind::Quantity { unit, range, .. } = entry.kind else {
-        return Err(Problem::Type { path: entry.path.into(), given: "a quantity", expected: entry.expected() });
+    let ValueKind::Quantity { unit, range, .. } = entry.kind else {
+        return Err(CaseProblem::Type { path: entry.path.into(), given: "a quantity", expected: entry.expected() });
     };
-    let invalid = |reason| Problem::Quantity { key, given: given.into(), reason };
+    let invalid = |reason| CaseProblem::Quantity { key, given: given.into(), reason };
     let quantity = match raw {
         Raw::Text(text) => quantity::parse(&text).map_err(invalid)?,
         Raw::Number(si) if si.is_finite() => Quantity { si, dimension: quantity::Dimension::NONE, bare: true },
         Raw::Number(_) => return Err(invalid(QuantityError::NotFinite)),
         Raw::Other(given) => {
-            return Err(Problem::Type { path: entry.path.into(), given, expected: entry.expected() });
+            return Err(CaseProblem::Type { path: entry.path.into(), given, expected: entry.expected() });
         }
     };
     let si = quantity.expect(unit.scale.dimension).map_err(invalid)?;
     let allowed = |si| range.contains(si, |bound| unit.to_si(bound));
     let rpm = unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED;
     if rpm && quantity.bare && si.abs() > FASTEST_BARE && allowed(unit.to_si(si)) {
-        return Err(Problem::BareSpeed { key, given: given.into() });
+        return Err(CaseProblem::BareSpeed { key, given: given.into() });
     }
     if allowed(si) {
         return Ok(si);
     }
     let unit_missing = (quantity.bare && allowed(unit.to_si(si))).then_some(unit.symbol);
-    Err(Problem::OutOfRange { key, given: given.into(), unit_missing })
+    Err(CaseProblem::OutOfRange { key, given: given.into(), unit_missing })
 }
 
-fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Result<&'static str, Problem> {
+fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Result<&'static str, CaseProblem> {
     let entry = key.entry();
     match raw {
         Raw::Text(text) => choices
             .iter()
             .find(|choice| choice.name == text)
             .map(|choice| choice.name)
-            .ok_or_else(|| Problem::UnknownChoice { key, given: given.into() }),
-        Raw::Number(_) => Err(Problem::Type { path: entry.path.into(), given: "a number", expected: entry.expected() }),
-        Raw::Other(given) => Err(Problem::Type { path: entry.path.into(), given, expected: entry.expected() }),
+            .ok_or_else(|| CaseProblem::UnknownChoice { key, given: given.into() }),
+        Raw::Number(_) => {
+            Err(CaseProblem::Type { path: entry.path.into(), given: "a number", expected: entry.expected() })
+        }
+        Raw::Other(given) => Err(CaseProblem::Type { path: entry.path.into(), given, expected: entry.expected() }),
     }
 }
 

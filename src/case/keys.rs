@@ -66,12 +66,12 @@ pub struct Entry {
     /// What it means, in one line.
     pub doc: &'static str,
     /// What values it takes.
-    pub kind: Kind,
+    pub kind: ValueKind,
 }
 
 /// What values a key takes.
 #[derive(Debug, Clone, Copy)]
-pub enum Kind {
+pub enum ValueKind {
     /// A number with a unit.
     Quantity {
         /// Unit in which people read it, and its dimension.
@@ -110,20 +110,20 @@ const W_PER_K: Unit = Unit::decimal("W/K", 0, Dimension::HEAT_TRANSFER);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
 /// A quantity of the base case.
-const fn base(unit: Unit, range: Range, value: f64) -> Kind {
-    Kind::Quantity { unit, range, example: value, base: true }
+const fn base(unit: Unit, range: Range, value: f64) -> ValueKind {
+    ValueKind::Quantity { unit, range, example: value, base: true }
 }
 
 /// A quantity that the base case does not have.
-const fn other(unit: Unit, range: Range, example: f64) -> Kind {
-    Kind::Quantity { unit, range, example, base: false }
+const fn other(unit: Unit, range: Range, example: f64) -> ValueKind {
+    ValueKind::Quantity { unit, range, example, base: false }
 }
 
-const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> Kind {
-    Kind::Choice { choices, default }
+const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> ValueKind {
+    ValueKind::Choice { choices, default }
 }
 
-const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: Kind, doc: &'static str) -> Entry {
+const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: ValueKind, doc: &'static str) -> Entry {
     Entry { key, path, symbol, doc, kind }
 }
 
@@ -269,7 +269,7 @@ impl Entry {
     /// The base case's value in SI, for a quantity that it has.
     pub fn base(&self) -> Option<f64> {
         match self.kind {
-            Kind::Quantity { unit, example, base: true, .. } => Some(unit.to_si(example)),
+            ValueKind::Quantity { unit, example, base: true, .. } => Some(unit.to_si(example)),
             _ => None,
         }
     }
@@ -288,8 +288,8 @@ impl Entry {
     /// A value in SI as people read it: the number, and its unit as it is printed.
     pub fn readable(&self, si: f64) -> (f64, String) {
         let number = match self.kind {
-            Kind::Quantity { unit, .. } => unit.from_si(si),
-            Kind::Choice { .. } => si,
+            ValueKind::Quantity { unit, .. } => unit.from_si(si),
+            ValueKind::Choice { .. } => si,
         };
         (number, self.printed_unit())
     }
@@ -310,17 +310,17 @@ impl Entry {
 
     fn printed_unit(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit, .. } => unit.printed(),
-            Kind::Choice { .. } => String::new(),
+            ValueKind::Quantity { unit, .. } => unit.printed(),
+            ValueKind::Choice { .. } => String::new(),
         }
     }
 
     /// A value that could be written in a case file.
     pub fn example(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
-            Kind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
-            Kind::Choice { choices, default } => {
+            ValueKind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
+            ValueKind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
+            ValueKind::Choice { choices, default } => {
                 let name = default.or(choices.first().map(|choice| choice.name)).unwrap_or_default();
                 format!("\"{name}\"")
             }
@@ -330,11 +330,11 @@ impl Entry {
     /// What is expected as a value, in words.
     pub fn expected(&self) -> String {
         match self.kind {
-            Kind::Quantity { unit, range, .. } => {
+            ValueKind::Quantity { unit, range, .. } => {
                 let (words, example) = (range.words(unit.symbol), self.example());
                 format!("{} {words}, such as {example}", unit.scale.dimension)
             }
-            Kind::Choice { choices, .. } => {
+            ValueKind::Choice { choices, .. } => {
                 let names: Vec<_> = choices.iter().map(|choice| format!("\"{}\"", choice.name)).collect();
                 format!("one of {}", names.join(", "))
             }
@@ -370,12 +370,12 @@ mod tests {
         for entry in &TABLE {
             let example = entry.example();
             match entry.kind {
-                Kind::Quantity { unit, range, example: value, .. } => {
+                ValueKind::Quantity { unit, range, example: value, .. } => {
                     let read = parse(example.trim_matches('"')).and_then(|read| read.expect(unit.scale.dimension));
                     assert_eq!(read, Ok(unit.to_si(value)), "{}", entry.path);
                     assert!(range.contains(unit.to_si(value), |bound| unit.to_si(bound)), "{}", entry.path);
                 }
-                Kind::Choice { choices, .. } => {
+                ValueKind::Choice { choices, .. } => {
                     assert!(choices.iter().any(|choice| example.trim_matches('"') == choice.name), "{}", entry.path);
                 }
             }

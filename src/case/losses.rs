@@ -31,7 +31,7 @@ pub struct Losses {
 /// The losses of a case.
 ///
 /// # Errors
-/// [`Problem::Conflict`](super::Problem::Conflict) if they are asked of an edition that cannot tell them.
+/// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) if they are asked of an edition that cannot tell them.
 pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError> {
     let include = case.choice(Key::Losses).and_then(Include::from_name);
     if include == Some(Include::On) && edition.model().bending.is_none() {

@@ -32,7 +32,6 @@
 #[cfg(feature = "cli")]
 mod diagnostic;
 mod error;
-mod exchange;
 mod file;
 mod fits;
 pub mod geometry;
@@ -45,19 +44,20 @@ mod posed;
 mod range;
 pub(crate) mod raw;
 mod resolve;
+mod swap;
 mod text;
 mod thermal;
 
-pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, Model, Shear, Spans};
-pub use error::{CaseError, Place, Problem, Source};
-pub use exchange::Exchange;
+pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, ModelChoices, Shear, Spans};
+pub use error::{CaseError, CaseProblem, Place, Source};
 pub use file::Case;
 pub use fits::PITCH_TOLERANCE;
-pub use keys::{Entry, Key, Kind, TABLE, sections};
+pub use keys::{Entry, Key, TABLE, ValueKind, sections};
 pub use loss_tangent::{Grid, LossTangent, Rated};
 pub use losses::Losses;
 pub use names::{constant_label, output_label};
 pub use operating::{Clamp, Fourth, Load, Margin, OperatingPoint, Speed};
-pub use range::{Bound, Range};
-pub use resolve::{Belt, Drive, Resolved, Setting, Sheave};
+pub use range::{Range, RangeEnd};
+pub use resolve::{BeltProperties, Drive, Resolved, Setting, Sheave};
+pub use swap::GivenSwap;
 pub use thermal::Thermal;

@@ -1,6 +1,6 @@
 //! Valid cases whose question has no answer whatever the numbers.
 
-use super::error::{CaseError, Problem};
+use super::error::{CaseError, CaseProblem};
 use super::file::Case;
 use super::keys::Key;
 use super::resolve::Resolved;
@@ -11,6 +11,6 @@ impl Case {
     pub(crate) fn ill_posed(&self, resolved: &Resolved, reason: IllPosed) -> CaseError {
         let slots = resolved.operating_point.settings().map(|(key, _)| key).chain([Key::Free]);
         let places = self.swaps.iter().map(|(_, place)| place.clone());
-        CaseError::new(Problem::IllPosed(reason), places.chain(self.places(slots)))
+        CaseError::new(CaseProblem::IllPosed(reason), places.chain(self.places(slots)))
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// One end of a range, in the unit in which the quantity is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Bound {
+pub enum RangeEnd {
     /// No bound on this side.
     None,
     /// The bound itself is not allowed.
@@ -17,44 +17,44 @@ pub enum Bound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Lower end.
-    pub low: Bound,
+    pub low: RangeEnd,
     /// Upper end.
-    pub high: Bound,
+    pub high: RangeEnd,
 }
 
 impl Range {
     /// Every finite number, whatever its sign.
-    pub const ANY: Self = Self { low: Bound::None, high: Bound::None };
+    pub const ANY: Self = Self { low: RangeEnd::None, high: RangeEnd::None };
 
     /// Above zero.
-    pub const POSITIVE: Self = Self { low: Bound::Open(0.0), high: Bound::None };
+    pub const POSITIVE: Self = Self { low: RangeEnd::Open(0.0), high: RangeEnd::None };
 
     /// From zero up to and with `high`.
     pub const fn up_to(high: f64) -> Self {
-        Self { low: Bound::Closed(0.0), high: Bound::Closed(high) }
+        Self { low: RangeEnd::Closed(0.0), high: RangeEnd::Closed(high) }
     }
 
     /// Above zero, up to and with `high`.
     pub const fn positive_to(high: f64) -> Self {
-        Self { low: Bound::Open(0.0), high: Bound::Closed(high) }
+        Self { low: RangeEnd::Open(0.0), high: RangeEnd::Closed(high) }
     }
 
     /// Above zero and below `high`.
     pub const fn positive_below(high: f64) -> Self {
-        Self { low: Bound::Open(0.0), high: Bound::Open(high) }
+        Self { low: RangeEnd::Open(0.0), high: RangeEnd::Open(high) }
     }
 
     /// Whether a value in SI lies within, `to_si` taking the bounds there.
     pub fn contains(&self, si: f64, to_si: impl Fn(f64) -> f64) -> bool {
         let above = match self.low {
-            Bound::None => true,
-            Bound::Open(low) => si > to_si(low),
-            Bound::Closed(low) => si >= to_si(low),
+            RangeEnd::None => true,
+            RangeEnd::Open(low) => si > to_si(low),
+            RangeEnd::Closed(low) => si >= to_si(low),
         };
         let below = match self.high {
-            Bound::None => true,
-            Bound::Open(high) => si < to_si(high),
-            Bound::Closed(high) => si <= to_si(high),
+            RangeEnd::None => true,
+            RangeEnd::Open(high) => si < to_si(high),
+            RangeEnd::Closed(high) => si <= to_si(high),
         };
         above && below
     }
@@ -75,15 +75,15 @@ impl fmt::Display for Words<'_> {
         let space = if self.unit.is_empty() { "" } else { " " };
         let mut bound = |and: &str, word: &str, value: f64| write!(f, "{and}{word} {value}{space}{}", self.unit);
         let and = match self.range.low {
-            Bound::None => "",
-            Bound::Open(low) => bound("", "above", low).map(|()| " and ")?,
-            Bound::Closed(low) => bound("", "from", low).map(|()| " and ")?,
+            RangeEnd::None => "",
+            RangeEnd::Open(low) => bound("", "above", low).map(|()| " and ")?,
+            RangeEnd::Closed(low) => bound("", "from", low).map(|()| " and ")?,
         };
         match self.range.high {
-            Bound::None if self.range.low == Bound::None => write!(f, "of either sign"),
-            Bound::None => Ok(()),
-            Bound::Open(high) => bound(and, "below", high),
-            Bound::Closed(high) => bound(and, "up to", high),
+            RangeEnd::None if self.range.low == RangeEnd::None => write!(f, "of either sign"),
+            RangeEnd::None => Ok(()),
+            RangeEnd::Open(high) => bound(and, "below", high),
+            RangeEnd::Closed(high) => bound(and, "up to", high),
         }
     }
 }

@@ -1,14 +1,14 @@
 //! From what was written to a case in which everything is decided, in SI.
 
-use super::error::{CaseError, Problem};
-use super::exchange::Exchange;
+use super::error::{CaseError, CaseProblem};
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
 use super::keys::Key;
 use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
+use super::swap::GivenSwap;
 use super::thermal::{Thermal, thermal};
-use crate::model::{Bending, Edition, Ends, Free, Friction, Model, Shear, Spans};
+use crate::model::{Bending, Edition, Ends, Free, Friction, ModelChoices, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -20,9 +20,9 @@ pub struct Resolved {
     /// The edition that was asked for.
     pub edition: Edition,
     /// What it stands for, finer choices applied.
-    pub model: Model,
+    pub model: ModelChoices,
     /// The belt.
-    pub belt: Belt,
+    pub belt: BeltProperties,
     /// The sheaves, of both pulleys.
     pub sheave: Sheave,
     /// The drive.
@@ -34,14 +34,14 @@ pub struct Resolved {
     /// Heat, if the belt's temperature is to be found.
     pub thermal: Option<Thermal>,
     /// Constants that are found for outputs that are prescribed.
-    pub swaps: Vec<Exchange>,
+    pub swaps: Vec<GivenSwap>,
     /// What was found, SI, for keys that were solved for; nothing before a case is solved.
     pub found: Vec<(Key, f64)>,
 }
 
 /// The belt.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Belt {
+pub struct BeltProperties {
     /// L_belt, unstretched length, m.
     pub length: f64,
     /// m_o, mass per length, unstretched, kg/m.
@@ -92,15 +92,15 @@ impl Case {
     /// Decides everything: the base case's values for keys that were not given, the edition's choices, the radii.
     ///
     /// # Errors
-    /// What holds between several keys and does not here: [`Problem::Conflict`], [`Problem::Missing`],
-    /// [`Problem::Overlap`], [`Problem::NoRadii`].
+    /// What holds between several keys and does not here: [`CaseProblem::Conflict`], [`CaseProblem::Missing`],
+    /// [`CaseProblem::Overlap`], [`CaseProblem::NoRadii`].
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
         let edition = self.choice(Key::Edition).and_then(Edition::from_name).unwrap_or(Edition::Consistent);
         let drive = self.drive()?;
         Ok(Resolved {
             edition,
             model: self.model(edition)?,
-            belt: Belt {
+            belt: BeltProperties {
                 length: self.value(Key::BeltLength),
                 mass_per_length: self.value(Key::MassPerLength),
                 longitudinal_stiffness: self.value(Key::LongitudinalStiffness),
@@ -116,7 +116,7 @@ impl Case {
             operating_point: OperatingPoint::resolve(self, drive.free)?,
             losses: losses(self, edition)?,
             thermal: thermal(self)?,
-            swaps: self.swaps.iter().map(|(exchange, _)| exchange.clone()).collect(),
+            swaps: self.swaps.iter().map(|(swap, _)| swap.clone()).collect(),
             found: Vec::new(),
         })
     }
@@ -127,14 +127,14 @@ impl Case {
     }
 
     pub(super) fn conflict(&self, first: Key, second: Key, reason: &'static str) -> CaseError {
-        CaseError::new(Problem::Conflict { first, second, reason }, self.places([first, second]))
+        CaseError::new(CaseProblem::Conflict { first, second, reason }, self.places([first, second]))
     }
 
     pub(super) fn missing(&self, key: Key, missing: &'static str) -> CaseError {
-        CaseError::new(Problem::Missing { key, given: self.written(key), missing }, self.places([key]))
+        CaseError::new(CaseProblem::Missing { key, given: self.written(key), missing }, self.places([key]))
     }
 
-    fn model(&self, edition: Edition) -> Result<Model, CaseError> {
+    fn model(&self, edition: Edition) -> Result<ModelChoices, CaseError> {
         let mut model = edition.model();
         model.friction = self.choice(Key::Friction).and_then(Friction::from_name).unwrap_or(model.friction);
         model.bending = match model.bending {
@@ -186,7 +186,7 @@ impl Case {
         if primary_radius + secondary_radius >= center_distance {
             let (primary, secondary) = (primary_radius, secondary_radius);
             let places = self.places([Key::PrimaryRadius, Key::SecondaryRadius, Key::CenterDistance]);
-            return Err(CaseError::new(Problem::Overlap { primary, secondary, center_distance }, places));
+            return Err(CaseError::new(CaseProblem::Overlap { primary, secondary, center_distance }, places));
         }
         Ok(Drive { center_distance, primary_radius, secondary_radius, free })
     }
@@ -199,7 +199,7 @@ impl Case {
             move |reason: NoRadii| {
                 let given = self.written(key);
                 let places = self.places([key, Key::BeltLength, Key::CenterDistance]);
-                CaseError::new(Problem::NoRadii { key, given, length, center_distance, reason }, places)
+                CaseError::new(CaseProblem::NoRadii { key, given, length, center_distance, reason }, places)
             }
         };
         let beside = |key, fixed: f64| {
@@ -268,7 +268,7 @@ impl Serialize for Resolved {
         settings.sort_by_key(|(key, _)| *key);
         let mut map = serializer.serialize_map(None)?;
         if !self.swaps.is_empty() {
-            map.serialize_entry(SWAP, &self.swaps.iter().map(Exchange::to_string).collect::<Vec<_>>())?;
+            map.serialize_entry(SWAP, &self.swaps.iter().map(GivenSwap::to_string).collect::<Vec<_>>())?;
         }
         for section in settings.chunk_by(|(a, _), (b, _)| a.entry().section() == b.entry().section()) {
             match section {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::file::{Case, SWAP, Value, unquoted};
-use super::keys::{Entry, Key, Kind};
+use super::keys::{Entry, Key, ValueKind};
 use crate::quantity;
 
 /// Characters of a quantity that is kept as it was written; no TOML string needs to escape them.
@@ -72,15 +72,15 @@ fn is_decimal(text: &str) -> bool {
 
 fn in_unit(entry: &Entry, si: f64) -> String {
     match entry.kind {
-        Kind::Quantity { unit, .. } => format!("{} {}", unit.from_si(si), unit.symbol).trim_end().to_owned(),
-        Kind::Choice { .. } => String::new(),
+        ValueKind::Quantity { unit, .. } => format!("{} {}", unit.from_si(si), unit.symbol).trim_end().to_owned(),
+        ValueKind::Choice { .. } => String::new(),
     }
 }
 
 /// In SI; a speed in words, as a bare one that is surely in rpm is refused.
 fn in_si(entry: &Entry, si: f64) -> String {
     match entry.kind {
-        Kind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => {
+        ValueKind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => {
             format!("{si:e} rad/s")
         }
         _ => format!("{si:e}"),
@@ -105,8 +105,8 @@ mod tests {
             let mut case = Case::base();
             for entry in &super::super::keys::TABLE {
                 let _ = match entry.kind {
-                    Kind::Quantity { .. } => case.set_si(entry.key, number),
-                    Kind::Choice { choices, .. } => case.set(entry.path, choices[0].name),
+                    ValueKind::Quantity { .. } => case.set_si(entry.key, number),
+                    ValueKind::Choice { choices, .. } => case.set(entry.path, choices[0].name),
                 };
             }
             let again = Case::from_toml("again", &case.to_toml()).expect("the text is a case");

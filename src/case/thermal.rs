@@ -25,8 +25,8 @@ pub struct Thermal {
 /// What a case says of heat; nothing unless both the air and the heat transfer are given.
 ///
 /// # Errors
-/// [`Problem::Missing`](super::Problem::Missing) if one is given without the other;
-/// [`Problem::Conflict`](super::Problem::Conflict) beside a margin against slip.
+/// [`CaseProblem::Missing`](super::CaseProblem::Missing) if one is given without the other;
+/// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) beside a margin against slip.
 pub(super) fn thermal(case: &Case) -> Result<Option<Thermal>, CaseError> {
     let margin = [Key::SlipReserve, Key::FrictionUtilization].into_iter().find(|key| case.has(*key));
     if let Some(margin) = margin.filter(|_| case.has(Key::Ambient)) {

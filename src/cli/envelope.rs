@@ -64,7 +64,7 @@ impl Stop {
         let report = |kind, message: String, hint: Option<String>| FailureReport { kind, message, hint };
         match self {
             Self::Input(error) => {
-                let unreadable = matches!(error.problem(), sheave::case::Problem::Read { .. });
+                let unreadable = matches!(error.problem(), sheave::case::CaseProblem::Read { .. });
                 let kind = if unreadable { FailureKind::Unreadable } else { FailureKind::Input };
                 report(kind, error.to_string(), error.hint())
             }

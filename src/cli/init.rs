@@ -6,7 +6,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::small::init::{InitError, Method, PulleyId, SimpleDrive, Situation, State, solve};
+use sheave::small::init::{InitError, InitialState, Method, PulleyId, SimpleDrive, Situation, solve};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -92,7 +92,7 @@ fn stop(error: InitError) -> Stop {
     stop(error.to_string())
 }
 
-fn object(situation: Situation, drive: &SimpleDrive, state: &State) -> Object {
+fn object(situation: Situation, drive: &SimpleDrive, state: &InitialState) -> Object {
     let pulley = |id: PulleyId, speed: f64, torque: f64, axial_force: f64| Pulley {
         speed,
         torque,

@@ -3,7 +3,7 @@
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use sheave::case::{Bound, Choice, Entry, Kind, TABLE};
+use sheave::case::{Choice, Entry, RangeEnd, TABLE, ValueKind};
 use std::fmt::Write;
 
 /// List the keys of a case file with their units, ranges and defaults
@@ -30,7 +30,7 @@ pub fn table() -> String {
             text.push('\n');
         }
         text += &line(entry);
-        if let Kind::Choice { choices, .. } = entry.kind {
+        if let ValueKind::Choice { choices, .. } = entry.kind {
             text.extend(choices.iter().map(explain));
         }
     }
@@ -55,16 +55,16 @@ fn note(section: &str) -> &'static str {
 
 fn line(entry: &Entry) -> String {
     let (default, range) = match entry.kind {
-        Kind::Quantity { unit, range, base, .. } => {
+        ValueKind::Quantity { unit, range, base, .. } => {
             let default = if base { entry.example() } else { "-".into() };
             // That it is positive goes without saying.
             let range = match range.low {
-                Bound::Open(0.0) if range.high == Bound::None => String::new(),
+                RangeEnd::Open(0.0) if range.high == RangeEnd::None => String::new(),
                 _ => format!("; {}", range.words(unit.symbol)),
             };
             (default, range)
         }
-        Kind::Choice { default, .. } => (default.map_or("-".into(), |name| format!("\"{name}\"")), String::new()),
+        ValueKind::Choice { default, .. } => (default.map_or("-".into(), |name| format!("\"{name}\"")), String::new()),
     };
     let symbol = if entry.symbol.is_empty() { String::new() } else { format!("{}, ", entry.symbol) };
     format!("  {:<24} {default:<16} {symbol}{}{range}\n", entry.name(), entry.doc)

@@ -8,7 +8,7 @@ use clap::Args;
 use serde::Serialize;
 use sheave::case::Resolved;
 use sheave::design::{
-    ClampLimits, Kind, Limit, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
+    ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
 };
 use sheave::quantity::unsigned_zero;
 use std::fmt::Write;
@@ -90,10 +90,10 @@ fn summary(found: &Found<'_>) -> String {
 
 fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
     let kind = match &limit.kind {
-        Kind::Fold => "a fold".to_owned(),
-        Kind::Collapse => "collapse of the speed ratio".to_owned(),
-        Kind::SpeedEfficiency => "the least speed efficiency".to_owned(),
-        Kind::Lost(reason) => {
+        LimitKind::Fold => "a fold".to_owned(),
+        LimitKind::Collapse => "collapse of the speed ratio".to_owned(),
+        LimitKind::SpeedEfficiency => "the least speed efficiency".to_owned(),
+        LimitKind::Lost(reason) => {
             tracing::info!("{what}: {reason}");
             "the limit lies beyond: no solution was found farther on (-v says why)".to_owned()
         }

@@ -6,7 +6,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::design::{Bound, State, optimum, optimum_figures, optimum_map};
+use sheave::design::{DriveState, OptimumPlace, optimum, optimum_figures, optimum_map};
 
 /// Find the clamp of best overall efficiency for the torque of a case
 ///
@@ -23,8 +23,8 @@ pub struct Arguments {
 struct Found {
     edition: &'static str,
     #[serde(flatten)]
-    state: State,
-    bound: Bound,
+    state: DriveState,
+    bound: OptimumPlace,
     gradient: f64,
     evaluations: usize,
 }
@@ -52,9 +52,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 fn summary(found: &Found) -> String {
     let state = &found.state;
     let what = match found.bound {
-        Bound::Inner => "the best clamp",
-        Bound::Loosest => "no maximum found: the loosest belt tried",
-        Bound::Tightest => "no maximum found: the tightest belt tried",
+        OptimumPlace::Inner => "the best clamp",
+        OptimumPlace::Loosest => "no maximum found: the loosest belt tried",
+        OptimumPlace::Tightest => "no maximum found: the tightest belt tried",
     };
     format!(
         "Best clamp for {:.2} N·m, edition {}: {what}\n\n\

@@ -4,8 +4,8 @@ use solver::Linearisation;
 use solver::continuation::PointKind;
 
 use super::error::DesignError;
-use super::state::State;
-use crate::case::Model;
+use super::state::DriveState;
+use crate::case::ModelChoices;
 use crate::drive::{Curve, End, Failure, SolveOptions, Solved, solve_question_from, trace};
 use crate::model::{Constant, InternalError, Output};
 
@@ -32,11 +32,11 @@ pub enum Parameter {
 
 /// A solution on the curve.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct BranchPoint {
     /// The solution.
     pub solved: Solved,
     /// What the drive does here.
-    pub state: State,
+    pub state: DriveState,
     /// In what the curve is followed here.
     pub parameter: Parameter,
     /// The speed efficiency.
@@ -58,19 +58,19 @@ pub enum BranchEnd {
 #[derive(Debug)]
 pub struct Branch {
     /// The solutions.
-    pub points: Vec<Point>,
+    pub points: Vec<BranchPoint>,
     /// Why there are no more.
     pub end: BranchEnd,
-    model: Model,
+    model: ModelChoices,
     start: Solved,
     free: Constant,
     efficiency: Output,
     options: SolveOptions,
 }
 
-impl Point {
+impl BranchPoint {
     fn new(solved: Solved, parameter: Parameter, place: f64, is_extremum: bool) -> Result<Self, InternalError> {
-        Ok(Self { state: State::of(&solved)?, solved, parameter, place, is_extremum })
+        Ok(Self { state: DriveState::of(&solved)?, solved, parameter, place, is_extremum })
     }
 
     /// An output here, SI.
@@ -104,7 +104,7 @@ impl Branch {
     /// # Errors
     /// [`Failure::NoEquations`].
     pub fn trace(
-        model: &Model,
+        model: &ModelChoices,
         start: &Solved,
         (free, sought): (Constant, Output),
         upwards: bool,
@@ -124,12 +124,12 @@ impl Branch {
             options: *options,
         };
         for (kind, solved) in points {
-            let place = State::of(&solved)?.speed_efficiency;
+            let place = DriveState::of(&solved)?.speed_efficiency;
             let is_extremum = kind == PointKind::Fold;
             // An extremum counts as accurately as any solution.
             let settled = if is_extremum { branch.at(place, &solved).ok() } else { None };
             let solved = settled.map_or(solved, |point| point.solved);
-            branch.points.push(Point::new(solved, Parameter::Arclength, place, is_extremum)?);
+            branch.points.push(BranchPoint::new(solved, Parameter::Arclength, place, is_extremum)?);
         }
         match lost {
             Some(failure) => branch.end = BranchEnd::Lost(failure),
@@ -139,10 +139,10 @@ impl Branch {
     }
 
     /// The solution at a speed efficiency, from one nearby.
-    pub(super) fn at(&self, place: f64, from: &Solved) -> Result<Point, Failure> {
+    pub(super) fn at(&self, place: f64, from: &Solved) -> Result<BranchPoint, Failure> {
         let question = self.start.question.clone().swap(self.free, self.efficiency, place);
         let solved = solve_question_from(from, &self.model, &question, &self.options)?;
-        Ok(Point::new(solved, Parameter::SpeedEfficiency, place, false)?)
+        Ok(BranchPoint::new(solved, Parameter::SpeedEfficiency, place, false)?)
     }
 
     fn descend(&mut self, last: f64) {

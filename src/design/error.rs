@@ -27,7 +27,7 @@ pub enum DesignError {
     #[error(transparent)]
     Internal(#[from] InternalError),
     /// The equations are singular where a derivative is needed.
-    #[error("a solution on the way has no derivatives: {0}")]
+    #[error("a solution on the path has no derivatives: {0}")]
     Singular(#[from] SolveError),
     /// The efficiency sought has losses in it that cannot be told.
     #[error("the efficiency with losses has no optimum: {0}")]

@@ -2,10 +2,10 @@
 
 use serde::{Serialize, Serializer};
 
-use super::branch::{Branch, BranchEnd, Parameter, Point};
+use super::branch::{Branch, BranchEnd, BranchPoint, Parameter};
 use super::error::DesignError;
-use super::state::State;
-use crate::case::{Clamp, Key, Load, Model, Resolved, Speed};
+use super::state::DriveState;
+use crate::case::{Clamp, Key, Load, ModelChoices, Resolved, Speed};
 use crate::drive::{Failure, Question, SolveOptions, Solved, solve};
 use crate::model::{Constant, InternalError, Output};
 
@@ -22,7 +22,7 @@ const LOCATED: f64 = 1e-9;
 
 /// What a limit is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
+pub enum LimitKind {
     /// An extremum on the curve: beyond it, there is no solution near this one.
     Fold,
     /// The collapse of the speed ratio: the limit is reached where the secondary stands still.
@@ -33,7 +33,7 @@ pub enum Kind {
     Lost(String),
 }
 
-impl Kind {
+impl LimitKind {
     /// In one word.
     pub const fn name(&self) -> &'static str {
         match self {
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-impl Serialize for Kind {
+impl Serialize for LimitKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }
@@ -57,9 +57,9 @@ pub struct Limit {
     /// The limiting value, N or N·m.
     pub value: f64,
     /// What makes it a limit.
-    pub kind: Kind,
+    pub kind: LimitKind,
     /// The drive there.
-    pub state: State,
+    pub state: DriveState,
 }
 
 /// The smallest clamps, in the ways to give one.
@@ -76,7 +76,7 @@ pub struct ClampLimits {
 /// How limits are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LimitOptions {
-    /// For every solution on the way.
+    /// For every solution on the path.
     pub solve: SolveOptions,
     /// Speed efficiency below which the drive counts as slipping; 0 follows it to the stall.
     pub least_speed_efficiency: f64,
@@ -176,7 +176,7 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
 /// The largest (`upwards`) or smallest value of an output on the curve on which `free` moves: at its first extremum,
 /// else at the curve's end.
 fn limit(
-    model: &Model,
+    model: &ModelChoices,
     start: &Solved,
     (free, output): (Constant, Output),
     upwards: bool,
@@ -185,30 +185,30 @@ fn limit(
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
-        BranchEnd::Lost(failure) => Kind::Lost(failure.to_string()),
-        BranchEnd::Whole if least > 0.0 => Kind::SpeedEfficiency,
-        BranchEnd::Whole => Kind::Collapse,
+        BranchEnd::Lost(failure) => LimitKind::Lost(failure.to_string()),
+        BranchEnd::Whole if least > 0.0 => LimitKind::SpeedEfficiency,
+        BranchEnd::Whole => LimitKind::Collapse,
     };
     let Some(last) = branch.points.last() else { return Err(Failure::NoEquations.into()) };
     let end = last.value(output)?;
     // Near the stall curves are flat: a fold there is told from the end by more than the solutions' accuracy.
     let least = DISTINCT * options.solve.tolerance * end.abs();
-    let is_distinct = |value: f64| matches!(kind, Kind::Lost(_)) || (value - end).abs() > least;
-    let mut folds: Vec<Point> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
+    let is_distinct = |value: f64| matches!(kind, LimitKind::Lost(_)) || (value - end).abs() > least;
+    let mut folds: Vec<BranchPoint> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
     folds.extend(extrema(&branch, output, if upwards { 1.0 } else { -1.0 })?);
     let folds = folds.iter().map(|fold| Ok((fold, fold.value(output)?))).collect::<Result<Vec<_>, InternalError>>()?;
     let limit = match folds.into_iter().find(|(_, value)| is_distinct(*value)) {
-        Some((fold, value)) => Limit { value, kind: Kind::Fold, state: fold.state },
+        Some((fold, value)) => Limit { value, kind: LimitKind::Fold, state: fold.state },
         None => Limit { value: end, kind, state: last.state },
     };
     Ok((limit, branch))
 }
 
 /// The extrema of an output where the speed efficiency is prescribed: maxima for `sign` 1, minima for −1.
-fn extrema(branch: &Branch, output: Output, sign: f64) -> Result<Vec<Point>, DesignError> {
-    let rate = |point: &Point| point.value_and_rate(output).map(|(_, rate)| sign * rate);
+fn extrema(branch: &Branch, output: Output, sign: f64) -> Result<Vec<BranchPoint>, DesignError> {
+    let rate = |point: &BranchPoint| point.value_and_rate(output).map(|(_, rate)| sign * rate);
     let mut extrema = Vec::new();
-    let mut before: Option<(&Point, f64)> = None;
+    let mut before: Option<(&BranchPoint, f64)> = None;
     for point in branch.points.iter().filter(|point| point.parameter == Parameter::SpeedEfficiency) {
         let here = rate(point)?;
         if let Some((last, earlier)) = before.filter(|(_, earlier)| *earlier > 0.0 && here <= 0.0) {
@@ -223,10 +223,10 @@ fn extrema(branch: &Branch, output: Output, sign: f64) -> Result<Vec<Point>, Des
 /// 1971).
 fn located(
     branch: &Branch,
-    first: (&Point, f64),
-    second: (&Point, f64),
-    rate: &dyn Fn(&Point) -> Result<f64, DesignError>,
-) -> Result<Point, DesignError> {
+    first: (&BranchPoint, f64),
+    second: (&BranchPoint, f64),
+    rate: &dyn Fn(&BranchPoint) -> Result<f64, DesignError>,
+) -> Result<BranchPoint, DesignError> {
     let (mut a, mut b) = ((first.0.clone(), first.1), (second.0.clone(), second.1));
     for _ in 0..LOCATING {
         let (s, t) = (a.0.place, b.0.place);

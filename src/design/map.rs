@@ -8,7 +8,7 @@ use super::optimum::optimum;
 use crate::case::{Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use crate::plot::{Axis, Figure, Series};
-use crate::study::{Cell, Point, Row, Study, StudyError, Table, TableBuilder};
+use crate::study::{Cell, GridPoint, Row, Study, StudyError, Table, TableBuilder};
 
 /// Keys of the load and of the clamp: what is varied is not sought.
 const LOADS: [Key; 2] = [Key::PrimaryTorque, Key::SecondaryTorque];
@@ -149,7 +149,7 @@ fn map(
     Ok(table.finish())
 }
 
-fn table_row(index: usize, point: &Point, answer: Result<Value, String>) -> Row {
+fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> Row {
     let mut cells: Vec<(String, Value)> = Vec::new();
     for (key, setting) in &point.varied {
         let value = match setting {

@@ -12,9 +12,9 @@ mod map;
 mod optimum;
 mod state;
 
-pub use branch::{Branch, BranchEnd, Parameter, Point};
+pub use branch::{Branch, BranchEnd, BranchPoint, Parameter};
 pub use error::DesignError;
-pub use limit::{ClampLimits, Kind, Limit, LimitOptions, largest_torque, smallest_clamps};
+pub use limit::{ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, smallest_clamps};
 pub use map::{limit_figures, limit_map, limits, optimum_figures, optimum_map};
-pub use optimum::{Bound, Optimum, optimum};
-pub use state::State;
+pub use optimum::{Optimum, OptimumPlace, optimum};
+pub use state::DriveState;

@@ -10,7 +10,7 @@ use solver::{Functional, Linearisation};
 
 use super::error::DesignError;
 use super::limit::clamped;
-use super::state::State;
+use super::state::DriveState;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve_from};
 use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients, losses};
@@ -28,7 +28,7 @@ const LOCATED: f64 = 1e-8;
 
 /// Where the best clamp lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bound {
+pub enum OptimumPlace {
     /// At a maximum of the efficiency.
     Inner,
     /// At the loosest belt that has a solution: the efficiency rises up to there.
@@ -37,7 +37,7 @@ pub enum Bound {
     Tightest,
 }
 
-impl Serialize for Bound {
+impl Serialize for OptimumPlace {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(match self {
             Self::Inner => "inner",
@@ -51,9 +51,9 @@ impl Serialize for Bound {
 #[derive(Debug, Clone)]
 pub struct Optimum {
     /// The drive there.
-    pub state: State,
+    pub state: DriveState,
     /// Whether it is a maximum.
-    pub bound: Bound,
+    pub bound: OptimumPlace,
     /// d(overall efficiency)/d(slack tension) there, 1/N.
     pub gradient: f64,
     /// Solutions it took.
@@ -92,9 +92,9 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     trials.push(start.clone());
     trials.extend(search.march(&start, -1.0)?);
     // From tight to loose, the efficiency has a maximum where its slope turns from negative to positive.
-    let mut best: Option<(f64, Trial, Bound)> = None;
+    let mut best: Option<(f64, Trial, OptimumPlace)> = None;
     let told = search.case.clone();
-    let mut offer = |trial: Trial, bound: Bound| -> Result<(), DesignError> {
+    let mut offer = |trial: Trial, bound: OptimumPlace| -> Result<(), DesignError> {
         let efficiency = efficiency(&told, &trial.solved, options)?;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
@@ -106,14 +106,14 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
             && tight.slope <= 0.0
             && loose.slope > 0.0
         {
-            offer(search.located(tight.clone(), loose.clone())?, Bound::Inner)?;
+            offer(search.located(tight.clone(), loose.clone())?, OptimumPlace::Inner)?;
         }
     }
     if let Some(loosest) = trials.last().filter(|trial| trial.slope < 0.0) {
-        offer(loosest.clone(), Bound::Loosest)?;
+        offer(loosest.clone(), OptimumPlace::Loosest)?;
     }
     if let Some(tightest) = trials.first().filter(|trial| trial.slope > 0.0) {
-        offer(tightest.clone(), Bound::Tightest)?;
+        offer(tightest.clone(), OptimumPlace::Tightest)?;
     }
     match best {
         Some((_, trial, bound)) => search.finish(trial, bound),
@@ -183,9 +183,9 @@ impl Search {
         Ok(b)
     }
 
-    fn finish(&self, best: Trial, bound: Bound) -> Result<Optimum, DesignError> {
+    fn finish(&self, best: Trial, bound: OptimumPlace) -> Result<Optimum, DesignError> {
         Ok(Optimum {
-            state: State::of(&best.solved)?,
+            state: DriveState::of(&best.solved)?,
             bound,
             gradient: best.slope / best.solved.constant(Constant::SlackTension),
             evaluations: self.evaluations,
@@ -204,7 +204,7 @@ fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Resul
     if with_losses(case) {
         return Ok(losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance)?.efficiency);
     }
-    Ok(State::of(solved)?.overall_efficiency)
+    Ok(DriveState::of(solved)?.overall_efficiency)
 }
 
 /// d(efficiency sought)/d(slack tension), 1/N.

@@ -7,7 +7,7 @@ use crate::model::{InternalError, Output};
 
 /// Where a drive stands: torque, clamp, speeds and efficiency. SI, ratios as fractions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct State {
+pub struct DriveState {
     /// Torque into the primary, N·m.
     pub primary_torque: f64,
     /// Torque out of the secondary, N·m.
@@ -28,7 +28,7 @@ pub struct State {
     pub overall_efficiency: f64,
 }
 
-impl State {
+impl DriveState {
     /// Of a solution.
     ///
     /// # Errors

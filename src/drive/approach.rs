@@ -3,18 +3,18 @@
 use solver::Guess;
 use solver::continuation::{Path, PathOptions, Ramp, follow};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
-use super::polish::{lenient, polished};
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
-use crate::case::Model;
+use crate::case::ModelChoices;
 use crate::model::Constant;
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those
 /// of `question`: the slip threshold geometrically, all others linearly. Both must be of one model.
 pub(super) fn approach(
-    model: &Model,
+    model: &ModelChoices,
     from: &Solved,
     question: &Question,
     options: &PathOptions,
@@ -37,16 +37,16 @@ pub(super) fn approach(
         };
     }
     let unknowns: Vec<usize> = unknowns.into_iter().map(Constant::index).collect();
-    let path = Geared { ramp: path, free: unknowns.contains(&Constant::SpeedRatio.index()) };
-    let lenient = PathOptions { solve: lenient(&options.solve), ..options.clone() };
-    let followed = match follow(&belt, &start, &path, &unknowns, &lenient) {
+    let path = RatioPath { ramp: path, free: unknowns.contains(&Constant::SpeedRatio.index()) };
+    let relaxed = PathOptions { solve: relaxed(&options.solve), ..options.clone() };
+    let followed = match follow(&belt, &start, &path, &unknowns, &relaxed) {
         Ok(followed) => followed,
         Err(error) => return Err(Failure::approaching(&belt, question, error.last.as_deref(), error.cause)),
     };
     let mut stats = from.stats;
     stats += *followed.solution.stats();
     let continuation_steps = from.continuation_steps + accepted(&followed);
-    match polished(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
+    match corrected(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
         Ok(solution) => {
             Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
         }
@@ -55,10 +55,10 @@ pub(super) fn approach(
 }
 
 /// The problem of a question, and a solution as its start: every prescribed output at the value that it has there.
-pub(super) fn posed(model: &Model, from: &Solved, question: &Question) -> Result<(Belt, Guess), Failure> {
+pub(super) fn posed(model: &ModelChoices, from: &Solved, question: &Question) -> Result<(BeltProblem, Guess), Failure> {
     let values = from.belt.output_values(&from.solution)?;
     let prescribed: Vec<_> = question.conditions().collect();
-    let belt = Belt::prescribing(model, &question.constants, &prescribed)?;
+    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?;
     let mut start = Guess::from(&from.solution);
     start.constants.truncate(Constant::ALL.len());
     for (output, _) in &prescribed {
@@ -75,13 +75,13 @@ fn asked(question: &Question, constant: Constant) -> f64 {
 
 /// A path on which radii may move. What counts on the secondary is σ R_S/R_P, the belt's speed over the rim's, to a
 /// share of the slip threshold: it, rather than σ, is predicted linearly.
-struct Geared {
+struct RatioPath {
     ramp: Ramp,
     /// Whether the speed ratio is unknown.
     free: bool,
 }
 
-impl Path for Geared {
+impl Path for RatioPath {
     fn constants(&self, lambda: f64, constants: &mut [f64]) {
         self.ramp.constants(lambda, constants);
     }
@@ -97,8 +97,8 @@ impl Path for Geared {
             return;
         };
         let change = |(from, to): (f64, f64)| (to - from) / from;
-        let geared = 1.0 + change(sigma) + change(secondary) - change(primary);
-        let bent = geared * (sigma.0 * secondary.0 / primary.0) * primary.1 / secondary.1;
+        let change_of_speed = 1.0 + change(sigma) + change(secondary) - change(primary);
+        let bent = change_of_speed * (sigma.0 * secondary.0 / primary.0) * primary.1 / secondary.1;
         if let Some(sigma) = predicted.get_mut(Constant::SpeedRatio.index()).filter(|_| self.free && bent.is_finite()) {
             *sigma = bent;
         }

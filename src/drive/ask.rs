@@ -37,7 +37,7 @@ impl Case {
     /// Refuses a question that has no answer whatever the numbers, at the places that ask it.
     ///
     /// # Errors
-    /// [`Problem::IllPosed`](crate::case::Problem::IllPosed).
+    /// [`Problem::IllPosed`](crate::case::CaseProblem::IllPosed).
     pub fn check_posed(&self, resolved: &Resolved) -> Result<(), CaseError> {
         Question::of(resolved).check(&resolved.model).map_err(|reason| self.ill_posed(resolved, reason))
     }
@@ -73,12 +73,8 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
             }
         }
     }
-    let exchanges = case.swaps.iter();
-    swaps.extend(exchanges.map(|exchange| Swap {
-        free: exchange.constant,
-        known: Known::Output(exchange.output),
-        value: exchange.value,
-    }));
+    let given = case.swaps.iter();
+    swaps.extend(given.map(|swap| Swap { free: swap.constant, known: Known::Output(swap.output), value: swap.value }));
     swaps
 }
 

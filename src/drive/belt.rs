@@ -8,16 +8,16 @@ use super::inputs::inputs;
 use super::model::Kernels;
 use super::outputs::{OutputGradients, OutputValues};
 use super::question::Known;
-use super::region::{Bound, RegionId};
-use crate::model::{Constant, Constants, InternalError, Model, Output, State};
+use super::region::{BoundRegion, RegionId};
+use crate::model::{Constant, Constants, InternalError, ModelChoices, Output, State};
 
 /// The boundary value problem of one belt drive.
 ///
 /// Two contacts and two spans, each on `[0, 1]`, joined by the boundary equations. Outputs that are prescribed add an
 /// equation each, "output − target = 0", and a constant each, the target: it follows the [`Constant`]s in the layout.
 #[derive(Debug, Clone)]
-pub struct Belt {
-    regions: [Bound; 4],
+pub struct BeltProblem {
+    regions: [BoundRegion; 4],
     boundary: &'static BoundaryKernel,
     outputs: &'static OutputKernel,
     prescribed: Vec<Prescribed>,
@@ -32,13 +32,14 @@ struct Prescribed {
     row: usize,
 }
 
-impl Belt {
+impl BeltProblem {
     /// Joins the kernels that `model` chooses; `constants` only tell the typical magnitudes of the states.
     /// `None` for a model that has no kernels.
-    pub fn new(model: &Model, constants: &Constants) -> Option<Self> {
+    pub fn new(model: &ModelChoices, constants: &Constants) -> Option<Self> {
         let kernels = Kernels::of(model)?;
-        let bind =
-            |region: RegionId| Bound::new(region, if region.is_contact() { kernels.contact } else { kernels.span });
+        let bind = |region: RegionId| {
+            BoundRegion::new(region, if region.is_contact() { kernels.contact } else { kernels.span })
+        };
         let regions = [
             bind(RegionId::Primary)?,
             bind(RegionId::SlackSpan)?,
@@ -54,7 +55,11 @@ impl Belt {
     /// # Errors
     /// [`Failure::NoEquations`] for a model that has no kernels, [`Failure::Internal`] for an output that its drives do
     /// not have, which [`Question::check`](super::Question::check) refuses before.
-    pub fn prescribing(model: &Model, constants: &Constants, outputs: &[(Output, f64)]) -> Result<Self, Failure> {
+    pub fn prescribing(
+        model: &ModelChoices,
+        constants: &Constants,
+        outputs: &[(Output, f64)],
+    ) -> Result<Self, Failure> {
         let mut belt = Self::new(model, constants).ok_or(Failure::NoEquations)?;
         for &(output, scale) in outputs {
             let row = belt.outputs.row(output).ok_or(InternalError::Output(output))?;
@@ -143,7 +148,7 @@ impl Belt {
 }
 
 /// Names, sizes, sparsity and typical magnitudes.
-fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants) -> Layout {
+fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Constants) -> Layout {
     let tension = constants[Constant::SlackTension];
     let penetration = tension
         / (constants[Constant::RadialStiffness]
@@ -159,7 +164,7 @@ fn layout(regions: &[Bound; 4], boundary: &BoundaryKernel, constants: &Constants
         | State::DirectionDerivative
         | State::DirectionSecondDerivative => 0.1,
     };
-    let region = |(id, bound): (RegionId, &Bound)| Region {
+    let region = |(id, bound): (RegionId, &BoundRegion)| Region {
         name: id.name().to_owned(),
         interval: (0.0, 1.0),
         states: bound
@@ -227,7 +232,7 @@ fn is_physical(constants: &[f64]) -> bool {
         && unstretched_speed < wave_speed
 }
 
-impl Problem for Belt {
+impl Problem for BeltProblem {
     fn layout(&self) -> &Layout {
         &self.layout
     }

@@ -8,11 +8,11 @@ use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed
 use solver::{Event, Options, Solution, SolveError, Stats};
 
 use super::approach::posed;
+use super::correct::relaxed;
 use super::failure::Failure;
-use super::polish::lenient;
 use super::solve::SolveOptions;
 use super::solved::Solved;
-use crate::case::Model;
+use crate::case::ModelChoices;
 use crate::model::{Constant, Output};
 
 /// Intervals at most: a curve that needs more is lost.
@@ -57,7 +57,7 @@ pub struct End {
 /// # Errors
 /// [`Failure::NoEquations`]; a curve that is lost holds what was found of it.
 pub fn trace(
-    model: &Model,
+    model: &ModelChoices,
     from: &Solved,
     (free, output): (Constant, Output),
     upwards: bool,
@@ -81,7 +81,7 @@ pub fn trace(
         _ => ControlFlow::Continue(()),
     };
     let tolerance = options.tolerance.max(TOLERANCE);
-    let solve = lenient(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
+    let solve = relaxed(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
     let options = BranchOptions {
         solve,
         upwards,

@@ -3,7 +3,7 @@
 use solver::{Solution, SolveError};
 use thiserror::Error;
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::question::{Known, Question};
 use crate::model::{Constant, Constants, IllPosed, InternalError};
 
@@ -29,7 +29,7 @@ pub enum Failure {
     /// The equations are singular at the solution.
     #[error("the solution has no derivatives: {0}")]
     Sensitivities(SolveError),
-    /// The way from the start to the case was lost.
+    /// The path from the start to the case was lost.
     #[error(
         "the solution was lost at primary torque {torque:.4} N·m, slip threshold {slip_threshold:.3e} m/s, slack tension \
          {slack_tension:.4} N: {cause}"
@@ -151,7 +151,7 @@ impl Failure {
         }
     }
 
-    /// Of a way that was lost at the solution `last`.
+    /// Of a path that was lost at the solution `last`.
     pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
         let Some(last) = last else { return Self::Start(cause) };
         match Constants::try_from(last.constants()) {
@@ -165,9 +165,9 @@ impl Failure {
         }
     }
 
-    /// Of a way on which what `question` prescribes was approached.
+    /// Of a path on which what `question` prescribes was approached.
     pub(super) fn approaching(
-        belt: &Belt,
+        belt: &BeltProblem,
         question: &Question,
         last: Option<&Solution>,
         cause: Box<SolveError>,

@@ -2,7 +2,7 @@
 
 use generated::{BoundaryKernel, OutputKernel, RegionKernel};
 
-use crate::case::{Bending, Ends, Friction, Model, Shear, Spans};
+use crate::case::{Bending, Ends, Friction, ModelChoices, Shear, Spans};
 
 /// The generated kernels of a model.
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +16,7 @@ pub(super) struct Kernels {
 
 impl Kernels {
     /// Those of `model`; `None` for a model that has none.
-    pub fn of(model: &Model) -> Option<Self> {
+    pub fn of(model: &ModelChoices) -> Option<Self> {
         let Some(Bending { shear, ends, spans }) = model.bending else { return Some(Self::string(model.friction)) };
         let contact = match (shear, model.friction) {
             (Shear::Linearised, Friction::ViscousCoulomb) => &generated::CONTACT_LINEARISED_VISCOUS_COULOMB,

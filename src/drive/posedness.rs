@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 use super::model::Kernels;
 use super::question::{Known, Question};
 use crate::case::constant_label;
-use crate::model::{Constant, IllPosed, Model};
+use crate::model::{Constant, IllPosed, ModelChoices};
 
 /// Singular values below this count as zero; rows have length 1.
 const ZERO: f64 = 1e-10;
@@ -24,7 +24,7 @@ impl Question {
     ///
     /// # Errors
     /// [`IllPosed`] names the keys. What depends on the numbers shows only in solving, as a singular system.
-    pub fn check(&self, model: &Model) -> Result<(), IllPosed> {
+    pub fn check(&self, model: &ModelChoices) -> Result<(), IllPosed> {
         let usual = |constant: Constant| constant.index() < Constant::UNKNOWN;
         for (at, swap) in self.swaps.iter().enumerate() {
             let before = self.swaps.get(..at).unwrap_or_default();

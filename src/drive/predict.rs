@@ -2,16 +2,16 @@
 
 use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::region::RegionId;
 use super::start;
 use crate::model::{Constant, Constants, Field, State};
 
-/// Cosine of the angle between two steps beyond which the way counts as turning.
+/// Cosine of the angle between two steps beyond which the path counts as turning.
 const STRAIGHT: f64 = 0.98;
 /// A step back, in steps ahead, too short to tell a bend.
 const SHORTEST_BACK: f64 = 0.2;
-/// Difference quotients along the way take this share of it.
+/// Difference quotients along the path take this share of it.
 const DIFFERENCE: f64 = 1e-3;
 /// Difference quotients in x, m.
 const DEPTH: f64 = 1e-6;
@@ -20,25 +20,25 @@ const THINNING: f64 = 0.1;
 /// Nodes in a row that may be left out.
 const LONGEST_GAP: usize = 7;
 
-/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the way from the solution
+/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the path from the solution
 /// before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight,
 /// inextensible belt.
 pub(super) fn predicted(
-    belt: &Belt,
+    belt: &BeltProblem,
     before: Option<&Solution>,
     from: &Solution,
     to: &Constants,
     tolerance: f64,
 ) -> Result<Guess, SolveError> {
-    let way = Way::new(belt, before, from, to)?;
+    let curve = Curve::new(belt, before, from, to)?;
     let mut guess = Guess::from(from);
-    guess.constants = way.constants(to);
+    guess.constants = curve.constants(to);
     for (index, region) in guess.regions.iter_mut().enumerate() {
-        region.states = way.states(index);
+        region.states = curve.states(index);
     }
     for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
         // A kernel without sliding speed has nothing to lose.
-        let _ = way.adhere(region, &mut guess);
+        let _ = curve.adhere(region, &mut guess);
     }
     for (region, part) in guess.regions.iter_mut().zip(from.regions()) {
         let kept = kept(part, THINNING * tolerance);
@@ -50,15 +50,15 @@ pub(super) fn predicted(
 }
 
 /// The way through a solution: its first and, where the solution before lies on it, second derivatives.
-struct Way<'a> {
-    belt: &'a Belt,
+struct Curve<'a> {
+    belt: &'a BeltProblem,
     from: &'a Solution,
     here: Constants,
     ahead: Tangent,
     bend: Option<Bend<'a>>,
 }
 
-/// How the way came.
+/// Where the path came from.
 struct Bend<'a> {
     before: &'a Solution,
     constants: Constants,
@@ -67,9 +67,9 @@ struct Bend<'a> {
     square: f64,
 }
 
-impl<'a> Way<'a> {
+impl<'a> Curve<'a> {
     fn new(
-        belt: &'a Belt,
+        belt: &'a BeltProblem,
         before: Option<&'a Solution>,
         from: &'a Solution,
         to: &Constants,
@@ -101,7 +101,7 @@ impl<'a> Way<'a> {
         (0..part.states()).map(|state| row(state).unwrap_or_else(|| part.state(state).to_vec())).collect()
     }
 
-    /// Values at the end of the way from those now, their rates ahead, and, if known, those then with the rates back.
+    /// Values at the end of the path from those now, their rates ahead, and, if known, those then with the rates back.
     fn extrapolated(&self, now: &[f64], ahead: &[f64], then: Option<&[f64]>, back: Option<&[f64]>) -> Vec<f64> {
         let mut values: Vec<f64> = now.iter().zip(ahead).map(|(now, ahead)| now + ahead).collect();
         if let (Some(then), Some(back), Some(bend)) = (then, back, &self.bend) {
@@ -188,7 +188,7 @@ fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + h * b).collect()
 }
 
-/// Square of the length of the step back, in steps ahead; `None` if the way turns here or the step was too short.
+/// Square of the length of the step back, in steps ahead; `None` if the path turns here or the step was too short.
 fn square_back(here: &Constants, back: &Constants, to: &Constants, unknowns: &[usize]) -> Option<f64> {
     let (mut ahead, mut behind, mut product) = (0.0, 0.0, 0.0);
     for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(&constant.index())) {
@@ -200,7 +200,7 @@ fn square_back(here: &Constants, back: &Constants, to: &Constants, unknowns: &[u
     (product < -STRAIGHT * (ahead * behind).sqrt() && square > SHORTEST_BACK * SHORTEST_BACK).then_some(square)
 }
 
-/// The unknown constants of the tight, inextensible belt along a way. The drive's stay close to them, and what a
+/// The unknown constants of the tight, inextensible belt along a path. The drive's stay close to them, and what a
 /// tangent leaves out of them would put the sliding speeds wrong by many slip thresholds: 2.5 % of change in both radii
 /// change the speed ratio by 5 %, and its square by 0.25 %, which is 60 mm/s of sliding.
 struct Tight {
@@ -216,7 +216,7 @@ impl Tight {
         Self { begin: tight(0.0), end: tight(1.0), around: [tight(-DIFFERENCE), tight(DIFFERENCE)] }
     }
 
-    /// What a tangent leaves out along the whole way.
+    /// What a tangent leaves out along the whole path.
     fn bend(&self, constant: Constant) -> f64 {
         let value = |drive: &Constants| scaled(constant, drive[constant]);
         let [before, after] = &self.around;
@@ -238,7 +238,7 @@ fn slope(constant: Constant, value: f64, rate: f64) -> f64 {
     if constant == Constant::SpeedRatio { rate / value } else { rate }
 }
 
-/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a way the
+/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path the
 /// kinks of friction move, and leave their fine meshes behind.
 fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
     let last = part.mesh().len().saturating_sub(1);

@@ -72,7 +72,7 @@ impl Question {
 
     /// The question with `free` unknown and `known`, which is unknown by default, given in its place.
     #[must_use]
-    pub fn exchange(mut self, free: Constant, known: Constant, value: f64) -> Self {
+    pub fn swap_constant(mut self, free: Constant, known: Constant, value: f64) -> Self {
         self.swaps.push(Swap { free, known: Known::Constant(known), value });
         self
     }

@@ -84,7 +84,7 @@ pub(crate) enum Source {
 
 /// A kernel with its local constants bound.
 #[derive(Debug, Clone)]
-pub(super) struct Bound {
+pub(super) struct BoundRegion {
     pub kernel: &'static RegionKernel,
     sources: Vec<Source>,
     /// For each entry of the region's own pattern, the kernel's entries that add up to it.
@@ -97,7 +97,7 @@ pub(super) struct Bound {
     direct: bool,
 }
 
-impl Bound {
+impl BoundRegion {
     /// Binds `kernel` in `region`; `None` when a local constant has no meaning there.
     pub fn new(region: RegionId, kernel: &'static RegionKernel) -> Option<Self> {
         let sources = kernel.constants.iter().map(|local| region.source(*local)).collect::<Option<Vec<_>>>()?;

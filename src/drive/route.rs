@@ -1,4 +1,4 @@
-//! The ways from the start to a case: from which easy drive, and in which order its constants become those of the case.
+//! The routes from the start to a case: from which easy drive, and in which order its constants become those of the case.
 
 use solver::continuation::Ramp;
 
@@ -8,7 +8,7 @@ use super::tuning::{
 };
 use crate::model::{Constant, Constants};
 
-/// A way from the start to a case. Those tried first are those that solve most drives for the least work.
+/// A route from the start to a case. Those tried first are those that solve most drives for the least work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Route {
     /// At the case's slack tension, or as near to it as the straight belt permits.
@@ -75,33 +75,33 @@ impl Route {
         start::stretched(&easy)
     }
 
-    /// The legs of the way, in order: each moves some constants to where the case has them.
-    pub(super) fn legs(self, begin: &Constants, target: &Constants) -> Vec<Ramp> {
+    /// The stages of the route, in order: each moves some constants to where the case has them.
+    pub(super) fn stages(self, begin: &Constants, target: &Constants) -> Vec<Ramp> {
         let moves = |constant: Constant| begin[constant] != target[constant];
         let linear = |ramp: Ramp, at: Constant| ramp.linear(at.index(), begin[at], target[at]);
         let geometric = |ramp: Ramp, at: Constant| ramp.geometric(at.index(), begin[at], target[at]);
-        let mut legs = Vec::new();
+        let mut stages = Vec::new();
         let stiff = [Constant::BendingStiffness, Constant::MassPerLength].into_iter().filter(|at| moves(*at));
         let tighter = target[Constant::SlackTension] > begin[Constant::SlackTension];
         let driven = target[Constant::PrimaryTorque] >= 0.0;
         let torque = linear(Ramp::new(), Constant::PrimaryTorque);
         if tighter && !driven {
             // The loose strand of an engine that brakes is the one whose tension is not given.
-            legs.push(geometric(Ramp::new(), Constant::SlackTension));
+            stages.push(geometric(Ramp::new(), Constant::SlackTension));
         }
-        legs.extend(stiff.map(|at| geometric(Ramp::new(), at)));
+        stages.extend(stiff.map(|at| geometric(Ramp::new(), at)));
         if tighter && driven {
-            legs.push(geometric(torque, Constant::SlackTension));
+            stages.push(geometric(torque, Constant::SlackTension));
         } else if moves(Constant::PrimaryTorque) {
-            legs.push(torque);
+            stages.push(torque);
         }
-        if moves(Constant::SlipThreshold) || legs.is_empty() {
-            legs.push(geometric(Ramp::new(), Constant::SlipThreshold));
+        if moves(Constant::SlipThreshold) || stages.is_empty() {
+            stages.push(geometric(Ramp::new(), Constant::SlipThreshold));
         }
         if !tighter && moves(Constant::SlackTension) {
             // A loose belt may transmit the torque only once friction is what the case says.
-            legs.push(geometric(Ramp::new(), Constant::SlackTension));
+            stages.push(geometric(Ramp::new(), Constant::SlackTension));
         }
-        legs
+        stages
     }
 }

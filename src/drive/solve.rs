@@ -4,32 +4,32 @@ use solver::continuation::{PathOptions, follow_observed};
 use solver::{Guess, Options, Order, Solution, SolveError, Stats};
 
 use super::approach::approach;
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::budget::Budget;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
-use super::polish::{lenient, polished};
 use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
-use crate::case::{Model, Resolved};
+use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
-/// Tolerance on the way from the start to the case.
+/// Tolerance on the path from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Factor on it where the way is followed on finer meshes.
+/// Factor on it where the path is followed on finer meshes.
 const FINER: f64 = 0.1;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
-/// Newton iterations of a step on the way: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
+/// Newton iterations of a step on the path: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
 const WAY_ITERATIONS: usize = 25;
 /// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
-/// Intervals of a region on the way.
+/// Intervals of a region on the path.
 const WAY_INTERVALS: usize = 2000;
-/// Smallest step on a leg of the way, as a share of the leg.
+/// Smallest step on a stage of the path, as a share of the stage.
 const SMALLEST_STEP: f64 = 1e-4;
-/// Steps on a leg of the way, accepted or not.
+/// Steps on a stage of the path, accepted or not.
 const LEG_STEPS: usize = 400;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
@@ -61,7 +61,8 @@ impl SolveOptions {
     /// the solver's estimate of the error may exceed it all the same.
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
-        Options { tolerance, order, accept_inaccurate: true, ..Options::default() }
+        let cancel = crate::cancel::current();
+        Options { tolerance, order, cancel, accept_inaccurate: true, ..Options::default() }
     }
 }
 
@@ -83,7 +84,7 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+pub fn solve_question(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
     if question.swaps.is_empty() {
         return ordinary(model, question, options);
@@ -107,8 +108,8 @@ pub fn solve_question(model: &Model, question: &Question, options: &SolveOptions
     Err(failure.unwrap_or(Failure::NoEquations))
 }
 
-/// An ordinary solution, to the tolerance of the way, near that of a question.
-fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
+/// An ordinary solution, to the tolerance of the path, near that of a question.
+fn near(model: &ModelChoices, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
     if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
@@ -120,19 +121,29 @@ fn near(model: &Model, question: &Question, factor: f64, options: &SolveOptions)
 }
 
 /// Moves everything that is prescribed at once.
-fn together(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
-    approach(model, near, question, &way(model, options.solver()))
+fn together(
+    model: &ModelChoices,
+    near: &Solved,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    approach(model, near, question, &path_options(model, options.solver()))
 }
 
 /// Moves what is prescribed one value after the other.
-fn one_by_one(model: &Model, near: &Solved, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn one_by_one(
+    model: &ModelChoices,
+    near: &Solved,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
         let next = Question { constants: constants.clone(), swaps };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &way(model, solver))?;
+        here = approach(model, &here, &next, &path_options(model, solver))?;
     }
     here.question = question.clone();
     Ok(here)
@@ -142,8 +153,8 @@ fn rough(options: &SolveOptions) -> Options {
     Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
 }
 
-/// How a leg of the way is followed, `solve` being for its end.
-fn way(model: &Model, solve: Options) -> PathOptions {
+/// How a stage of the path is followed, `solve` being for its end.
+fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
     let (tolerance, max_iterations) = match model.bending {
         Some(_) => (ROUGH_TOLERANCE, WAY_ITERATIONS),
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
@@ -160,9 +171,9 @@ fn way(model: &Model, solve: Options) -> PathOptions {
 }
 
 /// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
-fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn ordinary(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     let target = &question.constants;
-    let belt = Belt::new(model, target).ok_or(Failure::NoEquations)?;
+    let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
     let mut budget = Budget::new(options.work_limit);
     for route in Route::ALL {
@@ -188,10 +199,10 @@ fn ordinary(model: &Model, question: &Question, options: &SolveOptions) -> Resul
     Err(failure.unwrap_or(Failure::NoEquations))
 }
 
-/// Follows the legs of a route; where the way is lost, it goes on from there once more, on finer meshes.
+/// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
 fn climb(
-    model: &Model,
-    belt: &Belt,
+    model: &ModelChoices,
+    belt: &BeltProblem,
     route: Route,
     target: &Constants,
     options: &SolveOptions,
@@ -211,17 +222,17 @@ fn climb(
     Ok((solution, climb.stats, climb.steps))
 }
 
-/// How fine the meshes of the way are.
+/// How fine the meshes of the path are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mesh {
     Coarse,
     Fine,
 }
 
-/// The way along a route.
+/// The path along a route.
 struct Climb<'a> {
-    model: &'a Model,
-    belt: &'a Belt,
+    model: &'a ModelChoices,
+    belt: &'a BeltProblem,
     route: Route,
     target: &'a Constants,
     options: &'a SolveOptions,
@@ -229,7 +240,7 @@ struct Climb<'a> {
     steps: usize,
 }
 
-/// Where the way was lost, and why.
+/// Where the path was lost, and why.
 struct Lost {
     last: Option<Box<Solution>>,
     failure: Failure,
@@ -242,24 +253,24 @@ impl Lost {
 }
 
 impl Climb<'_> {
-    /// Follows the legs from a guess whose given constants are those of `begin`.
+    /// Follows the stages from a guess whose given constants are those of `begin`.
     fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
-        let legs = self.route.legs(begin, self.target);
+        let stages = self.route.stages(begin, self.target);
         let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-        let (count, mut guess, mut found) = (legs.len(), guess, None::<Solution>);
-        for (index, path) in legs.into_iter().enumerate() {
+        let (count, mut guess, mut found) = (stages.len(), guess, None::<Solution>);
+        for (index, path) in stages.into_iter().enumerate() {
             let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
-            let mut way = way(self.model, lenient(&solver));
+            let mut options = path_options(self.model, relaxed(&solver));
             if mesh == Mesh::Fine {
-                way.tolerance *= FINER;
-                way.max_iterations *= 2;
+                options.tolerance *= FINER;
+                options.max_iterations *= 2;
             }
-            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &way, budget);
-            // What was found on the legs before is as good a place to go on from.
+            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &options, budget);
+            // What was found on the stages before is as good a place to go on from.
             let followed = followed.map_err(|error| Lost::new(error.last.or(found.map(Box::new)), error.cause))?;
             self.stats += *followed.solution.stats();
             self.steps += accepted(&followed);
-            let solution = polished(self.belt, followed.solution, &solver, false, &mut self.stats)
+            let solution = corrected(self.belt, followed.solution, &solver, false, &mut self.stats)
                 .map_err(|(last, cause)| Lost::new(Some(last), Box::new(cause)))?;
             guess = Guess::from(&solution);
             found = Some(solution);

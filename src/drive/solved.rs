@@ -3,7 +3,7 @@
 use solver::continuation::Followed;
 use solver::{Solution, Stats};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::question::Question;
 use super::route::Route;
 use crate::model::Constant;
@@ -14,7 +14,7 @@ pub struct Solved {
     /// What was asked.
     pub question: Question,
     /// The problem.
-    pub belt: Belt,
+    pub belt: BeltProblem,
     /// Its solution.
     pub solution: Solution,
     /// Work over all continuation steps.

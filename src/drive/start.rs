@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use solver::{Guess, Problem};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 use super::region::RegionId;
 use super::tuning::{DEEPEST_GUESS, INTERVALS, PENETRATION_SHARE, RISE};
 use crate::model::{Constant, Constants, State};
@@ -62,7 +62,7 @@ fn depth(given: &Constants, radius: Constant) -> f64 {
 }
 
 /// The straight belt as a guess.
-pub(super) fn guess(belt: &Belt, constants: &Constants) -> Guess {
+pub(super) fn guess(belt: &BeltProblem, constants: &Constants) -> Guess {
     Guess::uniform(belt.layout(), INTERVALS, &constants.0, |region, s, y| {
         if let Some(region) = RegionId::ALL.get(region) {
             let kernel = belt.kernel(*region);

@@ -4,17 +4,17 @@ use solver::continuation::PathOptions;
 use solver::{Options, Solution, SolveError, Stats};
 
 use super::approach::approach;
-use super::belt::Belt;
+use super::belt::BeltProblem;
+use super::correct::{corrected, relaxed};
 use super::failure::Failure;
-use super::polish::{lenient, polished};
 use super::predict::predicted;
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
-use crate::case::{Model, Resolved};
+use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
-// What a warm start may cost; beyond it, a cold start is the shorter way.
+// What a warm start may cost; beyond it, a cold start is the cheaper one.
 const SMALLEST_STEP: f64 = 0.25;
 const MAX_ITERATIONS: usize = 15;
 const MAX_STEPS: usize = 3;
@@ -31,7 +31,7 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 
 /// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values,
 /// goes to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if
-/// there is one, tells how the way bends. All must be of one model; the caller sees to that. Gives up early, on
+/// there is one, tells how the path bends. All must be of one model; the caller sees to that. Gives up early, on
 /// anything but a case nearby.
 ///
 /// # Errors
@@ -53,7 +53,7 @@ pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -
 /// See [`Failure`].
 pub fn solve_question_from(
     from: &Solved,
-    model: &Model,
+    model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
@@ -82,30 +82,30 @@ fn within(options: &SolveOptions) -> Options {
 fn along(
     before: Option<&Solution>,
     from: &Solution,
-    model: &Model,
+    model: &ModelChoices,
     question: Question,
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
-    let belt = Belt::new(model, &question.constants).ok_or(Failure::NoEquations)?;
+    let belt = BeltProblem::new(model, &question.constants).ok_or(Failure::NoEquations)?;
     let origin = Constants::of(from);
-    let (mut stats, mut steps, mut way, mut step) = (Stats::default(), 0, 0.0, 1.0);
+    let (mut stats, mut steps, mut progress, mut step) = (Stats::default(), 0, 0.0, 1.0);
     let (mut before, mut here) = (before.cloned(), from.clone());
-    while way < 1.0 {
-        let next = f64::min(way + step, 1.0);
+    while progress < 1.0 {
+        let next = f64::min(progress + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
         let to = origin.toward(&question.constants, next);
         match advance(&belt, before.as_ref(), &here, &to, tolerance, options) {
             Ok(solution) => {
                 stats += *solution.stats();
                 steps += 1;
-                (before, way) = (Some(std::mem::replace(&mut here, solution)), next);
+                (before, progress) = (Some(std::mem::replace(&mut here, solution)), next);
             }
             Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::of(Some(&here), Box::new(cause))),
             Err(_) => step /= 2.0,
         }
     }
-    let polished = polished(&belt, here, &options.solver(), false, &mut stats);
-    let solution = polished.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
+    let corrected = corrected(&belt, here, &options.solver(), false, &mut stats);
+    let solution = corrected.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
@@ -128,7 +128,7 @@ pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
 
 /// One step, from a solution to other given constants.
 fn advance(
-    belt: &Belt,
+    belt: &BeltProblem,
     before: Option<&Solution>,
     from: &Solution,
     to: &Constants,
@@ -137,7 +137,7 @@ fn advance(
 ) -> Result<Solution, SolveError> {
     let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
     let guess = predicted(belt, before, from, to, tolerance)?;
-    solver::solve(belt, &guess, from.unknowns(), &lenient(&options))
+    solver::solve(belt, &guess, from.unknowns(), &relaxed(&options))
 }
 
 impl Constants {
@@ -147,7 +147,7 @@ impl Constants {
         Self(Constant::ALL.map(value))
     }
 
-    /// A share of the way to other constants.
+    /// A share of the path to other constants.
     pub(super) fn toward(&self, to: &Self, share: f64) -> Self {
         let mut constants = self.clone();
         for constant in Constant::ALL {

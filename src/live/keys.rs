@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::case::{Bound, Choice, Entry, Key, Kind, TABLE};
+use crate::case::{RangeEnd, Choice, Entry, Key, ValueKind, TABLE};
 use crate::quantity::{Dimension, Unit};
 
 /// Kelvin between the zeros of both scales.
@@ -18,10 +18,10 @@ pub(super) struct Shown {
 /// How the quantity of a key is shown; none for a choice.
 pub(super) fn shown(key: Key) -> Option<Shown> {
     match key.entry().kind {
-        Kind::Quantity { unit, .. } => {
+        ValueKind::Quantity { unit, .. } => {
             Some(Shown { unit, is_temperature: unit.scale.dimension == Dimension::TEMPERATURE })
         }
-        Kind::Choice { .. } => None,
+        ValueKind::Choice { .. } => None,
     }
 }
 
@@ -62,7 +62,7 @@ fn key(entry: &Entry) -> Value {
         "expected": entry.expected(),
     });
     match (entry.kind, shown(entry.key)) {
-        (Kind::Quantity { range, example, base, .. }, Some(shown)) => {
+        (ValueKind::Quantity { range, example, base, .. }, Some(shown)) => {
             let [from, to] = reach(entry.key).unwrap_or([0.0, 2.0 * example]);
             object["unit"] = shown.symbol().into();
             object["printed_unit"] = shown.printed().into();
@@ -72,21 +72,21 @@ fn key(entry: &Entry) -> Value {
             object["base"] = base.into();
             object["slider"] = json!([from, to]);
         }
-        (Kind::Choice { choices, default }, _) => {
+        (ValueKind::Choice { choices, default }, _) => {
             let choice = |choice: &Choice| json!({ "name": choice.name, "doc": choice.doc });
             object["choices"] = choices.iter().map(choice).collect();
             object["default"] = default.into();
         }
-        (Kind::Quantity { .. }, None) => {}
+        (ValueKind::Quantity { .. }, None) => {}
     }
     object
 }
 
-fn bound(bound: Bound, shown: Shown) -> Value {
+fn bound(bound: RangeEnd, shown: Shown) -> Value {
     match bound {
-        Bound::None => Value::Null,
-        Bound::Open(value) => json!({ "value": shown.from_table(value), "open": true }),
-        Bound::Closed(value) => json!({ "value": shown.from_table(value), "open": false }),
+        RangeEnd::None => Value::Null,
+        RangeEnd::Open(value) => json!({ "value": shown.from_table(value), "open": true }),
+        RangeEnd::Closed(value) => json!({ "value": shown.from_table(value), "open": false }),
     }
 }
 
@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn sliders_lie_within_what_their_keys_allow_and_hold_their_examples() {
         for entry in &TABLE {
-            let Kind::Quantity { unit, range, example, .. } = entry.kind else {
+            let ValueKind::Quantity { unit, range, example, .. } = entry.kind else {
                 assert_eq!(reach(entry.key), None, "{}", entry.path);
                 continue;
             };

@@ -10,12 +10,12 @@ use crate::drive::SolveOptions;
 use crate::result::{FailureKind, FailureReport, Light, Outcome};
 
 /// A limit that was found, in words.
-fn words(kind: &design::Kind) -> &'static str {
+fn words(kind: &design::LimitKind) -> &'static str {
     match kind {
-        design::Kind::Fold => "beyond it, no steady state exists near this one",
-        design::Kind::Collapse => "there, the belt slips until the secondary stands still",
-        design::Kind::SpeedEfficiency => "there, the speed efficiency falls below what was asked for",
-        design::Kind::Lost(_) => "farther, no solution was found",
+        design::LimitKind::Fold => "beyond it, no steady state exists near this one",
+        design::LimitKind::Collapse => "there, the belt slips until the secondary stands still",
+        design::LimitKind::SpeedEfficiency => "there, the speed efficiency falls below what was asked for",
+        design::LimitKind::Lost(_) => "farther, no solution was found",
     }
 }
 

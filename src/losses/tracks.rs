@@ -7,7 +7,7 @@ use generated::{
 use solver::Solution;
 
 use super::series::Track;
-use crate::drive::{Belt, RegionId, Source};
+use crate::drive::{BeltProblem, RegionId, Source};
 use crate::model::{Integral, RegionConstant, State};
 
 /// Places of what the generated formulae give; the penetration's slope is a groove's alone.
@@ -134,7 +134,7 @@ pub(super) struct Tracks {
 
 impl Tracks {
     /// Of a solution; `None` for a belt without bending stiffness.
-    pub fn new(belt: &Belt, solution: &Solution) -> Option<Self> {
+    pub fn new(belt: &BeltProblem, solution: &Solution) -> Option<Self> {
         let followed = RegionId::ALL
             .into_iter()
             .map(|region| Followed::new(region, belt.kernel(region)))

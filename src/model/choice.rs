@@ -122,7 +122,7 @@ choices! {
 
 /// What is computed: the edition's choices, or finer ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Model {
+pub struct ModelChoices {
     /// How the belt bends; `None` for a string.
     #[serde(flatten)]
     pub bending: Option<Bending>,
@@ -143,7 +143,7 @@ pub struct Bending {
 
 impl Edition {
     /// The model that the edition stands for.
-    pub const fn model(self) -> Model {
+    pub const fn model(self) -> ModelChoices {
         let bending = match self {
             Self::Published => {
                 Some(Bending { shear: Shear::Linearised, ends: Ends::AsPrinted, spans: Spans::AsPrinted })
@@ -152,6 +152,6 @@ impl Edition {
             Self::Consistent => Some(Bending { shear: Shear::Full, ends: Ends::Continuous, spans: Spans::Derived }),
             Self::String => None,
         };
-        Model { bending, friction: Friction::ViscousCoulomb }
+        ModelChoices { bending, friction: Friction::ViscousCoulomb }
     }
 }

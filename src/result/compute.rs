@@ -4,7 +4,7 @@ use generated::{RegionKernel, Symbol};
 use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
-use crate::drive::{Belt, OutputValues, RegionId, Solved};
+use crate::drive::{BeltProblem, OutputValues, RegionId, Solved};
 use crate::model::{Constant, Constants, Field, InternalError, Output, State};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
@@ -24,13 +24,13 @@ pub struct Sampled {
 
 impl Sampled {
     /// Samples a region at its nodes and at `inner` points inside each interval.
-    pub fn new(belt: &Belt, solution: &Solution, region: RegionId, inner: usize) -> Self {
+    pub fn new(belt: &BeltProblem, solution: &Solution, region: RegionId, inner: usize) -> Self {
         let s = refined(solution.regions()[region.index()].mesh(), inner);
         Self::at(belt, solution, region, s)
     }
 
     /// Samples a region at some places.
-    pub fn at(belt: &Belt, solution: &Solution, region: RegionId, s: Vec<f64>) -> Self {
+    pub fn at(belt: &BeltProblem, solution: &Solution, region: RegionId, s: Vec<f64>) -> Self {
         let part = &solution.regions()[region.index()];
         let mut states = vec![Vec::with_capacity(s.len()); part.states()];
         let mut y = vec![0.0; part.states()];

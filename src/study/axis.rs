@@ -1,7 +1,7 @@
 //! One direction of the grid: a key, or several that go together, with their values.
 
 use super::error::StudyError;
-use crate::case::{Case, CaseError, Key, Kind, Setting};
+use crate::case::{Case, CaseError, Key, Setting, ValueKind};
 use crate::quantity;
 
 /// Points of a grid that is still believed to be meant.
@@ -76,7 +76,7 @@ impl Axis {
 
     /// Whether neighbours along the axis differ by numbers only.
     pub fn is_continuous(&self) -> bool {
-        self.keys.iter().all(|key| matches!(key.entry().kind, Kind::Quantity { .. }))
+        self.keys.iter().all(|key| matches!(key.entry().kind, ValueKind::Quantity { .. }))
     }
 }
 
@@ -103,10 +103,10 @@ fn one(text: &str) -> Result<(Key, Vec<Setting>), StudyError> {
 /// `A,B,C`.
 fn list(key: Key, text: &str) -> Result<Vec<Setting>, StudyError> {
     let texts: Vec<&str> = text.split(',').map(unquoted).collect();
-    let Kind::Quantity { .. } = key.entry().kind else {
+    let ValueKind::Quantity { .. } = key.entry().kind else {
         let names = texts.iter().map(|text| {
             Case::base().set(key.path(), text)?;
-            let Kind::Choice { choices, .. } = key.entry().kind else { return Err(StudyError::NoRange { key }) };
+            let ValueKind::Choice { choices, .. } = key.entry().kind else { return Err(StudyError::NoRange { key }) };
             let name = choices.iter().map(|choice| choice.name).find(|name| name == text);
             name.map(Setting::Name).ok_or(StudyError::NoRange { key })
         });
@@ -118,7 +118,7 @@ fn list(key: Key, text: &str) -> Result<Vec<Setting>, StudyError> {
 
 /// `FROM..TO[:N]`, with `rest` what stands behind the dots.
 fn range(key: Key, text: &str, from: &str, rest: &str) -> Result<Vec<Setting>, StudyError> {
-    let Kind::Quantity { .. } = key.entry().kind else { return Err(StudyError::NoRange { key }) };
+    let ValueKind::Quantity { .. } = key.entry().kind else { return Err(StudyError::NoRange { key }) };
     let (to, points) = match rest.rsplit_once(':') {
         None => (rest, DEFAULT_POINTS),
         Some((to, given)) => {

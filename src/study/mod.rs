@@ -41,7 +41,7 @@ pub use file::StudyFile;
 pub use journal::{Journal, JournalError, set_aside, sync_folder};
 #[cfg(feature = "parquet")]
 pub use parquet::write_parquet;
-pub use plan::{Point, Study};
+pub use plan::{GridPoint, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
 pub use rows::{Rows, StoredRows};
 pub use run::{each, run, table, tables};

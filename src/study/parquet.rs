@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum ColumnKind {
     Truth,
     Count,
     Number,
@@ -24,7 +24,7 @@ enum Kind {
 /// Rows that are in memory at once.
 const GROUP: usize = 8192;
 
-impl Kind {
+impl ColumnKind {
     /// The narrowest that takes a cell; nothing for an empty one.
     fn of(cell: &Cell) -> Option<Self> {
         match cell {
@@ -75,7 +75,7 @@ impl Kind {
 /// # Errors
 /// What the writer says.
 pub fn write_parquet(table: &dyn Rows, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
-    let kinds = Kind::of_columns(table)?;
+    let kinds = ColumnKind::of_columns(table)?;
     let fields = table.columns().iter().zip(&kinds).map(|(name, kind)| kind.column(name).map(Arc::new));
     let fields = fields.collect::<Result<_, _>>().map_err(io::Error::other)?;
     let schema = Type::group_type_builder("sweep").with_fields(fields).build().map_err(io::Error::other)?;

@@ -9,6 +9,9 @@ use std::ops::Range;
 /// Neighbours that are solved one from the other: short enough to keep all threads busy, long enough that the cold
 /// start of the first hardly counts.
 const CHAIN: usize = 16;
+/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
+/// whoever wants a point of the last.
+pub(super) const HEADS: usize = 16;
 
 /// A case, what is varied in it, and how accurately it is solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +23,7 @@ pub struct Study {
 
 /// The case at a point of the grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct GridPoint {
     /// What is varied, with its values here.
     pub varied: Vec<(Key, Setting)>,
     /// The case; or why there is no drive at this point, although there may be at others: pulleys that overlap, or a
@@ -97,9 +100,9 @@ impl Study {
     ///
     /// # Errors
     /// A case that contradicts itself; [`Study::new`] has seen to it that there is none.
-    pub fn point(&self, index: usize) -> Result<Point, CaseError> {
+    pub fn point(&self, index: usize) -> Result<GridPoint, CaseError> {
         let (varied, case) = self.case_at(index)?;
-        Ok(Point { varied, case: resolved(&case)? })
+        Ok(GridPoint { varied, case: resolved(&case)? })
     }
 
     /// What is varied at a point, and the case there, not yet resolved.
@@ -134,8 +137,23 @@ impl Study {
             .collect()
     }
 
+    /// The points in parts that can be computed apart, on other machines too, in order: [`run`](super::run) of one part
+    /// solves nothing of another, and its rows are those of the whole. Each has at least `points` points, the last
+    /// excepted; for none, the smallest such parts.
+    pub fn parts(&self, points: usize) -> Vec<Range<usize>> {
+        let mut parts: Vec<Range<usize>> = Vec::new();
+        for group in self.chains().chunks(HEADS) {
+            let (Some(first), Some(last)) = (group.first(), group.last()) else { continue };
+            match parts.last_mut() {
+                Some(part) if part.len() < points => part.end = last.end,
+                _ => parts.push(first.start..last.end),
+            }
+        }
+        parts
+    }
+
     /// Everything the rows depend on, as one line of text; of each axis, keys, ends, number and checksum of its points.
-    pub(super) fn fingerprint(&self) -> String {
+    pub fn fingerprint(&self) -> String {
         let point = |axis: &Axis, at: usize| {
             axis.at(at).map(|(key, setting)| serde_json::json!([key.path(), setting])).collect::<Vec<_>>()
         };
@@ -152,8 +170,8 @@ impl Study {
         };
         let case = self.point(0).ok().and_then(|point| point.case.ok());
         let settings = self.case.settings().map(|(key, setting)| serde_json::json!([key.path(), setting]));
-        let exchanges = self.case.exchanges().map(|exchange| serde_json::json!(exchange.to_string()));
-        let given: Vec<serde_json::Value> = settings.chain(exchanges).collect();
+        let swaps = self.case.swaps().map(|swap| serde_json::json!(swap.to_string()));
+        let given: Vec<serde_json::Value> = settings.chain(swaps).collect();
         let axes: Vec<serde_json::Value> = self.axes.iter().map(axis).collect();
         let options = [self.options.order.number().to_string(), self.options.tolerance.to_string()];
         let version = env!("CARGO_PKG_VERSION");
@@ -174,7 +192,7 @@ impl Study {
                 }
                 stride *= axis.points();
             }
-            let Ok(Point { case: Ok(case), .. }) = self.point(index) else { continue };
+            let Ok(GridPoint { case: Ok(case), .. }) = self.point(index) else { continue };
             let here = case.settings().iter().map(|(key, _)| key.path().to_owned()).collect();
             match &columns {
                 Some(columns) if *columns != here => return false,

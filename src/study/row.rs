@@ -1,6 +1,6 @@
 //! Rows of a study, and the table they make.
 
-use super::plan::Point;
+use super::plan::GridPoint;
 use crate::case::Setting;
 use crate::result::Outcome;
 use serde_json::{Number, Value};
@@ -73,7 +73,7 @@ pub struct Row {
 
 impl Row {
     /// The row of a point: its result, or why there is none.
-    pub fn new(index: usize, point: &Point, outcome: Result<&Outcome, String>) -> Self {
+    pub fn new(index: usize, point: &GridPoint, outcome: Result<&Outcome, String>) -> Self {
         let mut row = Self { index, columns: Vec::new(), cells: Vec::new() };
         for (key, setting) in &point.varied {
             let value = match setting {

@@ -1,7 +1,7 @@
 //! Solving the points of studies, on several threads.
 
 use super::error::StudyError;
-use super::plan::{Point, Study};
+use super::plan::{GridPoint, HEADS, Study};
 use super::row::{Row, Table, TableBuilder};
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
@@ -14,9 +14,6 @@ use std::sync::{Mutex, PoisonError};
 
 /// Solutions that tell where a chain goes.
 const TRAIL: usize = 2;
-/// Chains whose heads are solved one from the other: few, for they are solved one after the other, and all again by
-/// whoever wants a point of the last.
-const HEADS: usize = 16;
 /// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
 const FARTHEST: f64 = 1.6;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
@@ -45,7 +42,7 @@ pub fn run(
         let needed = group.iter().rposition(|task| task.start < task.end).map_or(0, |last| last + 1);
         group.truncate(needed);
     }
-    let take = |_: &Task, index: usize, point: &Point, outcome: Found<'_>| {
+    let take = |_: &Task, index: usize, point: &GridPoint, outcome: Found<'_>| {
         if wanted(index) { keep(Row::new(index, point, outcome)) } else { Ok(()) }
     };
     Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, jobs)
@@ -75,13 +72,13 @@ pub fn tables(studies: &[Study], jobs: Option<usize>) -> Result<(Vec<Table>, usi
 pub fn each(
     studies: &[Study],
     jobs: Option<usize>,
-    see: impl Fn(usize, usize, &Point, Result<&Outcome, String>) + Sync,
+    see: impl Fn(usize, usize, &GridPoint, Result<&Outcome, String>) + Sync,
 ) -> Result<(Vec<Table>, usize), StudyError> {
     let groups = groups(studies)?;
     let points = groups.iter().flatten().map(|task| task.end - task.start).sum();
     let rows: Vec<Mutex<TableBuilder>> =
         studies.iter().map(|study| Mutex::new(TableBuilder::new(study.points()))).collect();
-    let take = |task: &Task, index: usize, _: &Point, outcome: Found<'_>| {
+    let take = |task: &Task, index: usize, _: &GridPoint, outcome: Found<'_>| {
         for (at, first) in &task.places {
             let place = first + (index - task.start);
             let (Some(study), Some(rows)) = (studies.get(*at), rows.get(*at)) else { continue };
@@ -108,12 +105,12 @@ struct Task {
 
 /// The chains of all studies, those of the same cases and options together, in groups of one model.
 fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
-    let mut known: Vec<(SolveOptions, Vec<Point>)> = Vec::new();
+    let mut known: Vec<(SolveOptions, Vec<GridPoint>)> = Vec::new();
     let mut tasks: Vec<Task> = Vec::new();
     for (at, study) in studies.iter().enumerate() {
         for chain in study.chains() {
-            let cases = chain.clone().map(|index| study.point(index)).collect::<Result<Vec<Point>, _>>()?;
-            let same = |(options, others): &(SolveOptions, Vec<Point>)| {
+            let cases = chain.clone().map(|index| study.point(index)).collect::<Result<Vec<GridPoint>, _>>()?;
+            let same = |(options, others): &(SolveOptions, Vec<GridPoint>)| {
                 options == study.options()
                     && others.len() == cases.len()
                     && others.iter().zip(&cases).all(|(a, b)| matches!((&a.case, &b.case), (Ok(a), Ok(b)) if a == b))
@@ -127,7 +124,7 @@ fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
             }
         }
     }
-    let head = |(options, points): &(SolveOptions, Vec<Point>)| {
+    let head = |(options, points): &(SolveOptions, Vec<GridPoint>)| {
         let case = points.first().and_then(|point| point.case.as_ref().ok());
         (*options, case.map(|case| case.model))
     };
@@ -155,7 +152,7 @@ fn useful_threads(jobs: Option<usize>, chains: usize) -> usize {
 type Found<'a> = Result<&'a Outcome, String>;
 
 /// What is done with a point: its task, its number, itself, what it gave.
-type Take<'a> = dyn Fn(&Task, usize, &Point, Found<'_>) -> io::Result<()> + Sync + 'a;
+type Take<'a> = dyn Fn(&Task, usize, &GridPoint, Found<'_>) -> io::Result<()> + Sync + 'a;
 
 /// A solved case.
 type Known = (Resolved, Outcome);
@@ -204,7 +201,13 @@ impl Work<'_> {
     }
 
     /// Solves a chain behind its head, each point from the last solutions before it if that can be.
-    fn along(&self, study: &Study, task: &Task, first: &Point, head: Result<Known, String>) -> Result<(), StudyError> {
+    fn along(
+        &self,
+        study: &Study,
+        task: &Task,
+        first: &GridPoint,
+        head: Result<Known, String>,
+    ) -> Result<(), StudyError> {
         (self.take)(task, task.start, first, found(&head))?;
         let mut trail: Vec<Known> = head.into_iter().collect();
         let mut too_far = 0;
@@ -249,7 +252,7 @@ fn found(solved: &Result<Known, String>) -> Found<'_> {
 }
 
 /// The point's case solved, or why there is no solution.
-fn attempt(point: &Point, solve: impl FnOnce(&Resolved) -> Result<Outcome, Failure>) -> Result<Known, String> {
+fn attempt(point: &GridPoint, solve: impl FnOnce(&Resolved) -> Result<Outcome, Failure>) -> Result<Known, String> {
     let case = point.case.as_ref().map_err(ToString::to_string)?;
     solve(case).map(|outcome| (case.clone(), outcome)).map_err(|failure| failure.to_string())
 }

@@ -184,8 +184,8 @@ impl Attempt<'_> {
         let t = layout.constants.len() - 1;
         let mut start = self.guess.clone();
         start.constants.push(0.0);
-        let way = Options { control: Control::Defect, ..self.options.loosened(1e-2) };
-        let options = BranchOptions { solve: way, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
+        let on_path = Options { control: Control::Defect, ..self.options.loosened(1e-2) };
+        let options = BranchOptions { solve: on_path, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
         let (unknowns, budget) = (self.unknowns, self.budget);
         let branch = match trace_within(&homotopy, &start, t, unknowns, &options, &[], self.observer, budget) {
             Ok(branch) => branch,

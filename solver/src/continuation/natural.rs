@@ -29,7 +29,7 @@ use thiserror::Error;
 pub struct PathOptions {
     /// For the solution at the end of the path.
     pub solve: Options,
-    /// Tolerance on the way. Never tighter than `solve.tolerance`.
+    /// Tolerance on the path. Never tighter than `solve.tolerance`.
     pub tolerance: f64,
     /// First step in λ.
     pub first_step: f64,
@@ -71,7 +71,7 @@ impl PathOptions {
             ("smallest_step", self.smallest_step),
             ("largest_step", self.largest_step),
             ("contraction", self.contraction),
-            ("tolerance on the way", self.tolerance),
+            ("tolerance on the path", self.tolerance),
         ])
     }
 }
@@ -115,7 +115,7 @@ pub struct Followed {
 pub struct PathError {
     /// Path parameter of the last solution; 0 if there was none.
     pub lambda: f64,
-    /// The last solution, to the tolerance of the way. `None` if the start itself failed.
+    /// The last solution, to the tolerance of the path. `None` if the start itself failed.
     pub last: Option<Box<Solution>>,
     /// All steps.
     pub steps: Vec<StepRecord>,
@@ -185,9 +185,10 @@ pub(super) fn follow_within(
     options.check(from).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
     let first = Options { control: Control::Defect, ..options.solve.loosened(options.tolerance) };
-    let way = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
+    let path_options = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };
     let run = Run::new(problem, plan, &first, observer, budget);
-    Follower { run, path, options, way: &way, steps: Vec::new(), check: BranchCheck::Kept }.follow(from)
+    Follower { run, path, options, path_options: &path_options, steps: Vec::new(), check: BranchCheck::Kept }
+        .follow(from)
 }
 
 struct Follower<'a, 'o, P: Problem + ?Sized> {
@@ -195,7 +196,7 @@ struct Follower<'a, 'o, P: Problem + ?Sized> {
     path: &'o dyn Path,
     options: &'o PathOptions,
     /// How each step is solved.
-    way: &'o Options,
+    path_options: &'o Options,
     steps: Vec<StepRecord>,
     /// Whether the branch has been kept so far.
     check: BranchCheck,
@@ -213,7 +214,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         };
         self.record(lambda, before, Some(&here));
         self.check = self.run.check;
-        self.run.options = self.way;
+        self.run.options = self.path_options;
         let mut step = from.step.min(1.0);
         while lambda < 1.0 {
             if self.steps.len() > self.options.max_steps {
@@ -302,10 +303,10 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         PathError { lambda, last, steps: self.steps, cause: Box::new(cause) }
     }
 
-    /// From the tolerance of the way to that of the solution.
+    /// From the tolerance of the path to that of the solution.
     fn finish(mut self, here: Solved<'a, P>) -> Result<Followed, PathError> {
         self.run.options = &self.options.solve;
-        // On the way errors were not estimated.
+        // On the path errors were not estimated.
         self.run.keep = false;
         let start = Start { grids: here.system.grids.clone(), x: here.converged.x.clone() };
         let outcome = self.run.refine(start).and_then(|solved| self.run.finish(&solved));
@@ -315,7 +316,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
                 Ok(Followed { solution, steps: self.steps })
             }
             Err(cause) => {
-                self.run.options = self.way;
+                self.run.options = self.path_options;
                 Err(self.give_up(&here, 1.0, cause))
             }
         }

@@ -25,7 +25,7 @@ enum Law {
 /// Several constants that move together, each linearly or geometrically.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ramp {
-    legs: Vec<(usize, f64, f64, Law)>,
+    stages: Vec<(usize, f64, f64, Law)>,
 }
 
 impl Ramp {
@@ -37,7 +37,7 @@ impl Ramp {
     /// Lets a constant (index in the layout) go in proportion to λ.
     #[must_use]
     pub fn linear(mut self, constant: usize, from: f64, to: f64) -> Self {
-        self.legs.push((constant, from, to, Law::Linear));
+        self.stages.push((constant, from, to, Law::Linear));
         self
     }
 
@@ -45,14 +45,14 @@ impl Ramp {
     #[must_use]
     pub fn geometric(mut self, constant: usize, from: f64, to: f64) -> Self {
         let law = if to / from > 0.0 { Law::Geometric } else { Law::Linear };
-        self.legs.push((constant, from, to, law));
+        self.stages.push((constant, from, to, law));
         self
     }
 }
 
 impl Path for Ramp {
     fn constants(&self, lambda: f64, constants: &mut [f64]) {
-        for &(index, from, to, law) in &self.legs {
+        for &(index, from, to, law) in &self.stages {
             let Some(constant) = constants.get_mut(index) else { continue };
             *constant = match law {
                 _ if lambda == 1.0 => to,
@@ -63,7 +63,7 @@ impl Path for Ramp {
     }
 
     fn slope(&self, lambda: f64, slope: &mut [f64]) {
-        for &(index, from, to, law) in &self.legs {
+        for &(index, from, to, law) in &self.stages {
             let Some(slope) = slope.get_mut(index) else { continue };
             *slope = match law {
                 Law::Linear => to - from,

@@ -27,7 +27,7 @@ pub(super) struct Tracer<'a, 'e> {
     /// The unknowns and the parameter.
     extended: Vec<usize>,
     options: &'a BranchOptions,
-    way: Options,
+    path_options: Options,
     events: &'a [EventFunction<'e>],
     observer: &'a mut dyn Observer,
     budget: &'a Budget,
@@ -58,7 +58,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     ) -> Self {
         let mut extended = unknowns.to_vec();
         extended.push(parameter);
-        let way = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
+        let path_options = Options { rescues: 0, max_iterations: options.max_iterations, ..options.solve.clone() };
         let stats = Stats::default();
         let points = Vec::new();
         Self {
@@ -67,7 +67,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             unknowns,
             extended,
             options,
-            way,
+            path_options,
             events,
             observer,
             budget,
@@ -167,7 +167,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             return Err(SolveError::Option { name: "position", value: from.position, expected: "a point of a branch" });
         };
         let plan = Plan::new(self.problem.layout(), self.unknowns);
-        let mut run = Run::new(self.problem, plan, &self.way, self.observer, self.budget);
+        let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
         let solution = run.as_it_stands(Start::from(&from.guess))?;
         self.stats += run.stats;
         drop(run);
@@ -221,7 +221,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         constants.push(step);
         let guess = Guess { regions: near.moved(step - known), constants };
         let plan = Plan::new(problem.layout(), &self.extended);
-        let mut run = Run::new(problem, plan, &self.way, self.observer, self.budget);
+        let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
         let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
         let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;

@@ -1,7 +1,7 @@
 //! The keys of a description of a belt's tests.
 
 use crate::bench::sheet::{Entry, Kind};
-use crate::case::{Bound, Range};
+use crate::case::{Range, RangeEnd};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ pub static TABLE: [Entry; 43] = [
     entry("name", Kind::Text, "\"CVTech\"", "what the belt is called"),
     entry("source", Kind::Text, "\"...\"", "where the numbers come from"),
     entry("temperature", Kind::Temperature, "\"60 degC\"", "temperature of the belt in use; --temperature goes before it"),
-    entry("rubber.poisson_ratio", kind(NUMBER, Range { low: Bound::Open(-1.0), high: Bound::Closed(0.5) }), "0.5",
+    entry("rubber.poisson_ratio", kind(NUMBER, Range { low: RangeEnd::Open(-1.0), high: RangeEnd::Closed(0.5) }), "0.5",
         "ν of the rubber (4.3); 0.5 if it is not given"),
     entry("rubber.test.temperature", Kind::Temperature, "\"25 degC\"", "one [[rubber.test]] for each temperature tested"),
     entry("rubber.test.storage_modulus", MPA, "\"46.71 MPa\"", "G' in shear"),
@@ -37,9 +37,9 @@ pub static TABLE: [Entry; 43] = [
     entry("rubber.test.storage_over_loss", PLAIN, "8.2", "G'/G'', in place of G''"),
     entry("rubber.test.stress_amplitude", MPA, "\"0.47 MPa\"", "τ_o; with strain and phase in place of the moduli (4.1), (4.2)"),
     entry("rubber.test.strain_amplitude", PLAIN, "0.01", "γ_o"),
-    entry("rubber.test.phase", kind(DEG, Range { low: Bound::Closed(0.0), high: Bound::Open(90.0) }), "\"6.95 deg\"", "δ between stress and strain"),
+    entry("rubber.test.phase", kind(DEG, Range { low: RangeEnd::Closed(0.0), high: RangeEnd::Open(90.0) }), "\"6.95 deg\"", "δ between stress and strain"),
     entry("rubber.test.youngs_modulus", MPA, "\"140.1 MPa\"", "E itself, in place of all moduli in shear"),
-    entry("yarns.count", kind(NUMBER, Range { low: Bound::Closed(1.0), high: Bound::Closed(1e4) }), "27", "yarns across the belt"),
+    entry("yarns.count", kind(NUMBER, Range { low: RangeEnd::Closed(1.0), high: RangeEnd::Closed(1e4) }), "27", "yarns across the belt"),
     entry("yarns.linear_density", kind(Unit::new("den", -3, 1.0, 9000.0, Dimension::MASS_PER_LENGTH), Range::POSITIVE), "\"1500 den\"", "of one yarn"),
     entry("yarns.specific_modulus", Kind::SpecificModulus, "\"555 g/den\"", "tensile modulus over linear density; \"49 N/tex\" as well"),
     entry("yarns.gravity", kind(Unit::decimal("m/s^2", 0, ACCELERATION), Range::positive_to(100.0)), "\"9.80665 m/s^2\"",
@@ -61,7 +61,7 @@ pub static TABLE: [Entry; 43] = [
     entry("bending.length", MM, "\"17.3 mm\"", "between those nodes"),
     entry("section.width", MM, "\"30.51 mm\"", "of the belt at the cords, the widest place"),
     entry("section.cord_depth", MM, "\"2.85 mm\"", "height of the rectangle on the other side of the cords"),
-    entry("section.half_angle", kind(DEG, Range { low: Bound::Closed(0.0), high: Bound::Open(60.0) }), "\"12 deg\"",
+    entry("section.half_angle", kind(DEG, Range { low: RangeEnd::Closed(0.0), high: RangeEnd::Open(60.0) }), "\"12 deg\"",
         "half the wedge angle of the trapezoid"),
     entry("section.outline", Kind::Outline, "[[\"0 mm\", \"2.85 mm\"], [\"3 mm\", \"14 mm\"]]",
         "the real section for the figure: across, and from the outside surface"),
@@ -69,7 +69,7 @@ pub static TABLE: [Entry; 43] = [
     entry("lateral.slope", kind(Unit::decimal("N/mm", 3, STIFFNESS), Range::POSITIVE), "\"1747 N/mm\"",
         "m, load per displacement between the two wedges"),
     entry("lateral.csv", Kind::Text, "\"lateral.csv\"", "displacement, load with a header such as `mm,N`, in place of the slope"),
-    entry("lateral.from", kind(Unit::decimal("N", 0, Dimension::FORCE), Range { low: Bound::Closed(0.0), high: Bound::None }),
+    entry("lateral.from", kind(Unit::decimal("N", 0, Dimension::FORCE), Range { low: RangeEnd::Closed(0.0), high: RangeEnd::None }),
         "\"100 N\"", "smallest load that the line is fitted to"),
     entry("lateral.to", kind(Unit::decimal("N", 0, Dimension::FORCE), Range::POSITIVE), "\"1200 N\"", "largest such load"),
     entry("lateral.sample_length", MM, "\"51.25 mm\"", "L_S along the belt"),

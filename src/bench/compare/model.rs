@@ -5,7 +5,7 @@ use super::actuator::Actuator;
 use super::fit::{self, Linearised, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, Problem};
-use crate::case::{Case, Free, Key, Kind, Resolved};
+use crate::case::{Case, Free, Key, Resolved, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
 use crate::result::{interpret, sensitivities};
@@ -252,7 +252,7 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
         let key = Key::from_path(name).filter(|key| {
             let section = key.entry().section();
             let clamp = CLAMPS.contains(key) && options.clamp == Clamp::OfCase;
-            matches!(key.entry().kind, Kind::Quantity { .. }) && (["belt", "sheave"].contains(&section) || clamp)
+            matches!(key.entry().kind, ValueKind::Quantity { .. }) && (["belt", "sheave"].contains(&section) || clamp)
         });
         let value = key.and_then(|key| {
             let (_, setting) = settings.iter().find(|(other, _)| *other == key)?;

@@ -19,7 +19,7 @@
 mod newton;
 mod state;
 
-pub use state::{InitError, Method, PulleyId, State};
+pub use state::{InitError, InitialState, Method, PulleyId};
 
 use super::formula::{Inputs, Outputs};
 use crate::case::{Clamp, Load, Resolved, Speed, geometry};
@@ -76,7 +76,7 @@ pub enum Situation {
 ///
 /// # Errors
 /// See [`InitError`].
-pub fn solve(drive: &SimpleDrive, situation: Situation) -> Result<State, InitError> {
+pub fn solve(drive: &SimpleDrive, situation: Situation) -> Result<InitialState, InitError> {
     drive.check()?;
     situation.check()?;
     let problem = Problem { drive: *drive, situation };
@@ -369,7 +369,7 @@ impl Problem {
         }
     }
 
-    fn unloaded(&self) -> Result<State, InitError> {
+    fn unloaded(&self) -> Result<InitialState, InitError> {
         let mut inputs = self.closed();
         inputs.set(Given::OutputTorque, 0.0);
         inputs.set(Given::InputTorque, 0.0);
@@ -377,10 +377,10 @@ impl Problem {
         self.complete(&mut inputs, v_0);
         inputs.set(Given::OutputTorque, 0.0);
         inputs.set(Given::InputTorque, 0.0);
-        State::read(&self.drive, &inputs, Method::Closed)
+        InitialState::read(&self.drive, &inputs, Method::Closed)
     }
 
-    fn loaded(&self) -> Result<State, InitError> {
+    fn loaded(&self) -> Result<InitialState, InitError> {
         let mut closed = self.closed();
         let start = self.no_load_speed(&closed.outputs());
         self.start(&mut closed, start)?;
@@ -405,7 +405,7 @@ impl Problem {
             Given::InputTorque => closed.set(Given::OutputTorque, closed.outputs().get(Derived::OutputTorqueFromInput)),
             _ => {}
         }
-        State::read(&self.drive, &closed, Method::Newton { iterations })
+        InitialState::read(&self.drive, &closed, Method::Newton { iterations })
     }
 
     /// The start: v_0 as without a torque, and where the belt would then lift off or slide all over, slower by the

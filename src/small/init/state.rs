@@ -37,7 +37,7 @@ pub enum Method {
 
 /// A state of the simple drive, SI: rad/s, N·m, N, m/s, rad. Torques are those of the belt on the pulleys.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct InitialState {
     /// ω_I.
     pub input_speed: f64,
     /// ω_O.
@@ -159,7 +159,7 @@ pub(super) fn gross_slip(closed: &ClosedForms, pulley: PulleyId) -> InitError {
     InitError::GrossSlip { pulley, axial_force, smallest, torque }
 }
 
-impl State {
+impl InitialState {
     /// Reads the state of a drive whose speeds, torques and v_0 are known; what was not given of the axial forces
     /// follows.
     pub(super) fn read(drive: &SimpleDrive, closed: &ClosedForms, method: Method) -> Result<Self, InitError> {

@@ -2,7 +2,7 @@
 
 use super::error::{Problem, SizeError};
 use super::{BeltDrive, Idler};
-use crate::case::{Bound, Range};
+use crate::case::{Range, RangeEnd};
 use crate::quantity::{Dimension, Unit};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -34,8 +34,8 @@ const NM: Unit = Unit::decimal("N*m", 0, Dimension::TORQUE);
 const KG_M2: Unit = Unit::decimal("kg*m^2", 0, INERTIA);
 const RAD_PER_S2: Unit = Unit::decimal("rad/s^2", 0, Dimension::new(0, 0, -2, 1));
 
-const ANY: Range = Range { low: Bound::None, high: Bound::None };
-const FROM_ZERO: Range = Range { low: Bound::Closed(0.0), high: Bound::None };
+const ANY: Range = Range { low: RangeEnd::None, high: RangeEnd::None };
+const FROM_ZERO: Range = Range { low: RangeEnd::Closed(0.0), high: RangeEnd::None };
 
 /// The keys of a drive.
 #[rustfmt::skip]
@@ -88,7 +88,7 @@ impl<T> Entry<T> {
     pub fn expected(&self) -> String {
         let (unit, example) = (self.unit.symbol, self.example);
         let range = match (self.range.low, self.range.high) {
-            (Bound::None, Bound::None) => String::new(),
+            (RangeEnd::None, RangeEnd::None) => String::new(),
             _ => format!(" {}", self.range.words(unit)),
         };
         let dimension = match self.unit.scale.dimension {

@@ -8,7 +8,7 @@ use std::fmt;
 
 /// A constant that is found, and the output that is prescribed in its place.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Exchange {
+pub struct GivenSwap {
     /// The key whose constant is found; its value is where the search starts.
     pub key: Key,
     /// The constant.
@@ -19,14 +19,14 @@ pub struct Exchange {
     pub value: f64,
 }
 
-impl fmt::Display for Exchange {
+impl fmt::Display for GivenSwap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} for {} = {:e}", self.key.path(), self.output.name(), self.value)
     }
 }
 
 /// From `KEY for OUTPUT = VALUE`, or what is wrong with it.
-pub(super) fn read(text: &str) -> Result<Exchange, String> {
+pub(super) fn read(text: &str) -> Result<GivenSwap, String> {
     let form = || "expected KEY for OUTPUT = VALUE, such as `belt.bending_stiffness for efficiency.overall = 0.96`";
     let (what, value) = text.split_once('=').ok_or_else(form)?;
     let (path, output) = what.split_once(" for ").ok_or_else(form)?;
@@ -48,5 +48,5 @@ pub(super) fn read(text: &str) -> Result<Exchange, String> {
     })?;
     let read = quantity::parse(value).and_then(|quantity| quantity.expect(output.symbol().dimension.into()));
     let value = read.map_err(|reason| format!("`{}` = {value}: {reason}", output.name()))?;
-    Ok(Exchange { key, constant, output, value })
+    Ok(GivenSwap { key, constant, output, value })
 }

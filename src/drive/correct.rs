@@ -5,25 +5,25 @@
 
 use solver::{Guess, Options, Solution, SolveError, Stats};
 
-use super::belt::Belt;
+use super::belt::BeltProblem;
 
-/// How much larger boundary residuals may be before a solution is polished.
-const LENIENCE: f64 = 100.0;
-/// Newton's tolerance of a polished solution over that of the solution, and where rounding forbids a smaller one.
+/// How much larger boundary residuals may be before a solution is corrected.
+const RELAXATION: f64 = 100.0;
+/// Newton's tolerance of a corrected solution over that of the solution, and where rounding forbids a smaller one.
 const NEWTON_SHARE: f64 = 1e-4;
 const LEAST_NEWTON: f64 = 1e-13;
 
-/// Options for a solution that will be polished.
-pub(super) fn lenient(options: &Options) -> Options {
-    Options { boundary_tolerance: Some(LENIENCE * options.boundary_tolerance()), ..options.clone() }
+/// Options for a solution that will be corrected.
+pub(super) fn relaxed(options: &Options) -> Options {
+    Options { boundary_tolerance: Some(RELAXATION * options.boundary_tolerance()), ..options.clone() }
 }
 
 /// The solution after further corrections: `always`, or if its boundary residuals are too large.
 ///
 /// # Errors
 /// Boundary residuals that stay too large; the solution as it was.
-pub(super) fn polished(
-    belt: &Belt,
+pub(super) fn corrected(
+    belt: &BeltProblem,
     solution: Solution,
     options: &Options,
     always: bool,
@@ -34,8 +34,8 @@ pub(super) fn polished(
         return Ok(solution);
     }
     let newton_tolerance = Some((NEWTON_SHARE * options.tolerance).max(LEAST_NEWTON));
-    let polish = Options { newton_tolerance, rescues: 0, ..options.clone() };
-    match solver::solve(belt, &Guess::from(&solution), solution.unknowns(), &polish) {
+    let options = Options { newton_tolerance, rescues: 0, ..options.clone() };
+    match solver::solve(belt, &Guess::from(&solution), solution.unknowns(), &options) {
         Ok(better) => {
             *stats += *better.stats();
             Ok(better)
