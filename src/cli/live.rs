@@ -9,6 +9,7 @@ use axum::middleware::{Next, from_fn_with_state};
 use axum::routing::{get, post};
 use clap::Args;
 use sheave::live::Live;
+use sheave::{Cancel, cancellable};
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::num::NonZero;
@@ -168,6 +169,15 @@ fn refused(status: StatusCode, reason: &'static str) -> Response<Body> {
     response
 }
 
+/// Ends what is computed for a page that no longer waits for it: the server drops what would have answered.
+struct Gone(Cancel);
+
+impl Drop for Gone {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
 /// Answers a page's question.
 async fn ask(State(pages): State<Pages>, Path(name): Path<String>, headers: HeaderMap, body: Bytes) -> Response<Body> {
     // Other sites cannot send this type without asking first.
@@ -182,12 +192,17 @@ async fn ask(State(pages): State<Pages>, Path(name): Path<String>, headers: Head
         return refused(StatusCode::SERVICE_UNAVAILABLE, "the server is ending");
     };
     let live = pages.page(&name);
+    let gone = Gone(Cancel::new());
+    let cancel = gone.0.clone();
     let answer = tokio::task::spawn_blocking(move || {
-        let answer = live.lock().unwrap_or_else(PoisonError::into_inner).answer(&question);
+        let mut live = live.lock().unwrap_or_else(PoisonError::into_inner);
+        let answer = cancellable(&cancel, || live.answer(&question));
         drop(place);
         answer
     });
-    match answer.await {
+    let answered = answer.await;
+    drop(gone);
+    match answered {
         Ok(answer) => {
             let mut response = Response::new(Body::from(answer));
             response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));

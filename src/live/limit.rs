@@ -59,14 +59,15 @@ pub(super) fn named(lost: &Lost, changed: Option<&str>, last: Option<&Outcome>) 
             let kind = if failure.is_bad_input() { FailureKind::Input } else { FailureKind::NoSolution };
             FailureReport { kind, message: failure.to_string(), hint: failure.hint().map(str::to_owned) }
         }
-        Lost::Ended(cause) => {
+        Lost::Ended(_) => {
             let end = last.and_then(|last| Some(where_it_ended(Key::from_path(changed?)?, last)));
             let state = match last.map(|last| Light::of(last.result.slip_reserve)) {
                 Some(Light::Red) => "the belt slips",
                 Some(Light::Amber | Light::Green) | None => "the solution is lost",
             };
             let message = end.map_or_else(|| format!("{state} on the way"), |end| format!("{state} beyond {end}"));
-            FailureReport { kind: FailureKind::NoSolution, message, hint: Some(cause.clone()) }
+            let hint = last.map(|_| "what is drawn is the last solution on the way there".to_owned());
+            FailureReport { kind: FailureKind::NoSolution, message, hint }
         }
     }
 }

@@ -36,7 +36,7 @@ use crate::drive::{Failure, SolveOptions};
 use crate::model::InternalError;
 use crate::result::{FailureKind, FailureReport, Outcome, answers, envelope, warnings, write_profile, Light};
 use ask::{Ask, SolveAsk};
-use follow::{Follower, Found};
+use follow::{Follower, Found, Lost};
 
 /// Longest case that is read, bytes.
 const LONGEST: usize = 1 << 20;
@@ -154,6 +154,9 @@ impl Live {
                 answer["values"] = json!(values::asked(&resolved, last.as_deref().map(|last| &last.result)));
                 let changed = ask.set.last().map(|(key, _)| key.as_str());
                 answer["failure"] = json!(limit::named(&failure, changed, last.as_deref()));
+                if let Lost::Ended(cause) = &failure {
+                    answer["cause"] = cause.as_str().into();
+                }
                 if let Some(last) = last.filter(|_| ask.scene) {
                     answer["scene"] = serde_json::to_value(scene::scene(&last)?)?;
                     answer["light"] = json!(light(&last));

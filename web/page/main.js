@@ -124,7 +124,7 @@ async function move() {
   const { set: keys, unset, whole } = page.change;
   page.change = null;
   const from = whole ?? page.case;
-  const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, follow: true };
+  const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
   for (let steps = 0; steps < MOST_STEPS; steps += 1) {
     const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
     if (answer.case === undefined) {
@@ -141,6 +141,13 @@ async function move() {
 
 /** Solves to the finer tolerance, or says what limits the drive. */
 async function rest() {
+  if (page.answer?.failure) {
+    // If the clamp does not carry the torque, no search from nothing is needed.
+    if ((await limit(page.answer)) || page.change) {
+      if (!page.change) settled();
+      return;
+    }
+  }
   const answer = await ask("rest", { ask: "solve", case: page.case, tolerance: RESTING, work_limit: WORK });
   if (page.change) return;
   if (answer.case === undefined) {
@@ -148,20 +155,23 @@ async function rest() {
     refused(answer.failure);
     return;
   }
-  page.active = null;
   show(answer);
-  history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
   say("spoken", answer.failure ? byId("notice-message").textContent : spoken(answer));
-  if (answer.failure) await limit(answer);
-  if (page.change) return;
+  settled();
+}
+
+/** Nothing is left to ask: the case goes into the address bar. */
+function settled() {
+  page.active = null;
   page.rested = true;
+  history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
   document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
 }
 
-/** Names the torque that the clamp carries, where the case has a torque and a clamp. */
+/** Names the torque that the clamp carries, and says whether it is less than what is asked. */
 async function limit(answer) {
   const found = await ask("limit", { ask: "largest_torque", case: page.case, tolerance: MOVING });
-  if (!found.torque || page.change) return;
+  if (!found.torque || page.change) return false;
   const { value, words: meaning } = found.torque;
   const clamp = ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
     answer.given.includes(`operating_point.${name}`),
@@ -173,10 +183,11 @@ async function limit(answer) {
   if (isTorque && asked > value) {
     notice("slips", `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`, `At this limit, ${meaning}. Less torque or more clamp brings it back.`);
     page.readouts.stale("it slips");
-  } else {
-    notice("slips", byId("notice-message").textContent, `${torque}: ${meaning}.`);
+    say("spoken", byId("notice-message").textContent);
+    return true;
   }
-  say("spoken", byId("notice-message").textContent);
+  notice("slips", byId("notice-message").textContent, `${torque}: ${meaning}.`);
+  return false;
 }
 
 /** A case that is not understood: it stays out, and the controls go back. */
