@@ -24,7 +24,7 @@ pub(super) fn asked(case: &Resolved, result: Option<&DriveResult<Resolved>>) -> 
 }
 
 /// What a solved drive has in place of what was not given, SI.
-fn found(result: &DriveResult<Resolved>) -> [(Key, f64); 13] {
+fn found(result: &DriveResult<Resolved>) -> [(Key, f64); 14] {
     let (primary, secondary) = (&result.primary, &result.secondary);
     [
         (Key::PrimaryRadius, primary.radius),
@@ -40,6 +40,7 @@ fn found(result: &DriveResult<Resolved>) -> [(Key, f64); 13] {
         (Key::PrimaryAxialForce, primary.axial_force),
         (Key::SecondaryAxialForce, secondary.axial_force),
         (Key::SlipReserve, result.slip_reserve),
+        (Key::FrictionUtilization, result.friction_utilization),
     ]
 }
 

@@ -6,9 +6,10 @@ const VIRIDIS = [
   [180, 222, 44], [253, 231, 37],
 ];
 
-/** The colour of a share from 0 to 1; its darkest and brightest ends are left out, so that it shows on any ground. */
-export function tensionColor(share) {
-  const place = (0.16 + 0.66 * Math.min(1, Math.max(0, share))) * (VIRIDIS.length - 1);
+/** The colour of a share from 0 to 1, without the end of the scale that does not show on a bright or on a dark ground. */
+export function tensionColor(share, dark) {
+  const [from, to] = dark ? [0.32, 1] : [0.12, 0.82];
+  const place = (from + (to - from) * Math.min(1, Math.max(0, share))) * (VIRIDIS.length - 1);
   const k = Math.min(VIRIDIS.length - 2, Math.floor(place));
   const mixed = VIRIDIS[k].map((value, i) => Math.round(value + (place - k) * (VIRIDIS[k + 1][i] - value)));
   return `rgb(${mixed.join(" ")})`;

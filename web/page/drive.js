@@ -33,13 +33,13 @@ function line(points) {
   return points.map(({ x, y }, i) => `${i ? "L" : "M"}${x.toFixed(3)} ${(-y).toFixed(3)}`).join("");
 }
 
-/** Runs of a region's points, about `count` of them, each with the next run's first point. */
+/** Runs of a region's points, about `count` of them, each a little into the next, so that no seam shows. */
 function pieces(points, count) {
   const runs = [];
   for (let k = 0; k < count; k += 1) {
     const from = Math.floor((k * (points.length - 1)) / count);
     const to = Math.floor(((k + 1) * (points.length - 1)) / count);
-    runs.push(points.slice(from, to + 1));
+    runs.push(points.slice(from, to + 2));
   }
   return runs;
 }
@@ -139,6 +139,7 @@ export class DriveView {
     const tensions = points.map((point) => point.tension);
     const [low, high] = [Math.min(...tensions), Math.max(...tensions)];
     this.range = [low, high];
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
     const top = Math.max(high, 1e-9);
     for (const region of REGIONS) {
       const own = points.filter((point) => point.region === region);
@@ -146,7 +147,7 @@ export class DriveView {
         const mean = run.reduce((sum, point) => sum + point.tension, 0) / run.length;
         const share = high > low ? (mean - low) / (high - low) : 0.5;
         const width = this.#scale * (2.5 + 8.5 * Math.max(0, mean) / top);
-        set(this.belt[region][k], { d: line(run), stroke: tensionColor(share), "stroke-width": width.toFixed(3) });
+        set(this.belt[region][k], { d: line(run), stroke: tensionColor(share, dark), "stroke-width": width.toFixed(3) });
       });
     }
     set(this.marks, { d: `${line(points)}Z`, "stroke-width": (1.6 * this.#scale).toFixed(3) });

@@ -42,6 +42,20 @@ export function ticks(from, to, count) {
   return places;
 }
 
+/** A round place of an axis whose places are so far apart: all with the same decimals. */
+export function tick(value, gap) {
+  const decimals = Math.max(0, -Math.floor(Math.log10(gap) + 1e-9));
+  return decimals > 5 ? number(value, 3) : fixed(value, decimals);
+}
+
+const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+
+/** A power of ten: 100, 1, 0.1, 10⁻². */
+export function powerOfTen(power) {
+  if (power >= -1 && power <= 2) return String(10 ** power);
+  return `10${[...String(power)].map((digit) => RAISED[digit]).join("")}`;
+}
+
 /** Words of a key or an output: `primary_axial_force` as `primary axial force`. */
 export function words(name) {
   return name.replaceAll("_", " ");

@@ -4,7 +4,7 @@ import { Engine } from "./engine.js";
 import { Controls } from "./controls.js";
 import { DriveView, SLOWER } from "./drive.js";
 import { Chart, PROFILES } from "./chart.js";
-import { Readouts, spoken } from "./readouts.js";
+import { glance, Readouts, spoken } from "./readouts.js";
 import { download, fromFragment, LONGEST, standalone, toFragment } from "./share.js";
 import { fixed, number, words } from "./format.js";
 import { html, set } from "./dom.js";
@@ -210,9 +210,11 @@ function show(answer) {
     const message = failure.message[0].toUpperCase() + failure.message.slice(1);
     notice("slips", `${message}.`, failure.hint);
     page.readouts.stale("no solution");
+    say("glance", "no solution");
   } else {
     notice("none", "");
     page.readouts.show(answer);
+    say("glance", glance(answer));
     const notes = [...answer.result.warnings, ...answer.remarks];
     byId("warnings").replaceChildren(...notes.map((text) => html("li", { text })));
     byId("warnings-box").hidden = notes.length === 0;

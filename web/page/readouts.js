@@ -119,3 +119,10 @@ export function spoken({ result, answers }) {
   const efficiency = result.efficiency.overall_with_losses ?? result.efficiency.overall;
   return `${slip}. Axial forces ${number(result.primary.axial_force, 3)} and ${number(result.secondary.axial_force, 3)} newton, efficiency ${percent(efficiency, 1)}.`;
 }
+
+/** What matters most, in one line. */
+export function glance({ result }) {
+  const { efficiency, primary, secondary } = result;
+  const overall = percent(efficiency.overall_with_losses ?? efficiency.overall, 1);
+  return `${number(primary.axial_force, 3)} · ${number(secondary.axial_force, 3)} N, ${overall}, ${percent(result.slip_reserve, 0)} reserve`;
+}
