@@ -23,7 +23,9 @@ major=$(node --print 'process.versions.node.split(".")[0]')
 [ "$major" -ge 20 ] || { echo "Node.js $major is too old: 20 or later is needed" >&2; exit 1; }
 
 (cd wasm && cargo fmt --check && cargo clippy --locked -- -D warnings)
+(cd lanes && cargo fmt --check)
 ./build.sh
+lanes/build.sh
 
 # The command with `live`, from the committed equations.
 features=(--no-default-features --features live --locked)

@@ -181,7 +181,8 @@ impl Drop for Gone {
 /// Answers a page's question.
 async fn ask(State(pages): State<Pages>, Path(name): Path<String>, headers: HeaderMap, body: Bytes) -> Response<Body> {
     // Other sites cannot send this type without asking first.
-    let is_json = headers.get(header::CONTENT_TYPE).is_some_and(|kind| kind.as_bytes().starts_with(b"application/json"));
+    let is_json =
+        headers.get(header::CONTENT_TYPE).is_some_and(|kind| kind.as_bytes().starts_with(b"application/json"));
     let Ok(question) = String::from_utf8(body.to_vec()) else {
         return refused(StatusCode::BAD_REQUEST, "the question is no text");
     };

@@ -30,7 +30,8 @@ pub(super) fn changed(
     }
     set.iter().try_for_each(|(key, value)| case.set(key, value))?;
     if keys.contains(&Key::Free) {
-        let free = set.iter().rev().find(|(key, _)| key == Key::Free.path()).and_then(|(_, name)| Free::from_name(name));
+        let free =
+            set.iter().rev().find(|(key, _)| key == Key::Free.path()).and_then(|(_, name)| Free::from_name(name));
         let out: &[Key] = match free {
             Some(Free::PrimaryRadius) => &[Key::PrimaryRadius],
             Some(Free::SecondaryRadius) => &[Key::SecondaryRadius],

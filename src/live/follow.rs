@@ -67,9 +67,11 @@ fn split(case: &Resolved) -> Split {
 fn is_beyond(from: &[(Key, f64)], wall: &[(Key, f64)], to: &[(Key, f64)]) -> bool {
     let same_keys = from.len() == to.len() && from.iter().zip(to).all(|((a, _), (b, _))| a == b);
     same_keys
-        && from.iter().zip(wall).zip(to).all(|(((_, from), (_, wall)), (_, to))| {
-            if wall == from { to == from } else { (to - from) / (wall - from) >= 1.0 }
-        })
+        && from.iter().zip(wall).zip(to).all(
+            |(((_, from), (_, wall)), (_, to))| {
+                if wall == from { to == from } else { (to - from) / (wall - from) >= 1.0 }
+            },
+        )
 }
 
 /// A case part of the way between two.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::case::{RangeEnd, Choice, Entry, Key, ValueKind, TABLE};
+use crate::case::{Choice, Entry, Key, RangeEnd, TABLE, ValueKind};
 use crate::quantity::{Dimension, Unit};
 
 /// Kelvin between the zeros of both scales.

@@ -34,7 +34,7 @@ use serde_json::{Value, json};
 use crate::case::{Case, CaseError, Resolved};
 use crate::drive::{Failure, SolveOptions};
 use crate::model::InternalError;
-use crate::result::{FailureKind, FailureReport, Outcome, answers, envelope, warnings, write_profile, Light};
+use crate::result::{FailureKind, FailureReport, Light, Outcome, answers, envelope, warnings, write_profile};
 use ask::{Ask, SolveAsk};
 use follow::{Follower, Found, Lost};
 
@@ -136,7 +136,11 @@ impl Live {
         if ask.from_nothing {
             self.follower = Follower::default();
         }
-        let found = if ask.follow { self.follower.follow(&resolved, &options) } else { self.follower.solve(&resolved, &options) };
+        let found = if ask.follow {
+            self.follower.follow(&resolved, &options)
+        } else {
+            self.follower.solve(&resolved, &options)
+        };
         let mut answer = json!({
             "case": case.to_toml(),
             "given": case.keys().map(crate::case::Key::path).collect::<Vec<_>>(),

@@ -4,11 +4,14 @@ use serde::Serialize;
 
 use crate::drive::RegionId;
 use crate::model::{Field, InternalError, State};
-use crate::plot::{Rim, Trajectory};
+use crate::plot::{Path, Rim, Trajectory};
 use crate::result::{Outcome, Sampled};
 
-/// Largest distance of samples in a contact, as a share of it.
+/// Largest and smallest distance of samples in a contact, as shares of it: what the eye sees of a line.
 const GAP: f64 = 1.0 / 160.0;
+const NEAREST: f64 = 1.0 / 500.0;
+/// Samples of a span, about.
+const SPAN_SAMPLES: usize = 120;
 
 /// Everything that is drawn, SI. Samples are of single precision: they are looked at.
 #[derive(Debug, Serialize)]
@@ -73,10 +76,31 @@ pub(super) fn scene(outcome: &Outcome) -> Result<Scene, InternalError> {
     })
 }
 
-/// The nodes of a region, and between any two of them as many places as a smooth line needs.
+/// The nodes of a region that are not too close to others, and as many places between them as a smooth line needs.
 fn places(outcome: &Outcome, region: RegionId) -> Vec<f64> {
     let mesh = outcome.solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());
-    crate::plot::dense(mesh, GAP)
+    let mut places = vec![0.0];
+    let mut last = 0.0;
+    for &node in mesh.iter().filter(|node| **node <= 1.0 - NEAREST).chain(&[1.0]) {
+        let gap = node - last;
+        if gap < NEAREST {
+            continue;
+        }
+        let parts = (gap / GAP).ceil();
+        places.extend((1..=parts as usize).map(|part| last + gap * part as f64 / parts));
+        last = node;
+    }
+    places
+}
+
+/// Some of the points of a path, its ends with them.
+fn thinned(path: Path) -> Path {
+    let last = path.s.len().saturating_sub(1);
+    let stride = path.s.len().div_ceil(SPAN_SAMPLES).max(1);
+    let kept = |index: &usize| index % stride == 0 || *index == last;
+    let pick = |values: &[f64]| (0..values.len()).filter(kept).map(|index| values[index]).collect();
+    let points = (0..path.points.len()).filter(kept).map(|index| path.points[index]).collect();
+    Path { s: pick(&path.s), points }
 }
 
 fn pulley(
@@ -110,13 +134,8 @@ fn pulley(
     })
 }
 
-fn span(
-    outcome: &Outcome,
-    trajectory: &Trajectory<'_>,
-    region: RegionId,
-    length: f64,
-) -> Result<Span, InternalError> {
-    let path = trajectory.path(region, &[])?;
+fn span(outcome: &Outcome, trajectory: &Trajectory<'_>, region: RegionId, length: f64) -> Result<Span, InternalError> {
+    let path = thinned(trajectory.path(region, &[])?);
     let solved = &outcome.solved;
     let sampled = Sampled::at(&solved.belt, &solved.solution, region, path.s);
     Ok(Span {

@@ -30,7 +30,7 @@ pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     let solved = &outcome.solved;
     let sample = |region: RegionId| {
         let mesh = solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());
-        Sampled::at(&solved.belt, &solved.solution, region, dense(mesh, GAP))
+        Sampled::at(&solved.belt, &solved.solution, region, dense(mesh))
     };
     let constants = Constants::try_from(solved.solution.constants())?;
     let trajectory = Trajectory::new(solved)?;
@@ -93,11 +93,11 @@ pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     Ok(figures)
 }
 
-/// The nodes, and between any two of them as many points as a smooth line needs, no farther apart than `gap`.
-pub(crate) fn dense(mesh: &[f64], gap: f64) -> Vec<f64> {
+/// The nodes, and between any two of them as many points as a smooth line needs.
+fn dense(mesh: &[f64]) -> Vec<f64> {
     let between = |pair: &[f64]| {
         let (a, h) = (pair[0], pair[1] - pair[0]);
-        let parts = ((h / gap).ceil() as usize).max(INNER + 1);
+        let parts = ((h / GAP).ceil() as usize).max(INNER + 1);
         (0..parts).map(move |part| a + h * part as f64 / parts as f64).collect::<Vec<_>>()
     };
     mesh.windows(2).flat_map(between).chain(mesh.last().copied()).collect()

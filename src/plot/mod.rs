@@ -24,7 +24,6 @@ mod render;
 mod ticks;
 mod trajectory;
 
-pub(crate) use drive::dense;
 pub use drive::drive;
 pub use figure::{Axis, Figure, Look, Mark, Series};
 #[cfg(feature = "figures")]

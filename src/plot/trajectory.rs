@@ -131,7 +131,8 @@ impl<'a> Trajectory<'a> {
 
 /// A curve of unit speed through its nodes, with points between them by Hermite's cubic.
 fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Path {
-    let mut path = Path { s: s.first().copied().into_iter().collect(), points: nodes.first().copied().into_iter().collect() };
+    let mut path =
+        Path { s: s.first().copied().into_iter().collect(), points: nodes.first().copied().into_iter().collect() };
     for ((s, ends), angles) in s.windows(2).zip(nodes.windows(2)).zip(direction.windows(2)) {
         let (&[s0, s1], &[a, b], &[from, to]) = (s, ends, angles) else { continue };
         let h = s1 - s0;

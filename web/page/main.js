@@ -37,6 +37,8 @@ const page = {
   /** Whether the last answer has a solution, to the finer tolerance. */
   rested: false,
   frames: [],
+  /** Whether a notice outlives the next solution. */
+  sticky: false,
 };
 
 function say(id, text) {
@@ -78,8 +80,16 @@ function changed(change, active = null) {
   };
   page.active = active;
   page.rested = false;
-  if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) page.engine.interrupt();
+  page.sticky = false;
+  if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) end();
   run();
+}
+
+/** Ends what is being computed, once. */
+function end() {
+  if (!page.busy || page.busy.ending) return;
+  page.busy.ending = true;
+  page.engine.interrupt().catch((error) => notice("error", "The solver could not be started again.", String(error.message ?? error)));
 }
 
 let running = false;
@@ -195,7 +205,11 @@ function refused(failure, whole) {
   notice("error", failure.message, failure.hint);
   page.rested = true;
   if (page.answer) page.controls.show(page.answer, null);
-  if (whole && !page.answer) changed({ whole: "" });
+  if (whole && !page.answer) {
+    // What the address says is no case: the base case is shown, and why stays to be read.
+    changed({ whole: "" });
+    page.sticky = true;
+  }
 }
 
 function show(answer) {
@@ -212,7 +226,7 @@ function show(answer) {
     page.readouts.stale("no solution");
     say("glance", "no solution");
   } else {
-    notice("none", "");
+    if (!page.sticky) notice("none", "");
     page.readouts.show(answer);
     say("glance", glance(answer));
     const notes = [...answer.result.warnings, ...answer.remarks];
@@ -252,7 +266,7 @@ async function openFile(file) {
 function wire() {
   byId("stop").addEventListener("click", () => {
     page.rested = true;
-    page.engine.interrupt();
+    end();
   });
   byId("pause").addEventListener("click", (event) => {
     page.view.moves = !page.view.moves;
