@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# cargo for the browser (wasm32-unknown-unknown): scripts/wasm-cargo.sh SUBCOMMAND ARGUMENTS... With the target installed
-# (rustup target add wasm32-unknown-unknown) in the ordinary way; otherwise with Debian's rustc-web and rust-web-src, which
-# build the standard library from its source. TARGET_DIR is where it builds, `target/wasm` if it is not set; the two ways
-# differ in the compiler and do not share a directory.
+# cargo for the browser (wasm32-unknown-unknown): scripts/wasm-cargo.sh SUBCOMMAND ARGUMENTS... With the target
+# installed (rustup target add wasm32-unknown-unknown) in the ordinary way; otherwise with Debian's rustc-web and
+# rust-web-src, which build the standard library from its source. TARGET_DIR is where it builds, `target/wasm` if it
+# is not set; the two ways differ in the compiler and do not share a directory.
 set -euo pipefail
 target=wasm32-unknown-unknown
 subcommand=$1

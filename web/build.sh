@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The page: web/dist, static files that any web server serves. Needs Rust for wasm32-unknown-unknown (scripts/wasm-cargo.sh says how)
-# and nothing else.
+# The page: web/dist, static files that any web server serves. Needs Rust for wasm32-unknown-unknown
+# (scripts/wasm-cargo.sh says how) and nothing else.
 set -euo pipefail
 cd "$(dirname "$0")"
 

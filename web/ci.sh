@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Everything of the page: its module, `sheave live`, formatting and clippy of both, the module against the native program, and the
-# page in Chromium. Needs Rust, Node.js 20 or later with npm, Chromium, and for wasm32 what scripts/wasm-cargo.sh says; what
-# is missing is installed where apt-get may be used, and is an error otherwise. npm's packages are those of package-lock.json.
+# Everything of the page: its module, `sheave live`, formatting and clippy of both, the module against the native
+# program, and the page in Chromium. Needs Rust, Node.js 20 or later with npm, Chromium, and for wasm32 what
+# scripts/wasm-cargo.sh says; what is missing is installed where apt-get may be used, and is an error otherwise.
+# npm's packages are those of package-lock.json.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -33,5 +34,6 @@ features=(--no-default-features --features live --locked)
   && cargo test "${features[@]}" --test live --test live_server)
 
 npm ci --silent --no-audit --no-fund
+npx prettier --check "page/*.{js,css,html}" "tests/*.mjs"
 npm test
 cat shots/cases.md | head -1

@@ -35,9 +35,9 @@ const PAGES: usize = 16;
 /// Longest name of a page.
 const LONGEST_NAME: usize = 64;
 
-/// What the page's own `meta` element says too.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; \
-                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+/// What the page's own `meta` element says, but for the module, which is not there.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; \
+                      connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// A file of the page: where it is asked for, what it is, and its text.
 struct File(&'static str, &'static str, &'static str);

@@ -130,8 +130,8 @@ impl Follower {
         }
     }
 
-    /// Goes one step from the last solution towards a case, as long as there is a solution. Where there is none to start
-    /// from, or what differs is more than numbers, the case is solved from nothing.
+    /// Goes one step from the last solution towards a case, as long as there is a solution. Where there is none to
+    /// start from, or what differs is more than numbers, the case is solved from nothing.
     pub(super) fn follow(&mut self, case: &Resolved, options: &SolveOptions) -> Found {
         let Some((before, _)) = self.trail.last() else { return self.solve(case, options) };
         let (from, to) = (split(before), split(case));

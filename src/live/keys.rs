@@ -90,8 +90,8 @@ fn bound(bound: RangeEnd, shown: Shown) -> Value {
     }
 }
 
-/// From where to where a slider goes, in the unit shown: drives from the size of a toy to that of a snowmobile's. A page
-/// lets its sliders reach farther where a case does. None for a choice.
+/// From where to where a slider goes, in the unit shown: small vehicles' drives. A page lets its sliders reach farther
+/// where a case does. None for a choice.
 fn reach(key: Key) -> Option<[f64; 2]> {
     Some(match key {
         Key::Edition | Key::Shear | Key::Ends | Key::Spans | Key::Friction | Key::Free | Key::Losses => return None,

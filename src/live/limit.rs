@@ -9,13 +9,13 @@ use crate::design::{self, DesignError, Limit, LimitOptions};
 use crate::drive::SolveOptions;
 use crate::result::{FailureKind, FailureReport, Light, Outcome};
 
-/// A limit that was found, in words.
+/// What a limit is, as a sentence.
 fn words(kind: &design::LimitKind) -> &'static str {
     match kind {
-        design::LimitKind::Fold => "beyond it, no steady state exists near this one",
-        design::LimitKind::Collapse => "there, the belt slips until the secondary stands still",
-        design::LimitKind::SpeedEfficiency => "there, the speed efficiency falls below what was asked for",
-        design::LimitKind::Lost(_) => "farther, no solution was found",
+        design::LimitKind::Fold => "Beyond this limit there is no steady state near it.",
+        design::LimitKind::Collapse => "At this limit the belt slips until the secondary stands still.",
+        design::LimitKind::SpeedEfficiency => "At this limit the speed efficiency falls below what was asked for.",
+        design::LimitKind::Lost(_) => "Beyond it, no solution was found.",
     }
 }
 

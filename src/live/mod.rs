@@ -2,8 +2,9 @@
 //!
 //! The page in the browser asks this, compiled to WebAssembly in a worker or behind `sheave live`: both give the same
 //! answers to the same questions. [`Live::answer`] takes a text such as
-//! `{"ask": "solve", "case": "", "set": [["drive.ratio", "1.2"]], "tolerance": 1e-3}` and returns one JSON object. What
-//! is wrong stands in `failure`, as for the command's `--json`; nothing that can be asked panics or runs without a limit.
+//! `{"ask": "solve", "case": "", "set": [["drive.ratio", "1.2"]], "tolerance": 1e-3}` and returns one JSON object.
+//! What is wrong stands in `failure`, as for the command's `--json`; nothing that can be asked panics or runs without a
+//! limit.
 //!
 //! | `ask` | answer |
 //! |---|---|

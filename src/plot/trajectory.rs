@@ -1,5 +1,5 @@
-//! The belt's path in the plane of the pulleys: the origin is the primary's centre, x points to the secondary's, and the
-//! belt runs counter-clockwise. Lengths are in m.
+//! The belt's path in the plane of the pulleys: the origin is the primary's centre, x points to the secondary's, and
+//! the belt runs counter-clockwise. Lengths are in m.
 
 use std::f64::consts::PI;
 

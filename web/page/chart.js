@@ -37,19 +37,58 @@ const WRAP = { label: "wrap angle from the entry", unit: "°" };
 
 /** What is shown; `lines` reads a scene, in the units shown. */
 export const PROFILES = [
-  { id: "loop", title: "Tractive tension along the belt", unit: "N", over: { label: "arc length from the primary's entry (mm)", unit: " mm" }, lines: loop },
+  {
+    id: "loop",
+    title: "Tractive tension along the belt",
+    unit: "N",
+    over: { label: "arc length from the primary's entry (mm)", unit: " mm" },
+    lines: loop,
+  },
   { id: "tension", title: "Tractive tension", unit: "N", over: WRAP, lines: wrapped((pulley) => pulley.tension) },
-  { id: "sliding", title: "Sliding speed", unit: "mm/s", over: WRAP, log: true, guide: (scene) => 1e3 * scene.slip_threshold,
-    lines: wrapped((pulley) => pulley.sliding_speed.map((value) => 1e3 * value)) },
-  { id: "direction", title: "Sliding direction", unit: "°, 0 out, 180 in", over: WRAP,
-    lines: wrapped((pulley) => unjumped(pulley.sliding_angle.map((value) => value * DEGREES))) },
-  { id: "penetration", title: "Penetration", unit: "mm", over: WRAP,
-    lines: wrapped((pulley) => pulley.penetration.map((value) => 1e3 * value)) },
-  { id: "inclination", title: "Inclination", unit: "°, positive unseats", over: WRAP,
-    lines: wrapped((pulley) => pulley.inclination.map((value) => value * DEGREES)) },
-  { id: "axial", title: "Axial force per length", unit: "N/mm", over: WRAP,
-    lines: wrapped((pulley) => pulley.axial_force.map((value) => 1e-3 * value)) },
-  { id: "loss", title: "Friction loss per length", unit: "W/m", over: WRAP, lines: wrapped((pulley) => pulley.friction_loss) },
+  {
+    id: "sliding",
+    title: "Sliding speed",
+    unit: "mm/s",
+    over: WRAP,
+    log: true,
+    guide: (scene) => 1e3 * scene.slip_threshold,
+    lines: wrapped((pulley) => pulley.sliding_speed.map((value) => 1e3 * value)),
+  },
+  {
+    id: "direction",
+    title: "Sliding direction",
+    unit: "°, 0 out, 180 in",
+    over: WRAP,
+    lines: wrapped((pulley) => unjumped(pulley.sliding_angle.map((value) => value * DEGREES))),
+  },
+  {
+    id: "penetration",
+    title: "Penetration",
+    unit: "mm",
+    over: WRAP,
+    lines: wrapped((pulley) => pulley.penetration.map((value) => 1e3 * value)),
+  },
+  {
+    id: "inclination",
+    title: "Inclination",
+    unit: "°, positive unseats",
+    over: WRAP,
+    lines: wrapped((pulley) => pulley.inclination.map((value) => value * DEGREES)),
+  },
+  {
+    id: "axial",
+    title: "Axial force per length",
+    unit: "N/mm",
+    over: WRAP,
+    lines: wrapped((pulley) => pulley.axial_force.map((value) => 1e-3 * value)),
+  },
+  {
+    id: "loss",
+    title: "Friction loss per length",
+    unit: "W/m",
+    over: WRAP,
+    lines: wrapped((pulley) => pulley.friction_loss),
+  },
 ];
 
 /** Angles without jumps from 360° to 0°: they go on beyond. */
@@ -82,17 +121,31 @@ export class Chart {
     this.svg.addEventListener("pointermove", (event) => this.#point(event));
     this.svg.addEventListener("pointerleave", () => this.#leave());
     new ResizeObserver(() => this.scene && this.show(this.scene)).observe(this.svg);
+    // Out of sight, nothing is drawn.
+    this.seen = false;
+    const sight = new IntersectionObserver(
+      (entries) => {
+        this.seen = entries.at(-1).isIntersecting;
+        if (this.seen && this.scene && this.drawn !== this.scene) this.show(this.scene);
+      },
+      { rootMargin: "100px" },
+    );
+    sight.observe(this.svg);
   }
 
   show(scene) {
     this.scene = scene;
+    if (!this.seen) return;
+    this.drawn = scene;
     const { profile } = this;
     const width = Math.max(220, this.svg.clientWidth || 320);
     this.width = width;
     set(this.svg, { viewBox: `0 0 ${width} ${HEIGHT}` });
     this.lines = profile.lines(scene);
     const guide = profile.guide?.(scene);
-    const all = this.lines.flatMap((line) => line.y).filter((value) => Number.isFinite(value) && (!profile.log || value > 0));
+    const all = this.lines
+      .flatMap((line) => line.y)
+      .filter((value) => Number.isFinite(value) && (!profile.log || value > 0));
     let [low, high] = [Math.min(...all, ...(guide ? [guide] : [])), Math.max(...all, ...(guide ? [guide] : []))];
     const reach = Math.max(...this.lines.map((line) => line.x.at(-1)));
     if (profile.log) {
@@ -178,6 +231,7 @@ export class Chart {
 
   #leave() {
     set(this.cursor, { visibility: "hidden" });
+    if (!this.lines) return;
     const range = ({ name, y }) => {
       const values = y.filter(Number.isFinite);
       return `${name === "loop" ? "" : `${name} `}${number(Math.min(...values), 3)} to ${number(Math.max(...values), 3)}`;

@@ -17,7 +17,8 @@ const OPEN = ["", "operating_point", "drive", "sheave"];
 /** Sliders whose ends are this many times apart go by factors. */
 const LOGARITHMIC = 100;
 const NOTES = {
-  operating_point: "One key each for speed, load and clamp: what is moved takes the place of the other keys of its kind, which then follow.",
+  operating_point:
+    "One key each for speed, load and clamp: what is moved takes the place of the other keys of its kind, which then follow.",
   drive: "The ratio takes the place of both radii, which then follow from the belt's length.",
   thermal: "With ambient temperature and heat transfer, the belt's temperature is found.",
 };
@@ -33,10 +34,31 @@ class Quantity {
     this.label.append(words(key.name));
     if (key.symbol) this.label.append(" ", symbol(html("span", { class: "symbol" }), key.symbol));
     this.range = html("input", { type: "range", id, "data-key": key.path, "aria-describedby": `${id}-doc` });
-    this.field = html("input", { type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-field": key.path, "aria-label": `${words(key.name)}${unit ? ` in ${unit}` : ""}` });
-    this.out = html("button", { type: "button", class: "out", title: `Take ${key.path} out of the case`, "aria-label": `Take ${words(key.name)} out of the case`, text: "×" });
+    this.field = html("input", {
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "data-field": key.path,
+      "aria-label": `${words(key.name)}${unit ? ` in ${unit}` : ""}`,
+    });
+    this.out = html("button", {
+      type: "button",
+      class: "out",
+      title: `Take ${key.path} out of the case`,
+      "aria-label": `Take ${words(key.name)} out of the case`,
+      text: "×",
+    });
     this.doc = html("span", { class: "doc", id: `${id}-doc`, text: key.doc });
-    this.row = html("div", { class: "row" }, this.label, html("span", { class: "field" }, this.field, html("span", { class: "unit", text: unit })), this.out, this.range, this.doc);
+    this.row = html(
+      "div",
+      { class: "row" },
+      this.label,
+      html("span", { class: "field" }, this.field, html("span", { class: "unit", text: unit })),
+      this.out,
+      this.range,
+      this.doc,
+    );
     this.#reach(key.example);
     this.range.addEventListener("input", () => this.#slid());
     this.field.addEventListener("change", () => this.#typed());
@@ -115,10 +137,20 @@ class List {
     this.key = key;
     const id = `key-${key.path.replace(".", "-")}`;
     this.select = html("select", { id, "data-key": key.path, "aria-describedby": `${id}-doc` });
-    if (key.default === null) this.select.append(html("option", { value: "", text: key.path === "drive.free" ? "neither" : "as the edition has it" }));
-    for (const choice of key.choices) this.select.append(html("option", { value: choice.name, text: choice.name, title: choice.doc }));
+    if (key.default === null)
+      this.select.append(
+        html("option", { value: "", text: key.path === "drive.free" ? "neither" : "as the edition has it" }),
+      );
+    for (const choice of key.choices)
+      this.select.append(html("option", { value: choice.name, text: choice.name, title: choice.doc }));
     this.doc = html("span", { class: "doc", id: `${id}-doc` });
-    this.row = html("div", { class: "row list" }, html("label", { for: id, text: words(key.name), title: key.doc }), this.select, this.doc);
+    this.row = html(
+      "div",
+      { class: "row list" },
+      html("label", { for: id, text: words(key.name), title: key.doc }),
+      this.select,
+      this.doc,
+    );
     this.select.addEventListener("change", () => {
       changed(this.select.value === "" ? { unset: [key.path] } : { set: [[key.path, this.select.value]] });
     });
@@ -126,9 +158,11 @@ class List {
 
   show(choice, given) {
     this.row.classList.toggle("given", given);
-    this.select.value = given ? choice : this.key.default ?? "";
+    this.select.value = given ? choice : (this.key.default ?? "");
     const chosen = this.key.choices.find((each) => each.name === choice);
-    this.doc.textContent = chosen ? `${given || this.key.default ? "" : `${chosen.name}: `}${chosen.doc}` : this.key.doc;
+    this.doc.textContent = chosen
+      ? `${given || this.key.default ? "" : `${chosen.name}: `}${chosen.doc}`
+      : this.key.doc;
   }
 }
 
@@ -139,7 +173,11 @@ export class Controls {
     for (const [section, title] of Object.entries(SECTIONS)) {
       const own = keys.filter((key) => key.section === section);
       if (own.length === 0) continue;
-      const box = html("details", { class: "section", open: OPEN.includes(section) }, html("summary", {}, html("h3", { text: title })));
+      const box = html(
+        "details",
+        { class: "section", open: OPEN.includes(section) },
+        html("summary", {}, html("h3", { text: title })),
+      );
       if (NOTES[section]) box.append(html("p", { class: "note", text: NOTES[section] }));
       for (const key of own) {
         const control = key.choices ? new List(key, changed) : new Quantity(key, changed);

@@ -51,7 +51,13 @@ export function runs(pulley, threshold) {
   for (let i = 0; i + 1 < angle.length; i += 1) {
     const [a, b] = [speed[i] - threshold, speed[i + 1] - threshold];
     const cut = a < 0 === b < 0 ? null : angle[i] + ((angle[i + 1] - angle[i]) * a) / (a - b);
-    const parts = cut === null ? [[angle[i], angle[i + 1], a < 0]] : [[angle[i], cut, a < 0], [cut, angle[i + 1], b < 0]];
+    const parts =
+      cut === null
+        ? [[angle[i], angle[i + 1], a < 0]]
+        : [
+            [angle[i], cut, a < 0],
+            [cut, angle[i + 1], b < 0],
+          ];
     for (const [from, to, adheres] of parts) {
       const last = found.at(-1);
       if (last && last.adheres === adheres) last.to = to;
@@ -73,12 +79,17 @@ export class DriveView {
   #last = 0;
   #slips = false;
   #scale = 1;
-  #half = 0;
+  #room = { left: 0, right: 0, above: 0, below: 0 };
   /** Whether it moves. */
   moves = true;
 
   constructor(host) {
-    this.svg = svg("svg", { class: "drive", role: "img", "aria-labelledby": "drive-title", xmlns: "http://www.w3.org/2000/svg" });
+    this.svg = svg("svg", {
+      class: "drive",
+      role: "img",
+      "aria-labelledby": "drive-title",
+      xmlns: "http://www.w3.org/2000/svg",
+    });
     this.title = svg("title", { id: "drive-title" });
     const layer = (name) => svg("g", { class: name });
     this.layers = { back: layer("back"), contact: layer("contact"), belt: layer("belt"), front: layer("front") };
@@ -132,10 +143,10 @@ export class DriveView {
   show(scene, slips) {
     this.#scene = scene;
     this.#slips = slips;
-    this.#frame(scene);
+    const points = loop(scene);
+    this.#frame(scene, points);
     this.svg.classList.toggle("slips", slips);
     for (const name of ["primary", "secondary"]) this.#pulley(name, scene[name], scene);
-    const points = loop(scene);
     const tensions = points.map((point) => point.tension);
     const [low, high] = [Math.min(...tensions), Math.max(...tensions)];
     this.range = [low, high];
@@ -146,8 +157,12 @@ export class DriveView {
       pieces(own, this.belt[region].length).forEach((run, k) => {
         const mean = run.reduce((sum, point) => sum + point.tension, 0) / run.length;
         const share = high > low ? (mean - low) / (high - low) : 0.5;
-        const width = this.#scale * (2.5 + 8.5 * Math.max(0, mean) / top);
-        set(this.belt[region][k], { d: line(run), stroke: tensionColor(share, dark), "stroke-width": width.toFixed(3) });
+        const width = this.#scale * (2.5 + (8.5 * Math.max(0, mean)) / top);
+        set(this.belt[region][k], {
+          d: line(run),
+          stroke: tensionColor(share, dark),
+          "stroke-width": width.toFixed(3),
+        });
       });
     }
     set(this.marks, { d: `${line(points)}Z`, "stroke-width": (1.6 * this.#scale).toFixed(3) });
@@ -160,18 +175,28 @@ export class DriveView {
   }
 
   /** The window on the plane: it changes in steps, so that nothing else moves while a radius does. */
-  #frame(scene) {
+  #frame(scene, points) {
     const [p, s] = [mm(scene.primary.radius), mm(scene.secondary.radius)];
     const center = mm(scene.center_distance);
     const rim = Math.max(1.06 * Math.max(p, s), Math.min(1.1 * Math.max(p, s), 0.485 * center));
-    const half = 5 * Math.ceil((Math.max(rim, this.#half - 10 > rim ? 0 : this.#half) + 4) / 5);
-    this.#half = half;
     this.rim = rim;
-    const width = center + 2 * half;
-    const labels = 0.06 * width;
-    const height = 2 * half + 2 * labels;
-    set(this.svg, { viewBox: `${-half} ${-half - labels} ${width} ${height}` });
-    this.#scale = width / Math.max(this.svg.clientWidth, 200);
+    const stepped = (before, least) =>
+      before >= least && before < least + 25 ? before : 10 * Math.ceil((least + 3) / 10);
+    const across = points.map((point) => point.x);
+    const up = points.map((point) => point.y);
+    this.#room = {
+      left: stepped(this.#room.left, Math.max(rim, -Math.min(...across))),
+      right: stepped(this.#room.right, Math.max(rim, Math.max(...across) - center)),
+      above: stepped(this.#room.above, Math.max(rim, Math.max(...up))),
+      below: stepped(this.#room.below, Math.max(rim, -Math.min(...up))),
+    };
+    const { left, right, above, below } = this.#room;
+    const width = left + center + right;
+    // Room for the names of the spans.
+    const labels = 0.055 * width;
+    const height = above + below + 2 * labels;
+    set(this.svg, { viewBox: `${-left} ${-above - labels} ${width} ${height}` });
+    this.#scale = Math.max(width / Math.max(this.svg.clientWidth, 200), height / Math.max(this.svg.clientHeight, 120));
     this.svg.style.setProperty("--px", String(this.#scale));
     this.svg.style.aspectRatio = `${width} / ${height}`;
   }
@@ -239,9 +264,12 @@ export class DriveView {
       const part = scene[region];
       const middle = Math.floor(part.x.length / 2);
       const up = part.y[middle] > 0;
+      const [dx, dy] = [part.x.at(-1) - part.x[0], part.y.at(-1) - part.y[0]];
+      // Clear of a belt that rises under the text.
+      const slope = 55 * Math.abs(dy / dx);
       const mean = part.tension.reduce((sum, value) => sum + value, 0) / part.tension.length;
       text.textContent = `${region.replace("_", " ")}, ${number(mean, 3)} N`;
-      const y = -mm(part.y[middle]) + (up ? -12 : 22) * this.#scale;
+      const y = -mm(part.y[middle]) + (up ? -13 - slope : 22 + slope) * this.#scale;
       set(text, { x: mm(part.x[middle]).toFixed(2), y: y.toFixed(2) });
     }
   }
@@ -279,6 +307,9 @@ export class DriveView {
     for (const name of ["primary", "secondary"]) this.#turn(name);
     const gap = 1000 / MARKS;
     const share = this.length ? (1000 * this.#turned.belt) / this.length : 0;
-    set(this.marks, { "stroke-dasharray": `3 ${(gap - 3).toFixed(3)}`, "stroke-dashoffset": (-(share % gap)).toFixed(3) });
+    set(this.marks, {
+      "stroke-dasharray": `3 ${(gap - 3).toFixed(3)}`,
+      "stroke-dashoffset": (-(share % gap)).toFixed(3),
+    });
   }
 }

@@ -15,7 +15,9 @@ export class Engine {
   }
 
   async start() {
-    this.#compiled ??= await WebAssembly.compile(await (await fetch(new URL("sheave.wasm", import.meta.url))).arrayBuffer());
+    this.#compiled ??= await WebAssembly.compile(
+      await (await fetch(new URL("sheave.wasm", import.meta.url))).arrayBuffer(),
+    );
     await this.#begin();
     // Without a network the page is the one that was kept; where none can be kept, it is as it was.
     navigator.serviceWorker?.register(new URL("sw.js", import.meta.url)).catch(() => {});

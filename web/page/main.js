@@ -37,6 +37,10 @@ const page = {
   /** Whether the last answer has a solution, to the finer tolerance. */
   rested: false,
   frames: [],
+  /** The answer that waits for the next picture; how many have been shown. */
+  waiting: null,
+  scheduled: false,
+  drawn: 0,
   /** Whether a notice outlives the next solution. */
   sticky: false,
 };
@@ -89,7 +93,9 @@ function changed(change, active = null) {
 function end() {
   if (!page.busy || page.busy.ending) return;
   page.busy.ending = true;
-  page.engine.interrupt().catch((error) => notice("error", "The solver could not be started again.", String(error.message ?? error)));
+  page.engine
+    .interrupt()
+    .catch((error) => notice("error", "The solver could not be started again.", String(error.message ?? error)));
 }
 
 let running = false;
@@ -142,15 +148,33 @@ async function move() {
       return;
     }
     page.case = answer.case;
-    show(answer);
-    measured();
-    await new Promise(requestAnimationFrame);
+    draw(answer);
     if (!answer.on_the_way || page.change) return;
   }
 }
 
+/** Shows an answer with the next picture, while the next question is being answered. */
+function draw(answer) {
+  page.answer = answer;
+  page.waiting = answer;
+  if (page.scheduled) return;
+  page.scheduled = true;
+  requestAnimationFrame(() => {
+    page.scheduled = false;
+    drawNow();
+  });
+}
+
+/** Shows the answer that waits for a picture. */
+function drawNow() {
+  const { waiting } = page;
+  page.waiting = null;
+  if (waiting) show(waiting);
+}
+
 /** Solves to the finer tolerance, or says what limits the drive. */
 async function rest() {
+  drawNow();
   if (page.answer?.failure) {
     // If the clamp does not carry the torque, no search from nothing is needed.
     if ((await limit(page.answer)) || page.change) {
@@ -183,20 +207,25 @@ async function limit(answer) {
   const found = await ask("limit", { ask: "largest_torque", case: page.case, tolerance: MOVING });
   if (!found.torque || page.change) return false;
   const { value, words: meaning } = found.torque;
-  const clamp = ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
-    answer.given.includes(`operating_point.${name}`),
-  ) ?? "slack_tension";
+  const clamp =
+    ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
+      answer.given.includes(`operating_point.${name}`),
+    ) ?? "slack_tension";
   const at = page.controls.controls.get(`operating_point.${clamp}`);
   const asked = answer.values["operating_point.primary_torque"];
   const torque = `A ${words(clamp)} of ${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit} carries at most ${number(value)} N·m`;
   const isTorque = !answer.given.some((key) => /secondary_torque|speed_ratio|secondary_speed/.test(key));
   if (isTorque && asked > value) {
-    notice("slips", `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`, `At this limit, ${meaning}. Less torque or more clamp brings it back.`);
+    notice(
+      "slips",
+      `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`,
+      `${meaning} Less torque or more clamp brings it back.`,
+    );
     page.readouts.stale("it slips");
     say("spoken", byId("notice-message").textContent);
     return true;
   }
-  notice("slips", byId("notice-message").textContent, `${torque}: ${meaning}.`);
+  notice("slips", byId("notice-message").textContent, `${torque}. ${meaning}`);
   return false;
 }
 
@@ -214,6 +243,8 @@ function refused(failure, whole) {
 
 function show(answer) {
   const { failure } = answer;
+  page.answer = answer;
+  page.drawn += 1;
   page.controls.show(answer, page.active);
   if (answer.scene) {
     page.view.show(answer.scene, Boolean(failure));
@@ -234,14 +265,17 @@ function show(answer) {
     byId("warnings-box").hidden = notes.length === 0;
     const { solver } = answer.result;
     const intervals = Object.values(solver.mesh_intervals).reduce((sum, count) => sum + count, 0);
-    say("solved", `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`);
+    say(
+      "solved",
+      `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`,
+    );
   }
   if (answer.scene) {
     const [low, high] = page.view.range;
     say("tension-low", `${number(low, 3)} N`);
     say("tension-high", `${number(high, 3)} N`);
   }
-  page.answer = answer;
+  if (answer.result?.solver.tolerance === MOVING) measured();
 }
 
 /** Drawings in the last second. */
@@ -249,7 +283,8 @@ function measured() {
   const now = performance.now();
   page.frames = [...page.frames.filter((time) => now - time < 1000), now];
   const span = now - page.frames[0];
-  if (page.frames.length > 3) say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} drawings a second while moving`);
+  if (page.frames.length > 3)
+    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} drawings a second while moving`);
 }
 
 function open(text) {

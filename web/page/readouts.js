@@ -21,7 +21,8 @@ function losses({ result }) {
   return rows;
 }
 
-const percent = (share, decimals = 2) => (share === null || share === undefined ? "–" : `${fixed(100 * share, decimals)} %`);
+const percent = (share, decimals = 2) =>
+  share === null || share === undefined ? "–" : `${fixed(100 * share, decimals)} %`;
 
 class Card {
   constructor(title, id) {
@@ -64,7 +65,9 @@ export class Readouts {
     this.cards.efficiency.show(
       percent(with_losses ?? efficiency.overall),
       with_losses === undefined || with_losses === null
-        ? efficiency.overall === null ? "none: neither pulley drives the other" : "of the power, friction taken off"
+        ? efficiency.overall === null
+          ? "none: neither pulley drives the other"
+          : "of the power, friction taken off"
         : `all losses taken off; ${percent(efficiency.overall)} with friction alone`,
       `speed ${percent(efficiency.speed)} × torque ${percent(efficiency.torque)}`,
     );
@@ -77,7 +80,9 @@ export class Readouts {
     );
     const length = belt.length_error * 1e3;
     this.cards.belt.show(
-      belt.temperature === undefined || belt.temperature === null ? `${fixed(belt.unstretched_length * 1e3, 1)} mm` : `${fixed(belt.temperature - 273.15, 1)} °C`,
+      belt.temperature === undefined || belt.temperature === null
+        ? `${fixed(belt.unstretched_length * 1e3, 1)} mm`
+        : `${fixed(belt.temperature - 273.15, 1)} °C`,
       thermal
         ? `${number(thermal.belt, 3)} W heat the belt, ${number(thermal.primary + thermal.secondary, 3)} W the sheaves`
         : "unstretched; its temperature follows once “Heat” is given",
@@ -106,7 +111,15 @@ export class Readouts {
     for (const [name, watts] of rows) {
       const bar = html("span", { class: "bar", "aria-hidden": "true" });
       bar.style.width = `${(100 * Math.max(0, watts)) / most}%`;
-      bars.append(html("tr", {}, html("th", { scope: "row", text: name }), html("td", { text: `${number(watts, 3)} W` }), html("td", { class: "track" }, bar)));
+      bars.append(
+        html(
+          "tr",
+          {},
+          html("th", { scope: "row", text: name }),
+          html("td", { text: `${number(watts, 3)} W` }),
+          html("td", { class: "track" }, bar),
+        ),
+      );
     }
     const { power_in, power_out } = answer.result.energy;
     this.cards.watts.show(`${number(total, 3)} W lost`, `of ${number(Math.max(power_in, -power_out))} W in`, bars);

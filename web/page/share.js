@@ -30,8 +30,17 @@ export function download(name, type, text) {
 }
 
 const STYLED = [
-  "fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity", "font-family", "font-size",
-  "font-weight", "text-anchor",
+  "fill",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "opacity",
+  "font-family",
+  "font-size",
+  "font-weight",
+  "text-anchor",
 ];
 
 /** A drawing as a file of its own: what the page's style sheet says is written into it. */
@@ -41,7 +50,7 @@ export function standalone(drawing) {
     const style = getComputedStyle(from);
     for (const name of STYLED) {
       const value = style.getPropertyValue(name);
-      if (value && value !== "none" || name === "fill") to.setAttribute(name, value);
+      if ((value && value !== "none") || name === "fill") to.setAttribute(name, value);
     }
     to.removeAttribute("class");
     Array.from(from.children).forEach((child, i) => inline(child, to.children[i]));

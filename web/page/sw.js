@@ -2,8 +2,22 @@
 
 const VERSION = "development";
 const FILES = [
-  "./", "index.html", "style.css", "icon.svg", "main.js", "engine.js", "worker.js", "dom.js", "format.js", "colors.js", "drive.js",
-  "chart.js", "controls.js", "readouts.js", "share.js", "sheave.wasm",
+  "./",
+  "index.html",
+  "style.css",
+  "icon.svg",
+  "main.js",
+  "engine.js",
+  "worker.js",
+  "dom.js",
+  "format.js",
+  "colors.js",
+  "drive.js",
+  "chart.js",
+  "controls.js",
+  "readouts.js",
+  "share.js",
+  "sheave.wasm",
 ];
 
 self.addEventListener("install", (event) => {
@@ -26,5 +40,7 @@ self.addEventListener("activate", (event) => {
 self.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || new URL(request.url).origin !== self.location.origin) return;
-  event.respondWith(caches.match(request, { cacheName: VERSION, ignoreSearch: true }).then((kept) => kept ?? fetch(request)));
+  event.respondWith(
+    caches.match(request, { cacheName: VERSION, ignoreSearch: true }).then((kept) => kept ?? fetch(request)),
+  );
 });

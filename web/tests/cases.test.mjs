@@ -40,7 +40,12 @@ function drawn(next) {
     ["belt.bending_stiffness", `${between(0.08, 0.5).toFixed(4)} N*m^2`],
     ["belt.radial_stiffness", `${between(10, 35).toFixed(2)} MPa`],
   ];
-  const clamps = [["slack_tension", 60, 300], ["slack_tension", 60, 300], ["primary_axial_force", 800, 2500], ["secondary_axial_force", 700, 2500]];
+  const clamps = [
+    ["slack_tension", 60, 300],
+    ["slack_tension", 60, 300],
+    ["primary_axial_force", 800, 2500],
+    ["secondary_axial_force", 700, 2500],
+  ];
   const [clamp, low, high] = clamps[Math.floor(next() * clamps.length)];
   return [...set, [`operating_point.${clamp}`, `${between(low, high).toFixed(2)} N`]];
 }
@@ -49,7 +54,10 @@ test("the module asks for nothing from outside", () => assert.deepEqual(wasm.imp
 
 test(`${CASES} random cases have the same results to ${TOLERANCE}`, async () => {
   const next = random(20260101);
-  const rows = ["| case | edition | ratio | torque N·m | clamp | axial force, primary, N (wasm) | (native) | largest relative difference |", "|---|---|---|---|---|---|---|---|"];
+  const rows = [
+    "| case | edition | ratio | torque N·m | clamp | axial force, primary, N (wasm) | (native) | largest relative difference |",
+    "|---|---|---|---|---|---|---|---|",
+  ];
   let worst = 0;
   let solved = 0;
   const wrong = [];
@@ -62,7 +70,9 @@ test(`${CASES} random cases have the same results to ${TOLERANCE}`, async () => 
     const start = `| ${k + 1} | ${at.edition} | ${at["drive.ratio"]} | ${parseFloat(at["operating_point.primary_torque"])} | ${clamp.split(".")[1]} ${force} |`;
     if (mine.failure || theirs.failure) {
       const same = mine.failure?.kind === theirs.failure?.kind;
-      rows.push(`${start} ${mine.failure?.kind ?? "solved"} | ${theirs.failure?.kind ?? "solved"} | ${same ? "–" : "differs"} |`);
+      rows.push(
+        `${start} ${mine.failure?.kind ?? "solved"} | ${theirs.failure?.kind ?? "solved"} | ${same ? "–" : "differs"} |`,
+      );
       if (!same) wrong.push(`case ${k + 1}: ${JSON.stringify(mine.failure)} and ${JSON.stringify(theirs.failure)}`);
       continue;
     }
@@ -70,7 +80,9 @@ test(`${CASES} random cases have the same results to ${TOLERANCE}`, async () => 
     const { largest, found } = differences(mine.result, theirs.result, TOLERANCE);
     worst = Math.max(worst, largest);
     if (found.length) wrong.push(`case ${k + 1}: ${found.slice(0, 3).join("; ")}`);
-    rows.push(`${start} ${mine.result.primary.axial_force} | ${theirs.result.primary.axial_force} | ${largest.toExponential(1)} |`);
+    rows.push(
+      `${start} ${mine.result.primary.axial_force} | ${theirs.result.primary.axial_force} | ${largest.toExponential(1)} |`,
+    );
   }
   const table = `${solved} of ${CASES} cases have a solution; the largest relative difference is ${worst.toExponential(2)}.\n\n${rows.join("\n")}\n`;
   await mkdir(new URL("../shots/", import.meta.url), { recursive: true });

@@ -15,6 +15,9 @@ test("all lanes give the same bits", async () => {
     return performance.now() - start;
   };
   const best = { true: Infinity, false: Infinity };
-  for (let round = 0; round < 12; round += 1) for (const wide of [true, false]) best[wide] = Math.min(best[wide], time(wide));
-  console.log(`${compared} batches agree; two numbers at a time take ${(best.true / best.false).toFixed(2)} of the time of one`);
+  for (let round = 0; round < 12; round += 1)
+    for (const wide of [true, false]) best[wide] = Math.min(best[wide], time(wide));
+  console.log(
+    `${compared} batches agree; two numbers at a time take ${(best.true / best.false).toFixed(2)} of the time of one`,
+  );
 });

@@ -17,7 +17,11 @@ export async function native() {
     url,
     async ask(question, name = "test") {
       const headers = { "content-type": "application/json" };
-      const response = await fetch(new URL(`ask/${name}`, url), { method: "POST", headers, body: JSON.stringify(question) });
+      const response = await fetch(new URL(`ask/${name}`, url), {
+        method: "POST",
+        headers,
+        body: JSON.stringify(question),
+      });
       if (!response.ok) throw new Error(`${response.status}: ${await response.text()}`);
       return response.json();
     },
@@ -30,7 +34,7 @@ export function differences(a, b, tolerance) {
   const found = [];
   let largest = 0;
   const walk = (x, y, path) => {
-    if (path.endsWith("wall_time") || path.startsWith(".solver.m") ) return;
+    if (path.endsWith("wall_time") || path.startsWith(".solver.m")) return;
     if (typeof x === "number" && typeof y === "number") {
       const difference = Math.abs(x - y) / Math.max(Math.abs(x), Math.abs(y), 1e-3);
       largest = Math.max(largest, difference);

@@ -39,7 +39,11 @@ afterEach(async () => {
 });
 
 async function open(fragment = "", options = {}, url = site.url) {
-  const context = await browser.newContext({ viewport: { width: 1600, height: 1000 }, reducedMotion: "no-preference", ...options });
+  const context = await browser.newContext({
+    viewport: { width: 1600, height: 1000 },
+    reducedMotion: "no-preference",
+    ...options,
+  });
   contexts.push(context);
   const page = await context.newPage();
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && problems.push(message.text()));
@@ -54,17 +58,22 @@ const count = (page) => page.evaluate(() => Number(document.documentElement.data
 
 /** Waits until the page has come to rest more often than `before`. */
 async function rested(page, before) {
-  await page.waitForFunction((before) => Number(document.documentElement.dataset.rested ?? 0) > before, before, { timeout: 60_000 });
+  await page.waitForFunction((before) => Number(document.documentElement.dataset.rested ?? 0) > before, before, {
+    timeout: 60_000,
+  });
 }
 
 /** Moves a slider to a value and waits until the drive has followed. */
 async function slide(page, key, value) {
   const before = await count(page);
-  await page.evaluate(([key, value]) => {
-    const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
-    slider.value = String(value);
-    slider.dispatchEvent(new Event("input", { bubbles: true }));
-  }, [key, value]);
+  await page.evaluate(
+    ([key, value]) => {
+      const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
+      slider.value = String(value);
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+    },
+    [key, value],
+  );
   await rested(page, before);
 }
 
@@ -110,7 +119,12 @@ test("sliders give the native program's numbers", async () => {
   const { largest, found } = differences(shown.result, last.result, 1e-9);
   console.log(`sliders: ${asked.length} questions, largest relative difference ${largest.toExponential(1)}`);
   assert.deepEqual(found, []);
-  assert.deepEqual(shown.given, ["sheave.friction_coefficient", "drive.ratio", "operating_point.primary_torque", "operating_point.secondary_axial_force"]);
+  assert.deepEqual(shown.given, [
+    "sheave.friction_coefficient",
+    "drive.ratio",
+    "operating_point.primary_torque",
+    "operating_point.secondary_axial_force",
+  ]);
   const big = await page.locator("#axial").textContent();
   assert.ok(big.startsWith(`${Math.round(last.result.primary.axial_force)}`.slice(0, 3)), big);
 });
@@ -118,9 +132,14 @@ test("sliders give the native program's numbers", async () => {
 test("everything comes from the page's own place, and works without a network", async () => {
   const page = await open();
   assert.ok(requests.length > 10);
-  assert.deepEqual(requests.filter((url) => !url.startsWith(site.url)), []);
+  assert.deepEqual(
+    requests.filter((url) => !url.startsWith(site.url)),
+    [],
+  );
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await page.waitForFunction(async () => (await caches.keys()).length === 1 && navigator.serviceWorker.controller !== null);
+  await page.waitForFunction(
+    async () => (await caches.keys()).length === 1 && navigator.serviceWorker.controller !== null,
+  );
   await page.context().setOffline(true);
   await page.reload();
   await rested(page, 0);
@@ -133,7 +152,10 @@ test("where the belt slips, the limit is named and the last drive stays", async 
   await type(page, "operating_point.primary_axial_force", 900);
   await slide(page, "operating_point.primary_torque", 60);
   const message = await page.locator("#notice-message").textContent();
-  assert.match(message, /The belt slips: a primary axial force of 900.* N carries at most 31\.9\d? N·m, and 60.* N·m are asked/);
+  assert.match(
+    message,
+    /The belt slips: a primary axial force of 900.* N carries at most 31\.9\d? N·m, and 60.* N·m are asked/,
+  );
   assert.equal(await page.locator("#drawing").getAttribute("data-state"), "none");
   assert.ok(await page.locator(".drive.slips").count());
   await page.screenshot({ path: new URL("slips-1600.png", shots).pathname });
@@ -147,7 +169,10 @@ test("a search can be stopped, and the solver goes on", async () => {
   const starts = await page.evaluate(() => globalThis.sheave.engine.starts);
   const ended = await page.evaluate(async () => {
     const { engine } = globalThis.sheave;
-    const long = engine.ask({ ask: "smallest_clamps", case: "", tolerance: 1e-9 }).then(() => "answered", (error) => error.name);
+    const long = engine.ask({ ask: "smallest_clamps", case: "", tolerance: 1e-9 }).then(
+      () => "answered",
+      (error) => error.name,
+    );
     await engine.interrupt();
     return long;
   });
@@ -218,7 +243,9 @@ test("what a file or a URL says is text, never markup", async () => {
     const page = await context.newPage();
     page.on("pageerror", (error) => problems.push(String(error)));
     await page.goto(`${site.url}#case=${encodeURIComponent(text)}`);
-    await page.waitForFunction(() => document.querySelector("#notice-message").textContent !== "" || document.documentElement.dataset.rested);
+    await page.waitForFunction(
+      () => document.querySelector("#notice-message").textContent !== "" || document.documentElement.dataset.rested,
+    );
     const state = await page.evaluate(() => ({
       taken: globalThis.taken,
       images: document.querySelectorAll("img, script:not([src]), iframe, object").length,
@@ -239,7 +266,10 @@ test("what a file or a URL says is text, never markup", async () => {
   });
   assert.deepEqual(refused, { taken: undefined, color: "" });
   // The browser said so, as it should.
-  assert.ok(problems.length >= 2 && problems.every((text) => text.includes("Content Security Policy")), problems.join("\n"));
+  assert.ok(
+    problems.length >= 2 && problems.every((text) => text.includes("Content Security Policy")),
+    problems.join("\n"),
+  );
   problems = [];
 });
 
@@ -262,18 +292,30 @@ test("the keyboard moves everything", async () => {
   assert.match(await page.locator("#spoken").textContent(), /Axial forces/);
 });
 
-for (const [width, height] of [[390, 844], [1600, 1000]]) {
+for (const [width, height] of [
+  [390, 844],
+  [1600, 1000],
+]) {
   for (const colorScheme of ["light", "dark"]) {
     test(`at ${width} px, ${colorScheme}: accessible, and nothing beyond the edge`, async () => {
       const page = await open("", { viewport: { width, height }, colorScheme });
       for (const details of await page.locator("details").all()) await details.evaluate((box) => (box.open = true));
       await page.evaluate(await readFile(here("../node_modules/axe-core/axe.min.js"), "utf8"));
       const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
-      const said = found.violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html + node.failureSummary).join("; ")}`);
+      const said = found.violations.map(
+        ({ id, nodes }) =>
+          `${id}: ${nodes
+            .slice(0, 3)
+            .map((node) => node.html + node.failureSummary)
+            .join("; ")}`,
+      );
       assert.deepEqual(said, []);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      const wide = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      );
       assert.equal(wide, 0);
-      for (const details of await page.locator("details").all()) await details.evaluate((box, i) => (box.open = i < 4), 0);
+      for (const details of await page.locator("details").all())
+        await details.evaluate((box, i) => (box.open = i < 4), 0);
       await page.reload();
       await rested(page, 0);
       await page.waitForTimeout(300);
@@ -294,32 +336,30 @@ test("the page that the program serves asks the program", async () => {
 
 /** Drags a slider to and fro for three seconds, a change every picture, and counts the drawings. */
 async function frames(page, key = "operating_point.primary_torque", from = 10, to = 40) {
-  const drawn = await page.evaluate(async ([key, from, to]) => {
-    const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
-    const { engine } = globalThis.sheave;
-    const original = engine.ask.bind(engine);
-    let answered = 0;
-    engine.ask = async (question) => {
-      const told = await original(question);
-      answered += 1;
-      return told;
-    };
-    const start = performance.now();
-    while (performance.now() - start < 3000) {
-      await new Promise(requestAnimationFrame);
-      const phase = (performance.now() - start) / 3000;
-      slider.value = String(from + (to - from) * (0.5 - 0.5 * Math.cos(2 * Math.PI * phase)));
-      slider.dispatchEvent(new Event("input", { bubbles: true }));
-    }
-    engine.ask = original;
-    return (1000 * answered) / (performance.now() - start);
-  }, [key, from, to]);
+  const drawn = await page.evaluate(
+    async ([key, from, to]) => {
+      const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
+      const [start, before] = [performance.now(), globalThis.sheave.drawn];
+      while (performance.now() - start < 3000) {
+        await new Promise(requestAnimationFrame);
+        const phase = (performance.now() - start) / 3000;
+        slider.value = String(from + (to - from) * (0.5 - 0.5 * Math.cos(2 * Math.PI * phase)));
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+      }
+      return (1000 * (globalThis.sheave.drawn - before)) / (performance.now() - start);
+    },
+    [key, from, to],
+  );
   return `${drawn.toFixed(1)} drawings a second while ${key} moves`;
 }
 
 test("frame rates, to be read", async () => {
   const page = await open();
-  for (const [key, from, to] of [["operating_point.primary_torque", 10, 40], ["drive.ratio", 0.8, 1.4], ["sheave.friction_coefficient", 0.3, 0.5]]) {
+  for (const [key, from, to] of [
+    ["operating_point.primary_torque", 10, 40],
+    ["drive.ratio", 0.8, 1.4],
+    ["sheave.friction_coefficient", 0.3, 0.5],
+  ]) {
     console.log(`module: ${await frames(page, key, from, to)}`);
   }
 });
