@@ -52,6 +52,7 @@ pub struct Live {
 enum Refused {
     Case(CaseError),
     Solve(Failure),
+    TooLong(usize),
     Internal(String),
 }
 
@@ -88,6 +89,10 @@ impl Refused {
             Self::Solve(failure) => {
                 let kind = if failure.is_bad_input() { FailureKind::Input } else { FailureKind::NoSolution };
                 FailureReport { kind, message: failure.to_string(), hint: failure.hint().map(str::to_owned) }
+            }
+            Self::TooLong(length) => {
+                let message = format!("a case of {length} bytes: expected at most {LONGEST}");
+                FailureReport { kind: FailureKind::Input, message, hint: None }
             }
             Self::Internal(message) => {
                 FailureReport { kind: FailureKind::Internal, message: message.clone(), hint: None }
@@ -186,8 +191,7 @@ impl Live {
 /// A case from its text.
 fn read(text: &str) -> Result<Case, Refused> {
     if text.len() > LONGEST {
-        let message = format!("a case of {} bytes: expected at most {LONGEST}", text.len());
-        return Err(Refused::Internal(message));
+        return Err(Refused::TooLong(text.len()));
     }
     Ok(Case::from_toml("case", text)?)
 }

@@ -228,7 +228,7 @@ export class DriveView {
     set(part.head, { d: `M${corner(1.1, 0)}L${corner(-0.4, 0.7)}L${corner(-0.4, -0.7)}Z` });
     part.label.textContent = name;
     part.value.textContent = `${number((pulley.speed * 30) / Math.PI)} rpm`;
-    const below = hub + 17 * px;
+    const below = hub + 15 * px;
     set(part.label, { x: center, y: below });
     set(part.value, { x: center, y: below + 16 * px });
     this.#contact(part, pulley, scene);

@@ -154,7 +154,7 @@ test("where the belt slips, the limit is named and the last drive stays", async 
   const message = await page.locator("#notice-message").textContent();
   assert.match(
     message,
-    /The belt slips: a primary axial force of 900.* N carries at most 31\.9\d? N·m, and 60.* N·m are asked/,
+    /The belt slips: a primary axial force of 900.* N carries at most 32\.1\d? N·m, and 60.* N·m are asked/,
   );
   assert.equal(await page.locator("#drawing").getAttribute("data-state"), "none");
   assert.ok(await page.locator(".drive.slips").count());
