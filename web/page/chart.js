@@ -48,7 +48,7 @@ export const PROFILES = [
   {
     id: "sliding",
     title: "Sliding speed",
-    unit: "mm/s",
+    unit: "mm/s, dotted: threshold",
     over: WRAP,
     log: true,
     guide: (scene) => 1e3 * scene.slip_threshold,

@@ -178,6 +178,12 @@ test("a search can be stopped, and the solver goes on", async () => {
   });
   assert.equal(ended, "AbortError");
   assert.equal(await page.evaluate(() => globalThis.sheave.engine.starts), starts + 1);
+  // What breaks the worker does not break the page.
+  const broken = await page.evaluate(() => {
+    return globalThis.sheave.engine.ask({ ask: "solve", case: "x".repeat(5e6) }).catch((error) => error.message);
+  });
+  assert.match(broken, /the solver stopped: .*too long/);
+  assert.equal(await page.evaluate(() => globalThis.sheave.engine.starts), starts + 2);
   await slide(page, "operating_point.primary_torque", 22);
   assert.equal((await answer(page)).failure, undefined);
 });
