@@ -75,18 +75,23 @@ async function ask(kind, question) {
 
 /** Notes a change and sees to it that it is asked for. */
 function changed(change, active = null) {
-  const before = page.change ?? { set: [], unset: [] };
-  const names = new Set((change.set ?? []).map(([key]) => key));
-  page.change = {
-    set: [...before.set.filter(([key]) => !names.has(key)), ...(change.set ?? [])],
-    unset: [...before.unset, ...(change.unset ?? [])],
-    whole: change.whole ?? before.whole,
-  };
+  page.change = page.change ? joined(page.change, change) : change;
   page.active = active;
   page.rested = false;
   page.sticky = false;
   if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) end();
   run();
+}
+
+/** Two changes as one: what the second says of a key holds, and another case replaces everything before it. */
+function joined(first, second) {
+  if (second.whole !== undefined) return second;
+  const names = [...(second.set ?? []).map(([key]) => key), ...(second.unset ?? [])];
+  return {
+    whole: first.whole,
+    set: [...(first.set ?? []).filter(([key]) => !names.includes(key)), ...(second.set ?? [])],
+    unset: [...(first.unset ?? []), ...(second.unset ?? [])],
+  };
 }
 
 /** Ends what is being computed, once. */
@@ -137,19 +142,26 @@ async function guarded(task) {
 
 /** Follows the drive to where it was moved. */
 async function move() {
-  const { set: keys, unset, whole } = page.change;
+  const { change } = page;
   page.change = null;
+  const { set: keys = [], unset = [], whole } = change;
   const from = whole ?? page.case;
   const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
-  for (let steps = 0; steps < MOST_STEPS; steps += 1) {
-    const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
-    if (answer.case === undefined) {
-      refused(answer.failure, whole !== undefined);
-      return;
+  try {
+    for (let steps = 0; steps < MOST_STEPS; steps += 1) {
+      const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
+      if (answer.case === undefined) {
+        refused(answer.failure, whole !== undefined);
+        return;
+      }
+      page.case = answer.case;
+      draw(answer);
+      if (!answer.on_the_way || page.change) return;
     }
-    page.case = answer.case;
-    draw(answer);
-    if (!answer.on_the_way || page.change) return;
+  } catch (error) {
+    // What a newer change interrupted is asked again together with it.
+    if (error.name === "AbortError" && page.change) page.change = joined(change, page.change);
+    throw error;
   }
 }
 

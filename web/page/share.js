@@ -29,28 +29,19 @@ export function download(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-const STYLED = [
-  "fill",
-  "stroke",
-  "stroke-width",
-  "stroke-dasharray",
-  "stroke-linecap",
-  "stroke-linejoin",
-  "opacity",
-  "font-family",
-  "font-size",
-  "font-weight",
-  "text-anchor",
-];
+const SHAPE = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity"];
+const TEXT = ["fill", "font-family", "font-size", "font-weight", "text-anchor"];
+const GROUP = ["opacity"];
+const STYLED = { path: SHAPE, circle: SHAPE, text: TEXT, g: GROUP };
 
 /** A drawing as a file of its own: what the page's style sheet says is written into it. */
 export function standalone(drawing) {
   const copy = drawing.cloneNode(true);
   const inline = (from, to) => {
     const style = getComputedStyle(from);
-    for (const name of STYLED) {
+    for (const name of STYLED[from.tagName] ?? []) {
       const value = style.getPropertyValue(name);
-      if ((value && value !== "none") || name === "fill") to.setAttribute(name, value);
+      if (value !== "none" || name === "fill") to.setAttribute(name, value);
     }
     to.removeAttribute("class");
     Array.from(from.children).forEach((child, i) => inline(child, to.children[i]));
