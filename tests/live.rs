@@ -15,6 +15,20 @@ fn slide(live: &mut Live, case: &str, key: &str, value: &str) -> Value {
     ask(live, json!({ "ask": "solve", "case": case, "set": set, "tolerance": 1e-3, "follow": true }))
 }
 
+/// A slider at a value, until the drive has followed or has lost its way.
+fn arrive(live: &mut Live, case: &str, key: &str, value: &str) -> Value {
+    let mut answer = slide(live, case, key, value);
+    for _ in 0..80 {
+        if answer["on_the_way"] != true {
+            break;
+        }
+        let case = text(&answer, "case").to_owned();
+        answer = slide(live, &case, key, value);
+    }
+    assert_eq!(answer["on_the_way"], Value::Null, "{key} {value}");
+    answer
+}
+
 fn force(answer: &Value) -> f64 {
     answer["result"]["primary"]["axial_force"].as_f64().unwrap_or_else(|| panic!("{answer}"))
 }
@@ -28,9 +42,8 @@ fn followed_or_from_nothing_the_drive_is_the_same() {
     let mut live = Live::default();
     let mut case = String::new();
     for torque in ["18 N*m", "20 N*m", "23 N*m", "60 N*m"] {
-        let answer = slide(&mut live, &case, "operating_point.primary_torque", torque);
+        let answer = arrive(&mut live, &case, "operating_point.primary_torque", torque);
         case = text(&answer, "case").to_owned();
-        assert_eq!(answer["on_the_way"], Value::Null, "{torque}");
     }
     let rested = ask(&mut live, json!({ "ask": "solve", "case": case, "tolerance": 1e-8 }));
     let cold = Case::base().with("operating_point.primary_torque", "60 N*m").unwrap();
@@ -68,14 +81,7 @@ fn what_is_moved_takes_the_place_of_what_it_excludes_and_the_rest_stays() {
 fn where_the_belt_slips_the_way_ends_and_the_limit_is_named() {
     let mut live = Live::default();
     let start = slide(&mut live, "", "operating_point.primary_axial_force", "900 N");
-    let mut answer = slide(&mut live, text(&start, "case"), "operating_point.primary_torque", "60 N*m");
-    for _ in 0..80 {
-        if answer["on_the_way"] != true {
-            break;
-        }
-        let case = text(&answer, "case").to_owned();
-        answer = slide(&mut live, &case, "operating_point.primary_torque", "60 N*m");
-    }
+    let answer = arrive(&mut live, text(&start, "case"), "operating_point.primary_torque", "60 N*m");
     let message = text(&answer["failure"], "message");
     assert!(message.starts_with("the belt slips beyond primary torque = 32.1"), "{message}");
     assert_eq!(answer["values"]["operating_point.primary_torque"], 60.0);
@@ -101,7 +107,7 @@ fn what_is_wrong_is_said_and_nothing_is_lost() {
         ("[]", "usage", "not understood"),
         (r#"{"ask": "everything"}"#, "usage", "everything"),
         (r#"{"ask": "solve", "tolerance": 1}"#, "usage", "1e-10"),
-        (r#"{"ask": "solve", "case": "belt = <script>"}"#, "input", "case"),
+        (r#"{"ask": "solve", "case": "belt = <script>"}"#, "input", "not valid TOML"),
         (r#"{"ask": "solve", "set": [["drive.ratio", "two"]]}"#, "input", "drive.ratio"),
         (r#"{"ask": "solve", "set": [["drive.ratoi", "2"]]}"#, "input", "drive.ratio"),
         (r#"{"ask": "solve", "set": [["drive.ratio", "90"]]}"#, "input", "drive.ratio"),
@@ -122,7 +128,8 @@ fn what_is_wrong_is_said_and_nothing_is_lost() {
 fn every_edition_heat_and_a_margin_are_shown() {
     let mut live = Live::default();
     for edition in ["string", "thesis", "published", "consistent"] {
-        let answer = slide(&mut live, "", "edition", edition);
+        // At the base case's threshold, a string has no solution that the solver finds.
+        let answer = slide(&mut live, "[sheave]\nslip_threshold = \"5 mm/s\"", "edition", edition);
         assert_eq!(answer["result"]["edition"], edition);
         assert!(answer["scene"]["tight_span"]["x"].as_array().is_some_and(|x| x.len() > 10), "{edition}");
     }

@@ -381,8 +381,25 @@ async function start() {
   }
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
-  page.controls = new Controls(byId("controls"), keys, thermal);
+  page.controls = new Controls(byId("controls"), keys, moved);
   changed({ whole: fromFragment(location.hash) ?? "" });
+}
+
+/** The least slip threshold of a belt without bending stiffness, mm/s: below, the solver finds nothing (docs/string.md). */
+const STRING_THRESHOLD = 5;
+
+/** A change from the controls, with what has to change beside it. */
+function moved(change, active) {
+  const threshold = 1e3 * (page.answer?.values["sheave.slip_threshold"] ?? 0);
+  const isString = change.set?.some(([key, value]) => key === "edition" && value === "string");
+  if (isString && threshold < STRING_THRESHOLD) {
+    const text = `${STRING_THRESHOLD} mm/s`;
+    changed({ ...change, set: [...change.set, ["sheave.slip_threshold", text]] }, active);
+    notice("note", `A belt without bending stiffness needs a larger slip threshold: it is set to ${text}.`, "");
+    page.sticky = true;
+  } else {
+    thermal(change, active);
+  }
 }
 
 /** Heat needs two keys: one alone brings the other's example with it. */

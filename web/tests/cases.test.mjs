@@ -29,9 +29,12 @@ function random(seed) {
 
 function drawn(next) {
   const between = (low, high) => low + (high - low) * next();
-  const editions = ["consistent", "consistent", "thesis", "published", "string"];
+  const editions = ["consistent", "consistent", "consistent", "thesis", "thesis", "published", "published", "string"];
+  const edition = editions[Math.floor(next() * editions.length)];
   const set = [
-    ["edition", editions[Math.floor(next() * editions.length)]],
+    ["edition", edition],
+    // A string needs a larger one.
+    ["sheave.slip_threshold", edition === "string" ? "5 mm/s" : "0.1 mm/s"],
     ["drive.ratio", between(0.65, 1.8).toFixed(4)],
     ["operating_point.primary_speed", `${between(600, 7000).toFixed(1)} rpm`],
     ["operating_point.primary_torque", `${between(-10, 60).toFixed(3)} N*m`],
