@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy, formatting.
+# Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy, formatting,
+# and, where the program `sheave` has been built (or is named by SHEAVE), the way from a simulated run to the model.
 # Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web rust-web-src where no nightly Rust is
 # installed; what is missing is installed where apt-get may be used, and is an error otherwise.
 set -euo pipefail
@@ -21,8 +22,8 @@ fi
 
 cargo fmt --all --check
 (cd firmware && cargo fmt --check)
-cargo clippy --workspace --all-targets --locked -- -D warnings
-cargo test --locked
+cargo clippy --workspace --all-targets --all-features --locked -- -D warnings
+cargo test --locked --features rig-logger/linux
 firmware=$(./build-firmware.sh)
 # Larger stack frames are addressed by code that changes the flags between a comparison and its branch.
 if avr-objdump -d "$firmware" | grep -qE 'subi\s+r28'; then
@@ -31,4 +32,6 @@ if avr-objdump -d "$firmware" | grep -qE 'subi\s+r28'; then
 fi
 avr-size "$firmware"
 cargo test --locked -p rig-simulator
-cat target/simavr-speed.md target/simavr-latency.md
+cat target/simavr-speed.md target/simavr-latency.md target/simavr-step.md target/faults.md
+sheave="${SHEAVE:-$(dirname "$PWD")/target/debug/sheave}"
+if [ -x "$sheave" ]; then ./closed-loop.sh "$sheave"; else echo "not run: closed-loop.sh, because $sheave is not built"; fi

@@ -5,7 +5,7 @@
 
 use crate::ad7171::ConversionError;
 use crate::clock::{Instant, TICKS_PER_SECOND};
-use crate::frame::{FRAME_LENGTH, Identity, LEGACY_LENGTH, write_frame, write_legacy};
+use crate::frame::{FRAME_LENGTH, Identity, LEGACY_LENGTH, renumber, write_frame, write_legacy};
 use crate::permit::{PERMIT_TICKS, RunPermit};
 use crate::speed::{PulseLimits, REVOLUTIONS, Reading, SpeedMeter};
 
@@ -152,6 +152,11 @@ impl BusAnswer {
     #[must_use]
     pub const fn empty() -> Self {
         Self { frame: [0; FRAME_LENGTH], legacy: [0; LEGACY_LENGTH] }
+    }
+
+    /// Gives the versioned frame another sequence number.
+    pub fn renumber(&mut self, sequence: u16) {
+        renumber(&mut self.frame, sequence);
     }
 
     /// The answers for a snapshot.

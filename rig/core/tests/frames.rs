@@ -36,6 +36,15 @@ fn the_versioned_frame_carries_the_whole_snapshot() {
     assert_eq!(Identity::from_bytes(&identity([1, 2, 3]).to_bytes()).unwrap(), identity([1, 2, 3]));
 }
 
+#[test]
+fn a_frame_with_a_new_number_is_the_frame_made_with_that_number() {
+    let (mut answer, snapshot) = answer();
+    for sequence in [0, 1, 0x8000, 0xbeef, 0xbef0, 0xffff, 0x1234] {
+        answer.renumber(sequence);
+        assert_eq!(answer.frame, Frame { sequence, snapshot }.to_bytes(), "{sequence:x}");
+    }
+}
+
 /// Byte by byte what Appendix G sends and Appendix H takes apart.
 #[test]
 fn the_old_frame_is_the_one_of_the_thesis() {

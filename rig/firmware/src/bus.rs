@@ -8,13 +8,13 @@ use rig_core::frame::{BUS_ADDRESS, IDENTITY_LENGTH};
 use rig_core::wire::{Request, Selected, Selection};
 use rig_core::{BusAnswer, Snapshot};
 
-/// Two sets of answers: the bus reads one while the main loop writes the other.
-struct Answers(UnsafeCell<[BusAnswer; 2]>);
+/// Three sets of answers: the bus reads one, another may be complete and waiting, the main loop writes a third.
+struct Answers(UnsafeCell<[BusAnswer; 3]>);
 
-// SAFETY: `READY` says whose each half is; it changes only with interrupts off and the bus at rest.
+// SAFETY: `READY` and `WAITING` say which sets the bus may read; the main loop writes the one that neither names.
 unsafe impl Sync for Answers {}
 
-static ANSWERS: Answers = Answers(UnsafeCell::new([BusAnswer::empty(), BusAnswer::empty()]));
+static ANSWERS: Answers = Answers(UnsafeCell::new([const { BusAnswer::empty() }; 3]));
 /// The identity's bytes, written once before the bus is listened to.
 struct IdentityBytes(UnsafeCell<[u8; IDENTITY_LENGTH]>);
 
@@ -22,8 +22,10 @@ struct IdentityBytes(UnsafeCell<[u8; IDENTITY_LENGTH]>);
 unsafe impl Sync for IdentityBytes {}
 
 static IDENTITY: IdentityBytes = IdentityBytes(UnsafeCell::new([0; IDENTITY_LENGTH]));
-/// Which half the bus reads.
+/// Which set the bus reads.
 static READY: Mutex<Cell<u8>> = Mutex::new(Cell::new(0));
+/// Which set takes its place when the read under way ends; the same one if none waits.
+static WAITING: Mutex<Cell<u8>> = Mutex::new(Cell::new(0));
 /// A read is under way.
 static BUSY: Mutex<Cell<bool>> = Mutex::new(Cell::new(false));
 /// Versioned frames read so far.
@@ -54,22 +56,46 @@ pub fn take_request() -> Request {
     interrupt::free(|section| REQUEST.borrow(section).replace(Request::None))
 }
 
-/// Composes the answers for a snapshot and hands them to the bus; leaves the old ones while a read is under way.
+/// The number that an answer handed over now must bear: one more than the frames read so far, the one that is being
+/// read included.
+fn next_sequence(section: interrupt::CriticalSection<'_>) -> u16 {
+    let reading = BUSY.borrow(section).get() && SELECTION.borrow(section).get().selected == Selected::Frame;
+    SERVED.borrow(section).get().wrapping_add(1).wrapping_add(u16::from(reading))
+}
+
+/// Composes the answers for a snapshot and hands them to the bus: at once while it is at rest, else at the end of the
+/// read that is under way.
+///
+/// Composing takes longer than a fast master leaves between two reads. Answers are therefore never thrown away because
+/// something was read meanwhile, nor overwritten while they wait: only their sequence number is made anew.
 #[inline(never)]
 pub fn publish(snapshot: &Snapshot) {
-    let (spare, sequence) = interrupt::free(|section| {
-        (usize::from(1 - READY.borrow(section).get()), SERVED.borrow(section).get().wrapping_add(1))
+    let (spare, mut sequence) = interrupt::free(|section| {
+        let (ready, waiting) = (READY.borrow(section).get(), WAITING.borrow(section).get());
+        let spare = (0..3).find(|set| *set != ready && *set != waiting).unwrap_or(0);
+        (spare, next_sequence(section))
     });
-    // SAFETY: the bus reads the other half until the exchange below.
-    if let Some(answer) = unsafe { &mut *ANSWERS.0.get() }.get_mut(spare) {
-        answer.fill(snapshot, sequence);
-    }
-    interrupt::free(|section| {
-        let unread = SERVED.borrow(section).get().wrapping_add(1) == sequence;
-        if !BUSY.borrow(section).get() && unread {
-            READY.borrow(section).set(spare as u8);
+    // SAFETY: neither `READY` nor `WAITING` names this set before it is handed over below.
+    let Some(answer) = (unsafe { &mut *ANSWERS.0.get() }).get_mut(usize::from(spare)) else { return };
+    answer.fill(snapshot, sequence);
+    // A read lasts far longer than a new number: the second attempt succeeds.
+    for _ in 0..4 {
+        let wanted = interrupt::free(|section| {
+            let wanted = next_sequence(section);
+            if wanted == sequence {
+                WAITING.borrow(section).set(spare);
+                if !BUSY.borrow(section).get() {
+                    READY.borrow(section).set(spare);
+                }
+            }
+            wanted
+        });
+        if wanted == sequence {
+            return;
         }
-    });
+        sequence = wanted;
+        answer.renumber(sequence);
+    }
 }
 
 fn next_byte(section: interrupt::CriticalSection<'_>) -> u8 {
@@ -77,7 +103,7 @@ fn next_byte(section: interrupt::CriticalSection<'_>) -> u8 {
     let at = usize::from(place.get());
     place.set(place.get().saturating_add(1));
     let ready = usize::from(READY.borrow(section).get());
-    // SAFETY: the main loop writes the other half only.
+    // SAFETY: the main loop never writes this set.
     let Some(answer) = (unsafe { &*ANSWERS.0.get() }).get(ready) else { return 0xff };
     let bytes: &[u8] = match SELECTION.borrow(section).get().selected {
         Selected::Legacy => &answer.legacy,
@@ -98,6 +124,7 @@ fn end_read(section: interrupt::CriticalSection<'_>) {
         }
         ended.end_read();
         selection.set(ended);
+        READY.borrow(section).set(WAITING.borrow(section).get());
     }
 }
 
@@ -126,6 +153,8 @@ fn TWI() {
         }
         // Addressed to be read.
         0xa8 | 0xb0 => {
+            // A read that its master gave up without a word ends here.
+            end_read(section);
             BUSY.borrow(section).set(true);
             NEXT_BYTE.borrow(section).set(0);
             let byte = next_byte(section);

@@ -85,13 +85,18 @@ impl Calibration {
     }
 }
 
-/// Reads the last row of the thesis's `cal_values.csv`: slope, intercept, R².
+/// Reads the last row of a file such as the thesis's `cal_values.csv`: slope, intercept, R², and, where this program
+/// wrote it, half of the intervals of slope and intercept.
 #[must_use]
 pub fn last_of_csv(text: &str) -> Option<Calibration> {
     let row = text.lines().rev().find(|line| !line.trim().is_empty())?;
     let mut numbers = row.split(',').map(|field| field.trim().parse::<f64>().ok().filter(|value| value.is_finite()));
     let (slope, intercept, r_squared) = (numbers.next()??, numbers.next()??, numbers.next()??);
-    (slope != 0.0).then_some(Calibration { slope, intercept, r_squared, ..Calibration::THESIS })
+    let (slope_interval, intercept_interval) = match (numbers.next().flatten(), numbers.next().flatten()) {
+        (Some(slope), Some(intercept)) => (slope, intercept),
+        _ => (f64::NAN, f64::NAN),
+    };
+    (slope != 0.0).then_some(Calibration { slope, intercept, r_squared, slope_interval, intercept_interval })
 }
 
 #[cfg(test)]

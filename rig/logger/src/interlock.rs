@@ -17,12 +17,16 @@
 //! 2. Power ends within `brake_ms` + one step after the brake is released.
 //! 3. Power ends within `hot_ms` + one step after the rotor's temperature passes its limit.
 //! 4. Power ends within `unreadable_ms` + one step after the temperature cannot be read any more.
-//! 5. Power ends within one step after the emergency stop, an overspeed, or a recording that fails.
+//! 5. Power ends within one step after the emergency stop, an overspeed, a recording that fails, an output that cannot
+//!    be set, a brake that is found jammed, or a speed sensor that is found silent.
 //! 6. Power ends within the run permit of the measuring device (250 ms) + one step after this program dies.
 //! 7. The throttle opens in Running alone, ignition is permitted in Ready and Running alone, and the brake is never
 //!    let go where the throttle may be open.
 //! 8. A trip is left only by Acknowledge, after its cause has gone, and leads to Safe.
 //! 9. From every state Safe can be reached again once the faults are gone.
+//! 10. Power ends within `torque_ms` + one step after the torque sensor gives nothing new.
+//! 11. A reset of the measuring device ends power at once, and power stays off until a frame has told of the reset, also
+//!     where the link is lost meanwhile.
 
 /// Times after which a condition ends a run, ms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -98,6 +102,8 @@ pub enum Cause {
     SpeedStuck,
     /// The recording cannot be written.
     RecordingFailed,
+    /// Throttle or brake cannot be set.
+    OutputFailed,
 }
 
 impl Cause {
@@ -121,6 +127,9 @@ impl Cause {
             Self::TorqueStuck => "The torque sensor gives nothing new: check slip ring, amplifier and converter.",
             Self::SpeedStuck => "A speed sensor gives no pulses while its shaft must turn: check sensor and magnet.",
             Self::RecordingFailed => "The recording cannot be written: the disk is full or gone. Nothing was deleted.",
+            Self::OutputFailed => {
+                "Throttle or brake cannot be set: check the outputs of the computer. Ignition is off."
+            }
         }
     }
 }
@@ -146,6 +155,8 @@ pub struct Inputs {
     pub speed_stuck: bool,
     /// The recording is being written.
     pub recording: bool,
+    /// Throttle and brake could be set in the last step.
+    pub outputs: bool,
     /// The emergency stop is pressed.
     pub emergency_stop: bool,
     /// Both shafts stand still, as a good frame said.
@@ -264,6 +275,7 @@ impl Interlock {
             (torque, Cause::TorqueStuck),
             (inputs.speed_stuck, Cause::SpeedStuck),
             (!inputs.recording, Cause::RecordingFailed),
+            (!inputs.outputs, Cause::OutputFailed),
         ]
         .into_iter()
         .find_map(|(holds, cause)| holds.then_some(cause))

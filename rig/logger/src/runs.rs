@@ -170,6 +170,23 @@ pub fn export(folder: &Path) -> io::Result<Exported> {
 /// # Errors
 /// If the file cannot be written.
 pub fn write_points(folder: &Path, points: &[Point]) -> io::Result<()> {
+    write(folder, "points.csv", &points_table(points))
+}
+
+/// Writes a new file; one that is there already is left as it is.
+///
+/// # Errors
+/// If it exists, or cannot be written.
+pub fn write_new(path: &Path, text: &str) -> io::Result<()> {
+    let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+    let mut file = File::create_new(path).map_err(named)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()
+}
+
+/// The table of points, in the columns that `sheave compare` reads.
+#[must_use]
+pub fn points_table(points: &[Point]) -> String {
     let mut text = String::from(
         "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,secondary_torque_sd,n_torque,\
          duration_s,settling_s,settled\n",
@@ -184,5 +201,5 @@ pub fn write_points(folder: &Path, points: &[Point]) -> io::Result<()> {
             columns.join(",")
         ));
     }
-    write(folder, "points.csv", &text)
+    text
 }

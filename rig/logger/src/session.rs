@@ -66,11 +66,13 @@ pub struct Session<H> {
     recorder: Recorder,
     watch: Watch,
     outputs: Outputs,
+    outputs_good: bool,
     temperature: Result<f64, HardwareError>,
     next_temperature: u64,
     last_step: u64,
     status: Status,
-    latest: Option<Frame>,
+    /// The latest good frame, and when its transfer had ended, µs.
+    latest: Option<(Frame, u64)>,
 }
 
 impl<H: Hardware> Session<H> {
@@ -98,6 +100,7 @@ impl<H: Hardware> Session<H> {
             recorder,
             watch: Watch::default(),
             outputs: Outputs { throttle_open: false, ignition: false, brake: Brake::Hold },
+            outputs_good: true,
             temperature: Err(HardwareError::Temperature("not read yet".to_owned())),
             next_temperature: time,
             last_step: time,
@@ -113,7 +116,7 @@ impl<H: Hardware> Session<H> {
 
     /// The latest good frame.
     pub fn frame(&self) -> Option<&Frame> {
-        self.latest.as_ref()
+        self.latest.as_ref().map(|(frame, _)| frame)
     }
 
     /// The interlock's state.
@@ -174,9 +177,11 @@ impl<H: Hardware> Session<H> {
         };
         self.outputs = Outputs { throttle_open: allowed.throttle, ignition: allowed.ignition, brake };
         self.watch.moved(brake, elapsed_us);
-        if let Err(error) = self.hardware.set(&self.outputs) {
+        let set = self.hardware.set(&self.outputs);
+        if let (Err(error), true) = (&set, self.outputs_good) {
             self.note(&error.to_string());
         }
+        self.outputs_good = set.is_ok();
     }
 
     fn read_frame(&mut self, time: u64) -> (bool, bool) {
@@ -190,15 +195,20 @@ impl<H: Hardware> Session<H> {
             }
         };
         self.record(&Record::Frame { at: time, bytes });
-        let restarted = self.latest.is_some_and(|before| frame.snapshot.now < before.snapshot.now);
-        self.latest = Some(frame);
+        let after = self.hardware.now();
+        let (mut fresh, mut restarted) = (true, false);
+        if let Some((before, read_at)) = self.latest {
+            fresh = frame.snapshot.now != before.snapshot.now;
+            restarted = restarted_between(&before, &frame, time.saturating_sub(read_at));
+        }
+        self.latest = Some((frame, after));
         self.status.frames += 1;
         self.status.primary_rpm = frame.snapshot.primary.speed.rpm_exact();
         self.status.secondary_rpm = frame.snapshot.secondary.speed.rpm_exact();
         self.status.torque = self.calibration.torque(frame.snapshot.torque);
         self.status.power = self.status.torque * self.status.secondary_rpm * std::f64::consts::PI / 30.0;
         self.watch.frame(time, &frame, self.status.torque);
-        (true, restarted)
+        (fresh, restarted)
     }
 
     fn read_temperature(&mut self, time: u64) {
@@ -218,7 +228,7 @@ impl<H: Hardware> Session<H> {
         let findings = self.watch.findings(running);
         let speeds = [self.status.primary_rpm, self.status.secondary_rpm];
         let too_fast =
-            self.latest.is_some_and(|frame| frame.snapshot.primary.too_fast || frame.snapshot.secondary.too_fast);
+            self.frame().is_some_and(|frame| frame.snapshot.primary.too_fast || frame.snapshot.secondary.too_fast);
         Inputs {
             fresh_frame,
             device_restarted,
@@ -233,9 +243,10 @@ impl<H: Hardware> Session<H> {
             torque_stuck: findings.torque_stuck,
             speed_stuck: findings.speed_stuck,
             recording: self.recorder.good(),
+            outputs: self.outputs_good,
             emergency_stop: self.hardware.emergency_stop(),
             at_rest: self
-                .latest
+                .frame()
                 .is_some_and(|frame| frame.snapshot.primary.stopped && frame.snapshot.secondary.stopped),
             command,
         }
@@ -270,6 +281,16 @@ impl<H: Hardware> Session<H> {
             Mode::Safe | Mode::Ready | Mode::Running => None,
         }
     }
+}
+
+/// Whether the measuring device started anew between two frames, the second of which was asked for `between_us` after
+/// the first had come: its clock then shows less time than must have passed. The oldest frame that the device can hand
+/// out is 20 ms old, and its crystal is good to a part in a thousand at the very worst.
+fn restarted_between(before: &Frame, after: &Frame, between_us: u64) -> bool {
+    let Some(passed) = after.snapshot.now.microseconds().checked_sub(before.snapshot.now.microseconds()) else {
+        return true;
+    };
+    passed + passed / 1000 + 20_000 < between_us
 }
 
 /// A state in one word.

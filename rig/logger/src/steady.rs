@@ -23,6 +23,9 @@ pub struct Plan {
     pub most_points: u32,
     /// How often the whole test is repeated, the brake let go between.
     pub passes: u32,
+    /// The throttle opens only after the operator has asked for it, with the engine idling: somebody has just pulled
+    /// its starter.
+    pub ask_before_opening: bool,
 }
 
 impl Plan {
@@ -34,6 +37,7 @@ impl Plan {
         least_secondary_rpm: 1200.0,
         most_points: 1000,
         passes: 1,
+        ask_before_opening: false,
     };
 }
 
@@ -75,14 +79,22 @@ impl Operator for Nobody {
     }
 }
 
-#[derive(Default)]
-struct Mean {
+/// Mean and standard deviation of values as they come.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mean {
     count: u32,
     mean: f64,
     squares: f64,
 }
 
 impl Mean {
+    /// Mean and standard deviation of some values; zero for none.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+        let mut mean = Self::default();
+        values.into_iter().for_each(|value| mean.add(value));
+        mean.result()
+    }
+
     fn add(&mut self, value: f64) {
         self.count += 1;
         let before = value - self.mean;
@@ -139,8 +151,9 @@ impl<H: Hardware> Test<'_, H> {
         if !self.for_ms(PRELOAD_US as u64 / 1000 + 100, Brake::Apply) {
             return false;
         }
-        let end = self.session.status().time + 60_000_000;
-        let mut idling_since = None;
+        let patience = if self.plan.ask_before_opening { 600_000_000 } else { 60_000_000 };
+        let end = self.session.status().time + patience;
+        let (mut idling_since, mut asked) = (None, false);
         while self.session.status().time < end {
             let status = self.session.status();
             let idling = status.primary_rpm > 1300.0;
@@ -148,7 +161,12 @@ impl<H: Hardware> Test<'_, H> {
             if !idling {
                 idling_since = None;
             }
-            let go = idling && status.time - since > 1_000_000;
+            let idles = idling && status.time - since > 1_000_000;
+            if idles && self.plan.ask_before_opening && !asked {
+                asked = true;
+                self.session.note("The engine idles. Everybody behind the cage? Then press g to open the throttle.");
+            }
+            let go = idles && !self.plan.ask_before_opening;
             let command = match self.session.mode() {
                 Mode::Safe => Some(Command::Enable),
                 Mode::Ready if go => Some(Command::Go),
@@ -159,7 +177,7 @@ impl<H: Hardware> Test<'_, H> {
                 return false;
             }
         }
-        self.session.note("the engine did not start within a minute, or something forbids the start");
+        self.session.note("the engine did not start in time, or something forbids the start");
         self.step(Some(Command::Stop), Brake::Hold);
         false
     }

@@ -22,8 +22,11 @@ pub fn serve(port: u16, status: Arc<Mutex<Status>>) -> io::Result<SocketAddr> {
         for request in server.incoming_requests() {
             let (code, kind, body) = answer(request.method() == &tiny_http::Method::Get, request.url(), &status);
             let mut response = tiny_http::Response::from_string(body).with_status_code(code);
-            if let Ok(header) = tiny_http::Header::from_bytes("Content-Type", kind) {
-                response.add_header(header);
+            // Whatever a message contains, a browser takes it for what its type says.
+            for (name, value) in [("Content-Type", kind), ("X-Content-Type-Options", "nosniff")] {
+                if let Ok(header) = tiny_http::Header::from_bytes(name, value) {
+                    response.add_header(header);
+                }
             }
             // A browser that has gone away is no fault of the rig.
             let _ = request.respond(response);

@@ -66,6 +66,39 @@ fn nets(parts: &[Part]) -> BTreeMap<&str, usize> {
     nets
 }
 
+/// Parts of resistors or contacts alone, which need no ground of their own.
+const PASSIVE: [&str; 3] = ["Pull-ups", "Ignition relay", "Emergency stop"];
+/// Nets that a pin of the Raspberry Pi may share with parts that run on 5 V: inputs of theirs that 3.3 V suffices for.
+const DRIVEN_BY_THE_PI: [&str; 3] = ["SERVO", "BRAKE_DIR", "BRAKE_ON"];
+
+/// What is wrong with the wiring: nets that end nowhere, parts without ground, pins named twice, 5 V at the Raspberry
+/// Pi's inputs (which stand 3.3 V).
+fn mistakes(parts: &[Part]) -> Vec<String> {
+    let name = |part: &Part| part.title.split('|').next().unwrap_or_default().to_owned();
+    let on = |part: &Part, net: &str| part.pins.iter().any(|pin| pin.net == net);
+    let mut mistakes: Vec<String> =
+        nets(parts).iter().filter(|(_, pins)| **pins < 2).map(|(net, _)| format!("{net} ends nowhere")).collect();
+    for part in parts {
+        if !PASSIVE.contains(&name(part).as_str()) && !on(part, "GND") {
+            mistakes.push(format!("{} has no ground", name(part)));
+        }
+        let mut pins: Vec<&str> = part.pins.iter().map(|pin| pin.name.as_str()).collect();
+        pins.sort_unstable();
+        if let Some(twice) = pins.windows(2).find(|pair| pair.first() == pair.last()) {
+            mistakes.push(format!("{} has two pins {}", name(part), twice.concat()));
+        }
+    }
+    let signal = |net: &str| !matches!(net, "GND" | "+5V" | "+3V3") && !DRIVEN_BY_THE_PI.contains(&net);
+    for pin in parts.iter().filter(|part| name(part) == "Raspberry Pi").flat_map(|part| &part.pins) {
+        for part in parts.iter().filter(|part| signal(&pin.net) && on(part, &pin.net)) {
+            if on(part, "+5V") && !on(part, "+3V3") {
+                mistakes.push(format!("{} puts 5 V on pin {} of the Raspberry Pi", name(part), pin.name));
+            }
+        }
+    }
+    mistakes
+}
+
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
@@ -73,7 +106,7 @@ fn escaped(text: &str) -> String {
 fn colour(net: &str) -> &'static str {
     match net {
         "GND" => "#555",
-        "+5V" | "+12V" => "#b00020",
+        "+5V" | "+12V" | "+3V3" => "#b00020",
         _ => "#0b57d0",
     }
 }
@@ -124,8 +157,9 @@ fn draw(parts: &[Part]) -> String {
 
 fn main() -> Result<(), String> {
     let parts = parse(WIRING)?;
-    if let Some((net, _)) = nets(&parts).into_iter().find(|(net, pins)| *pins < 2 && *net != "+12V") {
-        return Err(format!("the net {net} ends nowhere"));
+    let mistakes = mistakes(&parts);
+    if !mistakes.is_empty() {
+        return Err(mistakes.join("; "));
     }
     print!("{}", draw(&parts));
     Ok(())
@@ -142,13 +176,19 @@ mod tests {
     }
 
     #[test]
-    fn every_net_joins_two_pins_and_a_wrong_line_is_named() {
-        let parts = parse(WIRING).unwrap_or_default();
-        assert!(parts.len() > 10);
-        assert_eq!(
-            nets(&parts).iter().filter(|(_, pins)| **pins < 2).map(|(net, _)| *net).collect::<Vec<_>>(),
-            ["+12V"]
-        );
+    fn the_wiring_holds_its_rules_and_every_broken_rule_is_named() {
+        let found = |text: &str| mistakes(&parse(text).unwrap_or_default()).join("; ");
+        assert_eq!(found(WIRING), "");
+        assert!(parse(WIRING).is_ok_and(|parts| parts.len() > 12));
+        for (from, to, mistake) in [
+            ("right OUT HALL_P", "right OUT HALL_X", "HALL_X ends nowhere"),
+            ("left SDA_5 SDA_5V\n", "left SDA_5 SDA_5V\nleft SDA_5 SDA_5V\n", "has two pins SDA_5"),
+            ("right A4 SDA_5V", "right A4 SDA", "Arduino Nano puts 5 V on pin 3 of the Raspberry Pi"),
+            ("left SCL SCL\nleft GND GND", "left SCL SCL", "MLX90614 has no ground"),
+        ] {
+            let changed = WIRING.replacen(from, to, 1);
+            assert!(found(&changed).contains(mistake), "{from} -> {to}: {}", found(&changed));
+        }
         assert!(parse("part nano").is_err() && parse("left D2 X").is_err());
     }
 }
