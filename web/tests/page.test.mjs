@@ -116,9 +116,10 @@ test("sliders give the native program's numbers", async () => {
   let last;
   for (const question of asked) last = await program.ask(question, "sliders");
   const shown = await answer(page);
-  const { largest, found } = differences(shown.result, last.result, 1e-9);
-  console.log(`sliders: ${asked.length} questions, largest relative difference ${largest.toExponential(1)}`);
-  assert.deepEqual(found, []);
+  const { solved, sampled } = differences(shown.result, last.result);
+  console.log(`sliders: ${asked.length} questions, largest relative difference ${solved.largest.toExponential(1)}`);
+  assert.ok(solved.largest <= 1e-9, solved.at);
+  assert.ok(sampled.largest <= 1e-6, sampled.at);
   assert.deepEqual(shown.given, [
     "sheave.friction_coefficient",
     "drive.ratio",
