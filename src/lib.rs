@@ -46,6 +46,7 @@
 //! to what a case needs.
 
 pub mod actuator;
+pub mod beltmap;
 #[cfg(feature = "bench")]
 pub mod bench;
 mod cancel;
@@ -60,6 +61,7 @@ pub mod model;
 pub mod plot;
 pub mod prelude;
 pub mod quantity;
+pub mod random;
 #[cfg(feature = "figures")]
 pub mod report;
 pub mod result;

@@ -138,6 +138,16 @@ pub enum CaseProblem {
         /// What is wrong with it.
         reason: QuantityError,
     },
+    /// A table in place of a number that is none.
+    #[error("the table `{}`: {reason}; expected {}, {expected}", key.path(), key.entry().expected())]
+    Table {
+        /// The key.
+        key: Key,
+        /// What is wrong with it.
+        reason: String,
+        /// What a table of this key looks like.
+        expected: &'static str,
+    },
     /// A quantity out of its range.
     #[error("`{}` = {given} is out of range: expected {}", key.path(), key.entry().expected())]
     OutOfRange {
@@ -369,6 +379,7 @@ impl CaseError {
             (CaseProblem::Syntax { .. } | CaseProblem::Assignment { .. }, _) => "here",
             (CaseProblem::UnknownKey { .. }, _) => "no such key",
             (CaseProblem::Type { .. }, _) => "wrong type",
+            (CaseProblem::Table { .. }, _) => "not such a table",
             (CaseProblem::Quantity { reason, .. }, _) => match reason {
                 QuantityError::NotFinite => "not finite",
                 QuantityError::Dimension { .. } => "wrong dimension",

@@ -1,10 +1,12 @@
 //! A case as it was written: sparse, with the places where things stand.
 
 use super::error::{CaseError, CaseProblem, Place, Source};
+use super::grid::Grid;
 use super::keys::{Key, ValueKind};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
 use super::swap::{self, GivenSwap};
+use super::tables::{Over, Reader};
 use crate::model::Choice;
 use crate::quantity::{self, Quantity, QuantityError};
 use crate::text::quoted;
@@ -38,12 +40,14 @@ pub(super) struct Given {
 }
 
 /// A checked value.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
     /// In SI.
     Quantity(f64),
     /// One of the key's choices.
     Choice(&'static str),
+    /// Values in SI over temperature or frequency.
+    Table(Grid),
 }
 
 impl Case {
@@ -114,7 +118,8 @@ impl Case {
         };
         for (key, value) in in_order(table) {
             let place = Place { source: source.clone(), key: key.span(), value: value.span() };
-            errors.extend(self.insert(&format!("{name}.{}", key.get_ref()), raw(value.get_ref()), place).err());
+            let path = format!("{name}.{}", key.get_ref());
+            errors.extend(self.insert_value(&path, value.get_ref(), place, 0).err());
         }
     }
 
@@ -217,9 +222,10 @@ impl Case {
 
     /// The keys that were given, with their values, in the order of the table.
     pub fn settings(&self) -> impl Iterator<Item = (Key, Setting)> + '_ {
-        self.given.iter().map(|(key, given)| match given.value {
-            Value::Quantity(si) => (*key, Setting::Number(si)),
+        self.given.iter().map(|(key, given)| match &given.value {
+            Value::Quantity(si) => (*key, Setting::Number(*si)),
             Value::Choice(name) => (*key, Setting::Name(name)),
+            Value::Table(grid) => (*key, Setting::Table(grid.clone())),
         })
     }
 
@@ -234,7 +240,26 @@ impl Case {
             value: trimmed(&text, value_start..text.len()),
             source: Arc::new(Source::new(option, text)),
         };
+        // A table is written as a file has it.
+        if value.starts_with('{')
+            && let Ok(table) = DeValue::parse(&value)
+        {
+            let start = place.value.start;
+            return self.insert_value(&key, table.get_ref(), place, start);
+        }
         self.insert(&key, Raw::Text(value.into()), place)
+    }
+
+    /// As `insert`, for a value that may be a table; `offset` is what spans within it are short of their places.
+    fn insert_value(&mut self, path: &str, value: &DeValue<'_>, place: Place, offset: usize) -> Result<(), CaseError> {
+        match (value, known(path, &place)) {
+            (DeValue::Table(table), Ok(key)) if key.over() != Over::Nothing => {
+                let grid = Reader { key, place: &place, offset }.read(table)?;
+                self.given.insert(key, Given { value: Value::Table(grid), place });
+                Ok(())
+            }
+            _ => self.insert(path, raw(value), place),
+        }
     }
 
     /// Checks one key and its value, and keeps it.
@@ -263,7 +288,15 @@ impl Case {
     pub(super) fn quantity(&self, key: Key) -> Option<f64> {
         match self.given(key)?.value {
             Value::Quantity(si) => Some(si),
-            Value::Choice(_) => None,
+            Value::Choice(_) | Value::Table(_) => None,
+        }
+    }
+
+    /// The table given for `key`.
+    pub(super) fn table(&self, key: Key) -> Option<&Grid> {
+        match &self.given(key)?.value {
+            Value::Table(grid) => Some(grid),
+            Value::Quantity(_) | Value::Choice(_) => None,
         }
     }
 
@@ -271,7 +304,7 @@ impl Case {
     pub(super) fn choice(&self, key: Key) -> Option<&'static str> {
         match self.given(key)?.value {
             Value::Choice(name) => Some(name),
-            Value::Quantity(_) => None,
+            Value::Quantity(_) | Value::Table(_) => None,
         }
     }
 
@@ -317,7 +350,7 @@ fn known(path: &str, place: &Place) -> Result<Key, CaseError> {
     })
 }
 
-fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, CaseProblem> {
+pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64, CaseProblem> {
     let entry = key.entry();
     let ValueKind::Quantity { unit, range, .. } = entry.kind else {
         return Err(CaseProblem::Type { path: entry.path.into(), given: "a quantity", expected: entry.expected() });

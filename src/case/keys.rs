@@ -19,6 +19,7 @@ pub enum Key {
     LongitudinalStiffness,
     BendingStiffness,
     RadialStiffness,
+    Perimeter,
     LossTangent,
     CordLossTangent,
     HalfAngle,
@@ -48,6 +49,7 @@ pub enum Key {
     GearEfficiency,
     Ambient,
     HeatTransfer,
+    HeatTransferPerArea,
     FrictionShare,
     ReferenceTemperature,
     BendingSoftening,
@@ -107,6 +109,7 @@ const NM_S: Unit = Unit::decimal("N*m*s", 0, Dimension::DRAG_PER_SPEED);
 const K: Unit = Unit::decimal("K", 0, Dimension::TEMPERATURE);
 const PER_K: Unit = Unit::decimal("1/K", 0, Dimension::PER_TEMPERATURE);
 const W_PER_K: Unit = Unit::decimal("W/K", 0, Dimension::HEAT_TRANSFER);
+const W_PER_M2_K: Unit = Unit::decimal("W/(m^2*K)", 0, Dimension::HEAT_TRANSFER_PER_AREA);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
 /// A quantity of the base case.
@@ -130,7 +133,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: ValueKi
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 43] = [
+pub static TABLE: [Entry; 45] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -151,6 +154,8 @@ pub static TABLE: [Entry; 43] = [
         "bending moment over curvature; not used by `edition = \"string\"`"),
     entry(Key::RadialStiffness, "belt.radial_stiffness", "k", base(MPA, Range::POSITIVE, 18.71),
         "radial force per length over radial penetration"),
+    entry(Key::Perimeter, "belt.perimeter", "", base(MM, Range::positive_to(1e4), 77.3),
+        "length around the belt's section; with the belt's length, the surface that gives off heat"),
     entry(Key::LossTangent, "belt.loss_tangent", "tan δ", base(NUMBER, Range::up_to(10.0), 1.0 / 8.2),
         "loss over storage modulus of bending and squeezing; 0: no hysteresis"),
     entry(Key::CordLossTangent, "belt.cord_loss_tangent", "tan δ_c", base(NUMBER, Range::up_to(10.0), 0.0),
@@ -209,6 +214,8 @@ pub static TABLE: [Entry; 43] = [
         "temperature of the air around the belt; degC and degF are understood"),
     entry(Key::HeatTransfer, "thermal.heat_transfer", "h", other(W_PER_K, Range::positive_to(1e5), 10.0),
         "heat that the belt gives off over its excess of temperature"),
+    entry(Key::HeatTransferPerArea, "thermal.heat_transfer_per_area", "", other(W_PER_M2_K, Range::positive_to(1e6), 150.0),
+        "the same over the belt's surface, in place of thermal.heat_transfer"),
     entry(Key::FrictionShare, "thermal.friction_share", "", base(NUMBER, Range::up_to(1.0), 0.5),
         "share of the friction loss that heats the belt; the rest heats the sheaves"),
     entry(Key::ReferenceTemperature, "thermal.reference", "T_0", base(K, Range::positive_to(2000.0), 333.15),

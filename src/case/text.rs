@@ -45,9 +45,10 @@ impl Case {
 
     fn value_text(&self, key: Key) -> String {
         let Some(given) = self.given(key) else { return String::new() };
-        match given.value {
+        match &given.value {
             Value::Choice(name) => format!("\"{name}\""),
-            Value::Quantity(si) => {
+            Value::Table(grid) => grid.to_string(),
+            &Value::Quantity(si) => {
                 let written = unquoted(given.place.given().trim()).to_owned();
                 let candidates = [written, in_unit(key.entry(), si)];
                 let kept = candidates.into_iter().find(|text| is_plain(text) && reads_as(key, text) == Some(si));
@@ -122,6 +123,9 @@ mod tests {
         assert_eq!(case.to_toml(), kept);
         let escaped = Case::from_toml("a", "[belt]\nlength = \"\\u0038 m\"\n").expect("a case");
         assert_eq!(escaped.to_toml(), "[belt]\nlength = \"8000 mm\"\n");
+        let table = "[belt]\nbending_stiffness = { temperature = [300, 340], value = [0.3, 0.2] }\n";
+        let case = Case::from_toml("a", table).expect("a case");
+        assert!(Case::from_toml("b", &case.to_toml()).expect("a case").settings().eq(case.settings()));
         let swap = Case::from_toml("a", "swap = [\"belt.bending_stiffness for efficiency.overall = 0.96\"]");
         let swap = swap.expect("a case").to_toml();
         assert_eq!(Case::from_toml("b", &swap).expect("a case").to_toml(), swap);

@@ -5,13 +5,11 @@ use super::output;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde::Serialize;
 use sheave::bench::dyno::{
-    Fault, Names, Options, Point, RecordReport, calibration, figures, points_csv, process, records, runs,
-    spectrum_figures,
+    Fault, Names, Options, Point, Reduced, calibration, figures, points_csv, reduce, runs, spectrum_figures,
 };
 use sheave::bench::engine::EngineCurve;
-use sheave::bench::{BenchError, PageTable, Problem, page};
+use sheave::bench::{BenchError, PageTable, page};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -100,19 +98,12 @@ fn gear(text: &str) -> Result<f64, String> {
     Ok(own / brake)
 }
 
-#[derive(Debug, Serialize)]
-struct Found {
-    points: Vec<Point>,
-    records: Vec<RecordReport>,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let mut warnings = Vec::new();
-    let found = arguments.find(&mut warnings);
-    let (options, found, chosen) = found.map_err(|error| refused("dyno", arguments.json, error))?;
-    warn(&warnings);
+    let (options, found) = arguments.find().map_err(|error| refused("dyno", arguments.json, error))?;
+    let warnings = &found.warnings;
+    warn(warnings);
     let inputs = serde_json::json!({ "paths": arguments.paths, "options": options, "engine": options.engine });
-    let json = || object("dyno", inputs, &warnings, &found);
+    let json = || object("dyno", inputs, warnings, &found);
     if arguments.json {
         return output::print(&json()?);
     }
@@ -123,10 +114,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         let (table, _) = points_csv(&found.points);
         output::write_file(folder, "operating-points.csv", |to| to.write_all(table.as_bytes()))?;
         let mut all = figures(&found.points, &found.records);
-        all.extend(chosen.iter().flat_map(|point| spectrum_figures(point, options.rate)));
+        all.extend(found.chosen.iter().flat_map(|point| spectrum_figures(point, options.rate)));
         output::write_figures(folder, &all)?;
         let lead = format!("{} points of {} records", found.points.len(), found.records.len());
-        let page = page("Dynamometer", &lead, &warnings, &tables(&options, &found), &all)?;
+        let page = page("Dynamometer", &lead, warnings, &tables(&options, &found), &all)?;
         output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;
     }
     output::print(&summary(&found))
@@ -158,36 +149,15 @@ impl Arguments {
         })
     }
 
-    fn find(&self, warnings: &mut Vec<String>) -> Result<(Options, Found, Option<Point>), BenchError> {
-        let options = self.options(warnings)?;
-        let files = records(&self.paths)?;
+    fn find(&self) -> Result<(Options, Reduced), BenchError> {
+        let mut warnings = Vec::new();
+        let options = self.options(&mut warnings)?;
         let bar = self.bar();
-        let (mut points, mut reports, mut chosen) = (Vec::new(), Vec::new(), None);
-        for record in &files {
-            let take = |mut point: Point| {
-                let wanted = match self.spectrum {
-                    Some(number) => number == points.len(),
-                    None => chosen.is_none() && point.steady && point.spectrum.is_some(),
-                };
-                if wanted {
-                    chosen = Some(point.clone());
-                }
-                point.forget_samples();
-                points.push(point);
-            };
-            reports.push(process(record, &options, take, |bytes| bar.inc(bytes)));
-        }
+        let mut found = reduce(&self.paths, &options, self.spectrum, |bytes| bar.inc(bytes))?;
         bar.finish_and_clear();
-        tell(&reports, warnings);
-        if reports.iter().all(|report| report.samples == 0) {
-            let names: Vec<String> = self.paths.iter().map(|path| path.display().to_string()).collect();
-            let reason = match warnings.first() {
-                Some(first) => format!("no sample came out; {first}"),
-                None => "no sample came out".into(),
-            };
-            return Err(BenchError::from(Problem::NoData { path: names.join(", "), reason }));
-        }
-        Ok((options, Found { points, records: reports }, chosen))
+        warnings.append(&mut found.warnings);
+        found.warnings = warnings;
+        Ok((options, found))
     }
 
     /// Progress in bytes, on standard error if people look at it.
@@ -196,24 +166,6 @@ impl Arguments {
         let bar = ProgressBar::new(self.paths.iter().map(size).sum());
         let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
         bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-    }
-}
-
-/// Warns of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is
-/// none.
-fn tell(reports: &[RecordReport], warnings: &mut Vec<String>) {
-    let files = || reports.iter().flat_map(|report| &report.files);
-    warnings.extend(files().filter_map(|file| Some(format!("{}: {}", file.file, file.problem.as_ref()?))));
-    for fault in Fault::ALL.into_iter().filter(|fault| *fault != Fault::Duplicate) {
-        let with: Vec<_> = files().filter(|file| file.faults.count(fault) > 0).collect();
-        let count: u64 = with.iter().map(|file| file.faults.count(fault)).sum();
-        let first = with.first().and_then(|file| {
-            let line = file.faults.all().iter().find(|count| count.fault == fault)?.first_line;
-            Some(format!("the first in {}, line {line}", file.file))
-        });
-        if let Some(first) = first {
-            warnings.push(format!("{count} {} in {} files, {first}", fault.words(), with.len()));
-        }
     }
 }
 
@@ -247,7 +199,7 @@ const COLUMNS: [&str; 8] = [
     "not steady, why",
 ];
 
-fn summary(found: &Found) -> String {
+fn summary(found: &Reduced) -> String {
     let steady = found.points.iter().filter(|point| point.steady).count();
     let samples: u64 = found.records.iter().map(|record| record.samples).sum();
     let mut text = format!("{} records, {samples} uniform samples, {steady} steady points\n", found.records.len());
@@ -281,7 +233,7 @@ fn summary(found: &Found) -> String {
     text
 }
 
-fn tables(options: &Options, found: &Found) -> Vec<PageTable> {
+fn tables(options: &Options, found: &Reduced) -> Vec<PageTable> {
     let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
     let points = found.points.iter().take(1000).map(|point| row(point).to_vec()).collect();
     let mut tables = vec![PageTable { title: "Operating points".into(), columns: names(&COLUMNS), rows: points }];

@@ -72,7 +72,7 @@ impl Stop {
                 report(FailureKind::Input, error.to_string(), error.help().map(|help| help.to_string()))
             }
             Self::Usage(reason) => report(FailureKind::Input, reason.clone(), None),
-            Self::NoSolution(reason) => report(FailureKind::NoSolution, reason.clone(), None),
+            Self::NoSolution(reason) | Self::Unreached(reason) => report(FailureKind::NoSolution, reason.clone(), None),
             Self::Write(what, error) => report(FailureKind::Output, format!("cannot write {what}: {error}"), None),
         }
     }

@@ -9,10 +9,12 @@ mod design;
 mod dyno;
 mod envelope;
 mod init;
+mod keeping;
 mod keys;
 mod limit;
 #[cfg(feature = "live")]
 mod live;
+mod map;
 mod measured;
 mod optimum;
 mod output;
@@ -49,6 +51,7 @@ enum Command {
     Sweep(sweep::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
+    Map(map::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -89,6 +92,7 @@ pub fn run() -> ExitCode {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),
+        Command::Map(arguments) => map::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),

@@ -69,6 +69,15 @@ pub fn beside(
     Ok(beside)
 }
 
+/// Where a file that is asked for goes, before anything is computed.
+pub fn place(out: &Path) -> Result<PathBuf, Stop> {
+    let path = followed(out).map_err(|error| Stop::Usage(format!("{}: {error}", out.display())))?;
+    if path.is_dir() {
+        return Err(Stop::Usage(format!("{} is a folder: expected the name of a file in it", out.display())));
+    }
+    Ok(path)
+}
+
 /// Where a path leads, if it is a symbolic link.
 ///
 /// # Errors

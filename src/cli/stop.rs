@@ -19,6 +19,8 @@ pub enum Stop {
     Refused(miette::Report),
     /// There is no solution, or none was found; the reason.
     NoSolution(String),
+    /// A result was told, and is not what was asked for; the reason.
+    Unreached(String),
     /// A file, or standard output, could not be written.
     Write(String, io::Error),
 }
@@ -41,7 +43,7 @@ impl Stop {
                 tell(&(printable(&reason) + "\n"));
                 ExitCode::from(2)
             }
-            Self::NoSolution(reason) => {
+            Self::NoSolution(reason) | Self::Unreached(reason) => {
                 tell(&(printable(&reason) + "\n"));
                 ExitCode::from(3)
             }

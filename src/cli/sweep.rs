@@ -1,16 +1,14 @@
 //! `sheave sweep`: one case over a grid of its keys.
 
 use super::case::CaseArguments;
+use super::keeping;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sheave::drive::SolveOptions;
-use sheave::study::{
-    Axis, Format, Journal, JournalError, Row, StoredRows, Stream, Study, StudyError, set_aside, sync_folder,
-};
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, IsTerminal};
+use sheave::study::{Axis, Format, Journal, JournalError, Row, StoredRows, Stream, Study, StudyError};
+use std::io::{self, IsTerminal};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -46,7 +44,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let out = arguments.out.as_deref().map(table_place).transpose()?;
+    let out = arguments.out.as_deref().map(output::place).transpose()?;
     let study = arguments.study()?;
     let jobs = arguments.jobs.map(NonZeroUsize::get);
     let failures = match out {
@@ -97,15 +95,6 @@ fn streamed(study: &Study, jobs: Option<usize>) -> Result<usize, Stop> {
     let failures = stream.failures();
     stream.finish().map_err(|error| Stop::Write("standard output".into(), error))?;
     Ok(failures)
-}
-
-/// Where the table goes, before anything is computed.
-fn table_place(out: &Path) -> Result<PathBuf, Stop> {
-    let path = output::followed(out).map_err(|error| Stop::Usage(format!("{}: {error}", out.display())))?;
-    if path.is_dir() {
-        return Err(Stop::Usage(format!("{} is a folder: expected the name of a file in it", out.display())));
-    }
-    Ok(path)
 }
 
 impl Arguments {
@@ -164,39 +153,10 @@ fn fill(journal: Journal, study: &Study, jobs: Option<usize>) -> Result<StoredRo
 
 /// Writes the table. One of an earlier sweep that says something else is kept under another name.
 fn deliver(table: &StoredRows, path: &Path) -> Result<(), Stop> {
-    let stop = |error| Stop::Write(path.display().to_string(), error);
     let format = Format::of(path).unwrap_or(Format::Csv);
-    let written = output::beside(path, |to| format.write(table, to)).map_err(stop)?;
-    if path.exists() && !same_content(written.path(), path).map_err(stop)? {
-        let old = set_aside(path).map_err(stop)?;
-        tracing::warn!("{} of an earlier sweep is now {}", path.display(), old.display());
-    }
-    written.persist(path).map_err(|error| stop(error.error))?;
-    sync_folder(path);
-    tracing::info!("wrote {}", path.display());
+    let aside = keeping::deliver(path, |to| format.write(table, to))?;
+    aside.iter().for_each(|warning| tracing::warn!("{warning}"));
     Ok(())
-}
-
-/// Whether two files say the same.
-fn same_content(a: &Path, b: &Path) -> io::Result<bool> {
-    const PART: usize = 1 << 16;
-    if std::fs::metadata(a)?.len() != std::fs::metadata(b)?.len() {
-        return Ok(false);
-    }
-    let (mut a, mut b) =
-        (BufReader::with_capacity(PART, File::open(a)?), BufReader::with_capacity(PART, File::open(b)?));
-    loop {
-        let (left, right) = (a.fill_buf()?, b.fill_buf()?);
-        let length = left.len().min(right.len());
-        if length == 0 {
-            return Ok(left.len() == right.len());
-        }
-        if left.get(..length) != right.get(..length) {
-            return Ok(false);
-        }
-        a.consume(length);
-        b.consume(length);
-    }
 }
 
 /// On standard error, and only for people to see.

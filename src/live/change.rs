@@ -26,7 +26,7 @@ pub(super) fn changed(
     }
     case.make_room(&keys);
     for key in &keys {
-        only_speed(&mut case, *key)?;
+        only_one(&mut case, *key)?;
     }
     set.iter().try_for_each(|(key, value)| case.set(key, value))?;
     if keys.contains(&Key::Free) {
@@ -46,9 +46,12 @@ pub(super) fn changed(
     Ok(case)
 }
 
-/// A speed takes the place of the other speed, unless both are given as speed and load.
-fn only_speed(case: &mut Case, key: Key) -> Result<(), CaseError> {
+/// A speed takes the place of the other speed, unless both are given as speed and load; so does one way to say how heat
+/// is given off of the other.
+fn only_one(case: &mut Case, key: Key) -> Result<(), CaseError> {
     let other = match key {
+        Key::HeatTransfer => return case.unset(Key::HeatTransferPerArea.path()),
+        Key::HeatTransferPerArea => return case.unset(Key::HeatTransfer.path()),
         Key::PrimarySpeed => Key::SecondarySpeed,
         Key::SecondarySpeed => Key::PrimarySpeed,
         // A load takes the place of a second speed that was one.

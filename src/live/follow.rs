@@ -27,7 +27,7 @@ struct Wall {
     from: Vec<(Key, f64)>,
     /// The nearest values without a solution.
     beyond: Vec<(Key, f64)>,
-    names: Vec<(Key, &'static str)>,
+    fixed: Vec<(Key, Setting)>,
     message: String,
 }
 
@@ -49,15 +49,15 @@ pub(super) enum Lost {
     Ended(String),
 }
 
-/// The numbers and the names of a case.
-type Split = (Vec<(Key, f64)>, Vec<(Key, &'static str)>);
+/// The numbers of a case, and what is no number: names and tables.
+type Split = (Vec<(Key, f64)>, Vec<(Key, Setting)>);
 
 fn split(case: &Resolved) -> Split {
     let mut split = Split::default();
     for (key, setting) in case.settings() {
         match setting {
             Setting::Number(value) => split.0.push((key, value)),
-            Setting::Name(name) => split.1.push((key, name)),
+            other => split.1.push((key, other)),
         }
     }
     split
@@ -77,8 +77,13 @@ fn is_beyond(from: &[(Key, f64)], wall: &[(Key, f64)], to: &[(Key, f64)]) -> boo
 /// A case part of the way between two.
 fn between(from: &Split, to: &Split, share: f64) -> Option<Resolved> {
     let mut case = Case::base();
-    for (key, name) in &to.1 {
-        case.set(key.path(), name).ok()?;
+    for (key, setting) in &to.1 {
+        let text = match setting {
+            Setting::Name(name) => (*name).to_owned(),
+            Setting::Table(grid) => grid.to_string(),
+            Setting::Number(_) => continue,
+        };
+        case.set(key.path(), &text).ok()?;
     }
     for ((key, from), (_, to)) in from.0.iter().zip(&to.0) {
         case.set_si(*key, from + share * (to - from)).ok()?;
@@ -143,7 +148,7 @@ impl Follower {
             return self.solve(case, options);
         }
         if let Some(wall) = &self.wall
-            && wall.names == to.1
+            && wall.fixed == to.1
             && wall.from == from.0
             && is_beyond(&from.0, &wall.beyond, &to.0)
         {
@@ -176,7 +181,7 @@ impl Follower {
             }
             let beyond = split(&step).0;
             if is_close(&from.0, &beyond) {
-                self.wall = Some(Wall { from: from.0, beyond, names: to.1, message: message.clone() });
+                self.wall = Some(Wall { from: from.0, beyond, fixed: to.1, message: message.clone() });
                 break;
             }
             share *= 0.5;

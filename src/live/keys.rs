@@ -27,12 +27,12 @@ pub(super) fn shown(key: Key) -> Option<Shown> {
 
 impl Shown {
     /// From SI.
-    pub(super) fn from_si(self, si: f64) -> f64 {
+    pub(super) fn in_unit(self, si: f64) -> f64 {
         if self.is_temperature { si - CELSIUS } else { self.unit.from_si(si) }
     }
 
     /// From the unit of the key's table.
-    fn from_table(self, value: f64) -> f64 {
+    fn of_table(self, value: f64) -> f64 {
         if self.is_temperature { value - CELSIUS } else { value }
     }
 
@@ -68,7 +68,7 @@ fn key(entry: &Entry) -> Value {
             object["printed_unit"] = shown.printed().into();
             object["low"] = bound(range.low, shown);
             object["high"] = bound(range.high, shown);
-            object["example"] = shown.from_table(example).into();
+            object["example"] = shown.of_table(example).into();
             object["base"] = base.into();
             object["slider"] = json!([from, to]);
         }
@@ -85,8 +85,8 @@ fn key(entry: &Entry) -> Value {
 fn bound(bound: RangeEnd, shown: Shown) -> Value {
     match bound {
         RangeEnd::None => Value::Null,
-        RangeEnd::Open(value) => json!({ "value": shown.from_table(value), "open": true }),
-        RangeEnd::Closed(value) => json!({ "value": shown.from_table(value), "open": false }),
+        RangeEnd::Open(value) => json!({ "value": shown.of_table(value), "open": true }),
+        RangeEnd::Closed(value) => json!({ "value": shown.of_table(value), "open": false }),
     }
 }
 
@@ -100,6 +100,7 @@ fn reach(key: Key) -> Option<[f64; 2]> {
         Key::LongitudinalStiffness => [50.0, 600.0],
         Key::BendingStiffness => [0.02, 1.0],
         Key::RadialStiffness => [4.0, 60.0],
+        Key::Perimeter => [20.0, 200.0],
         Key::LossTangent => [0.0, 0.5],
         Key::CordLossTangent => [0.0, 0.2],
         Key::HalfAngle => [8.0, 20.0],
@@ -121,6 +122,7 @@ fn reach(key: Key) -> Option<[f64; 2]> {
         Key::GearEfficiency => [0.8, 1.0],
         Key::Ambient => [-20.0, 60.0],
         Key::HeatTransfer => [1.0, 40.0],
+        Key::HeatTransferPerArea => [20.0, 500.0],
         Key::FrictionShare => [0.0, 1.0],
         Key::ReferenceTemperature => [0.0, 120.0],
         Key::BendingSoftening | Key::RadialSoftening => [0.0, 0.05],
@@ -140,7 +142,7 @@ mod tests {
             };
             let shown = shown(entry.key).expect("a quantity is shown");
             let [from, to] = reach(entry.key).expect("a quantity has a slider");
-            let example = shown.from_table(example);
+            let example = shown.of_table(example);
             assert!(from <= example && example <= to, "{}: {example} in {from} to {to}", entry.path);
             for end in [from, to] {
                 let si = if shown.is_temperature { end + CELSIUS } else { unit.to_si(end) };

@@ -97,7 +97,7 @@ fn places(outcome: &Outcome, region: RegionId) -> Vec<f64> {
 fn thinned(path: Path) -> Path {
     let last = path.s.len().saturating_sub(1);
     let stride = path.s.len().div_ceil(SPAN_SAMPLES).max(1);
-    let kept = |index: &usize| index % stride == 0 || *index == last;
+    let kept = |index: &usize| index.is_multiple_of(stride) || *index == last;
     let pick = |values: &[f64]| (0..values.len()).filter(kept).map(|index| values[index]).collect();
     let points = (0..path.points.len()).filter(kept).map(|index| path.points[index]).collect();
     Path { s: pick(&path.s), points }

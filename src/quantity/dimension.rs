@@ -21,7 +21,7 @@ pub struct Dimension {
 }
 
 /// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 18] = [
+const NAMED: [(Dimension, &str); 19] = [
     (Dimension::NONE, "a plain number"),
     (Dimension::LENGTH, "a length"),
     (Dimension::MASS, "a mass"),
@@ -40,6 +40,7 @@ const NAMED: [(Dimension, &str); 18] = [
     (Dimension::TEMPERATURE, "a temperature"),
     (Dimension::PER_TEMPERATURE, "a share per kelvin"),
     (Dimension::HEAT_TRANSFER, "a power over a difference of temperatures"),
+    (Dimension::HEAT_TRANSFER_PER_AREA, "a power over an area and a difference of temperatures"),
 ];
 
 impl Dimension {
@@ -81,6 +82,8 @@ impl Dimension {
     pub const PER_TEMPERATURE: Self = Self { temperature: -1, ..Self::NONE };
     /// Watt per kelvin.
     pub const HEAT_TRANSFER: Self = Self { temperature: -1, ..Self::POWER };
+    /// Watt per square metre and kelvin.
+    pub const HEAT_TRANSFER_PER_AREA: Self = Self { temperature: -1, ..Self::new(0, 1, -3, 0) };
 
     /// From the exponents of length, mass, time and angle.
     pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {

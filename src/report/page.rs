@@ -177,6 +177,7 @@ fn inputs(html: &mut String, outcome: &Outcome) {
                 (short(number), unit)
             }
             Setting::Name(name) => (name.to_owned(), String::new()),
+            Setting::Table(grid) => (grid.to_string(), "SI".into()),
         };
         let symbol = entry.marked_symbol().replace("_{", "<sub>").replace('}', "</sub>");
         let name = entry.name().replace('_', " ");

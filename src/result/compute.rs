@@ -8,7 +8,7 @@ use crate::drive::{BeltProblem, OutputValues, RegionId, Solved};
 use crate::model::{Constant, Constants, Field, InternalError, Output, State};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
-const INNER: usize = 3;
+pub(super) const INNER: usize = 3;
 
 /// A region's states and derived fields at its nodes and between them.
 #[derive(Debug, Clone)]
@@ -43,6 +43,17 @@ impl Sampled {
         let fields = belt.fields(region, &points, solution.constants());
         let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
         Self { region, s, kernel: belt.kernel(region), states, fields }
+    }
+
+    /// Mean over a contact, weighted by pressure, of the friction that acts along the rim.
+    ///
+    /// # Errors
+    /// [`InternalError::Field`] of a span.
+    pub(super) fn rim_friction(&self) -> Result<f64, InternalError> {
+        let friction = self.field(Field::FrictionAtPoint)?.iter();
+        let along = friction.zip(self.field(Field::ApparentSheaveAngle)?).zip(self.field(Field::SlidingAngle)?);
+        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
+        Ok(weighted_mean(&self.s, &along, self.field(Field::Pressure)?))
     }
 
     /// The samples of a state.
@@ -125,10 +136,7 @@ impl Contact {
         let sampled = Sampled::new(&solved.belt, &solved.solution, region, INNER);
         let sliding = sampled.field(Field::SlidingSpeed)?;
         let (slowest, fastest) = extremes(sliding);
-        let friction = sampled.field(Field::FrictionAtPoint)?.iter();
-        let along = friction.zip(sampled.field(Field::ApparentSheaveAngle)?).zip(sampled.field(Field::SlidingAngle)?);
-        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
-        let mean = weighted_mean(&sampled.s, &along, sampled.field(Field::Pressure)?);
+        let mean = sampled.rim_friction()?;
         Ok(Self {
             penetration: extremes(sampled.state(State::Penetration)?).1,
             slowest,

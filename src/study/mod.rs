@@ -38,12 +38,12 @@ mod write;
 pub use axis::{Axis, DEFAULT_POINTS, MAX_POINTS};
 pub use error::StudyError;
 pub use file::StudyFile;
-pub use journal::{Journal, JournalError, set_aside, sync_folder};
+pub use journal::{Journal, JournalError, Journaled, set_aside, sync_folder};
 #[cfg(feature = "parquet")]
-pub use parquet::write_parquet;
+pub use parquet::{write_parquet, write_parquet_with};
 pub use plan::{GridPoint, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
 pub use rows::{Rows, StoredRows};
-pub use run::{each, run, table, tables};
+pub use run::{each, run, table, tables, visit};
 pub use stream::Stream;
 pub use write::{Format, write_csv, write_json};

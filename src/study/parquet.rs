@@ -6,6 +6,7 @@ use parquet::basic::{ConvertedType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
@@ -75,11 +76,26 @@ impl ColumnKind {
 /// # Errors
 /// What the writer says.
 pub fn write_parquet(table: &dyn Rows, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
+    write_parquet_with(table, &[], to)
+}
+
+/// As [`write_parquet`], with metadata: keys and their values.
+///
+/// # Errors
+/// What the writer says.
+pub fn write_parquet_with(
+    table: &dyn Rows,
+    metadata: &[(String, String)],
+    to: &mut (dyn Write + Send + '_),
+) -> io::Result<()> {
     let kinds = ColumnKind::of_columns(table)?;
     let fields = table.columns().iter().zip(&kinds).map(|(name, kind)| kind.column(name).map(Arc::new));
     let fields = fields.collect::<Result<_, _>>().map_err(io::Error::other)?;
     let schema = Type::group_type_builder("sweep").with_fields(fields).build().map_err(io::Error::other)?;
-    let properties = WriterProperties::builder().set_created_by(concat!("sheave ", env!("CARGO_PKG_VERSION")).into());
+    let pair = |(key, value): &(String, String)| KeyValue::new(key.clone(), value.clone());
+    let metadata = Some(metadata.iter().map(pair).collect::<Vec<_>>()).filter(|pairs| !pairs.is_empty());
+    let properties = WriterProperties::builder().set_key_value_metadata(metadata);
+    let properties = properties.set_created_by(concat!("sheave ", env!("CARGO_PKG_VERSION")).into());
     let writer = SerializedFileWriter::new(to, Arc::new(schema), Arc::new(properties.build()));
     let mut writer = writer.map_err(io::Error::other)?;
     let mut columns: Vec<Vec<Cell>> = vec![Vec::new(); kinds.len()];

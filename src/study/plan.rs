@@ -120,6 +120,7 @@ impl Study {
             match setting {
                 Setting::Number(value) => case.set_si(*key, *value)?,
                 Setting::Name(name) => case.set(key.path(), name)?,
+                Setting::Table(grid) => case.set(key.path(), &grid.to_string())?,
             }
         }
         Ok((varied, case))
@@ -163,6 +164,7 @@ impl Study {
                 match setting {
                     Setting::Number(value) => checksum.update(&value.to_le_bytes()),
                     Setting::Name(name) => checksum.update(name.as_bytes()),
+                    Setting::Table(grid) => checksum.update(grid.to_string().as_bytes()),
                 }
             }
             let ends = [point(axis, 0), point(axis, axis.points().saturating_sub(1))];

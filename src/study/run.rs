@@ -31,6 +31,19 @@ pub fn run(
     wanted: impl Fn(usize) -> bool + Sync,
     keep: impl Fn(Row) -> io::Result<()> + Sync,
 ) -> Result<(), StudyError> {
+    visit(study, jobs, wanted, |index, point, outcome| keep(Row::new(index, point, outcome)))
+}
+
+/// As [`run`], and hands over each point's number, the point and its solution, or why there is none, in place of a row.
+///
+/// # Errors
+/// As [`run`].
+pub fn visit(
+    study: &Study,
+    jobs: Option<usize>,
+    wanted: impl Fn(usize) -> bool + Sync,
+    see: impl Fn(usize, &GridPoint, Result<&Outcome, String>) -> io::Result<()> + Sync,
+) -> Result<(), StudyError> {
     let task = |chain: Range<usize>| {
         let last = chain.clone().rev().find(|index| wanted(*index));
         let end = last.map_or(chain.start, |last| last + 1);
@@ -43,7 +56,7 @@ pub fn run(
         group.truncate(needed);
     }
     let take = |_: &Task, index: usize, point: &GridPoint, outcome: Found<'_>| {
-        if wanted(index) { keep(Row::new(index, point, outcome)) } else { Ok(()) }
+        if wanted(index) { see(index, point, outcome) } else { Ok(()) }
     };
     Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, jobs)
 }

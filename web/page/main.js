@@ -404,11 +404,13 @@ function moved(change, active) {
 
 /** Heat needs two keys: one alone brings the other's example with it. */
 function thermal(change, active) {
-  const pair = ["thermal.ambient", "thermal.heat_transfer"];
+  const ways = ["thermal.heat_transfer", "thermal.heat_transfer_per_area"];
+  const pair = ["thermal.ambient", ...ways];
   const first = change.set?.map(([key]) => key).find((key) => pair.includes(key));
   const given = page.answer?.given ?? [];
-  const other = pair.find((key) => key !== first);
-  if (first && !given.includes(other)) {
+  const other = ways.includes(first) ? "thermal.ambient" : ways[0];
+  const has = other === ways[0] ? ways.some((key) => given.includes(key)) : given.includes(other);
+  if (first && !has) {
     const { key } = page.controls.controls.get(other);
     changed({ ...change, set: [...change.set, [other, `${key.example} ${key.unit}`]] }, active);
   } else if (change.unset?.some((key) => pair.includes(key))) {

@@ -87,13 +87,32 @@ pub enum JournalError {
     },
 }
 
+/// What a journal is about.
+pub trait Journaled {
+    /// Everything that the rows depend on, as one line of JSON: an object.
+    fn fingerprint(&self) -> String;
+
+    /// How many rows there may be.
+    fn points(&self) -> usize;
+}
+
+impl Journaled for Study {
+    fn fingerprint(&self) -> String {
+        Self::fingerprint(self)
+    }
+
+    fn points(&self) -> usize {
+        Self::points(self)
+    }
+}
+
 impl Journal {
     /// Begins a journal at `path`. One that is there already is set aside under the first free name of `path.old.1`,
     /// `path.old.2` and so on, which is given back.
     ///
     /// # Errors
     /// See [`JournalError`]; a file that is no journal is left alone.
-    pub fn begin(path: &Path, study: &Study) -> Result<(Self, Option<PathBuf>), JournalError> {
+    pub fn begin(path: &Path, study: &dyn Journaled) -> Result<(Self, Option<PathBuf>), JournalError> {
         let system = |error| JournalError::System { path: path.display().to_string(), error };
         let mut aside = None;
         for _ in 0..TRIES {
@@ -128,7 +147,7 @@ impl Journal {
     ///
     /// # Errors
     /// See [`JournalError`].
-    pub fn resume(path: &Path, study: &Study) -> Result<Self, JournalError> {
+    pub fn resume(path: &Path, study: &dyn Journaled) -> Result<Self, JournalError> {
         let system = |error| JournalError::System { path: path.display().to_string(), error };
         let mut file = match own::find(path).map_err(system)? {
             Found::Nothing => return Self::begin(path, study).map(|(journal, _)| journal),
@@ -151,11 +170,11 @@ impl Journal {
     ///
     /// # Errors
     /// What the system says.
-    pub fn nameless(study: &Study) -> io::Result<Self> {
+    pub fn nameless(study: &dyn Journaled) -> io::Result<Self> {
         Self::empty(Path::new("a temporary file"), tempfile::tempfile()?, study)
     }
 
-    fn new(path: &Path, file: File, study: &Study) -> Self {
+    fn new(path: &Path, file: File, study: &dyn Journaled) -> Self {
         Self {
             path: path.into(),
             file,
@@ -171,7 +190,7 @@ impl Journal {
     }
 
     /// With its first line, in a file that has at most a part of it.
-    fn empty(path: &Path, mut file: File, study: &Study) -> io::Result<Self> {
+    fn empty(path: &Path, mut file: File, study: &dyn Journaled) -> io::Result<Self> {
         let header = line::header(&study.fingerprint());
         file.seek(SeekFrom::Start(0))?;
         file.write_all(header.as_bytes())?;
@@ -182,7 +201,7 @@ impl Journal {
     }
 
     /// Reads all lines, to where the last whole one ends.
-    fn read_all(&mut self, study: &Study) -> Result<(), JournalError> {
+    fn read_all(&mut self, study: &dyn Journaled) -> Result<(), JournalError> {
         let path = self.path.display().to_string();
         let system = |error| JournalError::System { path: path.clone(), error };
         self.file.seek(SeekFrom::Start(0)).map_err(system)?;
@@ -205,7 +224,7 @@ impl Journal {
     }
 
     /// Whether the first line is that of the same study.
-    fn check(&self, header: &[u8], study: &Study) -> Result<(), JournalError> {
+    fn check(&self, header: &[u8], study: &dyn Journaled) -> Result<(), JournalError> {
         let path = self.path.display().to_string();
         let Some(theirs) = line::fingerprint(header) else {
             return Err(JournalError::Foreign { path, what: "a file whose first line is damaged".into() });
@@ -256,6 +275,28 @@ impl Journal {
     /// Lines, counted from 1, that were found damaged and passed over; what they said is not known.
     pub fn damaged(&self) -> &[usize] {
         &self.damaged
+    }
+
+    /// The rows that are there, each with the number of its point.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn rows(&mut self) -> io::Result<Vec<Row>> {
+        let mut rows = Vec::with_capacity(self.rows);
+        let mut reader = BufReader::new(self.file.try_clone()?);
+        let mut text = Vec::new();
+        for (index, (place, layout)) in self.places.iter().enumerate().filter(|(_, (place, _))| *place != 0) {
+            text.clear();
+            reader.seek(SeekFrom::Start(*place))?;
+            reader.by_ref().take(LONGEST).read_until(b'\n', &mut text)?;
+            let read = text.strip_suffix(b"\n").and_then(read_row);
+            let names = self.layouts.names(*layout as usize).cloned();
+            if let (Some((_, cells)), Some(columns)) = (read, names) {
+                rows.push(Row { index, columns, cells });
+            }
+        }
+        self.file.seek(SeekFrom::Start(self.end))?;
+        Ok(rows)
     }
 
     /// Adds a row, and returns when the system has it.
@@ -327,7 +368,7 @@ fn ours(file: &mut File, path: &Path) -> Result<(), JournalError> {
 }
 
 /// Whether the file is nothing but the beginning of this study's first line: a sweep was ended while it wrote it.
-fn is_torn_header(file: &mut File, study: &Study) -> io::Result<bool> {
+fn is_torn_header(file: &mut File, study: &dyn Journaled) -> io::Result<bool> {
     let header = line::header(&study.fingerprint());
     if file.metadata()?.len() >= header.len() as u64 {
         return Ok(false);

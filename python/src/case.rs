@@ -1,0 +1,280 @@
+//! Cases: read from files, texts and dictionaries, and changed key by key.
+
+use crate::{convert, error};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyString};
+use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
+use std::path::PathBuf;
+
+/// How messages name what a call gives by itself.
+const ARGUMENT: &str = "argument";
+/// How messages name a case file given as text.
+const TEXT: &str = "case";
+
+/// A case: what is given of a drive, every key optional; the base case of the thesis (Table 6.1) applies to all others.
+///
+/// A quantity is a text with a unit ("120 N"), a number in SI units, or a quantity of pint. Keys are named as in a case
+/// file ("operating_point.slack_tension"), or by their last part alone where that says which ("slack_tension").
+#[pyclass(frozen, eq, module = "sheave")]
+#[derive(Clone, PartialEq)]
+pub struct Case(pub case::Case);
+
+#[pymethods]
+impl Case {
+    /// From a path, the text of a case file, a dictionary, another case, or nothing: the base case; then the keys.
+    #[new]
+    #[pyo3(signature = (case=None, /, **keys))]
+    fn new(py: Python<'_>, case: Option<&Bound<'_, PyAny>>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        read(py, case, keys).map(Self)
+    }
+
+    /// The case with some keys set in place of what was given for them. A key takes the place of those that say the
+    /// same in another way: the ratio that of both radii, an axial force that of a tension.
+    #[pyo3(name = "with_", signature = (keys=None, /, **more))]
+    fn with_keys(
+        &self,
+        py: Python<'_>,
+        keys: Option<&Bound<'_, PyDict>>,
+        more: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let mut case = self.0.clone();
+        for keys in [keys, more].into_iter().flatten() {
+            set(py, &mut case, &settings(keys)?)?;
+        }
+        Ok(Self(case))
+    }
+
+    /// The case without some of its keys.
+    #[pyo3(signature = (*keys))]
+    fn without(&self, py: Python<'_>, keys: Vec<String>) -> PyResult<Self> {
+        let mut case = self.0.clone();
+        for name in keys {
+            case.unset(&path_of(&name)?).map_err(|error| error::case(py, &error))?;
+        }
+        Ok(Self(case))
+    }
+
+    /// The case with a constant made unknown and an output prescribed in its place:
+    /// `swap("belt.bending_stiffness for efficiency.overall = 0.96")`.
+    fn swap(&self, py: Python<'_>, text: &str) -> PyResult<Self> {
+        let mut case = self.0.clone();
+        case.swap(text).map_err(|error| error::case(py, &error))?;
+        Ok(Self(case))
+    }
+
+    /// What was given, by key, in SI units.
+    #[getter]
+    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (key, setting) in self.0.settings() {
+            dict.set_item(key.path(), convert::object(py, &setting)?)?;
+        }
+        Ok(dict)
+    }
+
+    /// The case with everything filled in, resolved to SI units, as `inputs` of a result has it.
+    ///
+    /// Raises CaseError where what is given does not go together.
+    fn resolve<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        convert::object(py, &resolved(py, &self.0)?)
+    }
+
+    /// What is worth knowing of the case before it is solved.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.0.remarks()
+    }
+
+    fn __repr__(&self) -> String {
+        let value = |setting| match setting {
+            case::Setting::Number(si) => si.to_string(),
+            case::Setting::Name(name) => format!("\"{name}\""),
+        };
+        let given = self.0.settings().map(|(key, setting)| format!("\"{}\": {}", key.path(), value(setting)));
+        let given = given.collect::<Vec<_>>().join(", ");
+        let swaps: String = self.0.swaps().map(|swap| format!(".swap(\"{swap}\")")).collect();
+        format!("Case({{{given}}}){swaps}")
+    }
+
+    /// Made anew from what was given; the places of errors are then those of arguments.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let py = slf.py();
+        let rebuild = py.import("sheave._sheave")?.getattr("rebuild_case")?;
+        let case = &slf.get().0;
+        let swaps: Vec<String> = case.swaps().map(ToString::to_string).collect();
+        Ok((rebuild, (slf.get().given(py)?, swaps).into_pyobject(py)?.into_any()))
+    }
+}
+
+/// A case from what another had given, in SI units, and its exchanges: for `pickle`.
+#[pyfunction]
+pub fn rebuild_case(py: Python<'_>, given: &Bound<'_, PyDict>, swaps: Vec<String>) -> PyResult<Case> {
+    let mut case = case::Case::base();
+    for (path, value) in given {
+        let path: String = path.extract()?;
+        let set = match (value.extract::<f64>(), Key::from_path(&path)) {
+            (Ok(number), Some(key)) => case.set_si(key, number),
+            _ => case.set_from(ARGUMENT, &path, &text_of(&path, &value)?),
+        };
+        set.map_err(|error| error::case(py, &error))?;
+    }
+    for text in swaps {
+        case.swap(&text).map_err(|error| error::case(py, &error))?;
+    }
+    Ok(Case(case))
+}
+
+/// All keys of a case file: name, unit in which people read it, default in SI units (None where there is none), range
+/// or choices, and meaning.
+#[pyfunction]
+pub fn keys(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    let rows = TABLE.iter().map(|entry| {
+        let (unit, choices) = match entry.kind {
+            ValueKind::Quantity { unit, .. } => (unit.symbol, Vec::new()),
+            ValueKind::Choice { choices, .. } => ("", choices.iter().map(|choice| choice.name).collect()),
+        };
+        serde_json::json!({
+            "key": entry.path, "unit": unit, "default": entry.base(), "choices": choices,
+            "expected": entry.expected(), "meaning": entry.doc,
+        })
+    });
+    convert::object(py, &rows.collect::<Vec<_>>())
+}
+
+/// The case that a call is about: what its first argument says, changed by its keys.
+///
+/// # Errors
+/// `CaseError`; `TypeError` for what says nothing of a case.
+pub fn read(py: Python<'_>, case: Option<&Bound<'_, PyAny>>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<case::Case> {
+    let mut read = match case {
+        None => case::Case::base(),
+        Some(given) => one(py, given)?,
+    };
+    if let Some(keys) = keys {
+        set(py, &mut read, &settings(keys)?)?;
+    }
+    Ok(read)
+}
+
+fn one(py: Python<'_>, given: &Bound<'_, PyAny>) -> PyResult<case::Case> {
+    if let Ok(case) = given.cast::<Case>() {
+        return Ok(case.get().0.clone());
+    }
+    if let Ok(keys) = given.cast::<PyDict>() {
+        let mut case = case::Case::base();
+        set(py, &mut case, &settings(keys)?)?;
+        return Ok(case);
+    }
+    let read = match given.cast::<PyString>() {
+        // A text with a line's end or an assignment is a case file, not the name of one.
+        Ok(text) if text.to_str()?.contains(['\n', '=']) => case::Case::from_toml(TEXT, text.to_str()?),
+        _ => {
+            let path: PathBuf = given.extract().map_err(|_| {
+                let kind = given.get_type();
+                PyTypeError::new_err(format!(
+                    "a case is a path, the text of a case file, a dictionary of keys or a Case, not {kind}"
+                ))
+            })?;
+            case::Case::read(&path)
+        }
+    };
+    read.map_err(|error| error::case(py, &error))
+}
+
+/// A key's name, and its value as a case file has it.
+pub type Settings = Vec<(String, String)>;
+
+/// What a dictionary sets: keys with dots, or sections as dictionaries of their own.
+///
+/// # Errors
+/// `TypeError` for a value that is no quantity and no name.
+pub fn settings(keys: &Bound<'_, PyDict>) -> PyResult<Settings> {
+    let mut settings = Settings::new();
+    for (name, value) in keys {
+        let name: String = name.extract()?;
+        match value.cast::<PyDict>() {
+            Ok(section) => {
+                let inner = self::settings(section)?;
+                settings.extend(inner.into_iter().map(|(key, value)| (format!("{name}.{key}"), value)));
+            }
+            Err(_) if value.is_none() => {}
+            Err(_) => settings.push((name.clone(), text_of(&name, &value)?)),
+        }
+    }
+    Ok(settings)
+}
+
+/// Sets keys; those that say the same in another way make room.
+fn set(py: Python<'_>, case: &mut case::Case, settings: &Settings) -> PyResult<()> {
+    let mut paths = Vec::with_capacity(settings.len());
+    for (name, _) in settings {
+        paths.push(path_of(name)?);
+    }
+    let known: Vec<Key> = paths.iter().filter_map(|path| Key::from_path(path)).collect();
+    case.make_room(&known);
+    for (path, (_, value)) in paths.iter().zip(settings) {
+        case.set_from(ARGUMENT, path, value).map_err(|error| error::case(py, &error))?;
+    }
+    Ok(())
+}
+
+/// The whole name of a key that may be given by its last part; unknown names stay as they are, for the case to refuse.
+///
+/// # Errors
+/// `ValueError` for a last part that several keys have.
+pub fn path_of(name: &str) -> PyResult<String> {
+    if name.contains('.') || Key::from_path(name).is_some() {
+        return Ok(name.to_owned());
+    }
+    if name.contains("__") {
+        return Ok(name.replace("__", "."));
+    }
+    let mut named = TABLE.iter().filter(|entry| entry.name() == name);
+    match (named.next(), named.next()) {
+        (Some(entry), None) => Ok(entry.path.to_owned()),
+        (Some(one), Some(other)) => Err(PyValueError::new_err(format!(
+            "`{name}` is a key of several sections: write `{}` or `{}`",
+            one.path, other.path
+        ))),
+        (None, _) => Ok(name.to_owned()),
+    }
+}
+
+/// A value as a case file has it: a text as it is, a number in SI units, a quantity of pint with its unit.
+///
+/// # Errors
+/// `TypeError` for anything else.
+pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Ok(text) = value.cast::<PyString>() {
+        return Ok(text.to_str()?.to_owned());
+    }
+    let wrong = || {
+        let kind = value.get_type();
+        PyTypeError::new_err(format!(
+            "`{name}`: a value is a text with a unit (\"120 N\"), a number in SI units or a quantity of pint, not {kind}"
+        ))
+    };
+    if value.is_instance_of::<PyBool>() {
+        return Err(wrong());
+    }
+    if value.hasattr("to_base_units")? {
+        let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;
+        return text.extract();
+    }
+    let number: f64 = value.extract().map_err(|_| wrong())?;
+    Ok(format!("{number:e}"))
+}
+
+/// The case resolved, and fit for the solver.
+///
+/// # Errors
+/// `CaseError`.
+pub fn resolved(py: Python<'_>, case: &case::Case) -> PyResult<Resolved> {
+    let posed = || -> Result<Resolved, CaseError> {
+        let resolved = case.resolve()?;
+        case.check_posed(&resolved)?;
+        Ok(resolved)
+    };
+    posed().map_err(|error| error::case(py, &error))
+}

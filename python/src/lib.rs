@@ -1,0 +1,47 @@
+//! `sheave` for Python: the functions and types of the module `sheave._sheave`, from which the package `sheave` is
+//! made. What is Python's own affair (units of pint, tables of pandas, figures of matplotlib) is written in Python, in
+//! `sheave/`; here stands what touches the Rust library.
+
+mod bench;
+mod bvp;
+mod case;
+mod convert;
+mod design;
+mod error;
+mod figure;
+mod interrupt;
+mod profile;
+mod result;
+mod study;
+mod table;
+
+use pyo3::prelude::*;
+
+/// The extension module.
+#[pymodule]
+mod _sheave {
+    #[pymodule_export]
+    use crate::bench::{belt, compare, dyno};
+    #[pymodule_export]
+    use crate::bvp::{BvpSolution, solve_bvp};
+    #[pymodule_export]
+    use crate::case::{Case, keys, rebuild_case};
+    #[pymodule_export]
+    use crate::design::{limit, optimum};
+    #[pymodule_export]
+    use crate::profile::{Profile, Region};
+    #[pymodule_export]
+    use crate::result::{
+        BeltResult, Efficiency, Energy, Heat, Losses, Pulley, Result, SolverReport, Span, bare_seconds, solve,
+    };
+    #[pymodule_export]
+    use crate::study::{Study, rebuild_study};
+    #[pymodule_export]
+    use crate::table::Table;
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,514 @@
+//! Solved drives.
+
+use crate::profile::Profile;
+use crate::{case, convert, error, figure, interrupt};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use sheave::clock::Stopwatch;
+use sheave::drive::{SolveOptions, solve_from};
+use sheave::result::{self, Outcome};
+use sheave::solver::Order;
+use std::sync::Arc;
+
+/// Solves a case.
+///
+/// `case` is a path, the text of a case file, a dictionary of keys or a Case; without it, the base case is solved.
+/// `tolerance` bounds the relative defect (1e-12 to 0.1), `order` is that of the collocation (4 or 6). With
+/// `sensitivities`, the result has the derivatives of all outputs with respect to everything given. `near` is a result
+/// of a similar case from which the search starts; if that does not lead to a solution, it starts from nothing. All
+/// other arguments are keys of the case. Other threads run meanwhile; Ctrl-C ends the search.
+///
+/// Raises CaseError, SolveError.
+#[pyfunction]
+#[pyo3(signature = (case=None, /, *, tolerance=1e-6, order=4, sensitivities=false, near=None, **keys))]
+pub fn solve(
+    py: Python<'_>,
+    case: Option<&Bound<'_, PyAny>>,
+    tolerance: f64,
+    order: usize,
+    sensitivities: bool,
+    near: Option<&Bound<'_, Result>>,
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Result> {
+    let case = case::read(py, case, keys)?;
+    let resolved = case::resolved(py, &case)?;
+    let options = SolveOptions { sensitivities, ..options(tolerance, order)? };
+    let near = near.map(|near| near.get().outcome.clone());
+    let work = move || {
+        let warm =
+            near.filter(|near| near.solved.question.swaps.is_empty() || resolved.operating_point.margin.is_none());
+        let warm = warm.filter(|near| near.result.inputs.model == resolved.model).and_then(|near| {
+            let start = Stopwatch::start();
+            let solved = solve_from(&near.solved, &resolved, &options).ok()?;
+            Some(result::interpret(&resolved, &options, solved, start))
+        });
+        warm.unwrap_or_else(|| result::run(&resolved, &options))
+    };
+    match interrupt::run(py, work)? {
+        Ok(outcome) => Ok(Result { outcome: Arc::new(outcome) }),
+        Err(failure) => Err(error::solve(py, &failure)),
+    }
+}
+
+/// Seconds of each of some solutions of a case by the library alone, from a case in memory, to hold a call against.
+#[pyfunction]
+#[pyo3(signature = (case, repeats, tolerance=1e-6))]
+pub fn bare_seconds(
+    py: Python<'_>,
+    case: &Bound<'_, case::Case>,
+    repeats: usize,
+    tolerance: f64,
+) -> PyResult<Vec<f64>> {
+    let (case, options) = (&case.get().0, options(tolerance, 4)?);
+    let one = |_| {
+        let start = std::time::Instant::now();
+        let outcome = sheave::solve_with(case, &options);
+        let seconds = start.elapsed().as_secs_f64();
+        outcome.map(|_| seconds)
+    };
+    py.detach(|| (0..repeats).map(one).collect::<std::result::Result<_, _>>())
+        .map_err(|error: sheave::Error| PyValueError::new_err(error.to_string()))
+}
+
+/// What a solve is told, checked.
+///
+/// # Errors
+/// `ValueError`.
+pub fn options(tolerance: f64, order: usize) -> PyResult<SolveOptions> {
+    if !(1e-12..=1e-1).contains(&tolerance) {
+        return Err(PyValueError::new_err(format!(
+            "tolerance = {tolerance}: expected a number from 1e-12 to 1e-1, such as 1e-6"
+        )));
+    }
+    let order = match order {
+        4 => Order::Four,
+        6 => Order::Six,
+        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4 or 6"))),
+    };
+    Ok(SolveOptions { tolerance, order, ..SolveOptions::default() })
+}
+
+/// A solved drive. SI units, ratios as fractions.
+#[pyclass(frozen, module = "sheave")]
+pub struct Result {
+    pub(crate) outcome: Arc<Outcome>,
+}
+
+#[pymethods]
+impl Result {
+    /// The driving pulley.
+    #[getter]
+    fn primary(&self) -> Pulley {
+        Pulley(self.outcome.result.primary.clone())
+    }
+
+    /// The driven pulley.
+    #[getter]
+    fn secondary(&self) -> Pulley {
+        Pulley(self.outcome.result.secondary.clone())
+    }
+
+    /// The span from the secondary to the primary.
+    #[getter]
+    fn tight_span(&self) -> Span {
+        Span(self.outcome.result.tight_span.clone())
+    }
+
+    /// The span from the primary to the secondary.
+    #[getter]
+    fn slack_span(&self) -> Span {
+        Span(self.outcome.result.slack_span.clone())
+    }
+
+    /// Efficiencies (6.7) to (6.9).
+    #[getter]
+    fn efficiency(&self) -> Efficiency {
+        Efficiency(self.outcome.result.efficiency.clone())
+    }
+
+    /// The belt as a whole.
+    #[getter]
+    fn belt(&self) -> BeltResult {
+        BeltResult(self.outcome.result.belt.clone())
+    }
+
+    /// The energy audit.
+    #[getter]
+    fn energy(&self) -> Energy {
+        Energy(self.outcome.result.energy.clone())
+    }
+
+    /// Power lost besides friction; None where it is not told.
+    #[getter]
+    fn losses(&self) -> Option<Losses> {
+        self.outcome.result.losses.clone().map(Losses)
+    }
+
+    /// Heat; None where the case does not say what cools the belt.
+    #[getter]
+    fn thermal(&self) -> Option<Heat> {
+        self.outcome.result.thermal.map(Heat)
+    }
+
+    /// How the solution was found.
+    #[getter]
+    fn solver(&self) -> SolverReport {
+        SolverReport(self.outcome.result.solver.clone())
+    }
+
+    /// Name of the edition of the equations.
+    #[getter]
+    fn edition(&self) -> &str {
+        &self.outcome.result.edition
+    }
+
+    /// Share of the friction at hand that is not yet used.
+    #[getter]
+    fn slip_reserve(&self) -> f64 {
+        self.outcome.result.slip_reserve
+    }
+
+    /// Share of the friction at hand that is used: 1 less the slip reserve.
+    #[getter]
+    fn friction_utilization(&self) -> f64 {
+        self.outcome.result.friction_utilization
+    }
+
+    /// What was solved for in place of what was prescribed: value in SI units by key of the case file.
+    #[getter]
+    fn found(&self) -> std::collections::BTreeMap<String, f64> {
+        self.outcome.result.found.clone()
+    }
+
+    /// The case, resolved to SI units, with what was found.
+    #[getter]
+    fn inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        convert::object(py, &self.outcome.result.inputs)
+    }
+
+    /// Derivatives of the outputs with respect to everything given, SI over SI: by output with dots, then by key. None
+    /// unless they were asked for.
+    #[getter]
+    fn sensitivities<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        self.outcome.result.sensitivities.as_ref().map(|all| convert::object(py, all)).transpose()
+    }
+
+    /// One derivative: that of an output ("efficiency.overall") with respect to a key ("belt.bending_stiffness").
+    fn sensitivity(&self, output: &str, key: &str) -> PyResult<f64> {
+        let all = self.outcome.result.sensitivities.as_ref();
+        let all = all.ok_or_else(|| PyValueError::new_err("solve with sensitivities=True to have derivatives"))?;
+        let row = all.get(output).ok_or_else(|| PyKeyError::new_err(format!("no derivatives of `{output}`")))?;
+        let path = case::path_of(key)?;
+        let value = row.get(&path).copied();
+        value.ok_or_else(|| PyKeyError::new_err(format!("`{path}` is not among what is given: {}", listed(row))))
+    }
+
+    /// What is to be known before the result is used.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        result::warnings(&self.outcome)
+    }
+
+    /// The result as the one JSON object that `sheave solve --json` prints.
+    #[getter]
+    fn json(&self) -> PyResult<String> {
+        let object = self.object().map_err(|error| PyValueError::new_err(error.to_string()))?;
+        serde_json::to_string_pretty(&object).map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The same as dictionaries.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let object = self.object().map_err(|error| PyValueError::new_err(error.to_string()))?;
+        convert::python(py, &object)
+    }
+
+    /// A summary in engineering units, as a person reads it.
+    #[getter]
+    fn summary(&self) -> String {
+        result::summary(&self.outcome.result)
+    }
+
+    /// Every state and derived field along the belt, at the nodes of the meshes and at `between` points between each
+    /// two of them.
+    #[pyo3(signature = (between=1))]
+    fn profile(&self, py: Python<'_>, between: usize) -> PyResult<Profile> {
+        /// Points between two nodes: a picture needs some ten.
+        const MOST: usize = 1000;
+        if between > MOST {
+            return Err(PyValueError::new_err(format!("between = {between}: expected at most {MOST}")));
+        }
+        Profile::new(py, &self.outcome, between)
+    }
+
+    /// The figures of the result as data: name, caption, axes and series, in the units of the axes.
+    fn figures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let figures = sheave::plot::drive(&self.outcome).map_err(|error| error::internal(&error))?;
+        figure::figures(py, &figures)
+    }
+
+    /// A figure as SVG: "trajectory" is the belt's path; `figures()` has the names of the others.
+    #[pyo3(signature = (name="trajectory"))]
+    fn svg(&self, name: &str) -> PyResult<String> {
+        let figures = sheave::plot::drive(&self.outcome).map_err(|error| error::internal(&error))?;
+        figure::svg(&figures, name)
+    }
+
+    /// The page about the result, with all figures, as HTML.
+    fn report(&self, py: Python<'_>) -> PyResult<String> {
+        let outcome = self.outcome.clone();
+        let page = move || {
+            let figures = sheave::plot::drive(&outcome).map_err(|error| error.to_string())?;
+            sheave::report::page(&outcome, &figures).map_err(|error| error.to_string())
+        };
+        py.detach(page).map_err(PyValueError::new_err)
+    }
+
+    fn _repr_html_(&self) -> PyResult<String> {
+        let svg = self.svg("trajectory")?;
+        let cell = |answer: &result::Answer| {
+            format!(
+                "<tr><th style=\"text-align:left\">{}</th><td style=\"text-align:left\">{}</td></tr>",
+                escaped(answer.question),
+                escaped(&answer.answer)
+            )
+        };
+        let rows: String = result::answers(&self.outcome.result).iter().map(cell).collect();
+        let warnings: String = self
+            .warnings()
+            .iter()
+            .map(|warning| format!("<p><strong>Warning.</strong> {}</p>", escaped(warning)))
+            .collect();
+        Ok(format!(
+            "<div class=\"sheave\"><div style=\"max-width:640px\">{svg}</div><table>{rows}</table>{warnings}</div>"
+        ))
+    }
+
+    fn __repr__(&self) -> String {
+        let result = &self.outcome.result;
+        let efficiency = result.efficiency.overall;
+        let efficiency = efficiency.map_or("none".into(), |share| format!("{:.2} %", 100.0 * share));
+        format!(
+            "<sheave.Result: {} edition, axial forces {:.1} N, {:.1} N, efficiency {efficiency}, slip reserve {:.1} %>",
+            result.edition,
+            result.primary.axial_force,
+            result.secondary.axial_force,
+            100.0 * result.slip_reserve
+        )
+    }
+
+    fn __str__(&self) -> String {
+        self.summary()
+    }
+}
+
+impl Result {
+    fn object(&self) -> std::result::Result<serde_json::Value, serde_json::Error> {
+        let result = &self.outcome.result;
+        result::envelope("solve", &result.inputs, &self.warnings(), result)
+    }
+}
+
+fn listed<V>(row: &std::collections::BTreeMap<String, V>) -> String {
+    row.keys().map(String::as_str).collect::<Vec<_>>().join(", ")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// A class of Python with the fields of a struct of the library.
+macro_rules! view {
+    ($(#[$about:meta])* $name:ident of $inner:ty { $($(#[$doc:meta])* $field:ident : $kind:ty,)* }) => {
+        $(#[$about])*
+        #[pyclass(frozen, module = "sheave")]
+        pub struct $name($inner);
+
+        #[pymethods]
+        impl $name {
+            $(
+                $(#[$doc])*
+                #[getter]
+                fn $field(&self) -> $kind {
+                    self.0.$field.clone().into()
+                }
+            )*
+
+            /// All fields by name.
+            fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+                let dict = PyDict::new(py);
+                $(dict.set_item(stringify!($field), self.$field())?;)*
+                Ok(dict)
+            }
+
+            fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+                let mut fields = Vec::new();
+                $(
+                    let value = self.$field().into_pyobject(py)?.into_any().repr()?;
+                    fields.push(format!("{}={value}", stringify!($field)));
+                )*
+                Ok(format!("{}({})", stringify!($name), fields.join(", ")))
+            }
+        }
+    };
+}
+
+view! {
+    /// One pulley and its contact.
+    Pulley of result::Pulley {
+        /// Speed of rotation, rad/s.
+        speed: f64,
+        /// Torque, N·m (5.54): into the primary, out of the secondary; negative where the secondary drives.
+        torque: f64,
+        /// Power, W: into the primary, out of the secondary; negative where the secondary drives.
+        power: f64,
+        /// Axial force between the sheaves, N (5.58).
+        axial_force: f64,
+        /// Wrap angle, rad.
+        wrap_angle: f64,
+        /// Angle of inclination where the belt enters, rad.
+        entry_angle: f64,
+        /// Angle of inclination where the belt leaves, rad.
+        exit_angle: f64,
+        /// Orientation angle, rad (5.17) to (5.20).
+        orientation_angle: f64,
+        /// Largest radial penetration, m.
+        max_penetration: f64,
+        /// Smallest sliding speed, m/s.
+        min_sliding_speed: f64,
+        /// Largest sliding speed, m/s.
+        max_sliding_speed: f64,
+        /// Share of the wrap angle on which the belt slides more slowly than the slip threshold.
+        adhesion_fraction: f64,
+        /// Share of the friction at hand that drives or brakes the pulley.
+        friction_utilization: f64,
+        /// Nominal radius, m.
+        radius: f64,
+        /// Where the axial force acts, m from the pulley's centre, towards the secondary's centre from the primary's.
+        resultant_x: f64,
+        /// Where the axial force acts, m from the pulley's centre, towards the tight span.
+        resultant_y: f64,
+        /// Moment of the axial force about the pulley's centre, N·m.
+        binding_moment: f64,
+        /// Power lost to friction, W.
+        friction_loss: f64,
+        /// Tractive tension where the belt enters, N.
+        entry_tension: f64,
+        /// Tractive tension where the belt leaves, N.
+        exit_tension: f64,
+    }
+}
+
+view! {
+    /// One span.
+    Span of result::Span {
+        /// Arc length, m.
+        arc_length: f64,
+        /// Length when unloaded, m (5.56).
+        unstretched_length: f64,
+        /// Smallest tractive tension, N.
+        min_tension: f64,
+        /// Largest tractive tension, N.
+        max_tension: f64,
+    }
+}
+
+view! {
+    /// Efficiencies as fractions, of the driven pulley over the driving one; None where neither drives the other.
+    Efficiency of result::Efficiency {
+        /// Rim speed of the driven pulley over that of the driving one (6.7).
+        speed: Option<f64>,
+        /// Rim force of the driven pulley over that of the driving one (6.8).
+        torque: Option<f64>,
+        /// Power out over power in (6.9).
+        overall: Option<f64>,
+        /// The same with hysteresis, drag and gears, where they are told.
+        overall_with_losses: Option<f64>,
+    }
+}
+
+view! {
+    /// The belt as a whole.
+    BeltResult of result::BeltResult {
+        /// Mass flow, kg/s (3.5).
+        mass_flow: f64,
+        /// Length of the loop when unloaded, m.
+        unstretched_length: f64,
+        /// What the drive needs less what the belt has, m.
+        length_error: f64,
+        /// Temperature, K; None where the case does not say what cools the belt.
+        temperature: Option<f64>,
+    }
+}
+
+view! {
+    /// The energy audit: power in = power out + friction loss + stretch work, for full shear with continuous ends.
+    Energy of result::Energy {
+        /// Power into the primary, W.
+        power_in: f64,
+        /// Power out of the secondary, W.
+        power_out: f64,
+        /// Power that friction turns to heat, W.
+        friction_loss: f64,
+        /// (power_in - power_out - friction_loss)/power_in.
+        imbalance: f64,
+        /// Power that the belt's stretching takes from the energy of bending and squeezing, W.
+        stretch_work: f64,
+        /// What nothing accounts for, over power_in.
+        closure: f64,
+    }
+}
+
+view! {
+    /// Power lost besides friction, W.
+    Losses of sheave::losses::Losses {
+        /// Of bending the belt.
+        bending: f64,
+        /// Of squeezing it in the groove.
+        groove: f64,
+        /// Of stretching its cord.
+        cord: f64,
+        /// Of drag at both pulleys.
+        drag: f64,
+        /// Of gears behind the secondary.
+        gears: f64,
+        /// All of these.
+        total: f64,
+    }
+}
+
+view! {
+    /// Heat, W, and the stiffnesses at the belt's temperature.
+    Heat of sheave::losses::Heat {
+        /// Heat that goes into the belt, W.
+        belt: f64,
+        /// Friction's heat that goes into the sheaves of the primary, W.
+        primary: f64,
+        /// Friction's heat that goes into the sheaves of the secondary, W.
+        secondary: f64,
+        /// Bending stiffness at the temperature, N·m².
+        bending_stiffness: f64,
+        /// Radial stiffness at the temperature, N/m².
+        radial_stiffness: f64,
+    }
+}
+
+view! {
+    /// How the solution was found, and how well it holds.
+    SolverReport of result::SolverReport {
+        /// Order of the collocation.
+        order: usize,
+        /// Relative tolerance on the defect.
+        tolerance: f64,
+        /// Largest relative defect on the final meshes.
+        max_residual: f64,
+        /// Largest boundary residual, scaled.
+        max_boundary_residual: f64,
+        /// Newton iterations in all.
+        newton_iterations: usize,
+        /// Continuation steps in all.
+        continuation_steps: usize,
+        /// Seconds from the resolved case to the result.
+        wall_time: Option<f64>,
+    }
+}

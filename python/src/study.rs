@@ -1,0 +1,232 @@
+//! Studies: one case over a grid of its keys, at once or in parts.
+
+use crate::interrupt;
+use crate::table::Table;
+use crate::{case, error, result};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+use sheave::Cancel;
+use sheave::case::{Key, Setting, ValueKind};
+use sheave::drive::SolveOptions;
+use sheave::quantity::Dimension;
+use sheave::study::{self, Axis, Row, TableBuilder};
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A study that is not yet solved: a case, what varies in it, and how accurately it is solved. Its parts can be solved
+/// apart, on other machines too.
+#[pyclass(frozen, module = "sheave")]
+pub struct Study {
+    study: Arc<study::Study>,
+    case: sheave::case::Case,
+}
+
+#[pymethods]
+impl Study {
+    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them. Numbers are in SI
+    /// units. All other arguments are keys of the case.
+    ///
+    /// Raises CaseError, StudyError.
+    #[new]
+    #[pyo3(signature = (case=None, /, *, over, tolerance=1e-6, order=4, **keys))]
+    fn new(
+        py: Python<'_>,
+        case: Option<&Bound<'_, PyAny>>,
+        over: &Bound<'_, PyAny>,
+        tolerance: f64,
+        order: usize,
+        keys: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let case = case::read(py, case, keys)?;
+        let options = result::options(tolerance, order)?;
+        let axes = axes(py, over)?;
+        // Every point is checked: of a large grid, while others may run.
+        Self::of(py, case, axes, options)
+    }
+
+    /// Made anew from its case, its axes and its options.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let (py, this) = (slf.py(), slf.get());
+        let rebuild = py.import("sheave._sheave")?.getattr("rebuild_study")?;
+        let axes: Vec<String> = this.study.axes().iter().map(text).collect();
+        let options = this.study.options();
+        let arguments = (case::Case(this.case.clone()), axes, options.tolerance, options.order.number());
+        Ok((rebuild, arguments.into_pyobject(py)?.into_any()))
+    }
+
+    fn __len__(&self) -> usize {
+        self.study.points()
+    }
+
+    /// What varies: for each axis, its keys and its number of points. The last axis is the fastest.
+    #[getter]
+    fn axes(&self) -> Vec<(Vec<String>, usize)> {
+        let keys = |axis: &Axis| axis.keys().iter().map(|key| key.path().to_owned()).collect();
+        self.study.axes().iter().map(|axis| (keys(axis), axis.points())).collect()
+    }
+
+    /// Everything the rows depend on, as a line of text.
+    #[getter]
+    fn fingerprint(&self) -> String {
+        self.study.fingerprint()
+    }
+
+    /// The points in parts that can be solved apart, as pairs of the first point and the one behind the last: each has
+    /// at least `points` points, the last excepted. What a part gives on its own is what it gives as part of the whole.
+    #[pyo3(signature = (points=0))]
+    fn parts(&self, points: usize) -> Vec<(usize, usize)> {
+        self.study.parts(points).into_iter().map(|part| (part.start, part.end)).collect()
+    }
+
+    /// Solves all points, or those from `start` to below `stop`, on `jobs` threads (all cores without it); `progress`
+    /// is called with the number of points solved now and then. Rows depend on the grid alone. Ctrl-C ends the study. A
+    /// point without a solution has a row that says why.
+    #[pyo3(signature = (start=0, stop=None, *, jobs=None, progress=None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        start: usize,
+        stop: Option<usize>,
+        jobs: Option<usize>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Table> {
+        let stop = stop.unwrap_or(self.study.points());
+        if start > stop || stop > self.study.points() {
+            let points = self.study.points();
+            return Err(PyValueError::new_err(format!("points {start} to {stop}: the study has {points}")));
+        }
+        self.table(py, start..stop, jobs, progress)
+    }
+
+    fn __repr__(&self) -> String {
+        let axes = self.axes();
+        let axes: Vec<String> = axes.iter().map(|(keys, points)| format!("{} ({points})", keys.join(" & "))).collect();
+        format!("<sheave.Study: {} points over {}>", self.study.points(), axes.join(" × "))
+    }
+}
+
+impl Study {
+    fn of(py: Python<'_>, case: sheave::case::Case, axes: Vec<Axis>, options: SolveOptions) -> PyResult<Self> {
+        let study = py.detach(|| study::Study::new(case.clone(), axes, options));
+        study.map(|study| Self { study: Arc::new(study), case }).map_err(|error| error::study(py, &error))
+    }
+
+    fn table(
+        &self,
+        py: Python<'_>,
+        points: Range<usize>,
+        jobs: Option<usize>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Table> {
+        if jobs == Some(0) {
+            return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
+        }
+        let study = self.study.clone();
+        let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
+        let (held, count) = (cancel.clone(), solved.clone());
+        let work = move || {
+            let builder = Mutex::new(TableBuilder::new(study.points()));
+            let keep = |row: Row| {
+                if held.is_cancelled() {
+                    return Err(std::io::ErrorKind::Interrupted.into());
+                }
+                builder.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
+                count.fetch_add(1, Ordering::Relaxed);
+                Ok(())
+            };
+            study::run(&study, jobs, |index| points.contains(&index), keep)?;
+            Ok(builder.into_inner().unwrap_or_else(PoisonError::into_inner).finish())
+        };
+        let tell = |_: Python<'_>| match progress {
+            Some(progress) => progress.call1((solved.load(Ordering::Relaxed),)).map(|_| ()),
+            None => Ok(()),
+        };
+        let table = interrupt::watched(py, &cancel, work, tell)?.map_err(|error| error::study(py, &error))?;
+        tell(py)?;
+        Ok(Table::new(table, self.axes()))
+    }
+}
+
+/// A study from what `Study.__reduce__` gives: for `pickle`.
+#[pyfunction]
+pub fn rebuild_study(
+    py: Python<'_>,
+    case: &Bound<'_, case::Case>,
+    axes: Vec<String>,
+    tolerance: f64,
+    order: usize,
+) -> PyResult<Study> {
+    let axes = axes.iter().map(|text| Axis::parse(text).map_err(|error| error::study(py, &error)));
+    let axes = axes.collect::<PyResult<_>>()?;
+    Study::of(py, case.get().0.clone(), axes, result::options(tolerance, order)?)
+}
+
+/// An axis as text, with every digit of its values.
+fn text(axis: &Axis) -> String {
+    let key = |(place, key): (usize, &Key)| {
+        // In words: a bare number that is surely in rpm is refused.
+        let unit = match key.entry().kind {
+            ValueKind::Quantity { unit, .. } if unit.scale.dimension == Dimension::ANGULAR_SPEED => " rad/s",
+            _ => "",
+        };
+        let value = |point: usize| match axis.at(point).nth(place) {
+            Some((_, Setting::Number(number))) => format!("{number:e}{unit}"),
+            Some((_, Setting::Name(name))) => name.to_owned(),
+            None => String::new(),
+        };
+        let values: Vec<String> = (0..axis.points()).map(value).collect();
+        format!("{}={}", key.path(), values.join(","))
+    };
+    axis.keys().iter().enumerate().map(key).collect::<Vec<_>>().join("&")
+}
+
+/// What varies, from a dictionary, a text or several.
+fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<Axis>> {
+    let parsed = |text: &str| Axis::parse(text).map_err(|error| error::study(py, &error));
+    if let Ok(text) = over.cast::<PyString>() {
+        return Ok(vec![parsed(text.to_str()?)?]);
+    }
+    if let Ok(values) = over.cast::<PyDict>() {
+        return values.iter().map(|(key, values)| axis(py, &key, &values)).collect();
+    }
+    let texts: Vec<String> = over.extract().map_err(|_| {
+        let kind = over.get_type();
+        PyTypeError::new_err(format!("over: expected a dictionary of keys and their values, or texts, not {kind}"))
+    })?;
+    texts.iter().map(|text| parsed(text)).collect()
+}
+
+/// One axis: a key and its values.
+fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> PyResult<Axis> {
+    let name: String = key.extract().map_err(|_| PyTypeError::new_err("over: keys are texts"))?;
+    let path = case::path_of(&name)?;
+    let parsed = |text: String| Axis::parse(&text).map_err(|error| error::study(py, &error));
+    if let Ok(text) = values.cast::<PyString>() {
+        return parsed(format!("{path}={}", text.to_str()?));
+    }
+    // An array of pint: a quantity each.
+    let quantities = values.hasattr("to_base_units")?;
+    if !quantities
+        && !values.is_instance_of::<PyDict>()
+        && let (Some(known), Ok(numbers)) = (Key::from_path(&path), values.extract::<Vec<f64>>())
+    {
+        if numbers.is_empty() {
+            return Err(PyValueError::new_err(format!("over: `{name}` has no values")));
+        }
+        return Axis::of(known, numbers).map_err(|error| error::study(py, &error));
+    }
+    let items: Vec<Bound<'_, PyAny>> = match values.cast::<PyList>() {
+        Ok(list) => list.iter().collect(),
+        Err(_) => match values.cast::<PyTuple>() {
+            Ok(tuple) => tuple.iter().collect(),
+            Err(_) => values.try_iter()?.collect::<PyResult<_>>()?,
+        },
+    };
+    let texts = items.iter().map(|item| case::text_of(&name, item)).collect::<PyResult<Vec<_>>>()?;
+    if let Some(text) = texts.iter().find(|text| text.contains([',', '&']) || text.contains("..")) {
+        return Err(PyValueError::new_err(format!("over: `{name}` = {text}: expected one value an item")));
+    }
+    parsed(format!("{path}={}", texts.join(",")))
+}

@@ -1,0 +1,204 @@
+"""Boundary value problems with functions of Python, beside SciPy and exact solutions."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import sheave
+from sheave import bvp
+
+Array = NDArray[np.float64]
+
+
+def bratu(x: Array, y: Array) -> Array:
+    return np.vstack((y[1], -np.exp(y[0])))
+
+
+def fixed_ends(a: Array, b: Array) -> Array:
+    return np.array([a[0], b[0]])
+
+
+def layer(x: Array, y: Array) -> Array:
+    """1e-3 y'' = y, with layers at both ends."""
+    return np.vstack((y[1], y[0] / 1e-3))
+
+
+def ends_of_layer(a: Array, b: Array) -> Array:
+    return np.array([a[0] - 1, b[0] - 1])
+
+
+def eigenvalue(x: Array, y: Array, p: Array) -> Array:
+    """Mathieu's equation y'' + (p - 2 q cos 2x) y = 0 with q = 5."""
+    return np.vstack((y[1], -(p[0] - 10 * np.cos(2 * x)) * y[0]))
+
+
+def ends_of_eigenvalue(a: Array, b: Array, p: Array) -> Array:
+    return np.array([a[1], b[1], a[0] - 1])
+
+
+def blasius(x: Array, y: Array) -> Array:
+    return np.vstack((y[1], y[2], -0.5 * y[0] * y[2]))
+
+
+def ends_of_blasius(a: Array, b: Array) -> Array:
+    return np.array([a[0], a[1], b[1] - 1])
+
+
+def flow(x: Array, y: Array) -> Array:
+    """A membrane of a swirling flow: three states with products."""
+    return np.vstack((y[1], y[2], -y[0] * y[2] + y[1] ** 2 - 0.25))
+
+
+def ends_of_flow(a: Array, b: Array) -> Array:
+    return np.array([a[0], a[1] - 0.1, b[1] - 0.5])
+
+
+PROBLEMS: dict[str, tuple[Callable[..., Array], Callable[..., Array], float, Array, list[float] | None]] = {
+    "Bratu": (bratu, fixed_ends, 1.0, np.zeros(2), None),
+    "layers": (layer, ends_of_layer, 1.0, np.zeros(2), None),
+    "Mathieu": (eigenvalue, ends_of_eigenvalue, np.pi, np.array([1.0, 0.0]), [15.0]),
+    "Blasius": (blasius, ends_of_blasius, 10.0, np.array([5.0, 1.0, 0.1]), None),
+    "flow": (flow, ends_of_flow, 5.0, np.array([1.0, 0.5, 0.0]), None),
+}
+
+
+def guess(name: str) -> tuple[Array, Array]:
+    _, _, length, start, _ = PROBLEMS[name]
+    x = np.linspace(0, length, 31)
+    y = np.tile(start[:, None], (1, x.size))
+    if name == "Mathieu":
+        y[0], y[1] = np.cos(4 * x), -4 * np.sin(4 * x)
+    return x, y
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_solutions_are_those_of_scipy(name: str) -> None:
+    integrate = pytest.importorskip("scipy.integrate")
+    f, bc, length, _, p = PROBLEMS[name]
+    x, y = guess(name)
+    theirs = integrate.solve_bvp(f, bc, x, y, p=p, tol=1e-8, max_nodes=200_000)
+    assert theirs.success
+    places = np.linspace(0, length, 41)
+    wanted = theirs.sol(places)
+    size = np.max(np.abs(wanted))
+    for jacobian in (None, "complex"):
+        ours = bvp.solve(f, bc, x, y, p, jacobian=jacobian, tol=1e-7)
+        assert ours.success and ours.max_defect <= 1e-7 and ours.error_estimate <= 1e-7
+        assert np.max(np.abs(ours.sol(places) - wanted)) < 1e-6 * size
+        if p is None:
+            assert ours.p is None
+        else:
+            assert ours.p is not None and ours.p == pytest.approx(theirs.p, rel=1e-7)
+        assert ours.y.shape == ours.yp.shape == (len(y), ours.x.size)
+        assert np.allclose(ours.sol(ours.x), ours.y)
+
+
+def test_an_exact_solution_is_met_in_both_orders() -> None:
+    x = np.linspace(0, 1, 11)
+    places = np.linspace(0, 1, 200)
+    s = 1e-3**0.5
+    exact = (np.exp(-places / s) + np.exp((places - 1) / s)) / (1 + np.exp(-1 / s))
+    nodes = {}
+    for order in (4, 6):
+        solution = bvp.solve(layer, ends_of_layer, x, np.zeros((2, 11)), order=order, tol=1e-8)
+        assert np.max(np.abs(solution.sol(places)[0] - exact)) < 1e-7
+        nodes[order] = solution.x.size
+    assert nodes[6] < nodes[4]
+    assert solution.sol(0.5).shape == (2,) and solution.sol(places.reshape(20, 10)).shape == (2, 20, 10)
+
+
+def test_jacobians_may_be_given() -> None:
+    calls = 0
+
+    def jacobian(x: Array, y: Array, p: Array) -> tuple[Array, Array]:
+        nonlocal calls
+        calls += 1
+        by_states = np.zeros((2, 2, x.size))
+        by_states[0, 1] = 1
+        by_states[1, 0] = -(p[0] - 10 * np.cos(2 * x))
+        by_parameters = np.zeros((2, 1, x.size))
+        by_parameters[1, 0] = -y[0]
+        return by_states, by_parameters
+
+    def boundary_jacobian(a: Array, b: Array, p: Array) -> tuple[Array, Array, Array]:
+        return np.array([[0, 1], [0, 0], [1.0, 0]]), np.array([[0, 0], [0, 1.0], [0, 0]]), np.zeros((3, 1))
+
+    x, y = guess("Mathieu")
+    both: dict[str, Any] = {"jacobian": jacobian, "boundary_jacobian": boundary_jacobian}
+    given = bvp.solve(eigenvalue, ends_of_eigenvalue, x, y, [15.0], **both)
+    assert calls > 0 and given.p is not None
+    exact = bvp.solve(eigenvalue, ends_of_eigenvalue, x, y, [15.0], jacobian="complex")
+    assert exact.p is not None and given.p[0] == pytest.approx(exact.p[0], rel=1e-9)
+    # The fourth characteristic value a_4(5) (Abramowitz & Stegun, 1964, table 20.1).
+    assert given.p[0] == pytest.approx(17.09658, abs=1e-4)
+
+
+def test_a_jacobian_of_sympy_is_one() -> None:
+    sympy = pytest.importorskip("sympy")
+    u, v = sympy.symbols("u v")
+    right = sympy.Matrix([v, -sympy.exp(u)])
+    entries = sympy.lambdify((u, v), list(right.jacobian([u, v])), "numpy")
+
+    def jacobian(x: Array, y: Array) -> Array:
+        matrix = np.zeros((4, x.size))
+        for entry, values in enumerate(entries(y[0], y[1])):
+            matrix[entry] = values
+        return matrix.reshape(2, 2, x.size)
+
+    x = np.linspace(0, 1, 11)
+    solution = bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11)), jacobian=jacobian)
+    assert solution.sol(0.5)[0] == pytest.approx(0.14053921, abs=1e-6)
+
+
+def test_what_the_functions_raise_is_raised() -> None:
+    x, y = np.linspace(0, 1, 11), np.zeros((2, 11))
+
+    def broken(x: Array, y: Array) -> Array:
+        raise ZeroDivisionError("on purpose")
+
+    with pytest.raises(ZeroDivisionError, match="on purpose"):
+        bvp.solve(broken, fixed_ends, x, y)
+    with pytest.raises(ZeroDivisionError):
+        bvp.solve(bratu, broken, x, y)
+    with pytest.raises(ValueError, match=r"f returned an array of shape \[3, "):
+        bvp.solve(lambda x, y: np.zeros((3, x.size)), fixed_ends, x, y)
+    with pytest.raises(ValueError, match=r"bc returned an array of shape \[3\]"):
+        bvp.solve(bratu, lambda a, b: np.zeros(3), x, y)
+    with pytest.raises(ValueError, match="boundary_jacobian returned 1 arrays"):
+        bvp.solve(bratu, fixed_ends, x, y, boundary_jacobian=lambda a, b: [np.zeros((2, 2))])
+
+    def interrupted(x: Array, y: Array) -> Array:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        bvp.solve(interrupted, fixed_ends, x, y)
+
+
+def test_what_has_no_solution_says_what_to_try() -> None:
+    x = np.linspace(0, 1, 11)
+    with pytest.raises(sheave.SolveError) as caught:
+        bvp.solve(lambda x, y: np.vstack((y[1], -10 * np.exp(y[0]))), fixed_ends, x, np.zeros((2, 11)))
+    assert caught.value.hint
+    with pytest.raises(sheave.SolveError, match=r"not finite|undefined"):
+        bvp.solve(lambda x, y: np.full((2, x.size), np.nan), fixed_ends, x, np.zeros((2, 11)))
+
+
+@pytest.mark.parametrize(
+    ("mesh", "states", "parameters"),
+    [
+        ([0.0], np.zeros((2, 1)), None),
+        ([], np.zeros((2, 0)), None),
+        ([0.0, 1.0], np.zeros((2, 3)), None),
+        ([0.0, 1.0], np.zeros(2), None),
+        ([0.0, 1.0], np.zeros((0, 2)), None),
+        ([1.0, 0.0], np.zeros((2, 2)), None),
+        ([0.0, 1.0], np.full((2, 2), np.nan), None),
+        ([0.0, 1.0], np.zeros((2, 2)), [[1.0]]),
+    ],
+)
+def test_guesses_are_checked(mesh: list[float], states: Array, parameters: Any) -> None:
+    with pytest.raises((ValueError, sheave.SolveError)):
+        bvp.solve(bratu, fixed_ends, mesh, states, parameters)

@@ -1,0 +1,252 @@
+"""One case: what goes in, what comes out, what is refused."""
+
+import json
+import os
+import pickle
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sheave
+
+
+def test_a_case_is_a_path_a_text_a_dictionary_or_nothing(root: Path) -> None:
+    text = '[operating_point]\nslack_tension = "120 N"\n'
+    given = [
+        sheave.solve(text, tolerance=1e-3),
+        sheave.solve({"operating_point": {"slack_tension": "120 N"}}, tolerance=1e-3),
+        sheave.solve({"operating_point.slack_tension": 120.0}, tolerance=1e-3),
+        sheave.solve(slack_tension="0.12 kN", tolerance=1e-3),
+        sheave.solve(operating_point__slack_tension=np.float64(120), tolerance=1e-3),
+        sheave.solve(sheave.Case(slack_tension=120), tolerance=1e-3),
+    ]
+    forces = {result.primary.axial_force for result in given}
+    assert len(forces) == 1
+    assert given[0].primary.exit_tension == pytest.approx(120, rel=1e-6)
+    path = root / "examples" / "baja.toml"
+    assert sheave.solve(path, tolerance=1e-3).edition == sheave.solve(str(path), tolerance=1e-3).edition
+
+
+def test_keys_take_the_place_of_those_that_say_the_same_in_another_way(root: Path) -> None:
+    path = root / "examples" / "baja.toml"
+    result = sheave.solve(path, tolerance=1e-3, primary_axial_force="1050 N")
+    assert result.primary.axial_force == pytest.approx(1050, rel=1e-3)
+    assert set(result.found) == {"operating_point.slack_tension"}
+    both = sheave.solve(drive={"primary_radius": "60 mm", "secondary_radius": "76.8 mm"}, tolerance=1e-3)
+    assert both.primary.radius == pytest.approx(0.06)
+    assert sheave.Case(drive={"primary_radius": 0.06}).with_(ratio=1.2).given == {"drive.ratio": 1.2}
+
+
+def test_quantities_of_pint_are_checked_by_their_dimension() -> None:
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    keys = {"slack_tension": q(120, "N"), "primary_speed": q(3400, "rpm"), "half_angle": q(12, "deg")}
+    result = sheave.solve(keys, tolerance=1e-3)
+    assert result.primary.speed == pytest.approx(3400 * np.pi / 30, rel=1e-12)
+    same = sheave.solve(slack_tension="120 N", tolerance=1e-3)
+    assert result.primary.axial_force == pytest.approx(same.primary.axial_force, rel=1e-9)
+    assert sheave.Case(ambient=q(25, "degC")).given["thermal.ambient"] == pytest.approx(298.15)
+    with pytest.raises(sheave.CaseError, match="slack_tension"):
+        sheave.solve(slack_tension=q(120, "mm"))
+
+
+def test_results_say_what_the_json_says(base: sheave.Result) -> None:
+    object = json.loads(base.json)
+    assert object == base.to_dict()
+    assert object["command"] == "solve" and object["converged"] is True
+    spans = ("tight_span", "slack_span")
+    for name in ("primary", "secondary", *spans, "efficiency", "belt", "energy", "losses", "solver"):
+        part = getattr(base, name).to_dict()
+        for field, value in part.items():
+            assert object[name].get(field) == value, f"{name}.{field}"
+    pulley = base.primary.to_dict()
+    assert set(pulley) == set(object["primary"])
+    assert base.energy.power_in == pytest.approx(18 * 3400 * np.pi / 30)
+    assert base.slip_reserve == 1 - base.friction_utilization
+    assert base.inputs["drive"]["primary_radius"] == pytest.approx(0.068309)
+    assert "axial" in str(base) and "sheave.Result" in repr(base)
+
+
+def test_sensitivities_are_those_of_differences(base: sheave.Result) -> None:
+    step = 1e-3
+    forces = []
+    for sign in (-1, 1):
+        moved = sheave.solve(slack_tension=100 * (1 + sign * step), tolerance=1e-8)
+        forces.append(moved.primary.axial_force)
+    differences = (forces[1] - forces[0]) / (200 * step)
+    assert base.sensitivity("primary.axial_force", "slack_tension") == pytest.approx(differences, rel=1e-3)
+    rows = sheave.sensitivities(tolerance=1e-4)
+    assert rows == base.sensitivities
+    with pytest.raises(KeyError, match="no derivatives"):
+        base.sensitivity("primary.axial_farce", "slack_tension")
+    with pytest.raises(ValueError, match="sensitivities=True"):
+        sheave.solve(tolerance=1e-3).sensitivity("primary.axial_force", "slack_tension")
+
+
+def test_profiles_are_arrays_that_outlive_their_result() -> None:
+    result = sheave.solve(tolerance=1e-3)
+    region = result.profile(between=0).primary
+    tension = region.T
+    assert tension is not region["T"] and np.shares_memory(tension, region["T"])
+    assert not tension.flags.owndata and not tension.flags.writeable
+    with pytest.raises(ValueError):
+        tension[0] = 0.0
+    with pytest.raises(ValueError):
+        tension.flags.writeable = True
+    assert len(region) == region.position.size == tension.size
+    entry, exit = result.primary.entry_tension, result.primary.exit_tension
+    del result, region
+    assert (tension[0], tension[-1]) == pytest.approx((entry, exit))
+
+
+def test_profiles_name_their_columns(base: sheave.Result) -> None:
+    profile = base.profile(between=2)
+    region = profile.secondary
+    assert "T" in region.columns and region.units["T"] == "N" and "tractive tension" in region.meanings["T"]
+    assert set(region.to_dict()) == {"position", *region.columns}
+    assert np.max(region.x) == pytest.approx(base.secondary.max_penetration, rel=1e-3)
+    assert len(profile.tight_span) > 2 and "T" in dir(region)
+    with pytest.raises(KeyError, match="no column `tensoin`"):
+        region["tensoin"]
+    with pytest.raises(AttributeError):
+        region.tension_
+
+
+def test_results_show_themselves_in_notebooks(base: sheave.Result) -> None:
+    html = base._repr_html_()
+    assert "<svg" in html and "does it slip?" in html
+    assert base.svg("tension").startswith("<svg")
+    assert base.report().lstrip().lower().startswith("<!doctype html")
+    with pytest.raises(KeyError, match="trajectory"):
+        base.svg("path")
+
+
+def test_what_is_wrong_keeps_its_place_and_hint(tmp_path: Path) -> None:
+    file = tmp_path / "my.toml"
+    file.write_text('[drive]\nprimary_radius = 68\nratioo = 1\n[belt]\nlength = "3 kg"\n')
+    with pytest.raises(sheave.CaseError) as caught:
+        sheave.solve(file)
+    error = caught.value
+    assert isinstance(error, ValueError)
+    place = error.places[0]
+    assert (place.source, place.line, place.column, place.text) == (str(file), 2, 18, "68")
+    assert error.hint and "mm" in error.hint
+    assert [other.places[0].line for other in error.others] == [3, 5]
+    assert "line 2, column 18" in str(error) and "hint:" in str(error)
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.places, again.hint) == (str(error), error.places, error.hint)
+    with pytest.raises(sheave.CaseError, match="unknown key `slack_tensoin`"):
+        sheave.solve(slack_tensoin="120 N")
+    with pytest.raises(sheave.CaseError, match="cannot read"):
+        sheave.solve(tmp_path / "nowhere.toml")
+    with pytest.raises(sheave.CaseError, match="not valid TOML"):
+        sheave.solve("[drive\nratio = 1")
+
+
+def test_what_has_no_solution_says_why() -> None:
+    with pytest.raises(sheave.SolveError) as caught:
+        sheave.solve(slack_tension="1 N", primary_torque="80 N*m", tolerance=1e-2)
+    assert caught.value.hint and "sheave.limit" in caught.value.hint
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"tolerance": 1.0},
+        {"tolerance": float("nan")},
+        {"order": 5},
+    ],
+)
+def test_options_are_checked(arguments: dict[str, float]) -> None:
+    with pytest.raises(ValueError):
+        sheave.solve(**arguments)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("value", [True, [1.0], object(), float("nan"), float("inf"), "", "120 Nm", b"120 N"])
+def test_values_that_are_none_are_refused(value: object) -> None:
+    with pytest.raises((TypeError, sheave.CaseError)):
+        sheave.solve(slack_tension=value)
+
+
+def test_a_result_nearby_is_a_start(base: sheave.Result) -> None:
+    near = sheave.solve(slack_tension="101 N", near=base, tolerance=1e-4)
+    cold = sheave.solve(slack_tension="101 N", tolerance=1e-4)
+    assert near.primary.axial_force == pytest.approx(cold.primary.axial_force, rel=1e-4)
+    assert near.solver.newton_iterations < cold.solver.newton_iterations
+    # Of another model: from nothing.
+    other = sheave.solve(edition="thesis", near=base, tolerance=1e-3)
+    assert other.edition == "thesis"
+
+
+def test_cases_are_plain_values() -> None:
+    case = sheave.Case(slack_tension="120 N", edition="thesis", primary_speed="30000 rpm")
+    assert case.given["edition"] == "thesis"
+    copy = pickle.loads(pickle.dumps(case))
+    assert copy.given == case.given
+    assert set(case.without("edition").given) == {"operating_point.slack_tension", "operating_point.primary_speed"}
+    swapped = case.swap("belt.bending_stiffness for efficiency.overall = 0.96")
+    assert ".swap(" in repr(swapped) and ".swap(" in repr(pickle.loads(pickle.dumps(swapped)))
+    assert case.resolve()["operating_point"]["slack_tension"] == 120
+    table = {row["key"]: row for row in sheave.keys()}
+    assert table["drive.center_distance"]["default"] == pytest.approx(0.214)
+
+
+def test_other_threads_run_meanwhile() -> None:
+    """The lock is free while a solve computes: a counting thread goes on."""
+    counted = 0
+    stop = threading.Event()
+
+    def count() -> None:
+        nonlocal counted
+        while not stop.is_set():
+            counted += 1
+            time.sleep(1e-4)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted
+    sheave.solve(tolerance=1e-9)
+    after = counted
+    stop.set()
+    thread.join()
+    assert after - before > 3
+
+
+def test_threads_solve_at_once() -> None:
+    results: list[sheave.Result] = []
+    threads = [threading.Thread(target=lambda: results.append(sheave.solve(tolerance=1e-4))) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len({result.primary.axial_force for result in results}) == 1 and len(results) == 4
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_ctrl_c_ends_a_computation() -> None:
+    """A sweep that would take minutes ends with the first signal, and the next call works."""
+    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        sheave.sweep(over={"drive.ratio": np.linspace(0.8, 1.5, 2000), "slack_tension": "100..300 N:20"})
+    assert time.monotonic() - start < 60
+    assert sheave.solve(tolerance=1e-2).primary.torque == pytest.approx(18)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_fork_computes_on_its_own() -> None:
+    sheave.solve(tolerance=1e-2)
+    child = os.fork()
+    if child == 0:
+        try:
+            fine = abs(sheave.solve(tolerance=1e-2).primary.torque - 18) < 1e-6
+            os._exit(0 if fine else 1)
+        except BaseException:
+            os._exit(2)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 0
