@@ -62,10 +62,13 @@ const FILES: [File; 14] = [
     File("/share.js", SCRIPT, include_str!("../../web/page/share.js")),
 ];
 
-/// What is kept between questions, for each page that is open.
+/// What is kept between the questions of one page.
+type Kept = Arc<Mutex<Live>>;
+
+/// What is kept between questions, for each page that is open, by its name.
 #[derive(Clone)]
 struct Pages {
-    open: Arc<Mutex<Vec<(String, Arc<Mutex<Live>>)>>>,
+    open: Arc<Mutex<Vec<(String, Kept)>>>,
     /// As many are answered at once as there are cores.
     cores: Arc<Semaphore>,
     address: SocketAddr,
@@ -78,7 +81,7 @@ impl Pages {
     }
 
     /// What is kept of a page.
-    fn page(&self, name: &str) -> Arc<Mutex<Live>> {
+    fn page(&self, name: &str) -> Kept {
         let mut open = self.open.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, live)) = open.iter().find(|(other, _)| other == name) {
             return live.clone();
@@ -86,7 +89,7 @@ impl Pages {
         if open.len() >= PAGES {
             open.remove(0);
         }
-        let live = Arc::new(Mutex::new(Live::default()));
+        let live = Kept::default();
         open.push((name.to_owned(), live.clone()));
         live
     }
