@@ -108,6 +108,7 @@ fn what_is_wrong_is_said_and_nothing_is_lost() {
         (r#"{"ask": "everything"}"#, "usage", "everything"),
         (r#"{"ask": "solve", "tolerance": 1}"#, "usage", "1e-10"),
         (r#"{"ask": "solve", "case": "belt = <script>"}"#, "input", "not valid TOML"),
+        (r#"{"ask": "solve", "case": "[engine]\nfile = \"/etc/passwd\""}"#, "input", "unknown key `engine.file`"),
         (r#"{"ask": "solve", "set": [["drive.ratio", "two"]]}"#, "input", "drive.ratio"),
         (r#"{"ask": "solve", "set": [["drive.ratoi", "2"]]}"#, "input", "drive.ratio"),
         (r#"{"ask": "solve", "set": [["drive.ratio", "90"]]}"#, "input", "drive.ratio"),

@@ -48,6 +48,10 @@ impl Case {
         match &given.value {
             Value::Choice(name) => format!("\"{name}\""),
             Value::Table(grid) => grid.to_string(),
+            Value::List(values) => {
+                let texts: Vec<String> = values.iter().map(|si| format!("\"{}\"", in_si(key.entry(), *si))).collect();
+                format!("[{}]", texts.join(", "))
+            }
             &Value::Quantity(si) => {
                 let written = unquoted(given.place.given().trim()).to_owned();
                 let candidates = [written, in_unit(key.entry(), si)];
@@ -74,14 +78,16 @@ fn is_decimal(text: &str) -> bool {
 fn in_unit(entry: &Entry, si: f64) -> String {
     match entry.kind {
         ValueKind::Quantity { unit, .. } => format!("{} {}", unit.from_si(si), unit.symbol).trim_end().to_owned(),
-        ValueKind::Choice { .. } => String::new(),
+        ValueKind::List { .. } | ValueKind::Choice { .. } => String::new(),
     }
 }
 
 /// In SI; a speed in words, as a bare one that is surely in rpm is refused.
 fn in_si(entry: &Entry, si: f64) -> String {
     match entry.kind {
-        ValueKind::Quantity { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => {
+        ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. }
+            if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED =>
+        {
             format!("{si:e} rad/s")
         }
         _ => format!("{si:e}"),
@@ -107,6 +113,7 @@ mod tests {
             for entry in &super::super::keys::TABLE {
                 let _ = match entry.kind {
                     ValueKind::Quantity { .. } => case.set_si(entry.key, number),
+                    ValueKind::List { .. } => case.set_list(entry.key, &[number, 2.0 * number]),
                     ValueKind::Choice { choices, .. } => case.set(entry.path, choices[0].name),
                 };
             }

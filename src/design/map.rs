@@ -238,6 +238,7 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
 fn label(key: Key, setting: &Setting) -> String {
     match setting {
         Setting::Number(value) => key.entry().label_at(*value),
+        Setting::List(values) => format!("{} of {} values", key.path(), values.len()),
         Setting::Name(name) => (*name).to_owned(),
         Setting::Table(grid) => grid.to_string(),
     }

@@ -193,7 +193,8 @@ fn read(text: &str) -> Result<Case, Refused> {
     if text.len() > LONGEST {
         return Err(Refused::TooLong(text.len()));
     }
-    Ok(Case::from_toml("case", text)?)
+    // Whoever wrote it does not get to read files here.
+    Ok(Case::from_toml_alone("case", text)?)
 }
 
 /// A case, resolved and fit for the solver.

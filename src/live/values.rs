@@ -14,7 +14,7 @@ pub(super) fn asked(case: &Resolved, result: Option<&DriveResult<Resolved>>) -> 
     values.extend(result.into_iter().flat_map(found));
     let settings = case.settings().into_iter().filter_map(|(key, setting)| match setting {
         Setting::Number(value) => Some((key, value)),
-        Setting::Name(_) | Setting::Table(_) => None,
+        Setting::Name(_) | Setting::List(_) | Setting::Table(_) => None,
     });
     values.extend(settings);
     if case.drive.free.is_none() {
@@ -48,7 +48,7 @@ fn found(result: &DriveResult<Resolved>) -> [(Key, f64); 14] {
 pub(super) fn choices(case: &Resolved) -> BTreeMap<&'static str, &'static str> {
     let names = case.settings().into_iter().filter_map(|(key, setting)| match setting {
         Setting::Name(name) => Some((key.path(), name)),
-        Setting::Number(_) | Setting::Table(_) => None,
+        Setting::Number(_) | Setting::List(_) | Setting::Table(_) => None,
     });
     names.collect()
 }

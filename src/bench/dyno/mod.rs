@@ -24,7 +24,7 @@ pub use format::{Channel, Column, Format, Kind, Names, by_header, step_file};
 pub use lines::{LONGEST, Line, Lines};
 pub use point::{Criteria, Estimate, Point};
 pub use read::{FileReport, LogFile, Record, RecordReport, Run, process, records, runs};
-pub use reduce::{Reduced, reduce};
+pub use reduce::{MOST_POINTS, Reduced, reduce};
 pub(crate) use show::aired;
 pub use show::{figures, points_csv, spectrum_figures};
 pub use spectrum::{Order, Spectrum};
