@@ -35,7 +35,7 @@ pub(super) struct SolveAsk {
     /// Relative tolerance on the defect.
     #[serde(default)]
     pub tolerance: Tolerance,
-    /// Newton iterations at most of a start from nothing.
+    /// Work at most of a start from nothing, see [`SolveOptions::work_limit`].
     pub work_limit: Option<usize>,
     /// Whether to go from the last solution, step by step, as far as there are solutions; nothing far away is looked
     /// for.
@@ -90,10 +90,17 @@ fn yes() -> bool {
     true
 }
 
+impl LimitAsk {
+    pub(super) fn options(&self) -> SolveOptions {
+        SolveOptions { tolerance: self.tolerance.value(), uncertainty: false, ..SolveOptions::default() }
+    }
+}
+
 impl SolveAsk {
     pub(super) fn options(&self) -> SolveOptions {
         let default = SolveOptions::default();
         let work_limit = self.work_limit.map_or(default.work_limit, |limit| limit.min(default.work_limit));
-        SolveOptions { tolerance: self.tolerance.value(), work_limit, ..default }
+        // What is looked at is not refined further for the errors of its outputs.
+        SolveOptions { tolerance: self.tolerance.value(), work_limit, uncertainty: false, ..default }
     }
 }

@@ -33,7 +33,7 @@ mod values;
 use serde_json::{Value, json};
 
 use crate::case::{Case, CaseError, Resolved};
-use crate::drive::{Failure, SolveOptions};
+use crate::drive::Failure;
 use crate::model::InternalError;
 use crate::result::{FailureKind, FailureReport, Light, Outcome, answers, envelope, warnings, write_profile};
 use ask::{Ask, SolveAsk};
@@ -122,14 +122,8 @@ impl Live {
         match ask {
             Ask::Keys => Ok(keys::table()),
             Ask::Solve(ask) => self.solve(&ask),
-            Ask::LargestTorque(limit) => {
-                let options = SolveOptions { tolerance: limit.tolerance.value(), ..SolveOptions::default() };
-                Ok(limit::largest_torque(&posed(&read(&limit.case)?)?, &options))
-            }
-            Ask::SmallestClamps(limit) => {
-                let options = SolveOptions { tolerance: limit.tolerance.value(), ..SolveOptions::default() };
-                Ok(limit::smallest_clamps(&posed(&read(&limit.case)?)?, &options))
-            }
+            Ask::LargestTorque(ask) => Ok(limit::largest_torque(&posed(&read(&ask.case)?)?, &ask.options())),
+            Ask::SmallestClamps(ask) => Ok(limit::smallest_clamps(&posed(&read(&ask.case)?)?, &ask.options())),
             Ask::Profile => self.profile(),
         }
     }

@@ -18,8 +18,8 @@ const REST = 150;
 const PATIENCE = { limit: 0, rest: 1500, move: 8000 };
 /** Milliseconds after which a button to stop is offered. */
 const LONG = 1200;
-/** Newton iterations of a start from nothing once it rests: a few seconds. */
-const WORK = 3000;
+/** Work of a start from nothing, Newton iterations times mesh intervals: a few seconds. */
+const WORK = 600_000;
 /** Steps on the way to where a slider was put. */
 const MOST_STEPS = 60;
 

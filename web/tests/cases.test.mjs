@@ -71,7 +71,7 @@ test(`${CASES} random cases have the same results to ${SOLVED}`, async () => {
   const wrong = [];
   for (let k = 1; k <= CASES; k += 1) {
     const set = drawn(next);
-    const question = { ask: "solve", set, tolerance: TOLERANCE, work_limit: 2000, from_nothing: true, scene: false };
+    const question = { ask: "solve", set, tolerance: TOLERANCE, work_limit: 600_000, from_nothing: true, scene: false };
     const [mine, theirs] = [wasm.ask(question), await program.ask(question)];
     const at = Object.fromEntries(set);
     const [clamp, force] = set.at(-1);
