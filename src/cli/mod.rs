@@ -30,6 +30,7 @@ mod size;
 mod solve;
 mod stop;
 mod sweep;
+mod tune;
 
 use clap::{ArgAction, Parser, Subcommand};
 use sheave::result::{FailureKind, FailureReport};
@@ -61,6 +62,7 @@ enum Command {
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
     Map(map::Arguments),
+    Tune(tune::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -109,6 +111,7 @@ pub fn run() -> ExitCode {
         Command::Limit(arguments) => in_order(|| limit::run(arguments)),
         Command::Optimum(arguments) => in_order(|| optimum::run(arguments)),
         Command::Map(arguments) => in_order(|| map::run(arguments)),
+        Command::Tune(arguments) => in_order(|| tune::run(arguments)),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
