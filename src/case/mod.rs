@@ -50,6 +50,7 @@ mod resolve;
 mod schema;
 mod swap;
 mod tables;
+mod text;
 mod thermal;
 
 pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, ModelChoices, Shear, Spans};
