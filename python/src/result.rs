@@ -51,7 +51,8 @@ pub fn solve(
     }
 }
 
-/// Seconds of each of some solutions of a case by the library alone, from a case in memory, to hold a call against.
+/// Seconds of each of some solutions of a case by the library alone, from a case in memory, to hold a call against; and
+/// of these the seconds from the resolved case to the result.
 #[pyfunction]
 #[pyo3(signature = (case, repeats, tolerance=1e-6))]
 pub fn bare_seconds(
@@ -59,13 +60,13 @@ pub fn bare_seconds(
     case: &Bound<'_, case::Case>,
     repeats: usize,
     tolerance: f64,
-) -> PyResult<Vec<f64>> {
+) -> PyResult<Vec<(f64, f64)>> {
     let (case, options) = (&case.get().0, options(tolerance, 4)?);
     let one = |_| {
         let start = std::time::Instant::now();
         let outcome = sheave::solve_with(case, &options);
         let seconds = start.elapsed().as_secs_f64();
-        outcome.map(|_| seconds)
+        outcome.map(|outcome| (seconds, outcome.result.solver.wall_time.unwrap_or(f64::NAN)))
     };
     py.detach(|| (0..repeats).map(one).collect::<std::result::Result<_, _>>())
         .map_err(|error: sheave::Error| PyValueError::new_err(error.to_string()))
