@@ -5,6 +5,7 @@
 use sheave::case::{Case, Resolved};
 use sheave::design::{Limit, LimitKind, LimitOptions, smallest_clamps};
 use sheave::drive::SolveOptions;
+use sheave::random::Random;
 use sheave::result::run;
 
 const SLACK_TENSION: &str = "operating_point.slack_tension";
@@ -22,35 +23,18 @@ const AXES: [(&str, f64, f64, bool); 9] = [
     ("sheave.slip_threshold", 1e-5, 1e-2, true),
 ];
 
-/// A deterministic stream of 64-bit numbers (SplitMix64).
-struct Stream(u64);
-
-impl Stream {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// `designs` points, one in each of `designs` slices of every axis.
 fn hypercube(designs: usize) -> Vec<Vec<(&'static str, f64)>> {
-    let mut stream = Stream(2018);
+    let mut stream = Random::new(2018);
     let columns = AXES.map(|(key, from, to, log)| {
         let mut order: Vec<usize> = (0..designs).collect();
         for i in (1..designs).rev() {
-            order.swap(i, (stream.next() % (i as u64 + 1)) as usize);
+            order.swap(i, (stream.bits() % (i as u64 + 1)) as usize);
         }
         order
             .into_iter()
             .map(|slice| {
-                let u = (slice as f64 + stream.unit()) / designs as f64;
+                let u = (slice as f64 + stream.uniform()) / designs as f64;
                 (key, if log { from * (to / from).powf(u) } else { from + (to - from) * u })
             })
             .collect::<Vec<_>>()

@@ -3,6 +3,7 @@
 
 use sheave::case::{Case, Key};
 use sheave::drive::{Constant, SolveOptions};
+use sheave::random::Random;
 use sheave::result::{Outcome, run};
 use solver::Order;
 use std::time::Instant;
@@ -18,19 +19,6 @@ const AXES: [(Key, f64, f64); 8] = [
     (Key::FrictionCoefficient, 0.3, 0.5),
     (Key::RadialStiffness, 1.4e7, 2.6e7),
 ];
-
-/// A deterministic stream of numbers in [0, 1) (SplitMix64).
-struct Stream(u64);
-
-impl Stream {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 fn solve(case: &Case, options: &SolveOptions) -> Result<Outcome, String> {
     let resolved = case.resolve().map_err(|error| error.to_string())?;
@@ -85,12 +73,12 @@ fn situations(known: &Outcome) -> [(&'static str, [(Key, f64); 3]); 7] {
 }
 
 /// A drive without its operating point, and one with it.
-fn drive(stream: &mut Stream, edition: &str) -> Result<(Case, Case), String> {
+fn drive(stream: &mut Random, edition: &str) -> Result<(Case, Case), String> {
     let mut bare = Case::base();
     bare.set("edition", edition).map_err(|error| error.to_string())?;
     let mut whole = bare.clone();
     for (key, from, to) in AXES {
-        let value = from + (to - from) * stream.next();
+        let value = from + (to - from) * stream.uniform();
         whole.set_si(key, value).map_err(|error| error.to_string())?;
         if key.entry().section() != "operating_point" {
             bare.set_si(key, value).map_err(|error| error.to_string())?;
@@ -103,7 +91,7 @@ fn main() -> Result<(), String> {
     let drives: usize = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(25);
     let options = SolveOptions { tolerance: 1e-8, order: Order::Six, sensitivities: false, ..SolveOptions::default() };
     for edition in ["consistent", "thesis"] {
-        let mut stream = Stream(2012);
+        let mut stream = Random::new(2012);
         let (mut skipped, mut worst, mut seconds) = (0, 0.0_f64, Vec::new());
         let mut tallies = [Tally::default(); 7];
         for index in 0..drives {

@@ -8,6 +8,7 @@
 use sheave::case::{Case, Resolved};
 use sheave::design::{LimitKind, LimitOptions, smallest_clamps};
 use sheave::drive::{Route, SolveOptions, solve};
+use sheave::random::Random;
 use std::collections::BTreeMap;
 
 const SLACK_TENSION: &str = "operating_point.slack_tension";
@@ -34,24 +35,6 @@ const AXES: [(&str, f64, f64, bool); 11] = [
     ("drive.center_distance", 0.15, 0.35, false),
 ];
 
-/// A deterministic stream of 64-bit numbers (SplitMix64).
-struct Stream(u64);
-
-impl Stream {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn between(&mut self, from: f64, to: f64, log: bool) -> f64 {
-        let u = (self.next() >> 11) as f64 / (1u64 << 53) as f64;
-        if log { from * (to / from).powf(u) } else { from + (to - from) * u }
-    }
-}
-
 /// A design: keys and values in SI.
 type Design = Vec<(&'static str, f64)>;
 
@@ -61,7 +44,7 @@ fn value(design: &Design, key: &str) -> f64 {
 
 /// The design `index` of a seed: radii of a ratio from 0.4 to 3.5 that stand apart.
 fn design(seed: u64, index: u64) -> Design {
-    let mut stream = Stream(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ index);
+    let mut stream = Random::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ index);
     let mut design: Design = AXES.map(|(key, from, to, log)| (key, stream.between(from, to, log))).to_vec();
     let center = design.last().map_or(0.0, |(_, center)| *center);
     let (primary, secondary) = loop {

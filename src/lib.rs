@@ -53,12 +53,16 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod equilibrium;
 mod facade;
+mod formula;
 pub mod losses;
 pub mod model;
 pub mod plot;
+pub mod powertrain;
 pub mod prelude;
 pub mod quantity;
+pub mod random;
 #[cfg(feature = "figures")]
 pub mod report;
 pub mod result;

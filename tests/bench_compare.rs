@@ -78,6 +78,56 @@ fn the_thesis_dynamometer() {
     assert!((again - found.rms_after_scale).abs() < 1e-12);
 }
 
+/// With losses the model is nearer in level and in shape; and what it says is what `sheave solve` says of the point.
+#[test]
+fn the_thesis_dynamometer_with_losses() {
+    let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
+    let table = || read(&data("operating-points.csv"), Some(&engine)).unwrap();
+    for (edition, elastic_rms, rms, scale) in
+        [("consistent", 0.0248, 0.0120, 0.896), ("thesis", 0.0310, 0.0154, 0.877), ("published", 0.0184, 0.0530, 1.060)]
+    {
+        let mut case = Case::base();
+        case.set("edition", edition).unwrap();
+        let elastic = compare(&case, table(), &options(&[])).unwrap();
+        case.set("losses.include", "on").unwrap();
+        let found = compare(&case, table(), &options(&[])).unwrap();
+        println!("{edition}: {:.4}, {:.4}, {:.4}", elastic.rms_after_scale, found.rms_after_scale, found.scale);
+        assert!((elastic.rms_after_scale - elastic_rms).abs() < 2e-4, "{edition} {}", elastic.rms_after_scale);
+        assert!((found.rms_after_scale - rms).abs() < 2e-4, "{edition} {}", found.rms_after_scale);
+        assert!((found.scale - scale).abs() < 1e-3, "{edition} {}", found.scale);
+        for (point, other) in found.points.iter().zip(&elastic.points).filter(|(point, _)| point.used) {
+            assert!(point.efficiency_model.unwrap() < point.efficiency_elastic.unwrap() - 0.02, "{point:?}");
+            assert!((point.efficiency_elastic.unwrap() - other.efficiency_model.unwrap()).abs() < 1e-5);
+        }
+    }
+    let mut string = Case::base();
+    string.set("edition", "string").unwrap();
+    string.set("losses.include", "on").unwrap();
+    assert!(compare(&string, table(), &options(&[])).unwrap_err().to_string().contains("diverges"));
+}
+
+/// The derivatives that a fit with losses and heat uses, by the belt that it finds: that which made the data.
+#[test]
+fn a_fit_with_losses_finds_the_belt() {
+    let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
+    let mut case = Case::base();
+    case.set("losses.include", "on").unwrap();
+    case.set("thermal.ambient", "25 degC").unwrap();
+    case.set("thermal.heat_transfer", "14 W/K").unwrap();
+    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3200,4300,9\n3000,3000,16\n2900,2000,24\n2850,1500,27\n";
+    let table = parse("p.csv", text.as_bytes(), Some(&engine)).unwrap();
+    let mut stiff = case.clone();
+    stiff.set(EI, "0.33").unwrap();
+    let made = compare(&stiff, table.clone(), &options(&[])).unwrap();
+    assert!(made.points.iter().all(|point| point.belt_temperature.is_some_and(|kelvin| kelvin > 300.0)));
+    let mut told = table;
+    for (point, made) in told.points.iter_mut().zip(&made.points) {
+        point.efficiency = made.efficiency_model.unwrap();
+    }
+    let fit = compare(&case, told, &Options { tolerance: 1e-6, ..options(&[EI]) }).unwrap().fit.unwrap();
+    assert!(fit.converged && (fit.constants[0].value / 0.33 - 1.0).abs() < 2e-3, "{fit:?}");
+}
+
 /// The table of points that the logs of a seed give.
 fn reduced(known: &Known, seed: u64) -> String {
     let folder = tempfile::tempdir().unwrap();

@@ -149,10 +149,82 @@ fn rewritten(resolved: &Resolved) -> Case {
     for (key, setting) in resolved.settings() {
         match setting {
             Setting::Number(value) => case.set_si(key, value).unwrap(),
+            Setting::List(values) => case.set_list(key, &values).unwrap(),
             Setting::Name(name) => case.set(key.path(), name).unwrap(),
+            Setting::Table(grid) => case.set(key.path(), &grid.to_string()).unwrap(),
         }
     }
     case
+}
+
+/// Every quantity that may be a table.
+const TABLES: &str = "[belt]
+loss_tangent = { frequency = ['10 Hz', '0.1 kHz'], temperature = ['25 degC', '140 degF'], value = [[0.15, 0.12], [0.16, '13 %']] }
+cord_loss_tangent = { frequency = [10, 100], value = [0.01, 0.02] }
+bending_stiffness = { temperature = ['25 degC', '60 degC'], value = ['0.4031 N*m^2', 0.2602] }
+[belt.radial_stiffness]
+temperature = ['25 degC', '60 degC']
+value = ['28.98 MPa', '18.71 MPa']
+";
+
+#[test]
+fn tables_stand_in_place_of_numbers() {
+    let case = resolved(TABLES);
+    // Read at the reference temperature where no other is known.
+    assert!((case.belt.bending_stiffness / 0.2602 - 1.0).abs() < 1e-12, "{:?}", case.belt);
+    assert!((case.belt.radial_stiffness / 18.71e6 - 1.0).abs() < 1e-12, "{:?}", case.belt);
+    let tangent = case.losses.loss_tangent.at(10.0, 298.15);
+    assert!((tangent.value - 0.15).abs() < 1e-12, "{tangent:?}");
+    assert!((case.losses.loss_tangent.at(100.0, 333.15).value - 0.13).abs() < 1e-12);
+    assert!((case.losses.cord_loss_tangent.at(31.622_776_601_683_79, 300.0).value - 0.015).abs() < 1e-12);
+    let inputs = serde_json::to_value(&case).unwrap();
+    assert_eq!(inputs["belt"]["cord_loss_tangent"]["frequency"], serde_json::json!([10.0, 100.0]));
+    assert_eq!(inputs["belt"]["bending_stiffness"]["value"], serde_json::json!([0.4031, 0.2602]));
+    assert_eq!(inputs["thermal"]["reference"], serde_json::json!(333.15));
+    // A number set later takes a table's place, and a table that of a number.
+    let mut case = Case::from_toml("test", TABLES).unwrap();
+    case.set("belt.bending_stiffness", "0.3").unwrap();
+    assert_eq!(case.resolve().unwrap().belt.bending_stiffness, 0.3);
+    case.set("belt.bending_stiffness", "{ temperature = ['60 degC'], value = [0.25] }").unwrap();
+    assert!((case.resolve().unwrap().belt.bending_stiffness - 0.25).abs() < 1e-15);
+    // At another reference, the geometric mean half way.
+    case.set("thermal.reference", "42.5 degC").unwrap();
+    let half_way = case.resolve().unwrap().belt.radial_stiffness;
+    assert!((half_way / (28.98e6_f64 * 18.71e6).sqrt() - 1.0).abs() < 1e-12, "{half_way}");
+}
+
+/// What is wrong with a table is underlined at its own place.
+#[test]
+fn tables_that_are_none_are_refused_where_they_are_wrong() {
+    for (toml, words, underlined) in [
+        ("belt.loss_tangent = { value = [0.1] }", "needs `temperature`, `frequency` or both", "{ value = [0.1] }"),
+        ("belt.loss_tangent = { temperature = ['25 degC'] }", "`value` is not given", "{ temperature = ['25 degC'] }"),
+        ("belt.loss_tangent = { temperature = ['25 mm'], value = [0.1] }", "`temperature` has '25 mm'", "'25 mm'"),
+        ("belt.loss_tangent = { frequency = [true], value = [0.1] }", "an item of `frequency` is a boolean", "true"),
+        ("belt.loss_tangent = { frequency = 3, value = [0.1] }", "`frequency` is an integer: expected a list", "3"),
+        ("belt.loss_tangent = { frequency = [1, 2], value = [0.1] }", "has 1 rows: expected 2", "[0.1]"),
+        ("belt.loss_tangent = { frequency = [1, 1], value = [0.1, 0.1] }", "number 2", "{ frequency"),
+        ("belt.loss_tangent = { frequency = [1], value = [20] }", "out of range", "20"),
+        ("belt.loss_tangent = { frequency = [1], values = [20] }", "`values` has no place in it", "values"),
+        ("belt.bending_stiffness = { frequency = [1], value = [20] }", "`frequency` has no place in it", "frequency"),
+        ("belt.bending_stiffness = { temperature = [300], value = ['3 kg'] }", "belt.bending_stiffness", "'3 kg'"),
+        ("belt.length = { temperature = [300], value = [1] }", "`belt.length` is a table", "{ temperature"),
+        (
+            "belt.bending_stiffness = { temperature = [300], value = [1] }\nthermal.bending_softening = 0.01",
+            "the table says how",
+            "{ temperature",
+        ),
+    ] {
+        let error = Case::from_toml("test", toml).and_then(|case| case.resolve().map(|_| ())).unwrap_err();
+        assert!(error.to_string().contains(words), "{toml}: {error}");
+        let place = &error.places()[0];
+        assert!(place.given().starts_with(underlined), "{toml}: {:?}", place.given());
+    }
+    // In an argument, places count from the argument's own start.
+    let mut case = Case::base();
+    let error = case.assign("belt.loss_tangent={ frequency = [1], value = [20] }").unwrap_err();
+    assert_eq!(error.places()[0].given(), "20");
+    assert!(case.assign("belt.loss_tangent={ frequency = [1], value").is_err());
 }
 
 #[test]
@@ -165,6 +237,9 @@ fn inputs_make_the_same_case_again() {
         "drive = { free = 'secondary_radius', primary_radius = 0.06 }\noperating_point.speed_ratio = 0.7",
         "drive.free = 'both'\noperating_point = { primary_axial_force = 900, secondary_axial_force = 500 }",
         "operating_point = { primary_speed = 300, secondary_speed = 290, tight_tension = 400 }",
+        "thermal.reference = '50 degC'",
+        TABLES,
+        "belt.perimeter = '80 mm'\nthermal = { ambient = '20 degC', heat_transfer_per_area = 160, reference = 320 }",
     ] {
         let first = resolved(toml);
         assert_eq!(rewritten(&first).resolve().unwrap(), first, "{toml}");
@@ -266,7 +341,10 @@ fn every_range_is_checked_at_both_ends() {
         }
         assert!(Case::base().set_si(entry.key, f64::NAN).is_err(), "{}", entry.path);
         assert!(Case::base().set_si(entry.key, f64::INFINITY).is_err(), "{}", entry.path);
-        let signed = matches!(entry.key, Key::PrimaryTorque | Key::SecondaryTorque);
+        let signed = matches!(
+            entry.key,
+            Key::PrimaryTorque | Key::SecondaryTorque | Key::MassAngle | Key::RampStart | Key::RollerStart | Key::Grade
+        );
         assert_eq!(Case::base().set_si(entry.key, -1.0).is_ok(), signed, "{}", entry.path);
     }
 }

@@ -70,6 +70,10 @@ pub struct Fit {
 pub struct Bench {
     pub steps: Vec<Step>,
     pub models: Vec<Model>,
+    /// The default edition with the ratio of the speeds taken for that of the radii, as the thesis has it (9.4).
+    pub by_ratio: Model,
+    /// Power that edition `published` loses in the base case beside friction, W.
+    pub slips: f64,
     /// The default edition at other slack tensions.
     pub tensions: Vec<Model>,
 }
@@ -87,7 +91,21 @@ pub fn compare() -> Result<Bench, Box<dyn Error>> {
     let models = EDITIONS.into_iter().map(of).collect::<Result<_, _>>()?;
     let at = |tension: &str| model("consistent", None, tension, format!("consistent, slack tension {tension}"));
     let tensions = TENSIONS.into_iter().map(at).collect::<Result<_, _>>()?;
-    Ok(Bench { steps, models, tensions })
+    let said = steps.iter().map(solve_by_ratio).collect::<Result<_, Box<dyn Error>>>()?;
+    let by_ratio = Model { name: "consistent, radii from the ratio of speeds".to_owned(), said };
+    Ok(Bench { steps, models, by_ratio, slips: slips()?, tensions })
+}
+
+/// What edition `published` loses in the base case that is not friction.
+fn slips() -> Result<f64, Box<dyn Error>> {
+    let mut case = Case::base();
+    case.set("edition", "published")?;
+    let energy = run(&case.resolve()?, &options())?.result.energy;
+    Ok(energy.power_in - energy.power_out - energy.friction_loss)
+}
+
+fn options() -> SolveOptions {
+    SolveOptions { tolerance: TOLERANCE, ..SolveOptions::default() }
 }
 
 fn steps() -> Result<Vec<Step>, Box<dyn Error>> {
@@ -130,8 +148,20 @@ fn solve(step: &Step, edition: &str, threshold: Option<&str>, tension: &str) -> 
     if let Some(threshold) = threshold {
         case.set("sheave.slip_threshold", threshold)?;
     }
-    let options = SolveOptions { tolerance: TOLERANCE, ..SolveOptions::default() };
-    let Ok(outcome) = run(&case.resolve()?, &options) else { return Ok(None) };
+    told(&case)
+}
+
+/// The primary's speed and the torque out prescribed; the radii are those of the speeds' ratio, and the secondary slips.
+fn solve_by_ratio(step: &Step) -> Result<Option<Said>, Box<dyn Error>> {
+    let mut case = Case::base();
+    case.set("drive.ratio", &(step.primary / step.secondary).to_string())?;
+    case.set("operating_point.primary_speed", &format!("{} rpm", step.primary))?;
+    case.set("operating_point.secondary_torque", &format!("{} N*m", step.torque))?;
+    told(&case)
+}
+
+fn told(case: &Case) -> Result<Option<Said>, Box<dyn Error>> {
+    let Ok(outcome) = run(&case.resolve()?, &options()) else { return Ok(None) };
     let result = &outcome.result;
     let losses = result.losses.as_ref();
     Ok(Some(Said {

@@ -26,8 +26,8 @@ use std::fmt::Write as _;
 use std::time::Instant;
 use whole::{CHILD, Measured};
 
-const CSV: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/solver-cost.csv");
-const SVG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/solver-cost.svg");
+const CSV: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/solver-cost.csv");
+const SVG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/solver-cost.svg");
 /// A dense matrix beyond this many unknowns takes too long.
 const DENSE_LIMIT: usize = 2600;
 

@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 1e-6;
 /// Repetitions stop after this many seconds.
 const PATIENCE: f64 = 0.1;
 const REPETITIONS: usize = 7;
-const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/testset.md");
+const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/testset.md");
 const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
 
 /// One problem at one parameter by one order.

@@ -9,6 +9,7 @@ use crate::solution::Solution;
 
 /// One region of a [`Guess`].
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RegionGuess {
     /// `N + 1` increasing nodes that span the region's interval.
     pub mesh: Vec<f64>,
@@ -18,6 +19,7 @@ pub struct RegionGuess {
 
 /// An initial guess: meshes, states and all constants. Given constants keep their values.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Guess {
     /// One for each region.
     pub regions: Vec<RegionGuess>,

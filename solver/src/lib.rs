@@ -37,7 +37,7 @@
 //! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the
 //!   whole solution, one by one; adjoints; conditioning.
 //!
-//! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/solver.md`. How well it does on 48
+//! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/guide.md`. How well it does on 48
 //! problems of the literature: `docs/testset.md`.
 
 // Negated comparisons are meant: NaN must fail.
@@ -74,8 +74,13 @@ mod tableau;
 
 /// The guide's programs are compiled and run with the tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../docs/solver.md")]
+#[doc = include_str!("../docs/guide.md")]
 struct Guide;
+
+/// The README's program too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 pub use budget::Cancel;
 pub use condensation::Condensation;

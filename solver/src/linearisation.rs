@@ -73,6 +73,20 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     /// # Errors
     /// The solution is not one of this problem's, or its Newton matrix is singular (as at a fold).
     pub fn new(problem: &'p P, solution: &Solution) -> Result<Self, SolveError> {
+        let (system, x) = Self::system_at(problem, solution)?;
+        Self::at(system, x, Stats::default())
+    }
+
+    /// The direction that the equations determine least, at a solution where they may be singular: the right singular
+    /// vector of the smallest singular value. Given constants stay.
+    pub(crate) fn least_determined(problem: &'p P, solution: &Solution) -> Result<(Tangent, Stats), SolveError> {
+        let (system, x) = Self::system_at(problem, solution)?;
+        let found = Self::perhaps_singular(system, x, Stats::default())?;
+        let direction = found.factorisation.null_correction(&found.system);
+        Ok((found.unscaled(&direction, vec![0.0; found.x.constants.len()]), found.stats))
+    }
+
+    fn system_at(problem: &'p P, solution: &Solution) -> Result<(System<'p, P>, Iterate), SolveError> {
         let layout = problem.layout();
         let guess = Guess::from(solution);
         check(layout, &guess, solution.unknowns(), &Default::default())?;
@@ -81,10 +95,22 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let plan = Arc::new(Plan::new(layout, solution.unknowns()));
         let magnitudes = Magnitudes::stated(layout);
         let system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
-        Self::at(system, x, Stats::default())
+        Ok((system, x))
     }
 
-    pub(crate) fn at(system: System<'p, P>, x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
+    pub(crate) fn at(system: System<'p, P>, x: Iterate, stats: Stats) -> Result<Self, SolveError> {
+        let linearisation = Self::perhaps_singular(system, x, stats)?;
+        let (rank, size) = linearisation.factorisation.rank();
+        if rank < size {
+            let intervals = intervals(&linearisation.system.grids);
+            let error = linearisation.factorisation.singular(&linearisation.system);
+            return Err(SolveError::Newton { error, intervals });
+        }
+        Ok(linearisation)
+    }
+
+    /// As [`at`](Self::at), whatever the rank of the Newton matrix.
+    fn perhaps_singular(system: System<'p, P>, x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
         let mut work = system.work();
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
         let evaluated = system.evaluate(&x, Derivatives::All, &mut work, &mut stats);
@@ -92,11 +118,6 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let mut factorisation = Factorisation::new(&system);
         factorisation.factor(&system, &work, system.scales(&x));
         stats.factorisations += 1;
-        let (rank, size) = factorisation.rank();
-        if rank < size {
-            let error = factorisation.singular(&system);
-            return Err(newton(error, &system));
-        }
         Ok(Self { system, x, work, factorisation, stats })
     }
 

@@ -6,6 +6,7 @@ use crate::tableau::{ORDER_4, ORDER_6, Tableau};
 
 /// Order of the collocation method: of node values, dense output and integrals where the solution is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Order {
     /// Three-stage Lobatto IIIA: for right-hand sides with kinks, and for low accuracy.
     #[default]

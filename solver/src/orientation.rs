@@ -5,6 +5,7 @@
 /// the solution. Along a branch it changes at folds and at simple branch points, and nowhere else: two solutions of
 /// unlike orientation are not joined by a path without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Orientation {
     /// The determinant is positive.
     Positive,
@@ -26,6 +27,7 @@ impl Orientation {
 /// Whether a solution can be vouched for as the one that its guess, or the start of its path, leads to. Where a problem
 /// has one solution only, this does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchCheck {
     /// Newton's iteration contracted at once, by half at least, wherever it was started, and the orientation stayed the
     /// same.

@@ -1,5 +1,8 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
+mod meshes;
+mod outcome;
+
 use crate::budget::Budget;
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
@@ -8,16 +11,16 @@ use crate::collocation::plan::Plan;
 use crate::error::{NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, intervals};
-use crate::newton::{self, Converged, Limits};
+use crate::newton::{self, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options};
 use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
-use crate::progress::{Found, Next, Progress, Rescue, measured};
-use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
-use crate::solution::{Accuracy, MeshRecord, Shortfall, Solution};
-use crate::start::{Start, halved, transfer};
+use crate::progress::{Found, Next, Progress, measured};
+use crate::refine::{Rounding, Verdict};
+use crate::solution::{MeshRecord, Shortfall};
+use crate::start::{Start, transfer};
 use crate::stats::Stats;
 use std::sync::Arc;
 
@@ -254,211 +257,6 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
             insistent,
-        }
-    }
-
-    /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
-    fn rescued(
-        &self,
-        action: Action,
-        failed: Start,
-        error: NewtonError,
-        progress: &mut Progress<'a, P>,
-    ) -> Result<Next<'a, P>, SolveError> {
-        if action == Action::Rescue
-            && let Some(start) = progress.doubled()
-        {
-            return Ok(Next::On(start));
-        }
-        if let Some(fallback) = progress.fallback.take() {
-            return Ok(Next::done(fallback));
-        }
-        let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
-        let hopeless = match &error {
-            NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
-            NewtonError::NonFinite(_) => true,
-            NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
-        };
-        let rescue = &mut progress.rescue;
-        if !hopeless && rescue.halvings < self.options.rescues && 2 * largest <= self.options.max_intervals {
-            rescue.halvings += 1;
-            return Ok(Next::On(halved(&failed)));
-        }
-        match rescue.origin.take() {
-            Some(origin) if !hopeless => {
-                *rescue = Rescue { halvings: 0, insistent: false, origin: None };
-                Ok(Next::On(origin))
-            }
-            _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
-        }
-    }
-
-    /// Finer meshes where the defects are too large.
-    ///
-    /// # Errors
-    /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
-    /// may.
-    fn refined(
-        &self,
-        solved: &Solved<'a, P>,
-        measures: &[Measure],
-        progress: &Progress<'a, P>,
-    ) -> Result<Vec<Vec<f64>>, SolveError> {
-        let tighter = progress.target < self.options.tolerance;
-        let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
-        for (region, verdict) in self.verdicts(solved, measures, progress).into_iter().enumerate() {
-            let old = &solved.system.grids[region].mesh;
-            meshes.push(match verdict {
-                Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
-                Verdict::Refine(mesh) => {
-                    changed = true;
-                    mesh
-                }
-                Verdict::Exhausted => {
-                    refused = refused.or(Some(region));
-                    old.clone()
-                }
-            });
-        }
-        match refused {
-            Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
-            _ => Ok(meshes),
-        }
-    }
-
-    fn verdicts(&self, solved: &Solved<'a, P>, measures: &[Measure], progress: &Progress<'a, P>) -> Vec<Verdict> {
-        let wish = Wish {
-            tolerance: progress.target,
-            order: self.options.order.tableau().defect_order,
-            max_intervals: self.options.max_intervals,
-            split_few: progress.split_few(),
-        };
-        let regions = solved.system.grids.iter().zip(measures);
-        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()
-    }
-
-    /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
-    fn tightened(&mut self, solved: Box<Solved<'a, P>>, progress: &mut Progress<'a, P>) -> Next<'a, P> {
-        let error = solved.error_estimate(&mut self.stats);
-        self.shortfall = Shortfall::Rounding;
-        progress.stalled = if error <= PROGRESS * progress.error { 0 } else { progress.stalled + 1 };
-        let better = error < progress.error;
-        progress.error = progress.error.min(error);
-        if progress.stalled < PATIENCE
-            && let Some(start) = self.tighter(&solved, error, progress)
-        {
-            progress.coarser = None;
-            if better {
-                progress.fallback = Some(*solved);
-                progress.fallback_doubled &= progress.stalled > 0;
-            }
-            return Next::On(start);
-        }
-        match progress.fallback.take() {
-            Some(fallback) if !better => Next::done(fallback),
-            _ => Next::Done(solved),
-        }
-    }
-
-    /// Meshes for the largest defects below the present ones that ask for others; none if rounding or the limits of the
-    /// meshes stand in the way.
-    fn tighter(&mut self, solved: &Solved<'a, P>, error: f64, progress: &mut Progress<'a, P>) -> Option<Start> {
-        let measures = measured(solved, progress.target, progress.rounding());
-        let largest = measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
-        let mut target = (0.5 * largest * self.options.tolerance / error).min(0.5 * progress.target);
-        while progress.target > LEAST_TARGET {
-            progress.target = target.max(LEAST_TARGET);
-            target *= 0.5;
-            let measures = measured(solved, progress.target, progress.rounding());
-            if measures.iter().all(|measure| measure.largest <= progress.target) {
-                continue;
-            }
-            // What ends the solve from here on is that finer meshes are not had.
-            self.shortfall = Shortfall::Mesh;
-            return self.refined(solved, &measures, progress).ok().map(|meshes| transfer(solved, meshes));
-        }
-        None
-    }
-
-    fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
-        let (names, grid) = (&self.layout.regions[region], &solved.system.grids[region]);
-        let state = solved.defects[region].state.get(measure.worst).and_then(|&state| names.states.get(state));
-        SolveError::MeshLimit {
-            region: names.name.clone(),
-            position: grid.mesh[measure.worst],
-            state: state.map_or_else(String::new, |state| state.name.clone()),
-            defect: measure.largest,
-            tolerance: self.options.tolerance,
-            intervals: grid.intervals(),
-        }
-    }
-
-    fn out_of_meshes(&self) -> SolveError {
-        let (defects, counts) = self.history.last().map_or((&[][..], &[][..]), |last| (&last.defects, &last.intervals));
-        let worst = (0..defects.len()).max_by(|&i, &j| defects[i].total_cmp(&defects[j])).unwrap_or(0);
-        let region = self.layout.regions.get(worst);
-        SolveError::MeshLimit {
-            region: region.map_or_else(String::new, |region| region.name.clone()),
-            position: region.map_or(f64::NAN, |region| region.interval.0),
-            state: "one of its states".to_owned(),
-            defect: defects.get(worst).copied().unwrap_or(f64::NAN),
-            tolerance: self.options.tolerance,
-            intervals: counts.get(worst).copied().unwrap_or(0),
-        }
-    }
-
-    /// A solution known to be one, without an iteration; its error is not estimated.
-    pub(crate) fn as_it_stands(&mut self, Start { grids, x }: Start) -> Result<Solution, SolveError> {
-        let system = self.system(grids);
-        let mut work = system.work();
-        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(|error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&system.grids),
-        })?;
-        let converged = Converged::known(&system, x, work);
-        let solved = Solved::new(system, converged, &mut self.stats)?;
-        Ok(self.solution(&solved, f64::NAN))
-    }
-
-    /// The solution, if its boundary residuals too meet their tolerance.
-    pub(crate) fn finish(&mut self, solved: &Solved<'_, P>) -> Result<Solution, SolveError> {
-        let (residual, equation) = solved.worst_boundary_residual();
-        let tolerance = self.options.boundary_tolerance();
-        if !(residual <= tolerance) {
-            return Err(SolveError::Boundary { equation, residual, tolerance });
-        }
-        let error_estimate = solved.error_estimate(&mut self.stats);
-        let solution = self.solution(solved, error_estimate);
-        match solution.accuracy {
-            Accuracy::Short { estimate, tolerance, because }
-                if self.options.control == Control::Error && !self.options.accept_inaccurate =>
-            {
-                Err(SolveError::Inaccurate { estimate, tolerance, because })
-            }
-            Accuracy::Met | Accuracy::Short { .. } => Ok(solution),
-        }
-    }
-
-    fn solution(&self, solved: &Solved<'_, P>, error_estimate: f64) -> Solution {
-        let measures = measured(solved, self.options.tolerance, Rounding::Counted);
-        let accuracy = if error_estimate <= self.options.tolerance {
-            Accuracy::Met
-        } else {
-            Accuracy::Short { estimate: error_estimate, tolerance: self.options.tolerance, because: self.shortfall }
-        };
-        Solution {
-            regions: solved.regions(),
-            constants: solved.converged.x.constants.clone(),
-            unknowns: self.plan.unknowns.clone(),
-            order: self.options.order,
-            max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
-            max_boundary_residual: solved.worst_boundary_residual().0,
-            error_estimate,
-            accuracy,
-            orientation: solved.converged.factorisation.orientation(),
-            branch_check: self.check,
-            stats: self.stats,
-            history: self.history.clone(),
         }
     }
 }

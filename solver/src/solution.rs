@@ -11,6 +11,7 @@ use std::fmt;
 
 /// One region of a [`Solution`].
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RegionSolution {
     mesh: Vec<f64>,
     /// State by state, at the nodes.
@@ -120,6 +121,14 @@ impl RegionSolution {
         (0..self.states()).map(|i| self.combine(&basis, i, j, h) / h).collect()
     }
 
+    /// Second derivatives of the states at `s`, of the continuous extension; they jump at nodes, where those of the
+    /// interval to the right are given. One order less accurate than [`eval_slope`](Self::eval_slope).
+    pub fn eval_curvature(&self, s: f64) -> Vec<f64> {
+        let (j, h, sigma) = self.locate(s);
+        let basis = Basis::curvature(sigma);
+        (0..self.states()).map(|i| self.combine(&basis, i, j, h) / (h * h)).collect()
+    }
+
     /// Interval, its length, and the place in it.
     fn locate(&self, s: f64) -> (usize, f64, f64) {
         let after = self.mesh.partition_point(|&node| node <= s);
@@ -139,6 +148,7 @@ impl RegionSolution {
 
 /// One mesh of a solve.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshRecord {
     /// Intervals of each region.
     pub intervals: Vec<usize>,
@@ -150,6 +160,7 @@ pub struct MeshRecord {
 
 /// Whether the estimated error of a solution meets the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
     /// It does.
     Met,
@@ -178,6 +189,7 @@ impl fmt::Display for Shortfall {
 /// Why a solution was not refined until its estimated error met the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shortfall {
     /// Only the defects were to meet the tolerance: [`Control::Defect`](crate::Control::Defect).
     Uncontrolled,
@@ -191,6 +203,7 @@ pub enum Shortfall {
 
 /// What [`solve`](crate::solve()) found.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Solution {
     pub(crate) regions: Vec<RegionSolution>,
     pub(crate) constants: Vec<f64>,

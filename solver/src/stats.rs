@@ -4,6 +4,7 @@ use std::ops::{AddAssign, Sub};
 
 /// Work done. Deterministic: the same problem costs the same on every machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stats {
     /// Points at which the right-hand side alone was evaluated.
     pub rhs_points: usize,

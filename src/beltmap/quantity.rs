@@ -3,7 +3,7 @@
 use super::axis::direction;
 use crate::case::{Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved};
-use crate::losses::{NoDerivatives, NoLosses, REFERENCE_TEMPERATURE, gradients, losses};
+use crate::losses::{NoDerivatives, NoLosses, gradients, losses};
 use crate::model::{Constant, Constants, InternalError, Output};
 use crate::result::utilizations;
 use solver::Linearisation;
@@ -241,12 +241,13 @@ fn lost(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<(f64
         NoLosses::Internal(error) => Failure::Internal(error),
         NoLosses::String | NoLosses::Endless { .. } => Failure::NoEquations,
     };
-    let total = losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance).map_err(none)?.total;
-    let found = gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance).map_err(|error| match error {
-        NoDerivatives::Losses(reason) => none(reason),
-        NoDerivatives::Internal(error) => error.into(),
-        NoDerivatives::Solve(error) => Failure::Sensitivities(error),
-    })?;
+    let total = losses(case, solved, case.stiffnesses.reference, options.tolerance).map_err(none)?.total;
+    let found =
+        gradients(case, solved, case.stiffnesses.reference, options.tolerance).map_err(|error| match error {
+            NoDerivatives::Losses(reason) => none(reason),
+            NoDerivatives::Internal(error) => error.into(),
+            NoDerivatives::Solve(error) => Failure::Sensitivities(error),
+        })?;
     let gradient = found.by_constant.get(Quantity::Losses.name()).cloned().unwrap_or_default();
     Ok((total, gradient))
 }

@@ -6,6 +6,7 @@ use super::error::{BenchError, Problem};
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Case, Free, Key};
 use crate::drive::{Constant, SolveOptions};
+use crate::random::Random;
 use crate::result;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -78,34 +79,6 @@ const SETTLE: f64 = 4.0;
 /// µs on the counter when the first step begins: it wraps in the third.
 const BEGIN: f64 = 4_294_967_296.0 - 15.2e6;
 
-/// A deterministic stream of random numbers (G. L. Steele, D. Lea, C. H. Flood, SplitMix64, OOPSLA 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In [0, 1).
-    fn uniform(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Normal with standard deviation 1 (G. E. P. Box, M. E. Muller, Ann. Math. Stat. 29, 1958).
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (1.0 - self.uniform(), self.uniform());
-        (-2.0 * a.ln()).sqrt() * (TAU * b).cos()
-    }
-
-    fn chance(&mut self, probability: f64) -> bool {
-        self.uniform() < probability
-    }
-}
-
 /// Solves the model at `steps` ratios from `high` to `low` range, the engine a little slower in low range, and its
 /// power `engine_scale` times that of the curve.
 ///
@@ -168,7 +141,7 @@ pub fn truth(
 
 /// The files of a test: names and contents. The same seed gives the same bytes.
 pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String, String)> {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut files = vec![("calibration.csv".to_owned(), calibration(known, &mut random))];
     let mut begin = BEGIN;
     for (at, step) in known.steps.iter().enumerate() {
@@ -195,7 +168,7 @@ pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String
                 // The converter's clock is not exact.
                 time += (1.0 + 0.01 * random.normal()) / CONVERSIONS;
                 if random.chance(disturbance.dropout) {
-                    off = 2 + (random.next() % 6) as u32;
+                    off = 2 + (random.bits() % 6) as u32;
                 }
                 let value = torque(time) + disturbance.torque_noise * random.normal();
                 off = off.saturating_sub(1);
@@ -247,9 +220,9 @@ fn polled(events: &[(f64, f64)], begin: f64, disturbance: &Disturbance, random: 
         let (mut stamp, mut value) = ((micros % 4_294_967_296.0) as u64, *value as u64);
         // Writing to a string does not fail.
         if random.chance(disturbance.transmission) {
-            match random.next() % 3 {
-                0 => stamp ^= 1 << (20 + random.next() % 12),
-                1 => value ^= 1 << (9 + random.next() % 7),
+            match random.bits() % 3 {
+                0 => stamp ^= 1 << (20 + random.bits() % 12),
+                1 => value ^= 1 << (9 + random.bits() % 7),
                 _ => {
                     let _ = writeln!(text, "{stamp},{value:x}?");
                     continue;

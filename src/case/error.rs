@@ -138,6 +138,16 @@ pub enum CaseProblem {
         /// What is wrong with it.
         reason: QuantityError,
     },
+    /// A table in place of a number that is none.
+    #[error("the table `{}`: {reason}; expected {}, {expected}", key.path(), key.entry().expected())]
+    Table {
+        /// The key.
+        key: Key,
+        /// What is wrong with it.
+        reason: String,
+        /// What a table of this key looks like.
+        expected: &'static str,
+    },
     /// A quantity out of its range.
     #[error("`{}` = {given} is out of range: expected {}", key.path(), key.entry().expected())]
     OutOfRange {
@@ -184,6 +194,24 @@ pub enum CaseProblem {
         /// What is missing.
         missing: &'static str,
     },
+    /// Another key is missing that a key calls for.
+    #[error("{} needs `{}` as well: {}; expected {}", told(*key, given.as_deref()), needs.path(), needs.entry().doc, needs.entry().expected())]
+    Needs {
+        /// The key that calls for it.
+        key: Key,
+        /// Its value, if it was given.
+        given: Option<String>,
+        /// The key that is missing.
+        needs: Key,
+    },
+    /// A part that cannot work.
+    #[error("`{}`: {reason}", key.path())]
+    Part {
+        /// The key at fault.
+        key: Key,
+        /// What is wrong.
+        reason: String,
+    },
     /// The pulleys overlap.
     #[error(
         "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; expected \
@@ -222,6 +250,11 @@ pub enum CaseProblem {
     /// A question that has no answer whatever the numbers.
     #[error(transparent)]
     IllPosed(IllPosed),
+}
+
+/// A key with its value, if it was given.
+fn told(key: Key, given: Option<&str>) -> String {
+    given.map_or_else(|| format!("`{}`", key.path()), |given| format!("`{}` = {given}", key.path()))
 }
 
 impl CaseProblem {
@@ -263,7 +296,7 @@ fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
 /// The keys among which the one written was probably meant to be.
 fn keys_near(path: &str) -> String {
     use super::keys::{TABLE, sections};
-    let section = path.split('.').next().unwrap_or_default();
+    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
         // The distance takes time with the length of both.
@@ -369,6 +402,7 @@ impl CaseError {
             (CaseProblem::Syntax { .. } | CaseProblem::Assignment { .. }, _) => "here",
             (CaseProblem::UnknownKey { .. }, _) => "no such key",
             (CaseProblem::Type { .. }, _) => "wrong type",
+            (CaseProblem::Table { .. }, _) => "not such a table",
             (CaseProblem::Quantity { reason, .. }, _) => match reason {
                 QuantityError::NotFinite => "not finite",
                 QuantityError::Dimension { .. } => "wrong dimension",
@@ -381,6 +415,8 @@ impl CaseError {
             (CaseProblem::Conflict { .. }, 0) => "this",
             (CaseProblem::Conflict { .. }, _) => "and this",
             (CaseProblem::Missing { .. }, _) => "asks for more",
+            (CaseProblem::Needs { .. }, _) => "asks for more",
+            (CaseProblem::Part { .. }, _) => "cannot work",
             (CaseProblem::Overlap { .. }, _) => "does not fit",
             (CaseProblem::NoRadii { .. }, 0) => "no radii exist",
             (CaseProblem::NoRadii { .. }, _) => "with this",

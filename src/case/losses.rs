@@ -2,6 +2,7 @@
 
 use super::error::CaseError;
 use super::file::Case;
+use super::grid::Grid;
 use super::keys::Key;
 use super::loss_tangent::LossTangent;
 use super::resolve::Setting;
@@ -39,10 +40,14 @@ pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError>
                       dissipates diverges";
         return Err(case.conflict(Key::Edition, Key::Losses, reason));
     }
+    let tangent = |key: Key| match case.table(key) {
+        Some(grid) => LossTangent::Table(grid.clone()),
+        None => LossTangent::Constant(case.value(key)),
+    };
     Ok(Losses {
         include,
-        loss_tangent: LossTangent::Constant(case.value(Key::LossTangent)),
-        cord_loss_tangent: LossTangent::Constant(case.value(Key::CordLossTangent)),
+        loss_tangent: tangent(Key::LossTangent),
+        cord_loss_tangent: tangent(Key::CordLossTangent),
         primary_drag: case.value(Key::PrimaryDrag),
         secondary_drag: case.value(Key::SecondaryDrag),
         primary_drag_per_speed: case.value(Key::PrimaryDragPerSpeed),
@@ -52,6 +57,15 @@ pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError>
 }
 
 impl Losses {
+    /// Tables of tan δ over the temperature, with their keys.
+    pub fn tables(&self) -> impl Iterator<Item = (Key, &Grid)> {
+        let tangents = [(Key::LossTangent, &self.loss_tangent), (Key::CordLossTangent, &self.cord_loss_tangent)];
+        tangents.into_iter().filter_map(|(key, tangent)| match tangent {
+            LossTangent::Table(grid) => Some((key, grid)),
+            LossTangent::Constant(_) => None,
+        })
+    }
+
     /// Whether they are to be told.
     pub fn wanted(&self) -> bool {
         self.include != Some(Include::Off)
@@ -60,19 +74,23 @@ impl Losses {
     /// Every key with its value.
     pub(super) fn settings(&self) -> Vec<(Key, Setting)> {
         let tangent = |tangent: &LossTangent| match tangent {
-            LossTangent::Constant(value) => Some(*value),
-            LossTangent::Table(_) => None,
+            LossTangent::Constant(value) => Setting::Number(*value),
+            LossTangent::Table(grid) => Setting::Table(grid.clone()),
         };
         let numbers = [
-            (Key::LossTangent, tangent(&self.loss_tangent)),
-            (Key::CordLossTangent, tangent(&self.cord_loss_tangent)),
-            (Key::PrimaryDrag, Some(self.primary_drag)),
-            (Key::SecondaryDrag, Some(self.secondary_drag)),
-            (Key::PrimaryDragPerSpeed, Some(self.primary_drag_per_speed)),
-            (Key::SecondaryDragPerSpeed, Some(self.secondary_drag_per_speed)),
-            (Key::GearEfficiency, Some(self.gear_efficiency)),
+            (Key::PrimaryDrag, self.primary_drag),
+            (Key::SecondaryDrag, self.secondary_drag),
+            (Key::PrimaryDragPerSpeed, self.primary_drag_per_speed),
+            (Key::SecondaryDragPerSpeed, self.secondary_drag_per_speed),
+            (Key::GearEfficiency, self.gear_efficiency),
         ];
-        let numbers = numbers.into_iter().filter_map(|(key, value)| Some((key, Setting::Number(value?))));
-        numbers.chain(self.include.map(|include| (Key::Losses, Setting::Name(include.name())))).collect()
+        let tangents =
+            [(Key::LossTangent, tangent(&self.loss_tangent)), (Key::CordLossTangent, tangent(&self.cord_loss_tangent))];
+        let numbers = numbers.into_iter().map(|(key, value)| (key, Setting::Number(value)));
+        tangents
+            .into_iter()
+            .chain(numbers)
+            .chain(self.include.map(|include| (Key::Losses, Setting::Name(include.name()))))
+            .collect()
     }
 }

@@ -3,11 +3,13 @@
 use super::error::{CaseError, CaseProblem};
 use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
+use super::grid::Grid;
 use super::keys::Key;
 use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
+use super::parts::{Parts, parts};
 use super::swap::GivenSwap;
-use super::thermal::{Thermal, thermal};
+use super::thermal::{Stiffnesses, Thermal, thermal};
 use crate::model::{Bending, Edition, Ends, Free, Friction, ModelChoices, Shear, Spans};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -31,8 +33,12 @@ pub struct Resolved {
     pub operating_point: OperatingPoint,
     /// Losses besides friction.
     pub losses: Losses,
+    /// The belt's stiffnesses over its temperature, as far as they were given so.
+    pub stiffnesses: Stiffnesses,
     /// Heat, if the belt's temperature is to be found.
     pub thermal: Option<Thermal>,
+    /// Actuators, engine and vehicle, as far as the case has them.
+    pub parts: Parts,
     /// Constants that are found for outputs that are prescribed.
     pub swaps: Vec<GivenSwap>,
     /// What was found, SI, for keys that were solved for; nothing before a case is solved.
@@ -48,9 +54,9 @@ pub struct BeltProperties {
     pub mass_per_length: f64,
     /// EA, N.
     pub longitudinal_stiffness: f64,
-    /// EI, N·m².
+    /// EI, N·m², at the reference temperature where it is given over the temperature.
     pub bending_stiffness: f64,
-    /// k, N/m².
+    /// k, N/m², as the bending stiffness.
     pub radial_stiffness: f64,
 }
 
@@ -79,13 +85,17 @@ pub struct Drive {
 }
 
 /// The value of a key.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Setting {
     /// In SI.
     Number(f64),
+    /// In SI.
+    List(Vec<f64>),
     /// One of the key's choices.
     Name(&'static str),
+    /// A table in SI.
+    Table(Grid),
 }
 
 impl Case {
@@ -97,6 +107,7 @@ impl Case {
     pub fn resolve(&self) -> Result<Resolved, CaseError> {
         let edition = self.choice(Key::Edition).and_then(Edition::from_name).unwrap_or(Edition::Consistent);
         let drive = self.drive()?;
+        let stiffnesses = Stiffnesses::of(self)?;
         Ok(Resolved {
             edition,
             model: self.model(edition)?,
@@ -104,8 +115,8 @@ impl Case {
                 length: self.value(Key::BeltLength),
                 mass_per_length: self.value(Key::MassPerLength),
                 longitudinal_stiffness: self.value(Key::LongitudinalStiffness),
-                bending_stiffness: self.value(Key::BendingStiffness),
-                radial_stiffness: self.value(Key::RadialStiffness),
+                bending_stiffness: stiffnesses.bending_at_reference(self.value(Key::BendingStiffness)),
+                radial_stiffness: stiffnesses.radial_at_reference(self.value(Key::RadialStiffness)),
             },
             sheave: Sheave {
                 half_angle: self.value(Key::HalfAngle),
@@ -115,7 +126,9 @@ impl Case {
             drive,
             operating_point: OperatingPoint::resolve(self, drive.free)?,
             losses: losses(self, edition)?,
+            stiffnesses,
             thermal: thermal(self)?,
+            parts: parts(self)?,
             swaps: self.swaps.iter().map(|(swap, _)| swap.clone()).collect(),
             found: Vec::new(),
         })
@@ -229,7 +242,8 @@ fn is_free(free: Option<Free>, radius: Key) -> bool {
 impl Resolved {
     /// Every key with its value, in the order of the table; given to [`Case::set`], they make the same case again.
     pub fn settings(&self) -> Vec<(Key, Setting)> {
-        let Self { edition, model, belt, sheave, drive, operating_point, losses, thermal, swaps: _, found: _ } = self;
+        let Self { edition, model, belt, sheave, drive, operating_point, losses, stiffnesses, thermal, parts, .. } =
+            self;
         let mut settings = vec![(Key::Edition, Setting::Name(edition.name()))];
         if let Some(bending) = model.bending {
             settings.push((Key::Shear, Setting::Name(bending.shear.name())));
@@ -253,7 +267,21 @@ impl Resolved {
         let numbers = given.into_iter().filter(|(key, _)| !is_free(drive.free, *key)).chain(operating_point.settings());
         settings.extend(numbers.map(|(key, value)| (key, Setting::Number(value))));
         settings.extend(losses.settings());
-        settings.extend(thermal.iter().flat_map(Thermal::settings));
+        for (key, grid) in stiffnesses.tables() {
+            settings.retain(|(other, _)| *other != key);
+            settings.push((key, Setting::Table(grid.clone())));
+        }
+        match thermal {
+            Some(thermal) => settings.extend(thermal.settings(stiffnesses)),
+            // Without a balance of heat, tables are read at the reference temperature.
+            None if stiffnesses.tables().chain(losses.tables()).next().is_some()
+                || Key::ReferenceTemperature.entry().base() != Some(stiffnesses.reference) =>
+            {
+                settings.push((Key::ReferenceTemperature, Setting::Number(stiffnesses.reference)));
+            }
+            None => {}
+        }
+        settings.extend(parts.settings());
         settings.extend(drive.free.map(|free| (Key::Free, Setting::Name(free.name()))));
         settings.sort_by_key(|(key, _)| *key);
         settings
@@ -270,22 +298,35 @@ impl Serialize for Resolved {
         if !self.swaps.is_empty() {
             map.serialize_entry(SWAP, &self.swaps.iter().map(GivenSwap::to_string).collect::<Vec<_>>())?;
         }
-        for section in settings.chunk_by(|(a, _), (b, _)| a.entry().section() == b.entry().section()) {
-            match section {
-                [(key, value)] if key.entry().section().is_empty() => map.serialize_entry(key.path(), value)?,
-                [(key, _), ..] => map.serialize_entry(key.entry().section(), &Section(section))?,
-                [] => {}
-            }
-        }
+        serialize_within(&mut map, 0, &settings)?;
         map.end()
     }
 }
 
+/// Settings as entries of a map, nested by the names of their paths from the one numbered `depth` on.
+fn serialize_within<M: SerializeMap>(map: &mut M, depth: usize, settings: &[(Key, Setting)]) -> Result<(), M::Error> {
+    let name = |key: Key| key.path().split('.').nth(depth).unwrap_or_default();
+    for part in settings.chunk_by(|(a, _), (b, _)| name(*a) == name(*b)) {
+        let Some((key, value)) = part.first() else { continue };
+        if key.path().split('.').count() == depth + 1 {
+            map.serialize_entry(name(*key), value)?;
+        } else {
+            map.serialize_entry(name(*key), &Section { depth: depth + 1, settings: part })?;
+        }
+    }
+    Ok(())
+}
+
 /// The settings of one section.
-struct Section<'a>(&'a [(Key, Setting)]);
+struct Section<'a> {
+    depth: usize,
+    settings: &'a [(Key, Setting)],
+}
 
 impl Serialize for Section<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(key, value)| (key.entry().name(), value)))
+        let mut map = serializer.serialize_map(None)?;
+        serialize_within(&mut map, self.depth, self.settings)?;
+        map.end()
     }
 }

@@ -1,9 +1,77 @@
-//! What a case says of heat.
+//! What a case says of the belt's temperature: how its stiffnesses change with it, and of heat.
 
 use super::error::CaseError;
 use super::file::Case;
+use super::grid::Grid;
 use super::keys::Key;
 use super::resolve::Setting;
+
+/// Stiffnesses of the belt that are given over its temperature, and the temperature at which all are given that are
+/// not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stiffnesses {
+    /// T_0, K. Where no temperature is solved for, tables are read at this one.
+    pub reference: f64,
+    /// EI over the temperature, N·m²; nothing if it was given as a number.
+    pub bending: Option<Grid>,
+    /// k over the temperature, N/m²; nothing if it was given as a number.
+    pub radial: Option<Grid>,
+}
+
+/// What the temperature makes of a stiffness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Softened {
+    /// The stiffness over that at the reference temperature.
+    pub factor: f64,
+    /// Derivative of its logarithm by the temperature, 1/K.
+    pub rate: f64,
+}
+
+impl Stiffnesses {
+    /// Of a case.
+    ///
+    /// # Errors
+    /// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) for a softening beside a table, which says it already.
+    pub(super) fn of(case: &Case) -> Result<Self, CaseError> {
+        let pairs = [(Key::BendingStiffness, Key::BendingSoftening), (Key::RadialStiffness, Key::RadialSoftening)];
+        let both = pairs.into_iter().find(|(table, softening)| case.table(*table).is_some() && case.has(*softening));
+        if let Some((table, softening)) = both {
+            let reason = "the table says how the stiffness changes with the temperature";
+            return Err(case.conflict(table, softening, reason));
+        }
+        Ok(Self {
+            reference: case.value(Key::ReferenceTemperature),
+            bending: case.table(Key::BendingStiffness).cloned(),
+            radial: case.table(Key::RadialStiffness).cloned(),
+        })
+    }
+
+    pub(super) fn bending_at_reference(&self, number: f64) -> f64 {
+        self.bending.as_ref().map_or(number, |grid| grid.logarithm(self.reference).0.exp())
+    }
+
+    pub(super) fn radial_at_reference(&self, number: f64) -> f64 {
+        self.radial.as_ref().map_or(number, |grid| grid.logarithm(self.reference).0.exp())
+    }
+
+    /// The tables with their keys.
+    pub fn tables(&self) -> impl Iterator<Item = (Key, &Grid)> {
+        let tables = [(Key::BendingStiffness, &self.bending), (Key::RadialStiffness, &self.radial)];
+        tables.into_iter().filter_map(|(key, grid)| Some((key, grid.as_ref()?)))
+    }
+
+    /// A stiffness at a temperature in K: along its table, or falling by a share per kelvin. Both are exponentials, which
+    /// are positive at all temperatures.
+    fn softened(&self, table: Option<&Grid>, softening: f64, temperature: f64) -> Softened {
+        match table {
+            Some(grid) => {
+                let (here, rate) = grid.logarithm(temperature);
+                Softened { factor: (here - grid.logarithm(self.reference).0).exp(), rate }
+            }
+            None => Softened { factor: (-softening * (temperature - self.reference)).exp(), rate: -softening },
+        }
+    }
+}
 
 /// What heats the belt and what cools it; SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,38 +80,59 @@ pub struct Thermal {
     pub ambient: f64,
     /// Heat that the belt gives off over its excess of temperature, W/K.
     pub heat_transfer: f64,
+    /// Of what it was computed, if it was given over the belt's surface.
+    pub surface: Option<Surface>,
     /// Share of the friction loss that heats the belt.
     pub friction_share: f64,
     /// Temperature at which the belt's stiffnesses are given, K.
     pub reference: f64,
-    /// Share by which the bending stiffness falls per kelvin, 1/K.
+    /// Share by which the bending stiffness falls per kelvin, 1/K, where no table says it.
     pub bending_softening: f64,
     /// The same of the radial stiffness.
     pub radial_softening: f64,
+}
+
+/// Heat transfer over the belt's surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// Heat over area and excess of temperature, W/(m²·K).
+    pub per_area: f64,
+    /// Length around the belt's section, m.
+    pub perimeter: f64,
+    /// Length of the belt, m.
+    pub length: f64,
 }
 
 /// What a case says of heat; nothing unless both the air and the heat transfer are given.
 ///
 /// # Errors
 /// [`CaseProblem::Missing`](super::CaseProblem::Missing) if one is given without the other;
-/// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) beside a margin against slip.
+/// [`CaseProblem::Conflict`](super::CaseProblem::Conflict) for a heat transfer that is given twice.
 pub(super) fn thermal(case: &Case) -> Result<Option<Thermal>, CaseError> {
-    let margin = [Key::SlipReserve, Key::FrictionUtilization].into_iter().find(|key| case.has(*key));
-    if let Some(margin) = margin.filter(|_| case.has(Key::Ambient)) {
-        let reason = "a margin against slip is found at the stiffnesses that are given, not at those of a warm belt";
-        return Err(case.conflict(margin, Key::Ambient, reason));
+    if case.has(Key::HeatTransfer) && case.has(Key::HeatTransferPerArea) {
+        let reason = "one is that of the whole belt, the other that of each square metre of it";
+        return Err(case.conflict(Key::HeatTransfer, Key::HeatTransferPerArea, reason));
     }
-    match (case.quantity(Key::Ambient), case.quantity(Key::HeatTransfer)) {
+    let surface = case.quantity(Key::HeatTransferPerArea).map(|per_area| Surface {
+        per_area,
+        perimeter: case.value(Key::Perimeter),
+        length: case.value(Key::BeltLength),
+    });
+    let whole = surface.map(|surface| surface.per_area * surface.perimeter * surface.length);
+    match (case.quantity(Key::Ambient), case.quantity(Key::HeatTransfer).or(whole)) {
         (None, None) => Ok(None),
-        (Some(_), None) => {
-            Err(case.missing(Key::Ambient, "the belt's temperature needs `thermal.heat_transfer` as well"))
-        }
+        (Some(_), None) => Err(case.missing(
+            Key::Ambient,
+            "the belt's temperature needs `thermal.heat_transfer` or `thermal.heat_transfer_per_area` as well",
+        )),
         (None, Some(_)) => {
-            Err(case.missing(Key::HeatTransfer, "the belt's temperature needs `thermal.ambient` as well"))
+            let given = if surface.is_some() { Key::HeatTransferPerArea } else { Key::HeatTransfer };
+            Err(case.missing(given, "the belt's temperature needs `thermal.ambient` as well"))
         }
         (Some(ambient), Some(heat_transfer)) => Ok(Some(Thermal {
             ambient,
             heat_transfer,
+            surface,
             friction_share: case.value(Key::FrictionShare),
             reference: case.value(Key::ReferenceTemperature),
             bending_softening: case.value(Key::BendingSoftening),
@@ -53,24 +142,33 @@ pub(super) fn thermal(case: &Case) -> Result<Option<Thermal>, CaseError> {
 }
 
 impl Thermal {
-    /// The stiffnesses at a temperature over those at the reference: bending, radial.
-    ///
-    /// Exponential, which through two measured temperatures is positive at all others.
-    pub fn softened(&self, temperature: f64) -> [f64; 2] {
-        let above = temperature - self.reference;
-        [(-self.bending_softening * above).exp(), (-self.radial_softening * above).exp()]
+    /// What a temperature in K makes of the stiffnesses: bending, radial.
+    pub fn softened(&self, stiffnesses: &Stiffnesses, temperature: f64) -> [Softened; 2] {
+        [
+            stiffnesses.softened(stiffnesses.bending.as_ref(), self.bending_softening, temperature),
+            stiffnesses.softened(stiffnesses.radial.as_ref(), self.radial_softening, temperature),
+        ]
     }
 
-    /// Every key with its value.
-    pub(super) fn settings(&self) -> [(Key, Setting); 6] {
-        [
+    /// Every key with its value; a softening only where no table stands in its place.
+    pub(super) fn settings(&self, stiffnesses: &Stiffnesses) -> Vec<(Key, Setting)> {
+        let mut settings = vec![
             (Key::Ambient, self.ambient),
-            (Key::HeatTransfer, self.heat_transfer),
             (Key::FrictionShare, self.friction_share),
             (Key::ReferenceTemperature, self.reference),
-            (Key::BendingSoftening, self.bending_softening),
-            (Key::RadialSoftening, self.radial_softening),
-        ]
-        .map(|(key, value)| (key, Setting::Number(value)))
+        ];
+        match self.surface {
+            Some(Surface { per_area, perimeter, .. }) => {
+                settings.extend([(Key::HeatTransferPerArea, per_area), (Key::Perimeter, perimeter)]);
+            }
+            None => settings.push((Key::HeatTransfer, self.heat_transfer)),
+        }
+        if stiffnesses.bending.is_none() {
+            settings.push((Key::BendingSoftening, self.bending_softening));
+        }
+        if stiffnesses.radial.is_none() {
+            settings.push((Key::RadialSoftening, self.radial_softening));
+        }
+        settings.into_iter().map(|(key, value)| (key, Setting::Number(value))).collect()
     }
 }

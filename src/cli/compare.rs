@@ -17,7 +17,8 @@ use std::path::PathBuf;
 ///
 /// Each point is solved with its measured speeds and output torque and with the case's clamp, or that of the primary's
 /// flyweights and spring (9.3). Points that are not steady are named and left out. The scale of the
-/// engine's curve is found by least squares, and constants of the model with --fit.
+/// engine's curve is found by least squares, and constants of the model with --fit. With --losses on, the model's
+/// efficiency is that with hysteresis, drag and gears.
 #[derive(Debug, Args)]
 #[command(after_long_help = help() + "\n" + super::STATUS)]
 pub struct Arguments {
@@ -130,11 +131,21 @@ fn tables(found: &Comparison) -> Vec<PageTable> {
             point.primary_axial_force.map_or_else(String::new, |force| format!("{force:.0}")),
             percent(point.efficiency_measured),
             percent(point.efficiency_model),
+            percent(point.efficiency_elastic),
             point.reason.clone().unwrap_or_default(),
         ]
     };
-    let columns =
-        names(&["run", "step", "ω_P/ω_S", "R_P (mm)", "A_P (N)", "measured (%)", "model (%)", "left out, why"]);
+    let columns = names(&[
+        "run",
+        "step",
+        "ω_P/ω_S",
+        "R_P (mm)",
+        "A_P (N)",
+        "measured (%)",
+        "model (%)",
+        "friction alone (%)",
+        "left out, why",
+    ]);
     let mut tables = vec![PageTable { title: "Points".into(), columns, rows: found.points.iter().map(row).collect() }];
     let value = |name: &str, value: String| vec![name.to_owned(), value];
     let [low, high] = found.scale_interval;

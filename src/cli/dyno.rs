@@ -1,15 +1,18 @@
 //! `sheave dyno`: operating points from the logs of a dynamometer.
 
-use super::measured::{object, refused, warn};
+use super::measured::{refused, warn};
 use super::output;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
 use sheave::bench::dyno::{
-    Fault, Names, Options, Point, Reduced, calibration, figures, points_csv, reduce, runs, spectrum_figures,
+    Fault, LogFile, Names, Options, Point, Record, Reduced, calibration, figures, points_csv, records, reduce, runs,
+    spectrum_figures,
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, PageTable, page};
+use sheave::result::envelope;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -98,19 +101,32 @@ fn gear(text: &str) -> Result<f64, String> {
     Ok(own / brake)
 }
 
+/// The object of the command, written piece by piece: points may be many.
+#[derive(Serialize)]
+struct Object<'a> {
+    #[serde(flatten)]
+    head: serde_json::Value,
+    #[serde(flatten)]
+    found: &'a Reduced,
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let (options, found) = arguments.find().map_err(|error| refused("dyno", arguments.json, error))?;
     let warnings = &found.warnings;
     warn(warnings);
     let inputs = serde_json::json!({ "paths": arguments.paths, "options": options, "engine": options.engine });
-    let json = || object("dyno", inputs, warnings, &found);
+    let head = envelope("dyno", &inputs, warnings, &serde_json::json!({}));
+    let head = head.map_err(|error| Stop::Write("JSON".into(), error.into()))?;
+    let object = Object { head, found: &found };
     if arguments.json {
-        return output::print(&json()?);
+        return output::print_object(&object);
     }
     if let Some(folder) = &arguments.out {
         output::create_folder(folder)?;
-        let json = json()?;
-        output::write_file(folder, "result.json", |to| to.write_all(json.as_bytes()))?;
+        output::write_file(folder, "result.json", |to| {
+            serde_json::to_writer_pretty(&mut *to, &object)?;
+            to.write_all(b"\n")
+        })?;
         let (table, _) = points_csv(&found.points);
         output::write_file(folder, "operating-points.csv", |to| to.write_all(table.as_bytes()))?;
         let mut all = figures(&found.points, &found.records);
@@ -152,21 +168,21 @@ impl Arguments {
     fn find(&self) -> Result<(Options, Reduced), BenchError> {
         let mut warnings = Vec::new();
         let options = self.options(&mut warnings)?;
-        let bar = self.bar();
+        let bar = progress(&records(&self.paths)?);
         let mut found = reduce(&self.paths, &options, self.spectrum, |bytes| bar.inc(bytes))?;
         bar.finish_and_clear();
         warnings.append(&mut found.warnings);
         found.warnings = warnings;
         Ok((options, found))
     }
+}
 
-    /// Progress in bytes, on standard error if people look at it.
-    fn bar(&self) -> ProgressBar {
-        let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |metadata| metadata.len());
-        let bar = ProgressBar::new(self.paths.iter().map(size).sum());
-        let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
-        bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-    }
+/// Progress in bytes, on standard error if people look at it.
+fn progress(records: &[Record]) -> ProgressBar {
+    let size = |(path, _): &LogFile| std::fs::metadata(path).map_or(0, |metadata| metadata.len());
+    let bar = ProgressBar::new(records.iter().flat_map(|record| &record.files).map(size).sum());
+    let style = ProgressStyle::with_template("{bar:40} {bytes} of {total_bytes}, {bytes_per_sec}");
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// A number of a cell, empty without one.

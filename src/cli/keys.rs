@@ -64,6 +64,13 @@ fn line(entry: &Entry) -> String {
             };
             (default, range)
         }
+        ValueKind::List { unit, range, .. } => {
+            let range = match (range.low, range.high) {
+                (RangeEnd::None, RangeEnd::None) | (RangeEnd::Open(0.0), RangeEnd::None) => String::new(),
+                _ => format!("; each {}", range.words(unit.symbol)),
+            };
+            ("list".into(), range)
+        }
         ValueKind::Choice { default, .. } => (default.map_or("-".into(), |name| format!("\"{name}\"")), String::new()),
     };
     let symbol = if entry.symbol.is_empty() { String::new() } else { format!("{}, ", entry.symbol) };

@@ -6,6 +6,7 @@ mod case;
 mod compare;
 mod derive;
 mod design;
+mod drive;
 mod dyno;
 mod envelope;
 mod init;
@@ -19,6 +20,7 @@ mod output;
 mod pulley;
 mod radii;
 mod reproduce;
+mod shift;
 mod size;
 mod solve;
 mod stop;
@@ -46,6 +48,8 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Drive(drive::Arguments),
+    Shift(shift::Arguments),
     Sweep(sweep::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
@@ -85,6 +89,8 @@ pub fn run() -> ExitCode {
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Drive(arguments) => drive::run(arguments),
+        Command::Shift(arguments) => shift::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Limit(arguments) => limit::run(arguments),
         Command::Optimum(arguments) => optimum::run(arguments),

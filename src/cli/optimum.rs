@@ -26,6 +26,10 @@ struct Found {
     state: DriveState,
     bound: OptimumPlace,
     gradient: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    efficiency_with_losses: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    belt_temperature: Option<f64>,
     evaluations: usize,
 }
 
@@ -43,6 +47,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         state: best.state,
         bound: best.bound,
         gradient: best.gradient,
+        efficiency_with_losses: best.efficiency_with_losses,
+        belt_temperature: best.belt_temperature,
         evaluations: best.evaluations,
     };
     let json = || envelope::object("optimum", &case, &[], &found);
@@ -56,9 +62,16 @@ fn summary(found: &Found) -> String {
         OptimumPlace::Loosest => "no maximum found: the loosest belt tried",
         OptimumPlace::Tightest => "no maximum found: the tightest belt tried",
     };
+    let with_losses = found
+        .efficiency_with_losses
+        .map_or_else(String::new, |efficiency| format!("  efficiency with losses {:>9.3} %\n", 100.0 * efficiency));
+    let temperature = found
+        .belt_temperature
+        .map_or_else(String::new, |temperature| format!("  belt temperature      {:>10.2} °C\n", temperature - 273.15));
     format!(
         "Best clamp for {:.2} N·m, edition {}: {what}\n\n\
          \x20 overall efficiency    {:>10.3} %, d/d(slack tension) {:.1e} %/N\n\
+         {with_losses}{temperature}\
          \x20 speed efficiency      {:>10.3} %\n\
          \x20 slack tension         {:>10.2} N\n\
          \x20 tight tension         {:>10.2} N\n\

@@ -22,6 +22,14 @@ pub fn json(object: &impl Serialize) -> Result<String, Stop> {
     Ok(text + "\n")
 }
 
+/// Prints one JSON object, piece by piece: it may be larger than what should be in memory at once.
+pub fn print_object(object: &impl Serialize) -> Result<(), Stop> {
+    let mut stdout = io::BufWriter::new(io::stdout().lock());
+    let written = serde_json::to_writer_pretty(&mut stdout, object).map_err(io::Error::from);
+    let written = written.and_then(|()| stdout.write_all(b"\n")).and_then(|()| stdout.flush());
+    written.map_err(|error| Stop::Write("standard output".into(), error))
+}
+
 /// Creates a folder, with those above it.
 pub fn create_folder(folder: &Path) -> Result<(), Stop> {
     std::fs::create_dir_all(folder).map_err(|error| Stop::Write(folder.display().to_string(), error))

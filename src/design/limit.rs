@@ -1,4 +1,7 @@
 //! The largest torque for a clamp, and the smallest clamp for a torque.
+//!
+//! Where the belt's temperature is to be found, a limit is that of a belt as warm as its losses at this very limit make
+//! it: the curve is followed at one temperature, for a belt takes minutes to warm and slips at once.
 
 use serde::{Serialize, Serializer};
 
@@ -7,6 +10,7 @@ use super::error::DesignError;
 use super::state::DriveState;
 use crate::case::{Clamp, Key, Load, ModelChoices, Resolved, Speed};
 use crate::drive::{Failure, Question, SolveOptions, Solved, solve};
+use crate::losses::{at_temperature, into_belt};
 use crate::model::{Constant, InternalError, Output};
 
 /// Slack tension of the start over M_in/R_P: a belt as tight as this does not slip much.
@@ -60,6 +64,9 @@ pub struct Limit {
     pub kind: LimitKind,
     /// The drive there.
     pub state: DriveState,
+    /// Temperature of the belt, K, if it was to be found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub belt_temperature: Option<f64>,
 }
 
 /// The smallest clamps, in the ways to give one.
@@ -89,6 +96,10 @@ pub struct LimitOptions {
 pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
     primary_speed(case)?;
     no_margin(case)?;
+    in_balance(case, options, |case| torque_of(case, options))
+}
+
+fn torque_of(case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
     let mut start = case.clone();
     // What the clamp suggests when nothing is known of the torque.
     start.operating_point.load = Load::SpeedRatio(1.0);
@@ -109,13 +120,70 @@ pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(Clamp
     primary_speed(case)?;
     let mut case = case.clone();
     case.operating_point.margin = None;
-    let case = &case;
-    let (_, solved) = clamped(case, &options.solve)?;
-    let smallest = |output| limit(&case.model, &solved, (Constant::SlackTension, output), false, options);
+    // At one temperature the start of all three curves is the same.
+    let start = match case.thermal {
+        None => Some(clamped(&case, &options.solve)?.1),
+        Some(_) => None,
+    };
+    let smallest = |output| {
+        in_balance(&case, options, |case| match &start {
+            Some(start) => limit(&case.model, start, (Constant::SlackTension, output), false, options),
+            None => {
+                let (_, start) = clamped(case, &options.solve)?;
+                limit(&case.model, &start, (Constant::SlackTension, output), false, options)
+            }
+        })
+    };
     let (slack_tension, branch) = smallest(Output::PrimaryExitTension)?;
     let (primary_axial_force, _) = smallest(Output::PrimaryAxialForce)?;
     let (secondary_axial_force, _) = smallest(Output::SecondaryAxialForce)?;
     Ok((ClampLimits { slack_tension, primary_axial_force, secondary_axial_force }, branch))
+}
+
+/// A limit, the solution there and the curve on which it lies.
+struct Found {
+    limit: Limit,
+    solved: Solved,
+    branch: Branch,
+}
+
+/// Temperatures at most that are tried for the balance of a limit's heat, and how far the last may be from it, K.
+const ROUNDS: usize = 20;
+const BALANCED: f64 = 1e-3;
+/// Largest change of temperature from one to the next, K.
+const LARGEST_STEP: f64 = 40.0;
+
+/// Finds a limit; where the belt's temperature is to be found, that at which the heat at the limit is in balance, by the
+/// secant method.
+fn in_balance(
+    case: &Resolved,
+    options: &LimitOptions,
+    find: impl Fn(&Resolved) -> Result<Found, DesignError>,
+) -> Result<(Limit, Branch), DesignError> {
+    let Some(thermal) = &case.thermal else {
+        return find(case).map(|found| (found.limit, found.branch));
+    };
+    let mut temperature = thermal.reference;
+    let mut before: Option<(f64, f64)> = None;
+    for _ in 0..ROUNDS {
+        let found = find(&at_temperature(case, thermal, temperature))?;
+        let heat = into_belt(case, thermal, &found.solved, temperature, options.solve.tolerance)?;
+        let missing = thermal.ambient + heat / thermal.heat_transfer - temperature;
+        if missing.abs() <= BALANCED {
+            return Ok((Limit { belt_temperature: Some(temperature), ..found.limit }, found.branch));
+        }
+        let step = match before {
+            Some((other, there)) if there != missing => missing * (temperature - other) / (there - missing),
+            // As if the heat did not depend on the temperature.
+            _ => missing,
+        };
+        before = Some((temperature, missing));
+        temperature += step.clamp(-LARGEST_STEP, LARGEST_STEP);
+        if !temperature.is_finite() || temperature <= 0.0 {
+            break;
+        }
+    }
+    Err(Failure::Temperature { temperature }.into())
 }
 
 /// The case with a slack tension at which its torque is carried, and the drive there. If it is carried at none that is
@@ -181,7 +249,7 @@ fn limit(
     (free, output): (Constant, Output),
     upwards: bool,
     options: &LimitOptions,
-) -> Result<(Limit, Branch), DesignError> {
+) -> Result<Found, DesignError> {
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
@@ -197,11 +265,13 @@ fn limit(
     let mut folds: Vec<BranchPoint> = branch.points.iter().filter(|point| point.is_extremum).cloned().collect();
     folds.extend(extrema(&branch, output, if upwards { 1.0 } else { -1.0 })?);
     let folds = folds.iter().map(|fold| Ok((fold, fold.value(output)?))).collect::<Result<Vec<_>, InternalError>>()?;
-    let limit = match folds.into_iter().find(|(_, value)| is_distinct(*value)) {
-        Some((fold, value)) => Limit { value, kind: LimitKind::Fold, state: fold.state },
-        None => Limit { value: end, kind, state: last.state },
+    let (value, kind, point) = match folds.into_iter().find(|(_, value)| is_distinct(*value)) {
+        Some((fold, value)) => (value, LimitKind::Fold, fold),
+        None => (end, kind, last),
     };
-    Ok((limit, branch))
+    let limit = Limit { value, kind, state: point.state, belt_temperature: None };
+    let solved = point.solved.clone();
+    Ok(Found { limit, solved, branch })
 }
 
 /// The extrema of an output where the speed efficiency is prescribed: maxima for `sign` 1, minima for −1.

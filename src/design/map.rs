@@ -121,9 +121,17 @@ pub fn limit_map(study: &Study, jobs: Option<usize>, options: &LimitOptions) -> 
 pub fn optimum_map(study: &Study, jobs: Option<usize>, options: &SolveOptions) -> Result<Table, StudyError> {
     map(study, jobs, |case| {
         let best = optimum(case, options)?;
-        Ok(serde_json::json!({
+        let mut object = serde_json::json!({
             "state": best.state, "bound": best.bound, "gradient": best.gradient, "evaluations": best.evaluations,
-        }))
+        });
+        for (name, value) in
+            [("efficiency_with_losses", best.efficiency_with_losses), ("belt_temperature", best.belt_temperature)]
+        {
+            if let (Some(members), Some(value)) = (object.as_object_mut(), value) {
+                members.insert(name.into(), value.into());
+            }
+        }
+        Ok(object)
     })
 }
 
@@ -152,11 +160,7 @@ fn map(
 fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> Row {
     let mut cells: Vec<(String, Value)> = Vec::new();
     for (key, setting) in &point.varied {
-        let value = match setting {
-            Setting::Number(value) => Value::from(*value),
-            Setting::Name(name) => Value::from(*name),
-        };
-        cells.push((key.path().to_owned(), value));
+        cells.push((key.path().to_owned(), serde_json::to_value(setting).unwrap_or_default()));
     }
     cells.push(("converged".into(), Value::Bool(answer.is_ok())));
     let failure = match answer {
@@ -234,6 +238,8 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
 fn label(key: Key, setting: &Setting) -> String {
     match setting {
         Setting::Number(value) => key.entry().label_at(*value),
+        Setting::List(values) => format!("{} of {} values", key.path(), values.len()),
         Setting::Name(name) => (*name).to_owned(),
+        Setting::Table(grid) => grid.to_string(),
     }
 }

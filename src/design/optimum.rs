@@ -3,7 +3,9 @@
 //! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping.
 //! The efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That
 //! derivative comes of the factorisation that Newton's method holds, by one transposed solve. A case that asks for
-//! losses besides friction (`losses.include = "on"`) has the efficiency with these maximised.
+//! losses besides friction (`losses.include = "on"`) has the efficiency with these maximised. Where the belt's temperature
+//! is to be found, every belt that is tried is as warm as its losses make it, and the derivative has the temperature
+//! follow.
 
 use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};
@@ -13,8 +15,9 @@ use super::limit::clamped;
 use super::state::DriveState;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve_from};
-use crate::losses::{NoDerivatives, REFERENCE_TEMPERATURE, gradients, losses};
+use crate::losses::{Heat, NoDerivatives, NoLosses, gradients, losses, warm_start};
 use crate::model::{Constant, Constants, Include, Output};
+use crate::result::{derivatives, warmed};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -56,6 +59,10 @@ pub struct Optimum {
     pub bound: OptimumPlace,
     /// d(overall efficiency)/d(slack tension) there, 1/N.
     pub gradient: f64,
+    /// Efficiency with losses besides friction, if that was sought.
+    pub efficiency_with_losses: Option<f64>,
+    /// Temperature of the belt, K, if it was to be found.
+    pub belt_temperature: Option<f64>,
     /// Solutions it took.
     pub evaluations: usize,
     /// The solution.
@@ -66,6 +73,7 @@ pub struct Optimum {
 #[derive(Debug, Clone)]
 struct Trial {
     solved: Solved,
+    heat: Option<Heat>,
     /// ln T_slack.
     place: f64,
     /// dη/d ln T_slack.
@@ -86,7 +94,8 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     }
     let (case, start) = clamped(case, options)?;
     let mut search = Search { case, options: *options, evaluations: 0 };
-    let start = search.trial(start)?;
+    let reference = search.case.stiffnesses.reference;
+    let start = search.trial((start, reference))?;
     let mut trials = search.march(&start, 1.0)?;
     trials.reverse();
     trials.push(start.clone());
@@ -95,7 +104,7 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
     let mut best: Option<(f64, Trial, OptimumPlace)> = None;
     let told = search.case.clone();
     let mut offer = |trial: Trial, bound: OptimumPlace| -> Result<(), DesignError> {
-        let efficiency = efficiency(&told, &trial.solved, options)?;
+        let efficiency = efficiency(&told, &trial, options)?;
         if best.as_ref().is_none_or(|(other, ..)| efficiency > *other) {
             best = Some((efficiency, trial, bound));
         }
@@ -128,17 +137,20 @@ struct Search {
 }
 
 impl Search {
-    fn trial(&mut self, solved: Solved) -> Result<Trial, DesignError> {
+    /// From a solution with the belt at a temperature in K.
+    fn trial(&mut self, from: (Solved, f64)) -> Result<Trial, DesignError> {
         self.evaluations += 1;
+        let (solved, heat) = warmed(&self.case, &self.options, from)?;
         let tension = solved.constant(Constant::SlackTension);
-        let slope = tension * gradient(&self.case, &solved, &self.options)?;
-        Ok(Trial { solved, place: tension.ln(), slope })
+        let slope = tension * gradient(&self.case, &solved, heat.as_ref(), &self.options)?;
+        Ok(Trial { solved, heat, place: tension.ln(), slope })
     }
 
     fn at(&mut self, place: f64, from: &Trial) -> Result<Trial, DesignError> {
         self.case.operating_point.clamp = Clamp::SlackTension(place.exp());
-        let solved = solve_from(&from.solved, &self.case, &self.options)?;
-        self.trial(solved)
+        let (warm, temperature) = warm_start(&self.case, from.heat.as_ref());
+        let solved = solve_from(&from.solved, &warm, &self.options)?;
+        self.trial((solved, temperature))
     }
 
     /// Goes to tighter (`direction` 1) belts until that costs efficiency, or to looser ones (−1) as far as there are
@@ -184,9 +196,12 @@ impl Search {
     }
 
     fn finish(&self, best: Trial, bound: OptimumPlace) -> Result<Optimum, DesignError> {
+        let with_losses = with_losses(&self.case).then(|| efficiency(&self.case, &best, &self.options)).transpose()?;
         Ok(Optimum {
             state: DriveState::of(&best.solved)?,
             bound,
+            efficiency_with_losses: with_losses,
+            belt_temperature: best.heat.map(|heat| heat.temperature),
             gradient: best.slope / best.solved.constant(Constant::SlackTension),
             evaluations: self.evaluations,
             solved: best.solved,
@@ -200,17 +215,31 @@ fn with_losses(case: &Resolved) -> bool {
 }
 
 /// The efficiency sought.
-fn efficiency(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+fn efficiency(case: &Resolved, trial: &Trial, options: &SolveOptions) -> Result<f64, DesignError> {
     if with_losses(case) {
-        return Ok(losses(case, solved, REFERENCE_TEMPERATURE, options.tolerance)?.efficiency);
+        let temperature = trial.heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+        return Ok(losses(case, &trial.solved, temperature, options.tolerance)?.efficiency);
     }
-    Ok(DriveState::of(solved)?.overall_efficiency)
+    Ok(DriveState::of(&trial.solved)?.overall_efficiency)
 }
 
 /// d(efficiency sought)/d(slack tension), 1/N.
-fn gradient(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<f64, DesignError> {
+fn gradient(case: &Resolved, solved: &Solved, heat: Option<&Heat>, options: &SolveOptions) -> Result<f64, DesignError> {
+    if let Some(heat) = heat {
+        let sought =
+            if with_losses(case) { "efficiency.overall_with_losses" } else { Output::EfficiencyOverall.name() };
+        let rows = derivatives(case, options, solved, Some(heat))?;
+        return match rows.get(sought).and_then(|row| row.get(Key::SlackTension.path())) {
+            Some(found) => Ok(*found),
+            // Only an efficiency with losses that cannot be told has no derivatives; the losses say why.
+            None => {
+                losses(case, solved, heat.temperature, options.tolerance)?;
+                Err(DesignError::Losses(NoLosses::String))
+            }
+        };
+    }
     if with_losses(case) {
-        return match gradients(case, solved, REFERENCE_TEMPERATURE, options.tolerance) {
+        return match gradients(case, solved, case.stiffnesses.reference, options.tolerance) {
             Ok(gradients) => Ok(Constants::try_from(gradients.efficiency.as_slice())?[Constant::SlackTension]),
             Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
             Err(NoDerivatives::Internal(error)) => Err(error.into()),

@@ -4,6 +4,7 @@ use solver::Guess;
 use solver::continuation::{Path, PathOptions, Ramp, follow};
 
 use super::belt::BeltProblem;
+use super::closing;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::question::{Known, Question, Swap};
@@ -24,6 +25,11 @@ pub(super) fn approach(
     for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
         let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
         path = path.linear(index, here, asked);
+    }
+    let first_law = Constant::ALL.len() + question.conditions().count();
+    for (_, index) in question.closings.iter().zip(first_law..) {
+        let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
+        path = path.linear(index, here, 0.0);
     }
     let unknowns = question.unknowns();
     for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant)) {
@@ -46,7 +52,7 @@ pub(super) fn approach(
     let mut stats = from.stats;
     stats += *followed.solution.stats();
     let continuation_steps = from.continuation_steps + accepted(&followed);
-    match corrected(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
+    match corrected(&belt, followed.solution, &options.solve, !question.is_ordinary(), &mut stats) {
         Ok(solution) => {
             Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
         }
@@ -58,11 +64,14 @@ pub(super) fn approach(
 pub(super) fn posed(model: &ModelChoices, from: &Solved, question: &Question) -> Result<(BeltProblem, Guess), Failure> {
     let values = from.belt.output_values(&from.solution)?;
     let prescribed: Vec<_> = question.conditions().collect();
-    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?;
+    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?.closed(&question.closings)?;
     let mut start = Guess::from(&from.solution);
     start.constants.truncate(Constant::ALL.len());
     for (output, _) in &prescribed {
         start.constants.push(values.get(*output)?);
+    }
+    for closing in &question.closings {
+        start.constants.push(closing::residual(&*closing.law, &values, from.solution.constants())?);
     }
     Ok((belt, start))
 }

@@ -66,7 +66,8 @@ pub fn trace(
 ) -> Result<Curve, Failure> {
     let question = from.question.clone().swap(free, output, f64::NAN);
     let (belt, start) = posed(model, from, &question)?;
-    let parameter = start.constants.len().saturating_sub(1);
+    // Targets of outputs stand before those of laws, and the new one is the last of them.
+    let parameter = start.constants.len().saturating_sub(1 + question.closings.len());
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
     let (over, broken) = (Cell::new(false), Cell::new(None));
     let excess = |solution: &Solution| {

@@ -172,7 +172,7 @@ impl Failure {
         last: Option<&Solution>,
         cause: Box<SolveError>,
     ) -> Self {
-        let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
+        let Some(last) = last.filter(|_| !question.is_ordinary()) else { return Self::of(last, cause) };
         let constants = match Constants::try_from(last.constants()) {
             Ok(constants) => constants,
             Err(error) => return error.into(),
@@ -189,7 +189,11 @@ impl Failure {
             .swaps
             .iter()
             .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
-        match reached.collect::<Result<_, InternalError>>() {
+        // Laws are met at zero.
+        let laws = targets.iter().skip(question.conditions().count()).zip(&question.closings);
+        let laws = laws
+            .map(|(target, closing)| Ok(Reached { name: closing.law.name().to_owned(), value: *target, asked: 0.0 }));
+        match reached.chain(laws).collect::<Result<_, InternalError>>() {
             Err(error) => error.into(),
             Ok(reached) => Self::Unreached {
                 reached,

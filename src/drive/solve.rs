@@ -86,7 +86,7 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 /// See [`Failure`].
 pub fn solve_question(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
-    if question.swaps.is_empty() {
+    if question.is_ordinary() {
         return ordinary(model, question, options);
     }
     let mut failure = None;
@@ -111,13 +111,28 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
 /// An ordinary solution, to the tolerance of the path, near that of a question.
 fn near(model: &ModelChoices, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
-    if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
+    if question.frees(Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
-    } else if question.swaps.iter().any(|swap| swap.free == Constant::PrimaryTorque) {
+    } else if question.frees(Constant::PrimaryTorque) {
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
     ordinary(model, &Question::new(constants), &rough)
+}
+
+/// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in as
+/// many steps as that takes.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn approach_question(
+    from: &Solved,
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    question.check(model)?;
+    together(model, from, question, options)
 }
 
 /// Moves everything that is prescribed at once.
@@ -139,9 +154,13 @@ fn one_by_one(
 ) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
+    if count == 0 {
+        return together(model, near, question, options);
+    }
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
-        let next = Question { constants: constants.clone(), swaps };
+        let closings = if done == count { question.closings.clone() } else { Vec::new() };
+        let next = Question { constants: constants.clone(), swaps, closings };
         let solver = if done == count { options.solver() } else { rough(options) };
         here = approach(model, &here, &next, &path_options(model, solver))?;
     }

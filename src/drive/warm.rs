@@ -39,8 +39,8 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
     let question = Question::of(case);
     let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
-    if question.swaps.is_empty() && last.question.swaps.is_empty() {
-        let before = rest.last().filter(|before| before.question.swaps.is_empty());
+    if question.is_ordinary() && last.question.is_ordinary() {
+        let before = rest.last().filter(|before| before.question.is_ordinary());
         along(before.map(|before| &before.solution), &last.solution, &case.model, question, options)
     } else {
         solve_question_from(last, &case.model, &question, options)
@@ -113,7 +113,7 @@ fn along(
 /// differ in sign, or something else is prescribed in place of one.
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     let question = Question::of(case);
-    if !question.swaps.is_empty() || !from.question.swaps.is_empty() {
+    if !question.is_ordinary() || !from.question.is_ordinary() {
         return f64::INFINITY;
     }
     let (here, target) = (Constants::of(&from.solution), question.constants);

@@ -132,6 +132,25 @@ fn a_standard_linear_solid_followed_in_time_dissipates_what_the_sum_says() {
     assert!((sum.total / work - 1.0).abs() < 1e-6, "{} and {work}", sum.total);
 }
 
+/// A moment EI κ + c V κ' dissipates ∮ c V² κ'² dS, by quadrature in space; its loss tangent at the n-th harmonic is 2π
+/// f_n c/EI, with f_n = n V/L.
+#[test]
+fn a_kelvin_voigt_moment_costs_the_sum_with_its_own_loss_tangent() {
+    let (length, speed, stiffness, damping) = (0.86, 24.0, 0.26, 2e-4);
+    let value = |u: f64| 12.0 + 3.0 * (2.0 * (TAU * u).cos()).exp() - (2.0 * TAU * u - 1.0).sin();
+    let slope =
+        |u: f64| -12.0 * PI * (TAU * u).sin() * (2.0 * (TAU * u).cos()).exp() - 2.0 * TAU * (2.0 * TAU * u - 1.0).cos();
+    // The trapezoidal rule is exact to rounding for a smooth periodic integrand. κ' = dκ/dS = (dκ/du)/L.
+    let places = 4096;
+    let square = |place: i32| (slope(f64::from(place) / f64::from(places)) / length).powi(2);
+    let in_space = damping * speed * speed * length * (0..places).map(square).sum::<f64>() / f64::from(places);
+    // P = V (EI/π) Σ tan δ_n |B_n|²/n.
+    let tangent = |n: usize| TAU * n as f64 * speed / length * damping / stiffness;
+    let sum = series(&tracks(value, slope, 300), |n| speed * stiffness / PI * tangent(n), 1e-8 * in_space);
+    let by_harmonics = sum.expect("smooth").total;
+    assert!((by_harmonics / in_space - 1.0).abs() < 1e-6, "{by_harmonics} and {in_space}");
+}
+
 #[test]
 fn derivatives_are_those_of_finite_differences() {
     let value = |u: f64| (TAU * u).cos().exp() * (0.3 + (u - 0.5).abs());

@@ -2,7 +2,7 @@
 //! those at that temperature.
 //!
 //! ```text
-//! h (T − T_a) = a W + P_bend + P_groove + P_cord,      EI = EI_0 exp(−s_b (T − T_0)),   k = k_0 exp(−s_k (T − T_0))
+//! h (T − T_a) = a W + P_bend + P_groove + P_cord,      EI = EI(T),   k = k(T)
 //! ```
 //!
 //! The right-hand side is a functional of the whole path, with harmonics of it: no function of ends, integrals and
@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use solver::{Functional, Linearisation};
 
-use super::{NoDerivatives, gradients, losses};
-use crate::case::{Resolved, Thermal};
+use super::{NoDerivatives, NoLosses, gradients, losses};
+use crate::case::{Resolved, Softened, Surface, Thermal};
 use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
 use crate::model::{Constant, InternalError, Output};
 
@@ -50,6 +50,18 @@ pub struct Heat {
     /// d(heat into the belt)/d(temperature), W/K.
     #[serde(skip)]
     pub slope: f64,
+    /// What the temperature makes of both stiffnesses.
+    #[serde(skip)]
+    pub softened: [Rates; 2],
+}
+
+/// A stiffness over that at the reference temperature, and the derivative of the stiffness by the temperature.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rates {
+    /// Over that at the reference temperature.
+    pub factor: f64,
+    /// d(stiffness)/d(temperature), SI.
+    pub by_temperature: f64,
 }
 
 /// One of the two pulleys.
@@ -71,37 +83,56 @@ struct Rate {
 
 /// The case with its belt at a temperature.
 pub fn at_temperature(case: &Resolved, thermal: &Thermal, temperature: f64) -> Resolved {
-    let [bending, radial] = thermal.softened(temperature);
+    let [bending, radial] = thermal.softened(&case.stiffnesses, temperature);
     let mut warm = case.clone();
-    warm.belt.bending_stiffness *= bending;
-    warm.belt.radial_stiffness *= radial;
+    warm.belt.bending_stiffness *= bending.factor;
+    warm.belt.radial_stiffness *= radial.factor;
     warm
 }
 
-/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at the reference;
-/// the solution there.
+/// The case with its belt as warm as at a solution nearby, and that temperature, K; at the reference without heat.
+pub fn warm_start(case: &Resolved, heat: Option<&Heat>) -> (Resolved, f64) {
+    match (&case.thermal, heat) {
+        (Some(thermal), Some(heat)) => (at_temperature(case, thermal, heat.temperature), heat.temperature),
+        _ => (case.clone(), case.stiffnesses.reference),
+    }
+}
+
+/// The stiffnesses' rates at a solution with them.
+fn rates(case: &Resolved, thermal: &Thermal, solved: &Solved, temperature: f64) -> [Rates; 2] {
+    let [bending, radial] = thermal.softened(&case.stiffnesses, temperature);
+    let of = |softened: Softened, stiffness: Constant| Rates {
+        factor: softened.factor,
+        by_temperature: softened.rate * solved.constant(stiffness),
+    };
+    [of(bending, Constant::BendingStiffness), of(radial, Constant::RadialStiffness)]
+}
+
+/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at some temperature
+/// in K; the solution there.
 ///
 /// # Errors
 /// As [`solve`]; [`Failure::Sensitivities`]; [`Failure::Temperature`] where the balance has no end.
 pub fn settle(
     case: &Resolved,
     thermal: &Thermal,
-    solved: Solved,
+    (solved, temperature): (Solved, f64),
     options: &SolveOptions,
 ) -> Result<(Solved, Heat), Failure> {
-    let (mut temperature, mut solved) = (thermal.reference, solved);
+    let (mut temperature, mut solved) = (temperature, solved);
     let balanced = (BALANCED * options.tolerance).max(LEAST_BALANCED);
     for _ in 0..MAX_ITERATIONS {
         let warm = at_temperature(case, thermal, temperature);
         let rate = rate(&warm, thermal, &solved, temperature, options)?;
         let by = |constant: Constant| rate.by_constant.get(constant.index()).copied().unwrap_or(f64::NAN);
+        let softened = rates(case, thermal, &solved, temperature);
         let slope = rate.by_temperature
-            - by(Constant::BendingStiffness) * thermal.bending_softening * solved.constant(Constant::BendingStiffness)
-            - by(Constant::RadialStiffness) * thermal.radial_softening * solved.constant(Constant::RadialStiffness);
+            + by(Constant::BendingStiffness) * softened[0].by_temperature
+            + by(Constant::RadialStiffness) * softened[1].by_temperature;
         let missing = rate.heat - thermal.heat_transfer * (temperature - thermal.ambient);
         if missing.abs() <= balanced * rate.heat.abs() {
             let heat = told(thermal, &solved, temperature, rate.heat, slope)?;
-            return Ok((solved, heat));
+            return Ok((solved, Heat { softened, ..heat }));
         }
         let step = missing / (thermal.heat_transfer - slope);
         if !step.is_finite() {
@@ -131,7 +162,30 @@ fn told(thermal: &Thermal, solved: &Solved, temperature: f64, heat: f64, slope: 
         bending_stiffness: solved.constant(Constant::BendingStiffness),
         radial_stiffness: solved.constant(Constant::RadialStiffness),
         slope,
+        softened: Default::default(),
     })
+}
+
+/// Heat into the belt at a solution, W, loss tangents taken at a temperature in K.
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn into_belt(
+    case: &Resolved,
+    thermal: &Thermal,
+    solved: &Solved,
+    temperature: f64,
+    tolerance: f64,
+) -> Result<f64, InternalError> {
+    let outputs = solved.belt.output_values(&solved.solution)?;
+    let friction = thermal.friction_share * outputs.get(Output::EnergyFrictionLoss)?;
+    let told = case.losses.wanted().then(|| losses(case, solved, temperature, tolerance));
+    match told {
+        Some(Ok(losses)) => Ok(friction + losses.bending + losses.groove + losses.cord),
+        Some(Err(NoLosses::Internal(error))) => Err(error),
+        // A belt that has none to tell is heated by friction alone.
+        Some(Err(NoLosses::String | NoLosses::Endless { .. })) | None => Ok(friction),
+    }
 }
 
 /// Heat into the belt at a solution.
@@ -159,7 +213,7 @@ fn rate(
             Err(NoDerivatives::Internal(error)) => return Err(error.into()),
             Err(NoDerivatives::Losses(_)) => Default::default(),
         };
-        by_temperature = gradients.by_temperature;
+        by_temperature = HYSTERESIS.iter().filter_map(|name| gradients.by_temperature.get(name)).sum();
         for name in HYSTERESIS {
             let rows = gradients.by_constant.get(name).into_iter().flatten();
             by_constant.iter_mut().zip(rows).for_each(|(sum, by)| *sum += by);
@@ -170,8 +224,14 @@ fn rate(
 
 const HYSTERESIS: [&str; 3] = ["losses.bending", "losses.groove", "losses.cord"];
 
-/// Makes derivatives at a fixed temperature those at which the temperature follows; adds its own.
-pub fn close(derivatives: &mut BTreeMap<String, BTreeMap<String, f64>>, thermal: &Thermal, heat: &Heat) {
+/// Makes derivatives at a fixed temperature those at which the temperature follows; adds its own. `direct` has what
+/// changes with the temperature of the loss tangents itself, W/K or 1/K.
+pub fn close(
+    derivatives: &mut BTreeMap<String, BTreeMap<String, f64>>,
+    thermal: &Thermal,
+    heat: &Heat,
+    direct: &BTreeMap<&'static str, f64>,
+) {
     const STIFFNESSES: [&str; 2] = ["belt.bending_stiffness", "belt.radial_stiffness"];
     let row = |name: &str| derivatives.get(name).cloned().unwrap_or_default();
     let mut by: BTreeMap<String, f64> = row("energy.friction_loss");
@@ -184,18 +244,24 @@ pub fn close(derivatives: &mut BTreeMap<String, BTreeMap<String, f64>>, thermal:
     let factor = 1.0 / (thermal.heat_transfer - heat.slope);
     by.values_mut().for_each(|value| *value *= factor);
     by.insert("thermal.ambient".into(), thermal.heat_transfer * factor);
-    by.insert("thermal.heat_transfer".into(), -(heat.temperature - thermal.ambient) * factor);
-    let rates =
-        [-thermal.bending_softening * heat.bending_stiffness, -thermal.radial_softening * heat.radial_stiffness];
-    let softened = thermal.softened(heat.temperature);
+    let by_transfer = -(heat.temperature - thermal.ambient) * factor;
+    match thermal.surface {
+        None => _ = by.insert("thermal.heat_transfer".into(), by_transfer),
+        Some(Surface { per_area, perimeter, length }) => {
+            by.insert("thermal.heat_transfer_per_area".into(), by_transfer * perimeter * length);
+            by.insert("belt.perimeter".into(), by_transfer * per_area * length);
+            *by.entry("belt.length".into()).or_default() += by_transfer * per_area * perimeter;
+        }
+    }
     let given = |row: &mut BTreeMap<String, f64>| {
-        for (key, factor) in STIFFNESSES.into_iter().zip(softened) {
-            row.entry(key.into()).and_modify(|value| *value *= factor);
+        for (key, softened) in STIFFNESSES.into_iter().zip(heat.softened) {
+            row.entry(key.into()).and_modify(|value| *value *= softened.factor);
         }
     };
-    for row in derivatives.values_mut() {
-        let per_kelvin: f64 =
-            STIFFNESSES.iter().zip(rates).map(|(key, rate)| row.get(*key).copied().unwrap_or(0.0) * rate).sum();
+    for (name, row) in derivatives.iter_mut() {
+        let softened = STIFFNESSES.iter().zip(heat.softened);
+        let through = softened.map(|(key, softened)| row.get(*key).copied().unwrap_or(0.0) * softened.by_temperature);
+        let per_kelvin = through.sum::<f64>() + direct.get(name.as_str()).copied().unwrap_or(0.0);
         for (key, by) in &by {
             *row.entry(key.clone()).or_default() += per_kelvin * by;
         }

@@ -16,7 +16,7 @@ use generated::{FormulaKernel, HYSTERESIS, Identity, LOSS_BALANCE};
 use serde::Serialize;
 
 pub use gradient::TrackGradient;
-pub use heat::{Heat, Hotter, at_temperature, close, settle};
+pub use heat::{Heat, Hotter, Rates, at_temperature, close, into_belt, settle, warm_start};
 pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};
 
@@ -24,10 +24,6 @@ use crate::case::{LossTangent, Resolved};
 use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, InternalError, Output};
 use tracks::Tracks;
-
-/// Temperature, K, at which properties are taken that a case gives over temperature, where none is solved for: that of
-/// the thesis's measurements (4.1), 60 °C.
-pub const REFERENCE_TEMPERATURE: f64 = 333.15;
 
 /// Loss tangent of the rubber that the thesis measured (4.1). Sums end where what is missing, were this the loss
 /// tangent, is below the tolerance: as many harmonics at any loss tangent, so that losses are exactly linear in it.

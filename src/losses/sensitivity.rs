@@ -35,15 +35,15 @@ struct Adjoint {
 }
 
 /// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones), by their names in
-/// the result object; and of what hysteresis takes by the temperature at which the loss tangents are taken.
+/// the result object; and by the temperature at which the loss tangents are taken.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Gradients {
     /// By name, by constant.
     pub by_constant: BTreeMap<&'static str, Vec<f64>>,
     /// That of the efficiency with losses, by constant.
     pub efficiency: Vec<f64>,
-    /// d(hysteresis)/d(temperature), W/K.
-    pub by_temperature: f64,
+    /// By name, by the temperature, W/K or 1/K.
+    pub by_temperature: BTreeMap<&'static str, f64>,
 }
 
 /// Derivatives of a solved case's losses, sums to `tolerance` times the power that the drive takes in.
@@ -114,7 +114,19 @@ pub fn gradients(
         ("losses.total", all),
         ("efficiency.overall_with_losses", efficiency.clone()),
     ]);
-    Ok(Gradients { by_constant, efficiency, by_temperature: adjoints.iter().map(|adjoint| adjoint.temperature).sum() })
+    let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| adjoint.temperature);
+    let dissipated = bending + groove + cord;
+    // Hysteresis is the third of the balance's inputs.
+    let through = |output: LossBalanceOutput| partial.at(output.index(), 2) * dissipated;
+    let by_temperature = BTreeMap::from([
+        ("losses.bending", bending),
+        ("losses.groove", groove),
+        ("losses.cord", cord),
+        ("losses.gears", through(LossBalanceOutput::Gears)),
+        ("losses.total", through(LossBalanceOutput::Total)),
+        ("efficiency.overall_with_losses", through(LossBalanceOutput::Efficiency)),
+    ]);
+    Ok(Gradients { by_constant, efficiency, by_temperature })
 }
 
 /// The functional that is an unknown constant itself.

@@ -20,6 +20,7 @@ mod figure;
 mod path;
 #[cfg(feature = "figures")]
 mod render;
+mod stack;
 #[cfg(feature = "figures")]
 mod ticks;
 
@@ -27,3 +28,4 @@ pub use drive::drive;
 pub use figure::{Axis, Figure, Look, Mark, Series};
 #[cfg(feature = "figures")]
 pub use render::PlotError;
+pub use stack::Stack;

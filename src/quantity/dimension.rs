@@ -21,7 +21,7 @@ pub struct Dimension {
 }
 
 /// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 18] = [
+const NAMED: [(Dimension, &str); 23] = [
     (Dimension::NONE, "a plain number"),
     (Dimension::LENGTH, "a length"),
     (Dimension::MASS, "a mass"),
@@ -36,10 +36,15 @@ const NAMED: [(Dimension, &str); 18] = [
     (Dimension::POWER, "a power"),
     (Dimension::MASS_PER_LENGTH, "a mass per length"),
     (Dimension::BENDING_STIFFNESS, "a bending stiffness"),
+    (Dimension::SPRING_RATE, "a force per length"),
+    (Dimension::TORSION_RATE, "a torque per angle"),
+    (Dimension::AREA, "an area"),
+    (Dimension::DENSITY, "a density"),
     (Dimension::DRAG_PER_SPEED, "a torque over a speed"),
     (Dimension::TEMPERATURE, "a temperature"),
     (Dimension::PER_TEMPERATURE, "a share per kelvin"),
     (Dimension::HEAT_TRANSFER, "a power over a difference of temperatures"),
+    (Dimension::HEAT_TRANSFER_PER_AREA, "a power over an area and a difference of temperatures"),
 ];
 
 impl Dimension {
@@ -72,6 +77,15 @@ impl Dimension {
     /// Newton metre squared.
     pub const BENDING_STIFFNESS: Self = Self::new(3, 1, -2, 0);
 
+    /// Newton per metre.
+    pub const SPRING_RATE: Self = Self::new(0, 1, -2, 0);
+    /// Newton metre per radian.
+    pub const TORSION_RATE: Self = Self::new(2, 1, -2, -1);
+    /// Square metre.
+    pub const AREA: Self = Self::new(2, 0, 0, 0);
+    /// Kilogram per cubic metre.
+    pub const DENSITY: Self = Self::new(-3, 1, 0, 0);
+
     /// Newton metre second per radian: a torque over a speed of rotation, written N*m*s.
     pub const DRAG_PER_SPEED: Self = Self::new(2, 1, -1, 0);
 
@@ -81,6 +95,8 @@ impl Dimension {
     pub const PER_TEMPERATURE: Self = Self { temperature: -1, ..Self::NONE };
     /// Watt per kelvin.
     pub const HEAT_TRANSFER: Self = Self { temperature: -1, ..Self::POWER };
+    /// Watt per square metre and kelvin.
+    pub const HEAT_TRANSFER_PER_AREA: Self = Self { temperature: -1, ..Self::new(0, 1, -3, 0) };
 
     /// From the exponents of length, mass, time and angle.
     pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {

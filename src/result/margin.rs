@@ -1,10 +1,11 @@
 //! The clamp that leaves a given margin against slip.
 
 use super::compute::Reading;
-use super::{Outcome, interpret};
+use super::{Outcome, read_at, warmed};
 use crate::case::{Clamp, Key, Margin, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, Question, SolveOptions, Solved, solve, solve_along};
+use crate::losses::{Heat, warm_start};
 use crate::model::{Constant, InternalError};
 
 /// Slack tension of the start over M/R_P: a belt as tight as this does not slip much.
@@ -38,7 +39,8 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
     let target = margin.utilization();
     let mut inner = case.clone();
     inner.operating_point.margin = None;
-    let mut near = carried(&mut inner, options)?;
+    let first = carried(&mut inner, options)?;
+    let (mut near, mut heat) = warmed(&inner, options, (first, case.stiffnesses.reference))?;
     let mut here = near.constant(Constant::SlackTension);
     let mut used = utilization(&near)?;
     // The tightest belt that uses more than is wanted, and the loosest that uses less.
@@ -46,7 +48,7 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
     let mut before: Option<(f64, f64)> = None;
     for _ in 0..SOLUTIONS {
         if (used - target).abs() <= options.tolerance.max(FINEST) * target {
-            let mut outcome = interpret(&inner, options, near, start)?;
+            let mut outcome = read_at(&inner, options, (near, heat), start)?;
             outcome.result.inputs = case.clone();
             outcome.result.add_found(Key::SlackTension, here);
             return Ok(outcome);
@@ -59,11 +61,10 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
         let next = next(here, used, before, target).clamp(here / STRIDE, here * STRIDE);
         let next = if next > loose && next < tight { next } else { 0.5 * (loose + tight.min(here * STRIDE)) };
         inner.operating_point.clamp = Clamp::SlackTension(next);
-        let solved = solve_along(&[&near], &inner, options).or_else(|_| solve(&inner, options));
-        match solved {
-            Ok(solved) => {
+        match at(&inner, &near, heat.as_ref(), options) {
+            Ok((solved, warm)) => {
                 before = Some((here, used));
-                (here, used, near) = (next, utilization(&solved)?, solved);
+                (here, used, near, heat) = (next, utilization(&solved)?, solved, warm);
             }
             // Beyond what has a solution: half the way.
             Err(failure) if (next - here).abs() <= 1e-6 * here => {
@@ -74,6 +75,18 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
         }
     }
     Err(Failure::margin(target, used, here, Failure::NoStart))
+}
+
+/// A solution of the case from one nearby, the belt as warm as it becomes.
+fn at(
+    case: &Resolved,
+    near: &Solved,
+    heat: Option<&Heat>,
+    options: &SolveOptions,
+) -> Result<(Solved, Option<Heat>), Failure> {
+    let (warm, temperature) = warm_start(case, heat);
+    let solved = solve_along(&[near], &warm, options).or_else(|_| solve(&warm, options))?;
+    warmed(case, options, (solved, temperature))
 }
 
 /// The next slack tension, from two solutions or one.

@@ -29,7 +29,7 @@ pub use warnings::warnings;
 use crate::case::{Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
-use crate::losses::{NoLosses, REFERENCE_TEMPERATURE, close, losses, settle};
+use crate::losses::{Heat, NoLosses, close, losses, settle};
 use crate::model::InternalError;
 
 /// A solved case: the result object, and the solution it was read from.
@@ -68,23 +68,56 @@ pub fn interpret(
     solved: Solved,
     start: Stopwatch,
 ) -> Result<Outcome, Failure> {
-    let (solved, heat) = match &case.thermal {
-        Some(thermal) => settle(case, thermal, solved, options).map(|(solved, heat)| (solved, Some(heat)))?,
-        None => (solved, None),
-    };
-    let temperature = heat.map_or(REFERENCE_TEMPERATURE, |heat| heat.temperature);
+    let reference = case.stiffnesses.reference;
+    let (solved, heat) = warmed(case, options, (solved, reference))?;
+    read_at(case, options, (solved, heat), start)
+}
+
+/// A solution of a case with its stiffnesses at some temperature in K, and that at which its heat is in balance where
+/// the case asks for it.
+pub(crate) fn warmed(
+    case: &Resolved,
+    options: &SolveOptions,
+    from: (Solved, f64),
+) -> Result<(Solved, Option<Heat>), Failure> {
+    match &case.thermal {
+        Some(thermal) => settle(case, thermal, from, options).map(|(solved, heat)| (solved, Some(heat))),
+        None => Ok((from.0, None)),
+    }
+}
+
+/// Derivatives of all outputs at a solution, the temperature following where there is heat.
+pub(crate) fn derivatives(
+    case: &Resolved,
+    options: &SolveOptions,
+    solved: &Solved,
+    heat: Option<&Heat>,
+) -> Result<Sensitivities, Failure> {
+    let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+    let mut derivatives = sensitivities(solved)?;
+    let mut direct = BTreeMap::new();
+    if case.losses.wanted() {
+        direct = add_losses(&mut derivatives, case, options, temperature, solved)?;
+    }
+    if let (Some(thermal), Some(heat)) = (&case.thermal, heat) {
+        close(&mut derivatives, thermal, heat, &direct);
+    }
+    Ok(derivatives)
+}
+
+/// Reads a solution whose temperature is known.
+fn read_at(
+    case: &Resolved,
+    options: &SolveOptions,
+    (solved, heat): (Solved, Option<Heat>),
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
+    let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
     let mut result = read(case, options, &solved, start)?;
     result.belt.temperature = heat.map(|heat| heat.temperature);
     result.thermal = heat;
     if options.sensitivities {
-        let mut derivatives = sensitivities(&solved)?;
-        if case.losses.wanted() {
-            add_losses(&mut derivatives, case, options, temperature, &solved)?;
-        }
-        if let (Some(thermal), Some(heat)) = (&case.thermal, &heat) {
-            close(&mut derivatives, thermal, heat);
-        }
-        result.sensitivities = Some(derivatives);
+        result.sensitivities = Some(derivatives(case, options, &solved, heat.as_ref())?);
     }
     let told = case.losses.wanted().then(|| losses(case, &solved, temperature, options.tolerance));
     let no_losses = match told {

@@ -32,7 +32,8 @@ pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, Failure> {
     Ok(rows.collect())
 }
 
-/// Adds the derivatives of the losses besides friction; nothing where there are none to tell.
+/// Adds the derivatives of the losses besides friction; nothing where there are none to tell. Gives those by the
+/// temperature at which loss tangents are taken.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
@@ -42,13 +43,13 @@ pub fn add_losses(
     options: &SolveOptions,
     temperature: f64,
     solved: &Solved,
-) -> Result<(), Failure> {
+) -> Result<BTreeMap<&'static str, f64>, Failure> {
     let gradients = match gradients(case, solved, temperature, options.tolerance) {
         Ok(gradients) => gradients,
         Err(NoDerivatives::Internal(error) | NoDerivatives::Losses(NoLosses::Internal(error))) => {
             return Err(error.into());
         }
-        Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => return Ok(()),
+        Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => return Ok(BTreeMap::new()),
         Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
     };
     let given = given(solved);
@@ -56,7 +57,7 @@ pub fn add_losses(
         let value = |at: usize| gradient.get(at).copied().unwrap_or(f64::NAN);
         to.insert(name.to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
     }
-    Ok(())
+    Ok(gradients.by_temperature)
 }
 
 /// Places of what is given among the problem's constants, with their names.

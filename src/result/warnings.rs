@@ -39,6 +39,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(energy(outcome));
     said.extend(outcome.no_losses.map(|reason| format!("No losses besides friction are told: {reason}.")));
     said.extend(hot(outcome));
+    said.extend(beyond_tables(outcome));
     said
 }
 
@@ -47,6 +48,24 @@ fn hot(outcome: &Outcome) -> Option<String> {
     let temperature = outcome.result.belt.temperature.filter(|temperature| *temperature > HOT)?;
     let celsius = temperature - CELSIUS;
     Some(format!("The belt is hot: {celsius:.1} °C, above the 71 °C up to which it lasts long."))
+}
+
+/// A temperature at which nothing was measured.
+fn beyond_tables(outcome: &Outcome) -> Option<String> {
+    let inputs = &outcome.result.inputs;
+    let temperature = outcome.result.belt.temperature.unwrap_or(inputs.stiffnesses.reference);
+    let tables = inputs.stiffnesses.tables().chain(inputs.losses.tables());
+    let (key, (low, high)) = tables
+        .filter_map(|(key, grid)| Some((key, grid.temperatures()?)))
+        .find(|(_, (low, high))| !(*low..=*high).contains(&temperature))?;
+    Some(format!(
+        "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses go on \
+         as they fell at the nearest, loss tangents stay as they were there.",
+        temperature - CELSIUS,
+        key.path(),
+        low - CELSIUS,
+        high - CELSIUS
+    ))
 }
 
 /// A state at the nodes of a region.

@@ -33,7 +33,7 @@ impl Axis {
                 None => axis = Some(Self { keys: vec![key], values }),
                 Some(axis) if axis.points() == values.len() => {
                     let old = axis.values.chunks(axis.keys.len()).zip(values);
-                    axis.values = old.flat_map(|(point, value)| point.iter().copied().chain([value])).collect();
+                    axis.values = old.flat_map(|(point, value)| point.iter().cloned().chain([value])).collect();
                     axis.keys.push(key);
                 }
                 Some(axis) => {
@@ -87,7 +87,7 @@ impl Axis {
     pub fn at(&self, point: usize) -> impl Iterator<Item = (Key, Setting)> + '_ {
         let first = point.saturating_mul(self.keys.len());
         let values = self.values.get(first..).unwrap_or_default();
-        self.keys.iter().copied().zip(values.iter().copied())
+        self.keys.iter().copied().zip(values.iter().cloned())
     }
 
     /// Whether neighbours along the axis differ by numbers only.
@@ -186,7 +186,7 @@ mod tests {
         let axis = Axis::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         let number = |(_, setting): (Key, Setting)| match setting {
             Setting::Number(value) => value,
-            Setting::Name(name) => panic!("{name} is no number"),
+            other => panic!("{other:?} is no number"),
         };
         (0..axis.points()).flat_map(|point| axis.at(point).map(number).collect::<Vec<_>>()).collect()
     }

@@ -119,7 +119,9 @@ impl Study {
         for (key, setting) in &varied {
             match setting {
                 Setting::Number(value) => case.set_si(*key, *value)?,
+                Setting::List(values) => case.set_list(*key, values)?,
                 Setting::Name(name) => case.set(key.path(), name)?,
+                Setting::Table(grid) => case.set(key.path(), &grid.to_string())?,
             }
         }
         Ok((varied, case))
@@ -162,7 +164,9 @@ impl Study {
             for (_, setting) in (0..axis.points()).flat_map(|at| axis.at(at)) {
                 match setting {
                     Setting::Number(value) => checksum.update(&value.to_le_bytes()),
+                    Setting::List(values) => values.iter().for_each(|value| checksum.update(&value.to_le_bytes())),
                     Setting::Name(name) => checksum.update(name.as_bytes()),
+                    Setting::Table(grid) => checksum.update(grid.to_string().as_bytes()),
                 }
             }
             let ends = [point(axis, 0), point(axis, axis.points().saturating_sub(1))];

@@ -1,7 +1,6 @@
 //! Rows of a study, and the table they make.
 
 use super::plan::GridPoint;
-use crate::case::Setting;
 use crate::result::Outcome;
 use serde_json::{Number, Value};
 use std::collections::HashMap;
@@ -76,11 +75,7 @@ impl Row {
     pub fn new(index: usize, point: &GridPoint, outcome: Result<&Outcome, String>) -> Self {
         let mut row = Self { index, columns: Vec::new(), cells: Vec::new() };
         for (key, setting) in &point.varied {
-            let value = match setting {
-                Setting::Number(value) => Value::from(*value),
-                Setting::Name(name) => Value::from(*name),
-            };
-            row.push(key.path().to_owned(), value);
+            row.push(key.path().to_owned(), serde_json::to_value(setting).unwrap_or_default());
         }
         row.push(CONVERGED.into(), Value::Bool(outcome.is_ok()));
         match &outcome {

@@ -21,9 +21,11 @@
 
 mod formulas;
 mod number;
+mod singular;
 
 pub use formulas::{Differenced, Exact, Formulas};
 pub use number::Number;
+pub use singular::SingularTermError;
 
 use crate::error::SolveError;
 use crate::guess::Guess;
@@ -31,6 +33,7 @@ use crate::options::Options;
 use crate::problem::{Constant, Layout, Points, Problem, Region, Scope};
 use crate::solution::Solution;
 use crate::solve::solve;
+use singular::SingularTerm;
 
 /// Intervals of a guess of which no number is said.
 const INTERVALS: usize = 10;
@@ -46,6 +49,7 @@ pub struct Bvp<M> {
     intervals: usize,
     /// Values of the states at the nodes of equal intervals, if they are not zero.
     states: Option<Vec<Vec<f64>>>,
+    singular: Option<SingularTerm>,
 }
 
 impl<F, B> Bvp<Exact<F, B>>
@@ -75,7 +79,7 @@ impl<M: Formulas> Bvp<M> {
     /// With formulas that bring their own derivatives.
     pub fn with(states: &[&str], interval: (f64, f64), formulas: M) -> Self {
         let (layout, parameters, unknowns) = (layout(states, interval, &[], 0), Vec::new(), Vec::new());
-        Self { formulas, layout, parameters, unknowns, intervals: INTERVALS, states: None }
+        Self { formulas, layout, parameters, unknowns, intervals: INTERVALS, states: None, singular: None }
     }
 
     /// One more parameter, of a given value.
@@ -101,6 +105,34 @@ impl<M: Formulas> Bvp<M> {
         let states: Vec<&str> = region.states.iter().map(|state| state.name.as_str()).collect();
         self.layout = layout(&states, region.interval, &names, self.unknowns.len());
         self
+    }
+
+    /// Adds `S y/(x - a)` to the right-hand side, with `S` by rows: a term that is singular at the left end a, as symmetry
+    /// about an axis or a centre brings it. Among the boundary conditions there must be those of `S y(a) = 0`.
+    ///
+    /// Emden's equation `u'' + 2 u'/x + u⁵ = 0`, `u'(0) = 0`, `u(1) = √3/2`:
+    ///
+    /// ```
+    /// use solver::{Options, bvp::Bvp};
+    ///
+    /// let star = Bvp::new(
+    ///     &["u", "slope"],
+    ///     (0.0, 1.0),
+    ///     |_, y, _, f| (f[0], f[1]) = (y[1], -y[0].powi(5)),
+    ///     |a, b, _, g| (g[0], g[1]) = (a[1], b[0] - 0.75_f64.sqrt()),
+    /// )
+    /// .singular_term(&[&[0.0, 0.0], &[0.0, -2.0]])?
+    /// .guess(5, |_, y| (y[0], y[1]) = (0.75_f64.sqrt(), 1e-4));
+    /// let solution = star.solve(&Options::default())?;
+    /// assert!((solution.regions()[0].eval(0.0)[0] - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The matrix does not suit: see [`SingularTermError`].
+    pub fn singular_term(mut self, matrix: &[&[f64]]) -> Result<Self, SingularTermError> {
+        self.singular = Some(SingularTerm::new(self.layout.regions[0].states.len(), matrix)?);
+        Ok(self)
     }
 
     /// The guess `y(x)`, on so many equal intervals. Without one all states are guessed to be zero.
@@ -156,11 +188,14 @@ impl<M: Formulas> Problem for Bvp<M> {
     }
 
     fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
-        let n = self.layout.regions[0].states.len();
+        let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
         let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
         for j in 0..at.len {
             y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
             self.formulas.rhs(at.s[j], &y, constants, &mut out);
+            if let Some(term) = &self.singular {
+                term.complete(at.s[j] - start, &y, &mut out);
+            }
             out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
         }
     }
@@ -175,12 +210,16 @@ impl<M: Formulas> Problem for Bvp<M> {
         dy: &mut [f64],
         dc: &mut [f64],
     ) {
-        let n = self.layout.regions[0].states.len();
+        let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
         let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
         let mut columns = vec![0.0; n * (n + constants.len())];
         for j in 0..at.len {
             y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
             self.formulas.rhs_derivatives(at.s[j], &y, constants, &mut out, &mut columns);
+            if let Some(term) = &self.singular {
+                term.complete(at.s[j] - start, &y, &mut out);
+                term.complete_derivatives(at.s[j] - start, &mut columns);
+            }
             out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
             let (states, parameters) = columns.split_at(n * n);
             states.iter().enumerate().for_each(|(entry, value)| dy[entry * at.stride + j] = *value);

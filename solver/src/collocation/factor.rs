@@ -1,16 +1,17 @@
 //! The Newton matrix, factored: each region eliminated to its two ends, then one dense system for ends and constants.
 
+mod region;
+
 use super::assemble::Assembly;
 use super::evaluate::Work;
 use super::plan::RegionPlan;
 use super::{Correction, Scales, System};
-use crate::linear::chain::{Block, Chain, Intervals, Reduced};
+use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
-use crate::linear::reflect::{Rows, with_rows};
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, vectorised};
 use crate::orientation::Orientation;
 use crate::problem::Problem;
+use region::{Backward, FactorRegion, Forward};
 
 /// One region: the stretches side by side, then the stretches one after another.
 #[derive(Debug, Clone)]
@@ -42,136 +43,6 @@ pub(crate) struct Factorisation {
     pub dense: Vec<f64>,
     /// `(equation, region, active integral, derivative)`.
     pub integral_entries: Vec<(usize, usize, usize, f64)>,
-}
-
-struct FactorRegion<'a, 'b> {
-    assembly: Assembly<'a>,
-    n: usize,
-    factor: &'b mut RegionFactor,
-}
-
-impl FactorRegion<'_, '_> {
-    /// Not generic, so that it is compiled here once and not with every problem; the others likewise.
-    fn vectorised(self) {
-        vectorised(self);
-    }
-}
-
-impl Job for FactorRegion<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        with_rows!(self.n, rows => factor_region(rows, self.assembly, self.factor))
-    }
-}
-
-#[inline(always)]
-fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFactor) {
-    let RegionFactor { lanes, top, row_scale } = factor;
-    lanes.factor(rows, Stretches { assembly, row_scale });
-    top.factor(rows, Reduced(&lanes.end));
-}
-
-/// The intervals of all stretches, side by side.
-struct Stretches<'a, 'b> {
-    assembly: Assembly<'a>,
-    row_scale: &'b mut [Lane],
-}
-
-impl Intervals<Lane> for Stretches<'_, '_> {
-    #[inline(always)]
-    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>) {
-        let n = rows.n();
-        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n]);
-    }
-}
-
-struct Forward<'a> {
-    factor: &'a RegionFactor,
-    rhs: &'a mut [Lane],
-    functionals: &'a mut [f64],
-}
-
-impl Forward<'_> {
-    fn vectorised(self) -> Vec<f64> {
-        vectorised(self)
-    }
-}
-
-impl Job for Forward<'_> {
-    /// What the region contributes to the dense system: `n` values; and the stretches' right-hand sides.
-    type Output = Vec<f64>;
-
-    #[inline(always)]
-    fn run(self) -> Vec<f64> {
-        with_rows!(self.factor.lanes.sizes().n, rows => forward_region(rows, self))
-    }
-}
-
-#[inline(always)]
-fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
-    let n = rows.n();
-    for (rhs, scale) in job.rhs.iter_mut().zip(&job.factor.row_scale) {
-        *rhs = *rhs * *scale;
-    }
-    let mut lane_sums = vec![Lane::ZERO; job.functionals.len()];
-    job.factor.lanes.forward(rows, job.rhs, &mut lane_sums);
-    for (sum, lane) in job.functionals.iter_mut().zip(&lane_sums) {
-        *sum += lane.0.iter().sum::<f64>();
-    }
-    let last = &job.rhs[job.rhs.len() - n..];
-    let mut top = vec![0.0; W * n];
-    for (i, lane) in last.iter().enumerate() {
-        for l in 0..W {
-            top[l * n + i] = lane.0[l];
-        }
-    }
-    job.factor.top.forward(rows, &mut top, job.functionals);
-    top
-}
-
-struct Backward<'a> {
-    factor: &'a RegionFactor,
-    rhs: &'a [Lane],
-    top: &'a [f64],
-    constants: &'a [f64],
-    first: &'a [f64],
-    last: &'a [f64],
-    u: &'a mut [Lane],
-}
-
-impl Backward<'_> {
-    fn vectorised(self) {
-        vectorised(self);
-    }
-}
-
-impl Job for Backward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        with_rows!(self.factor.lanes.sizes().n, rows => backward_region(rows, self))
-    }
-}
-
-#[inline(always)]
-fn backward_region<R: Rows>(rows: R, job: Backward<'_>) {
-    let n = rows.n();
-    let mut interfaces = vec![0.0; (W + 1) * n];
-    interfaces[..n].copy_from_slice(job.first);
-    interfaces[W * n..].copy_from_slice(job.last);
-    job.factor.top.backward(rows, job.top, job.constants, &mut interfaces);
-    let end = job.u.len() - n;
-    for i in 0..n {
-        for l in 0..W {
-            job.u[i].0[l] = interfaces[l * n + i];
-            job.u[end + i].0[l] = interfaces[(l + 1) * n + i];
-        }
-    }
-    let constants: Vec<Lane> = job.constants.iter().map(|&c| Lane([c; W])).collect();
-    job.factor.lanes.backward(rows, job.rhs, &constants, job.u);
 }
 
 impl Factorisation {

@@ -31,7 +31,7 @@ pub(crate) struct Extension {
     pub beta: Vec<f64>,
 }
 
-/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β` in S and in dS/dσ at one σ.
+/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β` in S and in its derivatives at one σ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Basis {
     pub rise: f64,
@@ -61,6 +61,18 @@ impl Basis {
             right: -x * (2.0 - 3.0 * x),
             alpha: bump,
             beta: bump * (x - 0.5) + x * x * z * z,
+        }
+    }
+
+    /// Weights in d²S/dσ²; that of `y_0` is 0.
+    pub(crate) fn curvature(x: f64) -> Self {
+        let (slope, curvature) = (2.0 * x * (1.0 - x) * (1.0 - 2.0 * x), 2.0 - 12.0 * x * (1.0 - x));
+        Self {
+            rise: 6.0 - 12.0 * x,
+            left: 6.0 * x - 4.0,
+            right: 6.0 * x - 2.0,
+            alpha: curvature,
+            beta: curvature * (x - 0.5) + 2.0 * slope,
         }
     }
 }

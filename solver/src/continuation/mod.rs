@@ -2,6 +2,7 @@
 //!
 //! - [`follow`]: along a given path, from its start to its end.
 //! - [`trace`]: a branch in one constant, through folds, with events.
+//! - [`trace_crossing`]: from a branch point onto the branch that crosses there.
 //! - [`solve_automatically`]: whatever way leads to a solution where Newton's iteration fails from the guess.
 //! - [`Checkpoint`]: where a continuation stands, for a later process.
 
@@ -21,4 +22,4 @@ pub use branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction,
 pub use checkpoint::{Checkpoint, CheckpointError, Saved};
 pub use natural::{Followed, PathError, PathOptions, StepRecord, follow, follow_observed, resume_follow};
 pub use path::{Path, Ramp};
-pub use trace::{resume_trace, trace, trace_observed};
+pub use trace::{resume_trace, trace, trace_crossing, trace_observed};

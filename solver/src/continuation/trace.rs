@@ -1,6 +1,6 @@
 //! Tracing a branch of solutions through folds, in one constant, by pseudo-arclength; folds and events are located.
 
-use super::branch::{Branch, BranchError, BranchOptions, EventFunction};
+use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction};
 use super::checkpoint::Checkpoint;
 use super::tracer::Tracer;
 use crate::budget::Budget;
@@ -54,6 +54,52 @@ pub(super) fn trace_within(
 ) -> Result<Branch, BranchError> {
     Tracer::new(problem, parameter, unknowns, options, events, observer, budget)
         .run(|tracer| Ok((tracer.first(start)?, 0.0, options.first_step)))
+}
+
+/// Traces the branch that crosses another at a simple branch point, to both sides of it. The points begin with the branch
+/// point.
+///
+/// The first step leaves along the null vector of the equations there, so that `first_step` must be large enough for
+/// the two branches to be apart, and small enough for a straight line to be near the branch.
+///
+/// ```
+/// use solver::bvp::Bvp;
+/// use solver::continuation::{BranchOptions, trace, trace_crossing};
+///
+/// // Euler's strut: θ'' = -λ sin θ, θ'(0) = θ'(1) = 0. The straight one buckles at λ = π².
+/// let strut = Bvp::new(
+///     &["angle", "curvature"],
+///     (0.0, 1.0),
+///     |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0].sin()),
+///     |a, b, _, g| (g[0], g[1]) = (a[1], b[1]),
+/// )
+/// .given("load", 5.0);
+/// let options = BranchOptions { range: (5.0, 15.0), max_points: 60, ..BranchOptions::default() };
+/// let straight = trace(&strut, &strut.start(), 0, &[], &options, &[])?;
+/// let buckling = straight.branch_points().next().ok_or("no branch point")?;
+/// assert!((buckling.parameter - std::f64::consts::PI.powi(2)).abs() < 1e-3);
+/// let [left, right] = trace_crossing(&strut, buckling, 0, &[], &options, &[])?;
+/// let angle = |branch: &solver::continuation::Branch| branch.points[8].solution.regions()[0].state(0)[0];
+/// assert!(angle(&left).abs() > 0.1 && (angle(&left) + angle(&right)).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`trace`]; its cause is [`SolveError::Option`](crate::SolveError::Option) if the point is no branch point.
+pub fn trace_crossing<P: Problem + ?Sized>(
+    problem: &P,
+    at: &BranchPoint,
+    parameter: usize,
+    unknowns: &[usize],
+    options: &BranchOptions,
+    events: &[EventFunction<'_>],
+) -> Result<[Branch; 2], BranchError> {
+    let budget = Budget::new(&options.solve);
+    let side = |sign: f64| {
+        Tracer::new(&problem, parameter, unknowns, options, events, &mut Silent, &budget)
+            .run(|tracer| Ok((tracer.crossing(at, sign)?, 0.0, options.first_step)))
+    };
+    Ok([side(1.0)?, side(-1.0)?])
 }
 
 /// Goes on from a checkpoint of an earlier tracing of the same branch, at folds too. The points begin with the

@@ -1,5 +1,7 @@
 //! Steps along a branch: predictor, corrector, step length; folds and events between two points.
 
+mod crossing;
+
 use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
 use super::checkpoint::Checkpoint;

@@ -5,10 +5,10 @@ use super::actuator::Actuator;
 use super::fit::{self, Linearised, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, Problem};
-use crate::case::{Case, Free, Key, Resolved, ValueKind};
+use crate::case::{Case, Free, Include, Key, Resolved, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
-use crate::result::{interpret, sensitivities};
+use crate::result::interpret;
 use serde::Serialize;
 
 /// What holds the belt tight at the measured points.
@@ -69,8 +69,12 @@ pub struct Compared {
     pub efficiency_measured: Option<f64>,
     /// Standard error of the measured efficiency.
     pub efficiency_error: Option<f64>,
-    /// The model's.
+    /// The model's: with losses besides friction, if the case asks for them (`losses.include = "on"`).
     pub efficiency_model: Option<f64>,
+    /// The model's with friction alone.
+    pub efficiency_elastic: Option<f64>,
+    /// Temperature of the belt in the model, K, if the case asks for it.
+    pub belt_temperature: Option<f64>,
     /// Whether the point counts.
     pub used: bool,
     /// Why it does not.
@@ -151,6 +155,8 @@ struct Point {
 /// What the model says of a point.
 struct Said {
     efficiency: f64,
+    elastic: f64,
+    temperature: Option<f64>,
     /// Derivatives by the fitted keys of the case.
     gradient: Vec<f64>,
     axial_force: f64,
@@ -179,8 +185,8 @@ const CLAMPS: [Key; 6] = [
     Key::SlipReserve,
     Key::FrictionUtilization,
 ];
-/// The output that is compared.
-const EFFICIENCY: &str = "efficiency.overall";
+/// What is compared: without and with losses besides friction.
+const EFFICIENCY: [&str; 2] = ["efficiency.overall", "efficiency.overall_with_losses"];
 /// Correlation from which on two constants can hardly be told from each other.
 const CORRELATED: f64 = 0.95;
 
@@ -258,7 +264,7 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
             let (_, setting) = settings.iter().find(|(other, _)| *other == key)?;
             match setting {
                 crate::case::Setting::Number(value) => Some((key, *value)),
-                crate::case::Setting::Name(_) => None,
+                crate::case::Setting::List(_) | crate::case::Setting::Name(_) | crate::case::Setting::Table(_) => None,
             }
         });
         match value {
@@ -300,6 +306,8 @@ fn compared(measured: &Measured) -> Compared {
         efficiency_measured: finite(measured.efficiency),
         efficiency_error: measured.efficiency_error,
         efficiency_model: None,
+        efficiency_elastic: None,
+        belt_temperature: None,
         used: measured.reason.is_none(),
         reason: measured.reason.clone(),
     }
@@ -313,6 +321,8 @@ impl Compared {
 
     fn take(&mut self, said: &Said) {
         self.efficiency_model = Some(said.efficiency);
+        self.efficiency_elastic = Some(said.elastic);
+        self.belt_temperature = said.temperature;
         self.primary_axial_force = Some(said.axial_force);
         self.primary_radius = Some(said.primary_radius);
     }
@@ -350,26 +360,36 @@ fn set_up(base: &Case, measured: &Measured, options: &Options) -> Result<Case, S
 fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, String> {
     let resolved: Resolved = case.resolve().map_err(|error| error.to_string())?;
     case.check_posed(&resolved).map_err(|error| error.to_string())?;
-    let options = SolveOptions { tolerance, ..SolveOptions::default() };
+    let options = SolveOptions { tolerance, sensitivities: !keys.is_empty(), ..SolveOptions::default() };
     let warm = near.and_then(|near| solve_along(&[near], &resolved, &options).ok());
     let solved = match warm {
         Some(solved) => solved,
         None => solve(&resolved, &options).map_err(|failure| failure.to_string())?,
     };
-    let mut gradient = Vec::new();
-    if !keys.is_empty() {
-        let all = sensitivities(&solved).map_err(|error| error.to_string())?;
-        let row = all.get(EFFICIENCY).ok_or_else(|| format!("{EFFICIENCY} has no derivatives"))?;
-        for (key, _) in keys {
-            let derivative = row.get(key.path()).copied().filter(|value| value.is_finite());
-            gradient.push(derivative.ok_or_else(|| format!("nothing is known of the derivative by {}", key.path()))?);
-        }
-    }
     let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(|failure| failure.to_string())?;
-    let (efficiency, axial_force) = (outcome.result.efficiency.overall, outcome.result.primary.axial_force);
-    let efficiency = efficiency.ok_or("the drive takes power from its output: it has no efficiency")?;
-    let primary_radius = outcome.solved.constant(Constant::PrimaryRadius);
-    Ok(Said { efficiency, gradient, axial_force, primary_radius, solved: outcome.solved })
+    let result = &outcome.result;
+    let elastic = result.efficiency.overall.ok_or("the drive takes power from its output: it has no efficiency")?;
+    let with_losses = resolved.losses.include == Some(Include::On);
+    let efficiency = match (with_losses, result.efficiency.overall_with_losses) {
+        (true, Some(efficiency)) => efficiency,
+        (true, None) => return Err(outcome.no_losses.map_or_else(String::new, |reason| reason.to_string())),
+        (false, _) => elastic,
+    };
+    let compared = EFFICIENCY[usize::from(with_losses)];
+    let row = result.sensitivities.as_ref().and_then(|rows| rows.get(compared));
+    let derivative = |(key, _): &(Key, f64)| {
+        let found = row.and_then(|row| row.get(key.path())).copied().filter(|value| value.is_finite());
+        found.ok_or_else(|| format!("nothing is known of the derivative of {compared} by {}", key.path()))
+    };
+    Ok(Said {
+        efficiency,
+        elastic,
+        temperature: result.belt.temperature,
+        gradient: keys.iter().map(derivative).collect::<Result<_, _>>()?,
+        axial_force: result.primary.axial_force,
+        primary_radius: outcome.solved.constant(Constant::PrimaryRadius),
+        solved: outcome.solved,
+    })
 }
 
 /// Fits constants to the points; they then have what the model says with the fitted ones.

@@ -5,10 +5,13 @@ use crate::bench::error::{BenchError, Problem};
 use serde::Serialize;
 use std::path::PathBuf;
 
+/// Points that are kept: what is held in memory is bounded by them, and by nothing else that grows with the logs.
+pub const MOST_POINTS: usize = 100_000;
+
 /// What the logs gave.
 #[derive(Debug, Clone, Serialize)]
 pub struct Reduced {
-    /// The averaged windows, without their samples.
+    /// The averaged windows, without their samples; the first [`MOST_POINTS`] of them.
     pub points: Vec<Point>,
     /// What was read, record by record.
     pub records: Vec<RecordReport>,
@@ -33,6 +36,7 @@ pub fn reduce(
 ) -> Result<Reduced, BenchError> {
     let files = records(paths)?;
     let (mut points, mut reports, mut chosen) = (Vec::new(), Vec::new(), None);
+    let mut beyond = 0_u64;
     for record in &files {
         let take = |mut point: Point| {
             let wanted = match spectrum {
@@ -43,11 +47,20 @@ pub fn reduce(
                 chosen = Some(point.clone());
             }
             point.forget_samples();
-            points.push(point);
+            if points.len() < MOST_POINTS {
+                points.push(point);
+            } else {
+                beyond += 1;
+            }
         };
         reports.push(process(record, options, take, &mut read));
     }
-    let warnings = warnings(&reports);
+    let mut warnings = warnings(&reports);
+    if beyond > 0 {
+        warnings.push(format!(
+            "{beyond} points behind the first {MOST_POINTS} are counted only: choose a longer window, or fewer logs"
+        ));
+    }
     if reports.iter().all(|report| report.samples == 0) {
         let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
         let reason = match warnings.first() {

@@ -49,9 +49,15 @@ fn csv_text(text: &str) -> String {
     text.replace([',', '"', '\n', '\r'], "_")
 }
 
+/// Points that a figure shows: more are more than there is room for.
+const MOST_DOTS: usize = 3000;
+
 /// Figures of all points, and of the records' speeds.
 pub fn figures(points: &[Point], records: &[RecordReport]) -> Vec<Figure> {
-    let steady: Vec<&Point> = points.iter().filter(|point| point.steady).collect();
+    let count = points.iter().filter(|point| point.steady).count();
+    let every = count.div_ceil(MOST_DOTS).max(1);
+    let steady: Vec<&Point> = points.iter().filter(|point| point.steady).step_by(every).collect();
+    let thinned = if every > 1 { format!(", one in {every} of them") } else { String::new() };
     let mut figures = Vec::new();
     let traces: Vec<Series> = records
         .iter()
@@ -83,6 +89,7 @@ pub fn figures(points: &[Point], records: &[RecordReport]) -> Vec<Figure> {
             Series::line("steady points", dots).look(Look::Dots).color(0),
         ];
         let speeds = values.iter().map(|(speed, _)| *speed);
+        let caption = format!("{caption}{thinned}");
         figures.push(Figure::new(name, caption, aired(secondary(), speeds), Axis::new(axis), series));
     };
     over("primary_speed", "Primary speed of the steady points", "primary speed (rpm)", &|point| {

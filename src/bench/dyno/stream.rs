@@ -24,18 +24,19 @@ const RESOLUTION: f64 = 0.002;
 /// Columns of a row that are looked at.
 const COLUMNS: usize = 512;
 
+/// The values of a row by channel, and its line.
+type Values = ([Option<f64>; CHANNELS], u64);
+
 /// A file on its way through the reader.
 pub struct Stream {
     lines: Lines,
     format: Format,
-    clock: Clock,
+    clock: Clock<Values>,
     faults: Faults,
     /// Window in time that is read, s.
     window: (f64, f64),
-    /// Values of the row before.
+    /// Values of the last row that was no repetition.
     before: Option<[Option<f64>; CHANNELS]>,
-    /// A row whose time is to be confirmed.
-    held: Option<([Option<f64>; CHANNELS], u64)>,
     /// Rows on their way past the test for outliers, with their lines, by channel.
     filter: [VecDeque<(Sample, u64)>; CHANNELS],
     /// Whether the test has seen the first values of a channel.
@@ -60,7 +61,6 @@ impl Stream {
             faults: Faults::default(),
             window,
             before: None,
-            held: None,
             filter: Default::default(),
             begun: [false; CHANNELS],
             ready: VecDeque::new(),
@@ -151,9 +151,8 @@ impl Stream {
 
     fn end(&mut self) {
         self.ended = true;
-        if self.clock.pending() {
-            self.faults.add(Fault::OutOfSequence, self.rows);
-        }
+        let refuted = self.clock.refuted();
+        self.refuted(refuted);
         for column in &self.format.columns {
             let channel = column.channel as usize;
             let Some(queue) = self.filter.get_mut(channel) else { continue };
@@ -166,30 +165,29 @@ impl Stream {
     }
 
     fn stamped(&mut self, ticks: f64, values: [Option<f64>; CHANNELS], line: u64) {
-        let (stamp, refuted) = self.clock.read(ticks);
-        if let (true, Some((_, line))) = (refuted, self.held.take_if(|_| refuted)) {
-            self.faults.add(Fault::OutOfSequence, line);
+        let (stamp, refuted) = self.clock.read(ticks, (values, line));
+        self.refuted(refuted);
+        let before = self.before;
+        if !matches!(stamp, Stamp::Bad | Stamp::Same(_)) {
+            self.before = Some(values);
         }
         match stamp {
-            Stamp::At(time) => self.take(time, values, line),
-            Stamp::Confirmed(first, time) => {
-                if let Some((values, line)) = self.held.take() {
-                    self.take(first, values, line);
-                }
-                self.take(time, values, line);
-            }
+            Stamp::At(time, row) => self.take(time, row),
+            Stamp::Confirmed(rows) => rows.into_iter().for_each(|(time, row)| self.take(time, row)),
             Stamp::Bad => self.faults.add(Fault::OutOfSequence, line),
-            Stamp::Held => self.held = Some((values, line)),
-            Stamp::Same => {
-                let before = self.held.map(|(values, _)| values).or(self.before);
+            Stamp::Held => {}
+            Stamp::Same((values, line)) => {
                 let fault = if before == Some(values) { Fault::Duplicate } else { Fault::Contradiction };
                 self.faults.add(fault, line);
             }
         }
     }
 
-    fn take(&mut self, time: f64, values: [Option<f64>; CHANNELS], line: u64) {
-        self.before = Some(values);
+    fn refuted(&mut self, rows: Vec<Values>) {
+        rows.into_iter().for_each(|(_, line)| self.faults.add(Fault::OutOfSequence, line));
+    }
+
+    fn take(&mut self, time: f64, (values, line): Values) {
         if time < self.window.0 || time > self.window.1 {
             return;
         }

@@ -1,0 +1,147 @@
+//! Which meshes to go on with: finer ones where defects are too large, halved ones where Newton's iteration failed.
+
+use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
+use crate::collocation::grid::Grid;
+use crate::error::{NewtonError, SolveError};
+use crate::measure::{Solved, intervals};
+use crate::phase::Action;
+use crate::problem::Problem;
+use crate::progress::{Next, Progress, Rescue, measured};
+use crate::refine::{Measure, Verdict, Wish, verdict};
+use crate::solution::Shortfall;
+use crate::start::{Start, halved, transfer};
+
+impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
+    /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
+    pub(super) fn rescued(
+        &self,
+        action: Action,
+        failed: Start,
+        error: NewtonError,
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Next<'a, P>, SolveError> {
+        if action == Action::Rescue
+            && let Some(start) = progress.doubled()
+        {
+            return Ok(Next::On(start));
+        }
+        if let Some(fallback) = progress.fallback.take() {
+            return Ok(Next::done(fallback));
+        }
+        let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
+        let hopeless = match &error {
+            NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
+            NewtonError::NonFinite(_) => true,
+            NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
+        };
+        let rescue = &mut progress.rescue;
+        if !hopeless && rescue.halvings < self.options.rescues && 2 * largest <= self.options.max_intervals {
+            rescue.halvings += 1;
+            return Ok(Next::On(halved(&failed)));
+        }
+        match rescue.origin.take() {
+            Some(origin) if !hopeless => {
+                *rescue = Rescue { halvings: 0, insistent: false, origin: None };
+                Ok(Next::On(origin))
+            }
+            _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
+        }
+    }
+
+    /// Finer meshes where the defects are too large.
+    ///
+    /// # Errors
+    /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
+    /// may.
+    pub(super) fn refined(
+        &self,
+        solved: &Solved<'a, P>,
+        measures: &[Measure],
+        progress: &Progress<'a, P>,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let tighter = progress.target < self.options.tolerance;
+        let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
+        for (region, verdict) in self.verdicts(solved, measures, progress).into_iter().enumerate() {
+            let old = &solved.system.grids[region].mesh;
+            meshes.push(match verdict {
+                Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
+                Verdict::Refine(mesh) => {
+                    changed = true;
+                    mesh
+                }
+                Verdict::Exhausted => {
+                    refused = refused.or(Some(region));
+                    old.clone()
+                }
+            });
+        }
+        match refused {
+            Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
+            _ => Ok(meshes),
+        }
+    }
+
+    pub(super) fn verdicts(
+        &self,
+        solved: &Solved<'a, P>,
+        measures: &[Measure],
+        progress: &Progress<'a, P>,
+    ) -> Vec<Verdict> {
+        let wish = Wish {
+            tolerance: progress.target,
+            order: self.options.order.tableau().defect_order,
+            max_intervals: self.options.max_intervals,
+            split_few: progress.split_few(),
+        };
+        let regions = solved.system.grids.iter().zip(measures);
+        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()
+    }
+
+    /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
+    pub(super) fn tightened(&mut self, solved: Box<Solved<'a, P>>, progress: &mut Progress<'a, P>) -> Next<'a, P> {
+        let error = solved.error_estimate(&mut self.stats);
+        self.shortfall = Shortfall::Rounding;
+        progress.stalled = if error <= PROGRESS * progress.error { 0 } else { progress.stalled + 1 };
+        let better = error < progress.error;
+        progress.error = progress.error.min(error);
+        if progress.stalled < PATIENCE
+            && let Some(start) = self.tighter(&solved, error, progress)
+        {
+            progress.coarser = None;
+            if better {
+                progress.fallback = Some(*solved);
+                progress.fallback_doubled &= progress.stalled > 0;
+            }
+            return Next::On(start);
+        }
+        match progress.fallback.take() {
+            Some(fallback) if !better => Next::done(fallback),
+            _ => Next::Done(solved),
+        }
+    }
+
+    /// Meshes for the largest defects below the present ones that ask for others; none if rounding or the limits of the
+    /// meshes stand in the way.
+    pub(super) fn tighter(
+        &mut self,
+        solved: &Solved<'a, P>,
+        error: f64,
+        progress: &mut Progress<'a, P>,
+    ) -> Option<Start> {
+        let measures = measured(solved, progress.target, progress.rounding());
+        let largest = measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
+        let mut target = (0.5 * largest * self.options.tolerance / error).min(0.5 * progress.target);
+        while progress.target > LEAST_TARGET {
+            progress.target = target.max(LEAST_TARGET);
+            target *= 0.5;
+            let measures = measured(solved, progress.target, progress.rounding());
+            if measures.iter().all(|measure| measure.largest <= progress.target) {
+                continue;
+            }
+            // What ends the solve from here on is that finer meshes are not had.
+            self.shortfall = Shortfall::Mesh;
+            return self.refined(solved, &measures, progress).ok().map(|meshes| transfer(solved, meshes));
+        }
+        None
+    }
+}

@@ -1,0 +1,97 @@
+//! How a run ends: with a solution, or with the error that says what is in the way.
+
+use super::Run;
+use crate::collocation::evaluate::Derivatives;
+use crate::error::{NewtonError, SolveError};
+use crate::measure::{Solved, intervals};
+use crate::newton::Converged;
+use crate::options::Control;
+use crate::problem::Problem;
+use crate::progress::measured;
+use crate::refine::{Measure, Rounding};
+use crate::solution::{Accuracy, Solution};
+use crate::start::Start;
+
+impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
+    pub(super) fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
+        let (names, grid) = (&self.layout.regions[region], &solved.system.grids[region]);
+        let state = solved.defects[region].state.get(measure.worst).and_then(|&state| names.states.get(state));
+        SolveError::MeshLimit {
+            region: names.name.clone(),
+            position: grid.mesh[measure.worst],
+            state: state.map_or_else(String::new, |state| state.name.clone()),
+            defect: measure.largest,
+            tolerance: self.options.tolerance,
+            intervals: grid.intervals(),
+        }
+    }
+
+    pub(super) fn out_of_meshes(&self) -> SolveError {
+        let (defects, counts) = self.history.last().map_or((&[][..], &[][..]), |last| (&last.defects, &last.intervals));
+        let worst = (0..defects.len()).max_by(|&i, &j| defects[i].total_cmp(&defects[j])).unwrap_or(0);
+        let region = self.layout.regions.get(worst);
+        SolveError::MeshLimit {
+            region: region.map_or_else(String::new, |region| region.name.clone()),
+            position: region.map_or(f64::NAN, |region| region.interval.0),
+            state: "one of its states".to_owned(),
+            defect: defects.get(worst).copied().unwrap_or(f64::NAN),
+            tolerance: self.options.tolerance,
+            intervals: counts.get(worst).copied().unwrap_or(0),
+        }
+    }
+
+    /// A solution known to be one, without an iteration; its error is not estimated.
+    pub(crate) fn as_it_stands(&mut self, Start { grids, x }: Start) -> Result<Solution, SolveError> {
+        let system = self.system(grids);
+        let mut work = system.work();
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(|error| SolveError::Newton {
+            error: NewtonError::NonFinite(error),
+            intervals: intervals(&system.grids),
+        })?;
+        let converged = Converged::known(&system, x, work);
+        let solved = Solved::new(system, converged, &mut self.stats)?;
+        Ok(self.solution(&solved, f64::NAN))
+    }
+
+    /// The solution, if its boundary residuals too meet their tolerance.
+    pub(crate) fn finish(&mut self, solved: &Solved<'_, P>) -> Result<Solution, SolveError> {
+        let (residual, equation) = solved.worst_boundary_residual();
+        let tolerance = self.options.boundary_tolerance();
+        if !(residual <= tolerance) {
+            return Err(SolveError::Boundary { equation, residual, tolerance });
+        }
+        let error_estimate = solved.error_estimate(&mut self.stats);
+        let solution = self.solution(solved, error_estimate);
+        match solution.accuracy {
+            Accuracy::Short { estimate, tolerance, because }
+                if self.options.control == Control::Error && !self.options.accept_inaccurate =>
+            {
+                Err(SolveError::Inaccurate { estimate, tolerance, because })
+            }
+            Accuracy::Met | Accuracy::Short { .. } => Ok(solution),
+        }
+    }
+
+    pub(super) fn solution(&self, solved: &Solved<'_, P>, error_estimate: f64) -> Solution {
+        let measures = measured(solved, self.options.tolerance, Rounding::Counted);
+        let accuracy = if error_estimate <= self.options.tolerance {
+            Accuracy::Met
+        } else {
+            Accuracy::Short { estimate: error_estimate, tolerance: self.options.tolerance, because: self.shortfall }
+        };
+        Solution {
+            regions: solved.regions(),
+            constants: solved.converged.x.constants.clone(),
+            unknowns: self.plan.unknowns.clone(),
+            order: self.options.order,
+            max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
+            max_boundary_residual: solved.worst_boundary_residual().0,
+            error_estimate,
+            accuracy,
+            orientation: solved.converged.factorisation.orientation(),
+            branch_check: self.check,
+            stats: self.stats,
+            history: self.history.clone(),
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! A solution written and read again is the same solution.
+
+#![allow(clippy::unwrap_used)]
+
+use solver::bvp::Bvp;
+use solver::{Guess, Options, Order, Solution, solve};
+
+#[test]
+fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
+    let bratu = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0].exp()),
+        |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    )
+    .given("lambda", 1.0);
+    let options = Options { order: Order::Six, tolerance: 1e-10, ..Options::default() };
+    let solution = bratu.solve(&options).unwrap();
+    let text = serde_json::to_string(&solution).unwrap();
+    let again: Solution = serde_json::from_str(&text).unwrap();
+    for s in [0.0, 0.1, 0.377, 1.0] {
+        assert_eq!(again.regions()[0].eval(s), solution.regions()[0].eval(s));
+    }
+    assert_eq!(again.constants(), solution.constants());
+    assert_eq!(
+        (again.order(), again.accuracy(), again.stats()),
+        (solution.order(), solution.accuracy(), solution.stats())
+    );
+    assert_eq!(again.history(), solution.history());
+    let warm = solve(&bratu, &Guess::from(&again), &[], &options).unwrap();
+    assert_eq!(warm.stats().newton_iterations, 1);
+    // A guess too; and what is no solution is refused.
+    let guess: Guess = serde_json::from_str(&serde_json::to_string(&bratu.start()).unwrap()).unwrap();
+    assert_eq!(guess, bratu.start());
+    assert!(serde_json::from_str::<Solution>(&text.replace("\"constants\"", "\"constant\"")).is_err());
+}

@@ -1,0 +1,106 @@
+//! From branch points onto the branches that cross there.
+
+#![allow(clippy::unwrap_used)]
+
+use solver::bvp::Bvp;
+use solver::continuation::{Branch, BranchOptions, PointKind, trace, trace_crossing};
+use solver::{Guess, Options, Solution, SolveError, solve};
+
+/// Sign changes of the first state inside the interval.
+fn nodes(solution: &Solution) -> usize {
+    let u = solution.regions()[0].state(0);
+    let largest = u.iter().fold(0.0_f64, |max, u| max.max(u.abs()));
+    let clear: Vec<f64> = u.iter().copied().filter(|u| u.abs() > 1e-3 * largest).collect();
+    clear.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+}
+
+fn amplitude(solution: &Solution) -> f64 {
+    solution.regions()[0].state(0).iter().fold(0.0_f64, |max, u| max.max(u.abs()))
+}
+
+/// AUTO's demo `bvp`: `u'' = -(λ π)² u + u²`, `u(0) = u(1) = 0`. From the branch point at λ = k both halves of a branch
+/// of solutions with k - 1 nodes leave.
+#[test]
+fn all_five_branches_of_autos_demo_are_reached() {
+    let pi = std::f64::consts::PI;
+    let demo = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        move |_, y, p, f| (f[0], f[1]) = (y[1], y[0] * y[0] - (p[0] * pi).powi(2) * y[0]),
+        |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    )
+    .given("lambda", 0.5)
+    .guess(40, |_, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.3, 5.7), largest_step: 0.15, ..BranchOptions::default() };
+    let trivial = trace(&demo, &demo.start(), 0, &[], &options, &[]).unwrap();
+    let points: Vec<_> = trivial.branch_points().collect();
+    assert_eq!(points.len(), 5);
+    for (k, point) in points.into_iter().enumerate() {
+        let options = BranchOptions {
+            first_step: 0.2,
+            max_points: 12,
+            branch_points: false,
+            largest_step: 0.5,
+            ..options.clone()
+        };
+        let halves = trace_crossing(&demo, point, 0, &[], &options, &[]).unwrap();
+        for half in &halves {
+            let last = half.points.last().unwrap();
+            println!(
+                "{k}: {} points to λ = {}, amplitude {}",
+                half.points.len(),
+                last.parameter,
+                amplitude(&last.solution)
+            );
+            assert!(amplitude(&last.solution) > 0.05, "branch {}: back on the trivial branch", k + 1);
+            assert_eq!(nodes(&last.solution), k, "branch {}", k + 1);
+            // A solution in its own right.
+            let again = solve(&demo, &Guess::from(&last.solution), &[], &Options::default()).unwrap();
+            assert!((amplitude(&again) - amplitude(&last.solution)).abs() < 1e-4 * amplitude(&again));
+        }
+        let first = |half: &Branch| half.points[2].solution.regions()[0].eval_slope(0.0)[0];
+        assert!(first(&halves[0]) * first(&halves[1]) < 0.0, "both halves are the same");
+    }
+}
+
+/// Euler's strut: `θ'' = -λ sin θ`, `θ'(0) = θ'(1) = 0`. It buckles at λ = (k π)², to both sides alike; beyond,
+/// `√λ = 2 k K(sin(θ₀/2))` with the complete elliptic integral K.
+#[test]
+fn a_strut_buckles_to_both_sides_as_the_elliptic_integral_says() {
+    let strut = Bvp::new(
+        &["angle", "curvature"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0].sin()),
+        |a, b, _, g| (g[0], g[1]) = (a[1], b[1]),
+    )
+    .given("load", 5.0);
+    let options = BranchOptions {
+        solve: Options { tolerance: 1e-8, ..Options::default() },
+        range: (5.0, 45.0),
+        ..BranchOptions::default()
+    };
+    let straight = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+    for (k, point) in (1..).zip(straight.branch_points()) {
+        for half in trace_crossing(&strut, point, 0, &[], &options, &[]).unwrap() {
+            let end = half.points.last().unwrap();
+            assert_eq!((end.kind, nodes(&end.solution)), (PointKind::End, k), "{k}");
+            for point in half.points.iter().skip(2) {
+                let modulus = (point.solution.regions()[0].state(0)[0].abs() / 2.0).sin();
+                let wanted = (2.0 * f64::from(k as u32) * elliptic(modulus)).powi(2);
+                assert!((point.parameter / wanted - 1.0).abs() < 1e-5, "{k}: {} for {wanted}", point.parameter);
+            }
+        }
+    }
+    assert_eq!(straight.branch_points().count(), 2);
+    let error = trace_crossing(&strut, &straight.points[1], 0, &[], &options, &[]).unwrap_err();
+    assert!(matches!(*error.cause, SolveError::Option { .. }), "{error}");
+}
+
+/// Complete elliptic integral of the first kind, by the arithmetic-geometric mean.
+fn elliptic(modulus: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (1.0 - modulus * modulus).sqrt());
+    for _ in 0..30 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    std::f64::consts::FRAC_PI_2 / a
+}
