@@ -70,6 +70,7 @@ pub mod small;
 pub mod study;
 pub mod text;
 mod threads;
+pub mod tune;
 
 pub use cancel::cancellable;
 pub use facade::{Error, Sweep, largest_torque, optimum, smallest_clamps, solve, solve_with, sweep, sweep_table};
