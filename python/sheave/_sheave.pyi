@@ -446,7 +446,7 @@ class BeltMap:
 
     @staticmethod
     def read(path: Union[str, PathLike[str]]) -> BeltMap:
-        """Reads a map that was written by ``write`` or by ``sheave map``. Raises MapError."""
+        """Reads a map that was written as CSV, by ``write`` or by ``sheave map``. Raises MapError."""
     def write(self, path: Union[str, PathLike[str]]) -> None:
         """Writes the map; the ending of the name says in which form. The file appears whole."""
     @property
@@ -527,7 +527,7 @@ def keys() -> list[dict[str, Any]]:
 
 def rebuild_case(given: Mapping[str, Any], swaps: Sequence[str]) -> Case: ...
 def rebuild_study(case: Case, axes: Sequence[str], tolerance: float, order: int) -> Study: ...
-def bare_seconds(case: Case, repeats: int, tolerance: float = 1e-6) -> list[tuple[float, float]]: ...
+def bare_seconds(case: Case, near: Result, repeats: int, tolerance: float) -> list[tuple[float, float]]: ...
 def limit(
     case: _CaseLike = None,
     /,

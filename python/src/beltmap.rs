@@ -82,7 +82,7 @@ pub struct BeltMap(Arc<beltmap::BeltMap>);
 
 #[pymethods]
 impl BeltMap {
-    /// Reads a map that was written by `write` or by `sheave map`.
+    /// Reads a map that was written as CSV, by `write` or by `sheave map`.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         let map = beltmap::BeltMap::read(&path);
