@@ -1,8 +1,10 @@
 //! The belt drive: the generated equations and the solver, joined.
 
+mod accuracy;
 mod approach;
 mod ask;
 mod belt;
+mod branch;
 mod budget;
 mod closing;
 mod correct;
@@ -20,11 +22,14 @@ mod route;
 mod solve;
 mod solved;
 mod start;
+mod trouble;
 mod tuning;
 mod warm;
 
 pub use crate::model::{Constant, Constants, IllPosed, Output};
+pub use accuracy::{output_errors, refined};
 pub use belt::BeltProblem;
+pub use branch::{Branch, branch, other_solution};
 pub use closing::{Argument, Closing, Law};
 pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};
@@ -36,4 +41,5 @@ pub(crate) use region::Source;
 pub use route::Route;
 pub use solve::{SolveOptions, WORK_LIMIT, approach_question, solve, solve_question};
 pub use solved::Solved;
+pub use trouble::Trouble;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

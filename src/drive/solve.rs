@@ -12,6 +12,8 @@ use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::{Solved, accepted};
 use super::start;
+use super::trouble::Trouble;
+use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
@@ -31,11 +33,21 @@ const WAY_INTERVALS: usize = 2000;
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a stage of the path, accepted or not.
 const LEG_STEPS: usize = 400;
+/// Tolerances to which a solution is sought that was not found to the one asked for.
+const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
+/// Share of a route's work that its first path may take.
+const SHARE: f64 = 0.4;
+/// How far the end of the path may be from a place where it was lost, for a try to get there at once: factors on slip
+/// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
+const LEAP_THRESHOLD: f64 = 10.0;
+const LEAP_TENSION: f64 = 2.0;
+const LEAP_PULL: f64 = 0.5;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
-/// Newton iterations of a solve from nothing, unless asked otherwise.
-pub const WORK_LIMIT: usize = 14_000;
+/// Work of a solve, unless asked otherwise: Newton iterations, each counted once for every mesh interval. The base case
+/// takes some thousands.
+pub const WORK_LIMIT: usize = 2_000_000;
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,13 +58,16 @@ pub struct SolveOptions {
     pub order: Order,
     /// Whether derivatives of the outputs with respect to the given constants are wanted.
     pub sensitivities: bool,
-    /// Newton iterations that a solve from nothing may take, over all routes that it tries.
+    /// Work that a solve may take, over all that it tries: Newton iterations, each counted once for every interval of the
+    /// mesh that it works on.
     pub work_limit: usize,
+    /// Whether the errors of the outputs are estimated, and the solution refined until they hold to the tolerance.
+    pub uncertainty: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, work_limit: WORK_LIMIT }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, uncertainty: true, work_limit: WORK_LIMIT }
     }
 }
 
@@ -86,12 +101,89 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 /// See [`Failure`].
 pub fn solve_question(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
+    let mut budget = Budget::new(options.work_limit);
+    match attempt(model, question, options, Routes::UntilThere, &mut budget) {
+        Err(failure) if failure.is_at(question) => at_another_tolerance(model, question, options, &mut budget)
+            .unwrap_or_else(|| attempt(model, question, options, Routes::All, &mut budget)),
+        answer => answer,
+    }
+}
+
+/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there is
+/// none, either.
+fn at_another_tolerance(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Option<Result<Solved, Failure>> {
+    for tolerance in LADDER.into_iter().filter(|other| (other / options.tolerance).log10().abs() > 0.5) {
+        let other = SolveOptions { tolerance, ..*options };
+        let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
+            Ok(found) => found,
+            Err(Failure::Cancelled) => return Some(Err(Failure::Cancelled)),
+            Err(_) => continue,
+        };
+        tracing::info!("not found to {:.0e}, and found to {tolerance:.0e}", options.tolerance);
+        // A solution that holds more than was asked for holds that, too.
+        let enough = tolerance <= options.tolerance;
+        return Some(if enough { Ok(found) } else { tightened(found, tolerance, options, budget) });
+    }
+    None
+}
+
+/// A solution made more accurate, step by step.
+fn tightened(
+    mut solved: Solved,
+    mut attained: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
+    while attained > options.tolerance {
+        let tolerance = (0.1 * attained).max(options.tolerance);
+        let finer = Options { tolerance, ..options.solver() };
+        let unknowns = solved.solution.unknowns().to_vec();
+        match solver::solve_observed(&solved.belt, &Guess::from(&solved.solution), &unknowns, &finer, budget) {
+            Ok(solution) => {
+                solved.stats += *solution.stats();
+                (solved.solution, attained) = (solution, tolerance);
+            }
+            Err(_) if is_cancelled() => return Err(Failure::Cancelled),
+            Err(cause) => {
+                return Err(Failure::Tolerance {
+                    asked: options.tolerance,
+                    attainable: attained,
+                    cause: Box::new(cause),
+                });
+            }
+        }
+    }
+    Ok(solved)
+}
+
+/// How many routes are tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Routes {
+    /// No more once one has led to the case, whether or not it has a solution there to the tolerance.
+    UntilThere,
+    /// All, until there is a solution.
+    All,
+}
+
+/// Answers a question to the tolerance of `options`.
+fn attempt(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     if question.is_ordinary() {
-        return ordinary(model, question, options);
+        return ordinary(model, question, options, routes, budget);
     }
     let mut failure = None;
     for factor in TENSIONS {
-        let near = match near(model, question, factor, options) {
+        let near = match near(model, question, factor, options, budget) {
             Ok(near) => near,
             Err(next) => {
                 failure = Some(Failure::farther(failure, next));
@@ -99,17 +191,35 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
             }
         };
         for order in [together, one_by_one] {
-            match order(model, &near, question, options) {
+            let given = budget.part(options.work_limit / (2 * TENSIONS.len()));
+            let mut left = given;
+            let answer = order(model, &near, question, options, &mut left);
+            budget.take(&given, &left);
+            match answer {
                 Ok(solved) => return Ok(solved),
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
+        if is_cancelled() || budget.is_spent() {
+            break;
+        }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
+    Err(ended(failure))
+}
+
+/// Why everything that was tried came to nothing.
+fn ended(failure: Option<Failure>) -> Failure {
+    if is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
 }
 
 /// An ordinary solution, to the tolerance of the path, near that of a question.
-fn near(model: &ModelChoices, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
+fn near(
+    model: &ModelChoices,
+    question: &Question,
+    factor: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
     if question.frees(Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
@@ -117,7 +227,7 @@ fn near(model: &ModelChoices, question: &Question, factor: f64, options: &SolveO
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
-    ordinary(model, &Question::new(constants), &rough)
+    ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
 }
 
 /// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in as
@@ -132,7 +242,8 @@ pub fn approach_question(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    together(model, from, question, options)
+    let mut budget = Budget::new(options.work_limit);
+    together(model, from, question, options, &mut budget)
 }
 
 /// Moves everything that is prescribed at once.
@@ -141,8 +252,9 @@ fn together(
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    approach(model, near, question, &path_options(model, options.solver()))
+    approach(model, near, question, &path_options(model, options.solver()), budget)
 }
 
 /// Moves what is prescribed one value after the other.
@@ -151,18 +263,19 @@ fn one_by_one(
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
     if count == 0 {
-        return together(model, near, question, options);
+        return together(model, near, question, options, budget);
     }
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
         let closings = if done == count { question.closings.clone() } else { Vec::new() };
         let next = Question { constants: constants.clone(), swaps, closings };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &path_options(model, solver))?;
+        here = approach(model, &here, &next, &path_options(model, solver), budget)?;
     }
     here.question = question.clone();
     Ok(here)
@@ -190,32 +303,46 @@ fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
 }
 
 /// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
-fn ordinary(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn ordinary(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let target = &question.constants;
     let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    let mut budget = Budget::new(options.work_limit);
     for route in Route::ALL {
         let given = budget.part(options.work_limit / Route::ALL.len());
         let mut left = given;
         let climbed = climb(model, &belt, route, target, options, &mut left);
         budget.take(&given, &left);
+        let spent = given.left() - left.left();
         match climbed {
             Ok((solution, stats, continuation_steps)) => {
+                tracing::info!("solved by the route {:?}, {continuation_steps} continuation steps", route.name());
                 let (question, route) = (question.clone(), Some(route));
                 return Ok(Solved { question, belt, solution, stats, continuation_steps, route });
             }
             Err(next) => {
-                let spent = given.left() - left.left();
-                tracing::debug!("the route by {} was lost after {spent} Newton iterations: {next}", route.name());
+                tracing::info!("the route {:?} was lost after work of {spent}: {next}", route.name());
+                if let Some(words) = next.solver() {
+                    tracing::debug!("the solver says: {words}");
+                }
+                let there = next.is_at(question);
                 failure = Some(Failure::farther(failure, next));
+                if there && routes == Routes::UntilThere {
+                    break;
+                }
             }
         }
-        if budget.is_spent() {
+        // Where a strand would be pushed, no other route has more.
+        if is_cancelled() || budget.is_spent() || Trouble::of_case(target).is_some() {
             break;
         }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
+    Err(ended(failure))
 }
 
 /// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
@@ -229,16 +356,41 @@ fn climb(
 ) -> Result<(Solution, Stats, usize), Failure> {
     let begin = route.begin(target);
     let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
-    let lost = match climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, budget) {
+    // What short steps do not reach, a leap may: something is left for it.
+    let given = budget.part((SHARE * budget.left() as f64) as usize);
+    let mut part = given;
+    let followed = climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part);
+    budget.take(&given, &part);
+    let lost = match followed {
         Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
         Err(lost) => lost,
     };
     let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
         return Err(lost.failure);
     };
-    let solution = climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget);
-    let solution = solution.map_err(|again| Failure::farther(Some(lost.failure), again.failure))?;
-    Ok((solution, climb.stats, climb.steps))
+    if let Some(solution) = climb.leap(&last, budget) {
+        return Ok((solution, climb.stats, climb.steps));
+    }
+    let again = match climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget) {
+        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
+        Err(again) => again,
+    };
+    match again.last.and_then(|last| climb.leap(&last, budget)) {
+        Some(solution) => Ok((solution, climb.stats, climb.steps)),
+        None => Err(Failure::farther(Some(lost.failure), again.failure)),
+    }
+}
+
+/// Whether a place on the path is so near its end that Newton's iteration may get there at once.
+fn is_near(here: &Constants, target: &Constants) -> bool {
+    let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
+    let pull =
+        (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
+    here[Constant::BendingStiffness] == target[Constant::BendingStiffness]
+        && here[Constant::MassPerLength] == target[Constant::MassPerLength]
+        && factor(Constant::SlipThreshold) <= LEAP_THRESHOLD.ln()
+        && factor(Constant::SlackTension) <= LEAP_TENSION.ln()
+        && pull <= LEAP_PULL * target[Constant::SlackTension]
 }
 
 /// How fine the meshes of the path are.
@@ -265,13 +417,31 @@ struct Lost {
     failure: Failure,
 }
 
-impl Lost {
-    fn new(last: Option<Box<Solution>>, cause: Box<SolveError>) -> Self {
-        Self { failure: Failure::of(last.as_deref(), cause), last }
-    }
-}
-
 impl Climb<'_> {
+    /// The end of the path from a place near it, in one step, on meshes that are halved where Newton's iteration fails:
+    /// where the belt adheres on a sliver, steps along the path become too short to be of use.
+    fn leap(&mut self, last: &Solution, budget: &mut Budget) -> Option<Solution> {
+        if !is_near(&Constants::of(last), self.target) || budget.is_spent() || is_cancelled() {
+            return None;
+        }
+        let mut guess = Guess::from(last);
+        let given = guess.constants.iter_mut().zip(&self.target.0).skip(Constant::UNKNOWN);
+        given.for_each(|(here, there)| *here = *there);
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let (rough, solver) = (rough(self.options), self.options.solver());
+        let near = solver::solve_observed(self.belt, &guess, &unknowns, &relaxed(&rough), budget).ok()?;
+        self.stats += *near.stats();
+        let found =
+            solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &relaxed(&solver), budget).ok()?;
+        self.stats += *found.stats();
+        self.steps += 1;
+        corrected(self.belt, found, &solver, false, &mut self.stats, budget).ok()
+    }
+
+    fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {
+        Lost { failure: Failure::of(self.belt, self.target, last.as_deref(), cause), last }
+    }
+
     /// Follows the stages from a guess whose given constants are those of `begin`.
     fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
         let stages = self.route.stages(begin, self.target);
@@ -286,11 +456,28 @@ impl Climb<'_> {
             }
             let followed = follow_observed(self.belt, &guess, &path, &unknowns, &options, budget);
             // What was found on the stages before is as good a place to go on from.
-            let followed = followed.map_err(|error| Lost::new(error.last.or(found.map(Box::new)), error.cause))?;
+            let followed = match followed {
+                Ok(followed) => followed,
+                Err(error) => return Err(self.lost(error.last.or(found.map(Box::new)), error.cause)),
+            };
             self.stats += *followed.solution.stats();
-            self.steps += accepted(&followed);
-            let solution = corrected(self.belt, followed.solution, &solver, false, &mut self.stats)
-                .map_err(|(last, cause)| Lost::new(Some(last), Box::new(cause)))?;
+            let steps = accepted(&followed);
+            self.steps += steps;
+            let corrected = corrected(self.belt, followed.solution, &solver, false, &mut self.stats, budget);
+            let solution = match corrected {
+                Ok(solution) => solution,
+                Err((last, cause)) => return Err(self.lost(Some(last), Box::new(cause))),
+            };
+            let here = Constants::of(&solution);
+            tracing::info!(
+                "stage {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
+                index + 1,
+                steps,
+                here[Constant::PrimaryTorque],
+                here[Constant::SlackTension],
+                here[Constant::SlipThreshold],
+                solution.intervals(),
+            );
             guess = Guess::from(&solution);
             found = Some(solution);
         }

@@ -58,6 +58,8 @@ impl Study {
             return Err(StudyError::TooMany);
         }
         case.make_room(&varied);
+        // A row holds values; their errors are told of single solutions.
+        let options = SolveOptions { uncertainty: false, ..options };
         let study = Self { case, axes, options };
         study.check()?;
         Ok(study)
