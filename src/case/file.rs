@@ -115,13 +115,26 @@ impl Case {
     /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`CaseProblem`] and
     /// [`CaseError::others`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
+        Self::from_text(name, text, &folder_of(name))
+    }
+
+    /// As [`Case::from_toml`], for a text that is not trusted with this computer's files: it names no parts in files of
+    /// their own.
+    ///
+    /// # Errors
+    /// As [`Case::from_toml`]; [`CaseProblem::UnknownKey`] for a key `file`.
+    pub fn from_toml_alone(name: &str, text: &str) -> Result<Self, CaseError> {
+        Self::from_text(name, text, Path::new(""))
+    }
+
+    fn from_text(name: &str, text: &str, folder: &Path) -> Result<Self, CaseError> {
         let mut case = Self::base();
         // What some editors put at the front of a file.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Arc::new(Source::new(name, text));
         let table = DeTable::parse(text).map_err(|error| syntax(&source, &error))?;
         let mut errors = Vec::new();
-        let reader = TextReader { source: &source, folder: &folder_of(name) };
+        let reader = TextReader { source: &source, folder };
         for (key, value) in in_order(table.get_ref()) {
             case.read_top(&reader, key, value, &mut errors);
         }
@@ -557,7 +570,7 @@ fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Resu
 }
 
 /// The text without one pair of quotes around it.
-fn unquoted(text: &str) -> &str {
+pub(super) fn unquoted(text: &str) -> &str {
     let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
     inside('"').or_else(|| inside('\'')).unwrap_or(text)
 }

@@ -48,6 +48,7 @@ pub(crate) mod raw;
 mod resolve;
 mod swap;
 mod tables;
+mod text;
 mod thermal;
 
 pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, ModelChoices, Shear, Spans};

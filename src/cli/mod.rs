@@ -15,6 +15,8 @@ mod init;
 mod keeping;
 mod keys;
 mod limit;
+#[cfg(feature = "live")]
+mod live;
 mod map;
 mod measured;
 mod optimum;
@@ -74,6 +76,8 @@ enum Command {
     Keys(keys::Arguments),
     Completions(completions::CompletionsArguments),
     Man(completions::ManArguments),
+    #[cfg(feature = "live")]
+    Live(live::Arguments),
 }
 
 /// What the exit status means.
@@ -121,6 +125,8 @@ pub fn run() -> ExitCode {
         Command::Keys(arguments) => keys::run(arguments),
         Command::Completions(arguments) => completions::completions(arguments),
         Command::Man(arguments) => completions::man(arguments),
+        #[cfg(feature = "live")]
+        Command::Live(arguments) => live::run(arguments),
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,

@@ -8,7 +8,7 @@ use super::error::EquilibriumError;
 use super::heat::equilibrium_outcome;
 use super::point::{Direction, Equilibrium, Phase, Stop};
 use super::question::{Given, Whole, equilibrium};
-use super::report::{DriveReport, SLIPPING};
+use super::report::DriveReport;
 use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;
 use crate::drive::{Constant, SolveOptions};
@@ -81,7 +81,8 @@ pub struct ShiftBranch {
     pub direction: Direction,
     /// Speed of the primary in rad/s from which flyweights overcome their spring.
     pub engagement: Option<f64>,
-    /// Where the belt carries the engine's torque at a speed efficiency of [`SLIPPING`]: the clutch slips until then.
+    /// Where the belt carries the engine's torque with a twentieth of the speed lost beyond what is lost where the drive
+    /// shifts out: the clutch slips until then.
     pub take_off: Option<Landmark>,
     /// Where the drive leaves the low stop.
     pub shift_out: Option<Landmark>,
@@ -95,7 +96,9 @@ pub struct ShiftBranch {
 
 /// Speeds of the secondary at which a first equilibrium is sought.
 const FIRST: usize = 24;
-/// Highest speed on the low line, and share of the engine's last speed, at which nothing is computed any more.
+/// Speed efficiency at take-off over that at shift-out, where a belt that sinks into small radii loses some as well.
+const TAKE_OFF: f64 = 0.95;
+/// Share of the engine's last speed at which the curve ends.
 const LAST_SPEED: f64 = 0.995;
 
 /// The speed in rad/s from which the flyweights of a case overcome their spring at no travel; nothing for a servo, and
@@ -195,7 +198,8 @@ impl Search<'_> {
         }
         corners.low = self.corner(&first, Given::Corner(Stop::SecondaryClosed), "shift-out");
         let from = corners.low.as_ref().unwrap_or(&first).clone();
-        corners.take_off = self.corner(&from, Given::SpeedEfficiency(SLIPPING), "take-off");
+        let holding = from.output(Output::EfficiencySpeed)?;
+        corners.take_off = self.corner(&from, Given::SpeedEfficiency(TAKE_OFF * holding), "take-off");
         let actuation = self.case.parts.actuation.as_ref();
         let stops = [
             actuation.and_then(|parts| parts.primary_travel).map(|_| Stop::PrimaryClosed),

@@ -4,13 +4,17 @@ use std::f64::consts::PI;
 
 use super::point::{Direction, Phase, Stop};
 use crate::actuator::{PrimaryActuator, travel};
-use crate::case::geometry::{radius_beside, wrap_angles};
+use crate::case::geometry::{radii_of_ratio, radius_beside, wrap_angles};
 use crate::case::{Actuation, Resolved};
 use crate::powertrain::Engine;
 
-/// Axial force over that of a frictionless wedge at the mean tension, Φ T/(2 tan β): on the primary, where friction
-/// pulls the belt inwards, and on the secondary. From the base case (900 N and 550 N at 100 N and 18 N·m).
-const SHARES: (f64, f64) = (0.53, 0.33);
+/// Axial force over that of a frictionless wedge at the mean tension, Φ T/(2 tan β), on the primary and the secondary:
+/// what equilibria of a Baja car's drive have between ratios of 1 and 2 (0.53 to 0.69, 0.37 to 0.45).
+const SHARES: (f64, f64) = (0.62, 0.42);
+/// Shares of the engine's last speed at which an equilibrium is sought where the rough one leads nowhere.
+const SPEEDS: [f64; 3] = [0.8, 0.65, 0.92];
+/// Torque of a start, at least, over the engine's largest: a belt that is hardly loaded is another problem.
+const LEAST_TORQUE: f64 = 0.3;
 /// Slack tension of a start over M_in/R_P: at least this, for a looser belt may slip.
 const LEAST_TENSION: f64 = 0.35;
 /// Overall efficiency.
@@ -69,6 +73,27 @@ pub(super) fn estimate(
         if rough.excess(middle) > 0.0 { below = middle } else { above = middle }
     }
     rough.at(0.5 * (below + above), Phase::Shifting)
+}
+
+/// Other places between the stops at which an equilibrium may be sought: where the engine would turn at usual speeds.
+pub(super) fn elsewhere(
+    case: &Resolved,
+    actuation: &Actuation,
+    engine: &Engine,
+    secondary_speed: f64,
+    direction: Direction,
+) -> Vec<Estimate> {
+    let rough = Rough { case, actuation, engine, secondary_speed, direction };
+    let slope = 2.0 * case.sheave.half_angle.tan();
+    let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
+    let (high, _) = rough.high(low, slope);
+    let at = |share: &f64| {
+        let ratio = share * engine.range().1 / secondary_speed;
+        let radii = radii_of_ratio(ratio, case.belt.length, case.drive.center_distance).ok();
+        let primary = radii.map_or(if ratio > 1.0 { low } else { high }, |(primary, _)| primary);
+        rough.at(primary.clamp(low, high.max(low)), Phase::Shifting)
+    };
+    SPEEDS.iter().map(at).collect()
 }
 
 impl Rough<'_> {
@@ -130,6 +155,8 @@ impl Rough<'_> {
 
     fn at(&self, primary: f64, phase: Phase) -> Estimate {
         let (speed, torque, press, squeeze) = self.forces(primary);
+        let largest = self.engine.torque.values().iter().fold(0.0, |largest: f64, torque| largest.max(*torque));
+        let torque = torque.max(LEAST_TORQUE * self.engine.throttle * largest);
         let (on_primary, on_secondary) = self.per_tension(primary);
         // At a stop the other pulley's actuator decides.
         let mean = match phase {

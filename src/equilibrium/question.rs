@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::error::EquilibriumError;
-use super::estimate::{Estimate, estimate};
+use super::estimate::{Estimate, elsewhere, estimate};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 use super::point::{Direction, Equilibrium, Phase, Stop};
 use crate::actuator::PrimaryActuator;
@@ -56,14 +56,18 @@ pub fn equilibrium(
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     let near = whole.rough();
     whole.engaged(&near)?;
-    let question = whole.question(near.phase, &start(case, &near));
-    let found = solve_question(&case.model, &question, options);
-    // A start that leads nowhere may do so because the drive is not where it was taken to be.
-    let first = match found {
-        Ok(solved) => whole.read(solved, near.phase)?,
-        Err(failure) => return Err(whole.failed(near.phase, failure)),
+    let from = |near: &Estimate| {
+        let question = whole.question(near.phase, &start(case, near));
+        let solved = solve_question(&case.model, &question, options);
+        whole.settle(whole.read(solved.map_err(|failure| whole.failed(near.phase, failure))?, near.phase)?, options)
     };
-    whole.settle(first, options)
+    let first = match from(&near) {
+        Err(error) if !error.is_bad_input() => error,
+        other => return other,
+    };
+    // A start that leads nowhere may do so because the drive is not where it was taken to be.
+    let others = elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction);
+    others.iter().find_map(|other| from(other).ok()).ok_or(first)
 }
 
 /// As [`equilibrium`], from that of a case nearby: other parts, or another speed.

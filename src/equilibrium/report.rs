@@ -12,8 +12,9 @@ use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 use crate::result::{DriveResult, Light, Outcome};
 
-/// Speed efficiency below which the belt counts as slipping, as in a workshop.
-pub const SLIPPING: f64 = 0.95;
+/// Share of the friction at hand below which the belt counts as slipping: what presses does not carry the torque, or
+/// hardly does.
+pub const SLIPPING: f64 = 0.05;
 
 /// The equilibrium of a drive, SI.
 #[derive(Debug, Clone, Serialize)]
@@ -58,7 +59,7 @@ pub struct DriveReport {
     pub force_residual: f64,
     /// Share of the friction at hand that is left over.
     pub slip_reserve: f64,
-    /// Whether the belt slips as a whole: its speed efficiency is below [`SLIPPING`].
+    /// Whether the belt slips as a whole, or is about to: its slip reserve is below [`SLIPPING`].
     pub slipping: bool,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
@@ -115,7 +116,7 @@ impl DriveReport {
             secondary_axial_force: forces.secondary_belt,
             force_residual: forces.residual,
             slip_reserve: drive.slip_reserve,
-            slipping: drive.efficiency.speed.is_some_and(|share| share < SLIPPING),
+            slipping: drive.slip_reserve < SLIPPING,
             speed_efficiency: drive.efficiency.speed,
             efficiency,
             power_in: drive.energy.power_in,
@@ -130,7 +131,10 @@ impl DriveReport {
     pub fn slip_words(&self) -> String {
         if self.slipping {
             let share = 100.0 * self.speed_efficiency.unwrap_or(0.0);
-            return format!("it slips: {share:.1} % of the speed arrives; what presses does not carry this torque");
+            return format!(
+                "it slips: {:.1} % of the friction at hand is in reserve, and {share:.1} % of the speed arrives",
+                100.0 * self.slip_reserve
+            );
         }
         format!(
             "{}; {:.1} % of the friction at hand is in reserve",
