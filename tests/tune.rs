@@ -25,7 +25,7 @@ fn whole_box() -> PartsBox {
 }
 
 fn plan(parts: PartsBox, confirmed: usize) -> TunePlan {
-    TunePlan::new(drive(), parts, TuneOptions { points: 5, confirmed, ..TuneOptions::new(TARGET) }).unwrap()
+    TunePlan::new(drive(), parts, TuneOptions { points: 3, confirmed, ..TuneOptions::new(TARGET) }).unwrap()
 }
 
 /// One coarse map for all tests: no part changes the belt.
@@ -48,7 +48,7 @@ fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
     assert_eq!(ranking.tunes.len() + refused, 10_800);
     assert!(!ranking.tunes.is_empty(), "{:?}", ranking.refused);
     // A few Newton steps a point.
-    assert!(ranking.readings < 10 * 5 * 10_800, "{} readings of the map", ranking.readings);
+    assert!(ranking.readings < 10 * 3 * 10_800, "{} readings of the map", ranking.readings);
     let deviation = |at: usize| ranking.tunes[at].merits.rms_deviation;
     assert!((1..ranking.tunes.len()).all(|at| deviation(at - 1) <= deviation(at)));
     assert!(ranking.tunes[0].pareto);
@@ -79,7 +79,7 @@ fn a_full_solution_confirms_what_the_map_says() {
     let ranking = plan(PartsBox::from_toml("parts", text).unwrap(), 1).search(map(), &|| ()).unwrap();
     let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
     let confirmed = tune.confirmed.as_ref().unwrap();
-    assert!(confirmed.points >= 3, "{confirmed:?}");
+    assert!(confirmed.points >= 2, "{confirmed:?}");
     // The map of these tests is accurate to 5 %, and the speed goes with the square root of the force.
     assert!(confirmed.largest_difference < 0.03 * TARGET, "{confirmed:?}");
 }

@@ -8,11 +8,13 @@ use serde::Serialize;
 use super::error::TuneError;
 use super::parts::PartsBox;
 use super::screen::{Screen, ShiftPoint, ends, ratios};
-use crate::beltmap::{BeltMap, MapAxis, MapOptions, MapPlan};
+use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan};
+use crate::cancel::is_cancelled;
 use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
 use crate::model::Output;
+use crate::study::StudyError;
 use crate::threads;
 
 /// Speeds of the map around the target, as shares of it.
@@ -226,7 +228,8 @@ impl TunePlan {
     /// Screens every combination on a map, and confirms the best. `done` hears of each screened combination.
     ///
     /// # Errors
-    /// [`TuneError::Axis`], [`TuneError::Threads`]. A combination that makes no drive is counted among the refused.
+    /// [`TuneError::Axis`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is counted among
+    /// the refused.
     pub fn search(&self, map: &BeltMap, done: &(dyn Fn() + Sync)) -> Result<Ranking, TuneError> {
         let screen = Screen::new(map)?;
         let jobs = self.options.jobs.unwrap_or(0);
@@ -259,6 +262,9 @@ impl TunePlan {
         let best = ranking.tunes.len().min(self.options.confirmed);
         let confirmed = threads::map(jobs, best, |at| ranking.tunes.get(at).map(|tune| self.confirm(tune)));
         let confirmed = confirmed.map_err(|_| TuneError::Threads(jobs))?;
+        if is_cancelled() {
+            return Err(MapError::Study(StudyError::Cancelled).into());
+        }
         for (tune, confirmed) in ranking.tunes.iter_mut().zip(confirmed) {
             tune.confirmed = confirmed;
         }
