@@ -39,6 +39,11 @@ pub(crate) fn current() -> Option<Cancel> {
     HANDLE.with_borrow(Clone::clone)
 }
 
+/// Whether the work of this thread is cancelled.
+pub(crate) fn is_cancelled() -> bool {
+    HANDLE.with_borrow(|handle| handle.as_ref().is_some_and(Cancel::is_cancelled))
+}
+
 /// Has a handle hold on this thread.
 pub(crate) fn set(cancel: Option<Cancel>) {
     HANDLE.with_borrow_mut(|handle| *handle = cancel);

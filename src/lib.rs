@@ -41,7 +41,8 @@
 //!
 //! A [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a [`study`] does so over a grid,
 //! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models
-//! stand beside the full one, and [`actuator`]s press the sheaves together. `bench` (a feature) leads from measurements
+//! stand beside the full one, and [`actuator`]s press the sheaves together. What the page in the browser asks is answered
+//! by [`live`]. `bench` (a feature) leads from measurements
 //! to what a case needs.
 
 pub mod actuator;
@@ -53,10 +54,14 @@ pub mod case;
 pub mod clock;
 pub mod design;
 pub mod drive;
+pub mod equilibrium;
 mod facade;
+mod formula;
+pub mod live;
 pub mod losses;
 pub mod model;
 pub mod plot;
+pub mod powertrain;
 pub mod prelude;
 pub mod quantity;
 pub mod random;
@@ -67,6 +72,7 @@ pub mod small;
 pub mod study;
 pub mod text;
 mod threads;
+pub mod tune;
 
 pub use cancel::cancellable;
 pub use facade::{Error, Sweep, largest_torque, optimum, smallest_clamps, solve, solve_with, sweep, sweep_table};

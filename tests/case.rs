@@ -149,6 +149,7 @@ fn rewritten(resolved: &Resolved) -> Case {
     for (key, setting) in resolved.settings() {
         match setting {
             Setting::Number(value) => case.set_si(key, value).unwrap(),
+            Setting::List(values) => case.set_list(key, &values).unwrap(),
             Setting::Name(name) => case.set(key.path(), name).unwrap(),
             Setting::Table(grid) => case.set(key.path(), &grid.to_string()).unwrap(),
         }
@@ -340,7 +341,10 @@ fn every_range_is_checked_at_both_ends() {
         }
         assert!(Case::base().set_si(entry.key, f64::NAN).is_err(), "{}", entry.path);
         assert!(Case::base().set_si(entry.key, f64::INFINITY).is_err(), "{}", entry.path);
-        let signed = matches!(entry.key, Key::PrimaryTorque | Key::SecondaryTorque);
+        let signed = matches!(
+            entry.key,
+            Key::PrimaryTorque | Key::SecondaryTorque | Key::MassAngle | Key::RampStart | Key::RollerStart | Key::Grade
+        );
         assert_eq!(Case::base().set_si(entry.key, -1.0).is_ok(), signed, "{}", entry.path);
     }
 }

@@ -251,3 +251,89 @@ fn every_result_is_one_object_of_one_family() {
         assert!(object["warnings"].is_array() && object.get("failure").is_none(), "{object}");
     }
 }
+
+#[test]
+fn what_programs_and_shells_ask_for() {
+    let output = sheave(&["keys", "--json"]);
+    let object = object(&output);
+    let keys = object["keys"].as_array().unwrap();
+    let key = |path: &str| keys.iter().find(|key| key["key"] == path).unwrap();
+    assert_eq!(key("belt.length")["unit"], "mm");
+    assert!(key("edition")["choices"].as_array().unwrap().iter().any(|choice| choice["name"] == "thesis"));
+    for shell in ["bash", "zsh", "fish"] {
+        let output = sheave(&["completions", shell]);
+        assert!(String::from_utf8_lossy(&output.stdout).contains("work-limit"), "{shell}");
+    }
+    let page = sheave(&["man"]);
+    assert!(String::from_utf8_lossy(&page.stdout).contains(".TH sheave"));
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(status(&sheave(&["man", "--out", folder.path().to_str().unwrap()])), 0);
+    assert!(folder.path().join("sheave-solve.1").exists());
+}
+
+#[test]
+fn summaries_are_in_the_units_asked_for() {
+    let summary = |units: &str| {
+        let output = sheave(&["solve", "--tol", "1e-3", "--units", units]);
+        assert_eq!(status(&output), 0);
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let row = |text: &str, name: &str| {
+        let line = text.lines().find(|line| line.trim_start().starts_with(name)).unwrap().to_owned();
+        let value = line.replace(name, "").split_whitespace().next().unwrap().parse::<f64>().unwrap();
+        (value, line.split_whitespace().last().unwrap().to_owned())
+    };
+    let (workshop, us, si) = (summary("workshop"), summary("us"), summary("si"));
+    let (newtons, pounds) = (row(&workshop, "axial force"), row(&us, "axial force"));
+    assert_eq!((newtons.1.as_str(), pounds.1.as_str()), ("N", "lbf"));
+    assert!((newtons.0 / pounds.0 - 4.4482).abs() < 1e-3);
+    assert_eq!(row(&si, "speed").1, "rad/s");
+    assert!((row(&workshop, "largest penetration").0 / row(&us, "largest penetration").0 - 25.4).abs() < 0.5);
+    assert_eq!(status(&sheave(&["solve", "--units", "furlongs"])), 2);
+}
+
+#[test]
+fn cases_stand_side_by_side_and_tables_are_drawn() {
+    let other = ["beside", "--tol", "1e-3", "--set", "operating_point.slack_tension=150 N"];
+    let output = sheave(&other);
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    let line = text.lines().find(|line| line.contains("slack tension")).unwrap();
+    let cells: Vec<&str> = line.split_whitespace().collect();
+    assert_eq!(cells, ["slack", "tension", "100.0", "150.0", "+50.0", "N"]);
+    let object = object(&sheave(&[&other[..], &["--json"]].concat()));
+    assert_eq!(object["second"]["inputs"]["operating_point"]["slack_tension"], 150.0);
+    let folder = tempfile::tempdir().unwrap();
+    let (table, figures) = (folder.path().join("table.csv"), folder.path().join("figures"));
+    let (table, figures) = (table.to_str().unwrap(), figures.to_str().unwrap());
+    let grid = ["--over", "operating_point.primary_torque=6,18", "--over", "drive.ratio=0.9..1.2:3"];
+    assert_eq!(status(&sheave(&[&["sweep", "--tol", "1e-2", "--out", table], &grid[..]].concat())), 0);
+    assert_eq!(status(&sheave(&["plot", table, "--out", figures])), 0);
+    let svg = std::fs::read_to_string(folder.path().join("figures/efficiency_overall.svg")).unwrap();
+    assert!(svg.contains("= 18 N·m") && svg.contains("ratio"), "{svg}");
+    let refused = sheave(&["plot", table, "--y", "no.such", "--out", figures]);
+    assert_eq!(status(&refused), 2);
+    assert!(stderr(&refused).contains("no column `no.such`"));
+}
+
+/// An interrupt ends a solve that would take long, with its own status and nothing on standard output but the object.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_command_in_order() {
+    let grid = ["sweep", "--over", "operating_point.slack_tension=100..200 N:200000", "--tol", "1e-6"];
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sheave"))
+        .args(grid)
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stdout.take().unwrap()));
+    for _ in 0..3 {
+        lines.next().unwrap().unwrap();
+    }
+    let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(interrupt.success());
+    for line in lines {
+        assert!(line.unwrap().contains("true"));
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+}

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sheave::case::{Case, Resolved};
-use sheave::drive::{SolveOptions, solve};
+use sheave::design::{DesignError, LimitOptions, largest_torque};
+use sheave::drive::{Failure, SolveOptions, Trouble, solve};
 use sheave::result::{Outcome, run};
 
 const ROUGH: SolveOptions = SolveOptions {
@@ -11,6 +12,7 @@ const ROUGH: SolveOptions = SolveOptions {
     order: solver::Order::Four,
     sensitivities: false,
     work_limit: sheave::drive::WORK_LIMIT,
+    uncertainty: false,
 };
 
 fn case(settings: &[(&str, &str)]) -> Resolved {
@@ -118,6 +120,69 @@ fn torque_passes_through_zero_without_a_gap() {
                     assert!(primary.power * secondary.power > 0.0 && primary.power * torque > 0.0);
                 }
                 None => assert!(torque == 0.0 || primary.power * secondary.power <= 0.0, "{edition} {torque}"),
+            }
+        }
+    }
+}
+
+/// A handle that is cancelled ends a solve from nothing, a swap and a limit, each as cancelled and as nothing else.
+#[test]
+fn a_solve_is_cancelled_from_elsewhere() {
+    let cancel = sheave::Cancel::new();
+    let force = [("operating_point.primary_axial_force", "800 N")];
+    let work = |settings: &[(&str, &str)]| sheave::cancellable(&cancel, || run(&case(settings), &ROUGH));
+    assert!(work(&[]).is_ok());
+    cancel.cancel();
+    for settings in [&[][..], &force, &[("operating_point.slip_reserve", "0.4")]] {
+        assert!(matches!(work(settings), Err(Failure::Cancelled)), "{settings:?}");
+    }
+    let limits = LimitOptions { solve: ROUGH, least_speed_efficiency: 0.0 };
+    let limit = sheave::cancellable(&cancel, || largest_torque(&case(&[]), &limits));
+    assert!(matches!(limit, Err(DesignError::Start(Failure::Cancelled))));
+}
+
+#[test]
+fn a_solve_keeps_to_its_work_limit_and_says_so() {
+    for (work_limit, settings) in [(2_000, &[][..]), (100_000, &[("sheave.friction_coefficient", "5")])] {
+        let options = SolveOptions { work_limit, ..ROUGH };
+        match solve(&case(settings), &options) {
+            Ok(solved) => assert!(work_limit > 2_000 && solved.stats.newton_iterations < work_limit),
+            Err(failure) => assert!(failure.trouble().is_some(), "{failure}"),
+        }
+    }
+    let short = solve(&case(&[]), &SolveOptions { work_limit: 2_000, ..ROUGH }).unwrap_err();
+    assert_eq!(short.trouble(), Some(Trouble::Work));
+}
+
+/// What the result says of its errors, against a solution that is much more accurate.
+#[test]
+fn outputs_are_as_uncertain_as_they_say() {
+    for ratio in ["0.8", "1.6"] {
+        let settings = [("drive.ratio", ratio)];
+        let exact = SolveOptions { tolerance: 1e-10, order: solver::Order::Six, ..ROUGH };
+        let exact = serde_json::to_value(&outcome(&settings, &exact).result).unwrap();
+        for tolerance in [1e-3, 1e-5] {
+            let options = SolveOptions { tolerance, uncertainty: true, ..ROUGH };
+            let result = outcome(&settings, &options).result;
+            let uncertainty = result.uncertainty.clone().unwrap();
+            let found = serde_json::to_value(&result).unwrap();
+            let value = |of: &serde_json::Value, name: &str| {
+                name.split('.').try_fold(of, |at, part| at.get(part)).and_then(serde_json::Value::as_f64)
+            };
+            let mut held = 0;
+            for (name, stated) in &uncertainty {
+                let (Some(found), Some(exact)) = (value(&found, name), value(&exact, name)) else { continue };
+                let error = (found - exact).abs();
+                assert!(
+                    error <= 3.0 * stated + 1e-8 * exact.abs().max(1e-3),
+                    "{ratio} {tolerance} {name}: {error} {stated}"
+                );
+                held += 1;
+            }
+            assert!(held > 30, "{held}");
+            for name in ["efficiency.overall", "primary.axial_force", "secondary.axial_force", "secondary.torque"] {
+                let (found, exact) = (value(&found, name).unwrap(), value(&exact, name).unwrap());
+                assert!((found / exact - 1.0).abs() <= tolerance, "{ratio} {tolerance} {name}: {found} {exact}");
             }
         }
     }

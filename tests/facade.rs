@@ -89,7 +89,7 @@ fn work_that_is_cancelled_ends() {
         Ok(())
     };
     let run = sheave::cancellable(&cancel, || sheave::study::run(&study, Some(2), |_| true, keep));
-    assert!(matches!(run, Err(StudyError::Keep(_))), "{run:?}");
+    assert!(matches!(run, Err(StudyError::Cancelled)), "{run:?}");
     assert_eq!(solved.into_inner(), 0);
 }
 

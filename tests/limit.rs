@@ -6,7 +6,7 @@ use sheave::design::{
     DesignError, LimitKind, LimitOptions, OptimumPlace, largest_torque, limit_figures, limit_map, optimum,
     optimum_figures, optimum_map, smallest_clamps,
 };
-use sheave::drive::{SolveOptions, solve};
+use sheave::drive::{Constant, Question, SolveOptions, solve, solve_question_from};
 use sheave::model::Output;
 use sheave::result::run;
 use sheave::study::{Axis, Study};
@@ -246,4 +246,26 @@ fn the_commands_say_what_the_library_finds() {
     assert!(error.contains("operating_point.speed_ratio"), "{error}");
     assert_eq!(sheave(&["limit", "--least-speed-efficiency", "1.5"]).0, Some(2));
     assert_eq!(sheave(&["limit", "--over", "drive.ratio"]).0, Some(2));
+}
+
+/// Between ratio 1.52 and 1.53 the smallest axial force on the primary jumps, for the curve from a tight belt comes to
+/// rest in another way: the way of the larger ratio exists at the smaller one, too, at less force.
+#[test]
+fn a_belt_comes_to_rest_in_two_ways() {
+    let at = |ratio: f64| case(&[("drive.ratio", &ratio.to_string())]);
+    let stall = |ratio: f64| {
+        let (limits, branch) = smallest_clamps(&at(ratio), &limits(1e-4)).unwrap();
+        assert_eq!(limits.primary_axial_force.kind, LimitKind::Collapse);
+        (limits.primary_axial_force.value, branch.points.last().unwrap().solved.clone())
+    };
+    let (above, mut solved) = stall(1.53);
+    let (below, _) = stall(1.52);
+    assert!((above - 420.2).abs() < 0.5 && (below - 466.3).abs() < 0.5, "{above} {below}");
+    for step in 1..=4 {
+        let case = at(1.53 - 0.0025 * f64::from(step));
+        let question = Question::of(&case).swap(Constant::SlackTension, Output::EfficiencySpeed, 0.0);
+        solved = solve_question_from(&solved, &case.model, &question, &to(1e-4)).unwrap();
+    }
+    let force = solved.belt.output_values(&solved.solution).unwrap().get(Output::PrimaryAxialForce).unwrap();
+    assert!((force - above).abs() < 5.0 && force < below - 30.0, "{force}");
 }

@@ -83,7 +83,9 @@ fn results_that_need_a_warning_have_it() {
     let warned = |arguments: &[&str]| {
         let output = run(arguments, "", &std::env::temp_dir());
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
-        told(&output)
+        let summary = String::from_utf8_lossy(&output.stdout).into_owned();
+        let lines = summary.lines().filter(|line| line.trim_start().starts_with("warning:"));
+        told(&output) + &lines.collect::<Vec<_>>().join("\n")
     };
     let base = ["solve", "--tol", "1e-3"];
     let set = |settings: &[&'static str]| {
@@ -112,4 +114,44 @@ fn the_summary_opens_with_answers() {
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let answers: Vec<&str> = text.lines().skip(2).take_while(|line| !line.is_empty()).collect();
     insta::assert_snapshot!("answers", answers.join("\n"));
+}
+
+/// What a belt does where there is no solution, in its own terms; the solver's words only for whoever asks with `-v`.
+#[test]
+fn failures_say_what_happened_to_the_belt() {
+    let all: &[(&[&str], &str)] = &[
+        (&["solve", "--tol", "1e-3", "--set", "operating_point.primary_torque=-15"], ""),
+        (&["solve", "--tol", "1e-4", "--edition", "thesis", "--set", "operating_point.slack_tension=15"], ""),
+    ];
+    let text = transcript(all);
+    assert!(!text.contains("NaN") && !text.contains("rank") && !text.contains("Newton"), "{text}");
+    insta::assert_snapshot!("failures", text);
+    let lost = |arguments: &[&str]| {
+        let output = run(arguments, "", &std::env::temp_dir());
+        assert_eq!(output.status.code(), Some(3), "{arguments:?}");
+        told(&output)
+    };
+    let pushed = ["solve", "--tol", "1e-3", "--set", "operating_point.primary_torque=-15"];
+    assert!(lost(&[&["-v"], &pushed[..]].concat()).contains("the solver says:"));
+    let short = lost(&["solve", "--tol", "1e-3", "--work-limit", "2000"]);
+    assert!(short.contains("reached its work limit") && short.contains("--work-limit"), "{short}");
+}
+
+/// An axial force of two operating points: the tighter is taken, the other is offered, and both have that force.
+#[test]
+fn two_solutions_are_told_and_each_can_be_had() {
+    let solve = |branch: &[&str]| {
+        let (torque, force) = ("operating_point.primary_torque=3", "operating_point.primary_axial_force=110 N");
+        let base = ["solve", "--json", "--tol", "1e-4", "--set", force, "--set", torque];
+        let output = run(&[&base[..], branch].concat(), "", &std::env::temp_dir());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let (tight, loose) = (solve(&[]), solve(&["--branch", "loose"]));
+    let tension = |object: &serde_json::Value| object["primary"]["exit_tension"].as_f64().unwrap();
+    let other = |object: &serde_json::Value| object["other_solution"]["slack_tension"].as_f64().unwrap();
+    assert!(tension(&tight) > tension(&loose));
+    assert!((other(&tight) - tension(&loose)).abs() < 1e-2 && (other(&loose) - tension(&tight)).abs() < 1e-2);
+    let warned = |object: &serde_json::Value, branch: &str| object["warnings"].to_string().contains(branch);
+    assert!(warned(&tight, "--branch loose") && warned(&loose, "--branch tight"));
 }

@@ -7,6 +7,8 @@ mod derivation;
 mod function;
 mod kernels;
 mod lane;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod lane_wasm;
 #[cfg(target_arch = "x86_64")]
 mod lane_x86;
 mod sets;

@@ -12,6 +12,8 @@ use crate::types::RegionOut;
 pub enum Simd {
     /// One point at a time.
     Scalar,
+    /// Two points at a time with WebAssembly's simd128.
+    Simd128,
     /// Four points at a time with AVX2.
     Avx2,
     /// Eight points at a time with AVX-512.
@@ -23,14 +25,14 @@ static LIMIT: AtomicU8 = AtomicU8::new(Simd::Avx512 as u8);
 impl Simd {
     /// What this machine can do, narrowest first.
     pub fn available() -> Vec<Simd> {
-        [Simd::Scalar, Simd::Avx2, Simd::Avx512].into_iter().filter(|simd| simd.exists()).collect()
+        [Simd::Scalar, Simd::Simd128, Simd::Avx2, Simd::Avx512].into_iter().filter(|simd| simd.exists()).collect()
     }
 
     /// What batches are computed with: the widest that exists and is not beyond the limit.
     pub fn current() -> Simd {
         let limit = LIMIT.load(Ordering::Relaxed);
         let allowed = |simd: &Simd| *simd as u8 <= limit && simd.exists();
-        [Simd::Avx512, Simd::Avx2].into_iter().find(allowed).unwrap_or(Simd::Scalar)
+        [Simd::Avx512, Simd::Avx2, Simd::Simd128].into_iter().find(allowed).unwrap_or(Simd::Scalar)
     }
 
     /// Makes the whole process use vectors no wider than these: for comparisons; results do not change.
@@ -42,12 +44,18 @@ impl Simd {
     fn exists(self) -> bool {
         match self {
             Simd::Scalar => true,
+            Simd::Simd128 => false,
             Simd::Avx2 => is_x86_feature_detected!("avx2"),
             Simd::Avx512 => is_x86_feature_detected!("avx512f"),
         }
     }
 
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    fn exists(self) -> bool {
+        matches!(self, Simd::Scalar | Simd::Simd128)
+    }
+
+    #[cfg(not(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128"))))]
     fn exists(self) -> bool {
         self == Simd::Scalar
     }
@@ -200,7 +208,15 @@ fn dispatch<Function: Sweep>(uniforms: &Function::Uniforms, start: Chunk<'_>, m:
     }
 }
 
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+fn dispatch<Function: Sweep>(uniforms: &Function::Uniforms, start: Chunk<'_>, m: usize) {
+    match Simd::current() {
+        Simd::Simd128 if m >= 2 => chunks::<Function, crate::lane_wasm::F64x2>(uniforms, start, m),
+        _ => chunks::<Function, f64>(uniforms, start, m),
+    }
+}
+
+#[cfg(not(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128"))))]
 fn dispatch<Function: Sweep>(uniforms: &Function::Uniforms, start: Chunk<'_>, m: usize) {
     chunks::<Function, f64>(uniforms, start, m);
 }

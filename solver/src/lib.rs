@@ -66,6 +66,8 @@ pub mod problem;
 mod progress;
 mod refine;
 mod run;
+#[cfg(feature = "serde")]
+mod serialised;
 mod solution;
 mod solve;
 mod start;

@@ -2,6 +2,7 @@
 
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs, input_scales};
+use crate::collocation::interpolant::Extended;
 use crate::collocation::plan::Plan;
 use crate::collocation::transpose::Weights;
 use crate::collocation::{Correction, Iterate, System};
@@ -9,7 +10,7 @@ use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
-use crate::measure::intervals;
+use crate::measure::{Error, intervals};
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::solve::check;
@@ -146,6 +147,33 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             *rate = 1.0;
         }
         self.tangent(&direction)
+    }
+
+    /// Estimated error of the solution at its nodes, in its integrals and constants: what its defects and boundary
+    /// residuals cause, to first order. It is what has to be taken off the solution.
+    ///
+    /// # Errors
+    /// The right-hand side is undefined where the estimate needs it.
+    pub fn error(&self) -> Result<Tangent, SolveError> {
+        let undefined = |error| SolveError::Newton {
+            error: NewtonError::NonFinite(error),
+            intervals: intervals(&self.system.grids),
+        };
+        let (mut stats, mut defects) = (Stats::default(), Vec::new());
+        for region in 0..self.system.grids.len() {
+            let stages = &self.work.regions[region];
+            let extended = Extended { system: &self.system, region, x: &self.x, stages };
+            let extension = extended.extension(&mut stats).map_err(undefined)?;
+            let measured = extended.defects(&extension, &self.factorisation.scales, &mut stats);
+            defects.push(measured.map_err(undefined)?);
+        }
+        let error = Error::of(&self.system, (&self.x, &self.work), &self.factorisation, &defects, &mut stats);
+        let error = error.map_err(undefined)?;
+        let mut tangent = self.unscaled(&error.correction, vec![0.0; self.x.constants.len()]);
+        for (region, own) in tangent.regions.iter_mut().zip(&error.integrals) {
+            region.integrals.iter_mut().zip(own).for_each(|(integral, own)| *integral += own);
+        }
+        Ok(tangent)
     }
 
     fn unscaled(&self, dx: &Correction, mut constants: Vec<f64>) -> Tangent {

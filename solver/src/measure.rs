@@ -1,9 +1,10 @@
 //! How good a converged iterate is: its defects, and the error they cause.
 
-use crate::collocation::System;
-use crate::collocation::factor::Rhs;
+use crate::collocation::evaluate::Work;
+use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Defects, Extended, Extension};
+use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -73,35 +74,9 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     fn estimate_error(&self, stats: &mut Stats) -> f64 {
-        let factorisation = &self.converged.factorisation;
-        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: self.converged.work.g.clone() };
-        for (region, defects) in self.defects.iter().enumerate() {
-            let Ok(integrated) = self.integrated(region, defects, stats) else { return f64::INFINITY };
-            let (grid, plan) = (&self.system.grids[region], &self.system.plan.regions[region]);
-            let len = grid.interval_stride();
-            let mut lanes = vec![Lane::ZERO; grid.steps * plan.n];
-            for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
-                let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
-                for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {
-                    out[i] = Lane(*integrated).times(1.0 / scale);
-                }
-            }
-            rhs.regions.push(lanes);
-            let sum = |&k: &usize| integrated[(plan.n + k) * len..(plan.n + k + 1) * len].iter().sum();
-            rhs.integrals.push(plan.active.iter().map(sum).collect());
-        }
-        stats.linear_solves += 1;
-        self.system.largest(&factorisation.solve(&self.system, rhs))
-    }
-
-    /// Integrals of the defect over the intervals.
-    fn integrated(&self, region: usize, defects: &Defects, stats: &mut Stats) -> Result<Cow<'_, [f64]>, NonFinite> {
-        if self.system.tableau.order == 4 {
-            return Ok(Cow::Borrowed(&self.defects[region].integrated));
-        }
-        let Converged { x, work, .. } = &self.converged;
-        let extended = Extended { system: &self.system, region, x, stages: &work.regions[region] };
-        extended.improved(defects, stats).map(Cow::Owned)
+        let Converged { x, work, factorisation, .. } = &self.converged;
+        let error = Error::of(&self.system, (x, work), factorisation, &self.defects, stats);
+        error.map_or(f64::INFINITY, |error| self.system.largest(&error.correction))
     }
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
@@ -111,6 +86,52 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let residuals = work.g.iter().zip(&sizes).map(|(&g, size)| size.relative(g));
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         worst.map_or((0.0, String::new()), |(i, residual)| (residual, self.system.layout.equations[i].clone()))
+    }
+}
+
+/// The estimated error of what the collocation equations were solved for; see [`Solved::error_estimate`].
+pub(crate) struct Error {
+    /// In the unknowns, scaled.
+    pub correction: Correction,
+    /// What the defects of the integrals themselves add to the error of each, region by region.
+    pub integrals: Vec<Vec<f64>>,
+}
+
+impl Error {
+    /// # Errors
+    /// The right-hand side is undefined where the estimate needs it.
+    pub(crate) fn of<P: Problem + ?Sized>(
+        system: &System<'_, P>,
+        (x, work): (&Iterate, &Work),
+        factorisation: &Factorisation,
+        defects: &[Defects],
+        stats: &mut Stats,
+    ) -> Result<Self, NonFinite> {
+        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
+        let mut integrals = Vec::new();
+        for (region, defects) in defects.iter().enumerate() {
+            let integrated: Cow<'_, [f64]> = if system.tableau.order == 4 {
+                Cow::Borrowed(&defects.integrated)
+            } else {
+                let extended = Extended { system, region, x, stages: &work.regions[region] };
+                Cow::Owned(extended.improved(defects, stats)?)
+            };
+            let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
+            let len = grid.interval_stride();
+            let mut lanes = vec![Lane::ZERO; grid.steps * plan.n];
+            for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
+                let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
+                for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {
+                    out[i] = Lane(*integrated).times(1.0 / scale);
+                }
+            }
+            rhs.regions.push(lanes);
+            let sums: Vec<f64> = integrated.chunks_exact(len).skip(plan.n).map(|parts| parts.iter().sum()).collect();
+            rhs.integrals.push(plan.active.iter().map(|&k| sums[k]).collect());
+            integrals.push(sums);
+        }
+        stats.linear_solves += 1;
+        Ok(Self { correction: factorisation.solve(system, rhs), integrals })
     }
 }
 

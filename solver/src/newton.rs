@@ -12,6 +12,7 @@ use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
+use crate::measure::intervals;
 use crate::observer::{Event, Observer};
 use crate::problem::Problem;
 use crate::stats::Stats;
@@ -356,7 +357,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), Failure> {
         let correction = self.system.largest(dx);
-        let event = Event::Newton { iteration: self.iteration, correction, damping };
+        let event =
+            Event::Newton { iteration: self.iteration, intervals: intervals(&self.system.grids), correction, damping };
         self.budget.notify(self.observer, &event, self.stats).map_err(Failure::Interrupted)
     }
 

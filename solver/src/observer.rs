@@ -11,6 +11,8 @@ pub enum Event {
     Newton {
         /// Counted from 1 on each mesh.
         iteration: usize,
+        /// Intervals of all regions: what the iteration cost goes with it.
+        intervals: usize,
         /// Its size, relative to typical magnitudes.
         correction: f64,
         /// Damping factor of the step before.

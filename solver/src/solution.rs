@@ -153,6 +153,7 @@ pub struct MeshRecord {
     /// Intervals of each region.
     pub intervals: Vec<usize>,
     /// Largest defect of each region on that mesh; infinite if Newton's iteration failed.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialised::defects"))]
     pub defects: Vec<f64>,
     /// Newton iterations on it.
     pub newton_iterations: usize,
@@ -167,6 +168,7 @@ pub enum Accuracy {
     /// It does not, although the defects do: the problem amplifies them.
     Short {
         /// Estimated error: see [`Solution::error_estimate`].
+        #[cfg_attr(feature = "serde", serde(with = "crate::serialised::estimate"))]
         estimate: f64,
         /// What it was to meet.
         tolerance: f64,
@@ -209,8 +211,11 @@ pub struct Solution {
     pub(crate) constants: Vec<f64>,
     pub(crate) unknowns: Vec<usize>,
     pub(crate) order: Order,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialised::estimate"))]
     pub(crate) max_defect: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialised::estimate"))]
     pub(crate) max_boundary_residual: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialised::estimate"))]
     pub(crate) error_estimate: f64,
     pub(crate) accuracy: Accuracy,
     pub(crate) orientation: Option<Orientation>,

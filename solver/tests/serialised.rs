@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::Bvp;
-use solver::{Guess, Options, Order, Solution, solve};
+use solver::{Accuracy, Guess, MeshRecord, Options, Order, Shortfall, Solution, solve};
 
 #[test]
 fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
@@ -33,4 +33,17 @@ fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
     let guess: Guess = serde_json::from_str(&serde_json::to_string(&bratu.start()).unwrap()).unwrap();
     assert_eq!(guess, bratu.start());
     assert!(serde_json::from_str::<Solution>(&text.replace("\"constants\"", "\"constant\"")).is_err());
+}
+
+/// JSON has no infinity and no NaN; a mesh that failed and an estimate that is not known have them.
+#[test]
+fn numbers_that_are_not_finite_survive_json() {
+    let failed = MeshRecord { intervals: vec![10, 20], defects: vec![f64::INFINITY, 0.5], newton_iterations: 3 };
+    let text = serde_json::to_string(&failed).unwrap();
+    assert_eq!(serde_json::from_str::<MeshRecord>(&text).unwrap(), failed);
+    let short = Accuracy::Short { estimate: f64::NAN, tolerance: 1e-6, because: Shortfall::Mesh };
+    let again: Accuracy = serde_json::from_str(&serde_json::to_string(&short).unwrap()).unwrap();
+    assert!(
+        matches!(again, Accuracy::Short { estimate, tolerance: 1e-6, because: Shortfall::Mesh } if estimate.is_nan())
+    );
 }

@@ -9,7 +9,7 @@ use generated::{
 use super::error::ActuatorError;
 use super::profile::Profile;
 use super::shift::Shift;
-use crate::small::formula::Inputs;
+use crate::formula::Inputs;
 
 /// Newton steps that bring a roller onto its ramp, and the gap in metres that is none.
 const CONTACT_STEPS: usize = 50;
@@ -98,6 +98,8 @@ pub struct FlyweightForce {
     pub by_travel: f64,
     /// Its derivative with respect to the mass of one flyweight, N/kg.
     pub by_mass: f64,
+    /// Its derivative with respect to the friction angle, N/rad; to the share that friction takes, N, where that is given.
+    pub by_friction: f64,
 }
 
 impl Flyweights {
@@ -143,6 +145,7 @@ impl Flyweights {
             by_speed: by(Input::Speed),
             by_travel: by(Input::Coefficient) * jet.slope,
             by_mass: by(Input::Mass),
+            by_friction: shift.sign() * by(Input::Lost),
         }
     }
 
@@ -164,6 +167,7 @@ impl Flyweights {
             by_speed: by(Input::Speed),
             by_travel: by(Input::Radius) * jet.slope + by(Input::RadiusSlope) * jet.curvature,
             by_mass: by(Input::Mass),
+            by_friction: shift.sign() * by(Input::FrictionAngle),
         }
     }
 
@@ -196,6 +200,7 @@ impl Flyweights {
             by_speed: by(Input::Speed),
             by_travel: by(Input::Travel) + along * found.get(Output::DistanceSlope),
             by_mass: by(Input::Mass),
+            by_friction: shift.sign() * by(Input::FrictionAngle),
         }
     }
 
@@ -242,6 +247,7 @@ impl Flyweights {
                     by_speed: by(Input::Speed),
                     by_travel: by(Input::ArmAngle) * turn + ramp * on_ramp,
                     by_mass: by(Input::Mass),
+                    by_friction: shift.sign() * by(Input::FrictionAngle),
                 });
             }
             let next = angle - gap / by_angle;

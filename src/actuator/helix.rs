@@ -5,7 +5,7 @@ use generated::{HELIX, HelixInput, HelixOutput};
 use super::error::{ActuatorError, check};
 use super::profile::Profile;
 use super::shift::Shift;
-use crate::small::formula::Inputs;
+use crate::formula::Inputs;
 
 /// From where makers measure a helix angle. A steep helix turns little of the torque into force; of the two
 /// conventions, the first calls it large and the second small.
@@ -62,6 +62,13 @@ pub struct HelixForce {
     pub by_torsion_rate: f64,
     /// Derivative with respect to the tangent of the helix angle where the sheave stands, N.
     pub by_tangent: f64,
+    /// Derivative with respect to the helix angle from the plane of rotation, all over the helix alike, N/rad: the turn
+    /// changes with it.
+    pub by_angle: f64,
+    /// Derivative with respect to the share of the belt's torque that the movable sheave carries, N.
+    pub by_share: f64,
+    /// Derivative with respect to the friction angle, N/rad.
+    pub by_friction: f64,
 }
 
 impl Helix {
@@ -105,6 +112,20 @@ impl Helix {
         self.turn.at(opening).value
     }
 
+    /// Derivative of the turn at an opening with respect to the helix angle, all over the helix alike: the integral of
+    /// d/dα 1/(r_h tan α) = −(1 + tan² α)/(r_h tan² α) = −(1/r_h + r_h φ'²) over the opening.
+    fn turn_by_angle(&self, opening: f64) -> f64 {
+        const PIECES: u32 = 64;
+        let rate = |at: f64| -(1.0 / self.radius + self.radius * self.turn.at(at).slope.powi(2));
+        let step = opening / f64::from(PIECES);
+        // Simpson's rule.
+        let piece = |i: u32| {
+            let at = step * f64::from(i);
+            step / 6.0 * (rate(at) + 4.0 * rate(at + 0.5 * step) + rate(at + step))
+        };
+        (0..PIECES).map(piece).sum()
+    }
+
     /// The axial force at the belt's torque on the secondary in N·m, where the sheave has opened by `opening` in m.
     ///
     /// # Errors
@@ -141,6 +162,9 @@ impl Helix {
             by_pretension: by(Input::Pretension),
             by_torsion_rate: by(Input::TorsionRate),
             by_tangent: by(Input::Tangent),
+            by_angle: by(Input::Tangent) * (1.0 + tangent * tangent) + by(Input::Turn) * self.turn_by_angle(opening),
+            by_share: by(Input::Share),
+            by_friction: shift.sign() * by(Input::FrictionAngle),
         })
     }
 }

@@ -25,6 +25,7 @@ mod error;
 mod flyweight;
 mod helix;
 mod profile;
+mod pulley;
 mod shift;
 mod spring;
 
@@ -32,12 +33,13 @@ pub use error::ActuatorError;
 pub use flyweight::{CamArm, FlyweightForce, Flyweights, Mechanism, RollerArm};
 pub use helix::{AngleFrom, Helix, HelixForce};
 pub use profile::{Jet, Profile, ProfileError};
+pub use pulley::{ActuatorForce, PrimaryActuator, SecondaryActuator};
 pub use shift::Shift;
 pub use spring::{Spring, SpringForce};
 
 use generated::{SHEAVE_TRAVEL, SheaveTravelInput, SheaveTravelOutput};
 
-use crate::small::formula::Inputs;
+use crate::formula::Inputs;
 
 /// Travel of a movable sheave in m, positive where it closes, between the belt's radii `start` and `radius` in m in a
 /// groove of half angle `half_angle` in rad.

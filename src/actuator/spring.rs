@@ -3,7 +3,7 @@
 use generated::{COMPRESSION_SPRING, CompressionSpringInput, CompressionSpringOutput};
 
 use super::error::{ActuatorError, check};
-use crate::small::formula::Inputs;
+use crate::formula::Inputs;
 
 /// A compression spring as it is installed.
 #[derive(Debug, Clone, Copy, PartialEq)]

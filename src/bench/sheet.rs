@@ -103,6 +103,7 @@ impl Entry {
             (Kind::Temperature, value) => match raw(value) {
                 Raw::Text(text) => temperature(&text).map_err(|reason| self.unusable(path, &reason)),
                 Raw::Number(number) => temperature(&number.to_string()).map_err(|reason| self.unusable(path, &reason)),
+                Raw::List(_) => Err(self.wrong_type(path, "an array")),
                 Raw::Other(kind) => Err(self.wrong_type(path, kind)),
             }
             .map(|si| Value::Number(si, Dimension::NONE)),
@@ -158,7 +159,7 @@ fn number(raw: Raw<'_>, dimension: Dimension) -> Option<Result<f64, QuantityErro
         Raw::Text(text) => Some(quantity::parse(&text).and_then(|quantity| quantity.expect(dimension))),
         Raw::Number(si) if si.is_finite() => Some(Ok(si)),
         Raw::Number(_) => Some(Err(QuantityError::NotFinite)),
-        Raw::Other(_) => None,
+        Raw::List(_) | Raw::Other(_) => None,
     }
 }
 

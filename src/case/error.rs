@@ -194,6 +194,24 @@ pub enum CaseProblem {
         /// What is missing.
         missing: &'static str,
     },
+    /// Another key is missing that a key calls for.
+    #[error("{} needs `{}` as well: {}; expected {}", told(*key, given.as_deref()), needs.path(), needs.entry().doc, needs.entry().expected())]
+    Needs {
+        /// The key that calls for it.
+        key: Key,
+        /// Its value, if it was given.
+        given: Option<String>,
+        /// The key that is missing.
+        needs: Key,
+    },
+    /// A part that cannot work.
+    #[error("`{}`: {reason}", key.path())]
+    Part {
+        /// The key at fault.
+        key: Key,
+        /// What is wrong.
+        reason: String,
+    },
     /// The pulleys overlap.
     #[error(
         "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; expected \
@@ -232,6 +250,11 @@ pub enum CaseProblem {
     /// A question that has no answer whatever the numbers.
     #[error(transparent)]
     IllPosed(IllPosed),
+}
+
+/// A key with its value, if it was given.
+fn told(key: Key, given: Option<&str>) -> String {
+    given.map_or_else(|| format!("`{}`", key.path()), |given| format!("`{}` = {given}", key.path()))
 }
 
 impl CaseProblem {
@@ -273,7 +296,7 @@ fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
 /// The keys among which the one written was probably meant to be.
 fn keys_near(path: &str) -> String {
     use super::keys::{TABLE, sections};
-    let section = path.split('.').next().unwrap_or_default();
+    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
     let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
     if keys.is_empty() {
         // The distance takes time with the length of both.
@@ -392,6 +415,8 @@ impl CaseError {
             (CaseProblem::Conflict { .. }, 0) => "this",
             (CaseProblem::Conflict { .. }, _) => "and this",
             (CaseProblem::Missing { .. }, _) => "asks for more",
+            (CaseProblem::Needs { .. }, _) => "asks for more",
+            (CaseProblem::Part { .. }, _) => "cannot work",
             (CaseProblem::Overlap { .. }, _) => "does not fit",
             (CaseProblem::NoRadii { .. }, 0) => "no radii exist",
             (CaseProblem::NoRadii { .. }, _) => "with this",

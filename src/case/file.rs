@@ -13,7 +13,7 @@ use crate::text::quoted;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -23,6 +23,9 @@ const FASTEST_BARE: f64 = 2000.0;
 
 /// The key at the top of a file under which constants are made unknown for outputs.
 pub(super) const SWAP: &str = "swap";
+
+/// The key of a section under which a file with that section's keys is named.
+const PART: &str = "file";
 
 /// What the user has given; the base case's values apply to all other keys.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -44,10 +47,48 @@ pub(super) struct Given {
 pub(super) enum Value {
     /// In SI.
     Quantity(f64),
+    /// In SI.
+    List(Vec<f64>),
     /// One of the key's choices.
     Choice(&'static str),
     /// Values in SI over temperature or frequency.
     Table(Grid),
+}
+
+/// A text that is being read.
+struct TextReader<'a> {
+    source: &'a Arc<Source>,
+    /// Where files of parts are looked for; empty within a part, which names no others.
+    folder: &'a Path,
+}
+
+impl TextReader<'_> {
+    fn place(&self, key: &Spanned<Cow<'_, str>>, value: &Spanned<DeValue<'_>>) -> Place {
+        Place { source: self.source.clone(), key: key.span(), value: value.span() }
+    }
+
+    fn within_part(&self) -> bool {
+        self.folder.as_os_str().is_empty()
+    }
+}
+
+/// The folder of a file, in which the parts that it names are looked for; the present one for a text without a file.
+fn folder_of(name: &str) -> PathBuf {
+    let parent = Path::new(name).parent().filter(|parent| !parent.as_os_str().is_empty());
+    parent.unwrap_or(Path::new(".")).to_owned()
+}
+
+/// Whether a name is that of a section, or of one that has sections within it.
+fn is_section(name: &str) -> bool {
+    let within =
+        |section: &str| section.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    !name.is_empty() && super::keys::sections().any(within)
+}
+
+fn syntax(source: &Arc<Source>, error: &toml::de::Error) -> CaseError {
+    let span = error.span().unwrap_or(0..0);
+    let message = error.message().trim().replace('\n', ", ");
+    CaseError::new(CaseProblem::Syntax { message }, [Place { source: source.clone(), key: span.clone(), value: span }])
 }
 
 impl Case {
@@ -74,21 +115,28 @@ impl Case {
     /// Everything that is wrong as far as one key alone is concerned, in the order of the text: see [`CaseProblem`] and
     /// [`CaseError::others`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, CaseError> {
+        Self::from_text(name, text, &folder_of(name))
+    }
+
+    /// As [`Case::from_toml`], for a text that is not trusted with this computer's files: it names no parts in files of
+    /// their own.
+    ///
+    /// # Errors
+    /// As [`Case::from_toml`]; [`CaseProblem::UnknownKey`] for a key `file`.
+    pub fn from_toml_alone(name: &str, text: &str) -> Result<Self, CaseError> {
+        Self::from_text(name, text, Path::new(""))
+    }
+
+    fn from_text(name: &str, text: &str, folder: &Path) -> Result<Self, CaseError> {
         let mut case = Self::base();
         // What some editors put at the front of a file.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Arc::new(Source::new(name, text));
-        let table = DeTable::parse(text).map_err(|error| {
-            let span = error.span().unwrap_or(0..0);
-            let message = error.message().trim().replace('\n', ", ");
-            CaseError::new(
-                CaseProblem::Syntax { message },
-                [Place { source: source.clone(), key: span.clone(), value: span }],
-            )
-        })?;
+        let table = DeTable::parse(text).map_err(|error| syntax(&source, &error))?;
         let mut errors = Vec::new();
+        let reader = TextReader { source: &source, folder };
         for (key, value) in in_order(table.get_ref()) {
-            case.read_top(&source, key, value, &mut errors);
+            case.read_top(&reader, key, value, &mut errors);
         }
         CaseError::all(errors).map_or(Ok(case), Err)
     }
@@ -96,18 +144,18 @@ impl Case {
     /// A key at the top of a file: `edition`, or a section with its keys.
     fn read_top(
         &mut self,
-        source: &Arc<Source>,
+        reader: &TextReader<'_>,
         key: &Spanned<Cow<'_, str>>,
         value: &Spanned<DeValue<'_>>,
         errors: &mut Vec<CaseError>,
     ) {
         let name = key.get_ref();
-        let place = Place { source: source.clone(), key: key.span(), value: value.span() };
+        let place = reader.place(key, value);
         if name == SWAP {
-            errors.extend(self.read_swaps(source, value, place).err());
+            errors.extend(self.read_swaps(reader.source, value, place).err());
             return;
         }
-        if !super::keys::sections().any(|section| section == name) {
+        if !is_section(name) {
             errors.extend(self.insert(name, raw(value.get_ref()), place).err());
             return;
         }
@@ -116,10 +164,70 @@ impl Case {
             errors.push(CaseError::new(CaseProblem::Type { path, given, expected: "a table of keys".into() }, [place]));
             return;
         };
-        for (key, value) in in_order(table) {
-            let place = Place { source: source.clone(), key: key.span(), value: value.span() };
-            let path = format!("{name}.{}", key.get_ref());
-            errors.extend(self.insert_value(&path, value.get_ref(), place, 0).err());
+        self.read_section(reader, name, table, errors);
+    }
+
+    /// The keys of a section, and the sections within it; first those of the part that its key `file` names, so that
+    /// what stands in the case itself takes their place.
+    fn read_section(
+        &mut self,
+        reader: &TextReader<'_>,
+        section: &str,
+        table: &DeTable<'_>,
+        errors: &mut Vec<CaseError>,
+    ) {
+        let entries = in_order(table);
+        let is_file = |key: &Spanned<Cow<'_, str>>| key.get_ref() == PART;
+        for (key, value) in entries.iter().filter(|(key, _)| is_file(key)) {
+            self.read_part(reader, section, key, value, errors);
+        }
+        for (key, value) in entries.into_iter().filter(|(key, _)| !is_file(key)) {
+            let path = format!("{section}.{}", key.get_ref());
+            match value.get_ref() {
+                DeValue::Table(table) if is_section(&path) => self.read_section(reader, &path, table, errors),
+                _ => errors.extend(self.insert_value(&path, value.get_ref(), reader.place(key, value), 0).err()),
+            }
+        }
+    }
+
+    /// A part in a file of its own: the keys of the section that names it.
+    fn read_part(
+        &mut self,
+        reader: &TextReader<'_>,
+        section: &str,
+        key: &Spanned<Cow<'_, str>>,
+        value: &Spanned<DeValue<'_>>,
+        errors: &mut Vec<CaseError>,
+    ) {
+        let place = reader.place(key, value);
+        let DeValue::String(file) = value.get_ref() else {
+            let (path, given) = (format!("{section}.{PART}"), kind(value.get_ref()));
+            let expected = "the name of a file with the keys of this section, such as \"parts/spring.toml\"".to_owned();
+            errors.push(CaseError::new(CaseProblem::Type { path, given, expected }, [place]));
+            return;
+        };
+        if reader.within_part() {
+            let (path, nearest) = (format!("{section}.{PART}"), None);
+            errors.push(CaseError::new(CaseProblem::UnknownKey { path, nearest }, [place]));
+            return;
+        }
+        let path = reader.folder.join(file.as_ref());
+        let name = path.display().to_string();
+        let text = match std::fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) => {
+                errors.push(CaseError::new(CaseProblem::Read { path: name, reason: error.to_string() }, [place]));
+                return;
+            }
+        };
+        let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+        let source = Arc::new(Source::new(name, text));
+        match DeTable::parse(text) {
+            Ok(table) => {
+                let part = TextReader { source: &source, folder: Path::new("") };
+                self.read_section(&part, section, table.get_ref(), errors);
+            }
+            Err(error) => errors.push(syntax(&source, &error)),
         }
     }
 
@@ -188,6 +296,19 @@ impl Case {
         self.set(key.path(), &format!("{value:e}{unit}"))
     }
 
+    /// Sets a list of quantities to values in SI units, as [`Case::set`] does.
+    ///
+    /// # Errors
+    /// As [`Case::set`].
+    pub fn set_list(&mut self, key: Key, values: &[f64]) -> Result<(), CaseError> {
+        let unit = match key.entry().kind {
+            ValueKind::List { unit, .. } if unit.scale.dimension == quantity::Dimension::ANGULAR_SPEED => " rad/s",
+            _ => "",
+        };
+        let texts: Vec<String> = values.iter().map(|value| format!("{value:e}{unit}")).collect();
+        self.set(key.path(), &texts.join(", "))
+    }
+
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.
     ///
     /// # Errors
@@ -224,6 +345,7 @@ impl Case {
     pub fn settings(&self) -> impl Iterator<Item = (Key, Setting)> + '_ {
         self.given.iter().map(|(key, given)| match &given.value {
             Value::Quantity(si) => (*key, Setting::Number(*si)),
+            Value::List(values) => (*key, Setting::List(values.clone())),
             Value::Choice(name) => (*key, Setting::Name(name)),
             Value::Table(grid) => (*key, Setting::Table(grid.clone())),
         })
@@ -269,6 +391,7 @@ impl Case {
         let given = given.as_ref();
         let value = match key.entry().kind {
             ValueKind::Quantity { .. } => quantity_value(key, raw, given).map(Value::Quantity),
+            ValueKind::List { unit, range, .. } => list_value(key, unit, range, raw, given).map(Value::List),
             ValueKind::Choice { choices, .. } => choice_value(key, choices, raw, given).map(Value::Choice),
         };
         match value {
@@ -288,7 +411,15 @@ impl Case {
     pub(super) fn quantity(&self, key: Key) -> Option<f64> {
         match self.given(key)?.value {
             Value::Quantity(si) => Some(si),
-            Value::Choice(_) | Value::Table(_) => None,
+            Value::List(_) | Value::Choice(_) | Value::Table(_) => None,
+        }
+    }
+
+    /// The list given for `key`, in SI.
+    pub(super) fn list(&self, key: Key) -> Option<&[f64]> {
+        match &self.given(key)?.value {
+            Value::List(values) => Some(values),
+            Value::Quantity(_) | Value::Choice(_) | Value::Table(_) => None,
         }
     }
 
@@ -296,7 +427,7 @@ impl Case {
     pub(super) fn table(&self, key: Key) -> Option<&Grid> {
         match &self.given(key)?.value {
             Value::Table(grid) => Some(grid),
-            Value::Quantity(_) | Value::Choice(_) => None,
+            Value::List(_) | Value::Quantity(_) | Value::Choice(_) => None,
         }
     }
 
@@ -304,7 +435,7 @@ impl Case {
     pub(super) fn choice(&self, key: Key) -> Option<&'static str> {
         match self.given(key)?.value {
             Value::Choice(name) => Some(name),
-            Value::Quantity(_) | Value::Table(_) => None,
+            Value::Quantity(_) | Value::List(_) | Value::Table(_) => None,
         }
     }
 
@@ -360,6 +491,9 @@ pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64,
         Raw::Text(text) => quantity::parse(&text).map_err(invalid)?,
         Raw::Number(si) if si.is_finite() => Quantity { si, dimension: quantity::Dimension::NONE, bare: true },
         Raw::Number(_) => return Err(invalid(QuantityError::NotFinite)),
+        Raw::List(_) => {
+            return Err(CaseProblem::Type { path: entry.path.into(), given: "an array", expected: entry.expected() });
+        }
         Raw::Other(given) => {
             return Err(CaseProblem::Type { path: entry.path.into(), given, expected: entry.expected() });
         }
@@ -377,6 +511,46 @@ pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64,
     Err(CaseProblem::OutOfRange { key, given: given.into(), unit_missing })
 }
 
+/// Most numbers of a list: no measured curve needs more.
+const LONGEST_LIST: usize = 10_000;
+
+fn list_value(
+    key: Key,
+    unit: quantity::Unit,
+    range: super::range::Range,
+    raw: Raw<'_>,
+    given: &str,
+) -> Result<Vec<f64>, CaseProblem> {
+    let entry = key.entry();
+    let invalid = |reason| CaseProblem::Quantity { key, given: given.into(), reason };
+    let values = match raw {
+        Raw::Text(text) => quantity::parse_list(&text, unit.scale.dimension).map_err(invalid)?,
+        Raw::List(items) if items.len() <= LONGEST_LIST => {
+            let one = |item: Raw<'_>| match item {
+                Raw::Text(text) => {
+                    quantity::parse(&text).and_then(|quantity| quantity.expect(unit.scale.dimension)).map_err(invalid)
+                }
+                Raw::Number(si) if si.is_finite() => Ok(si),
+                Raw::Number(_) => Err(invalid(QuantityError::NotFinite)),
+                Raw::List(_) => Err(wrong(entry, "an array of arrays")),
+                Raw::Other(given) => Err(wrong(entry, given)),
+            };
+            items.into_iter().map(one).collect::<Result<_, _>>()?
+        }
+        Raw::List(_) => return Err(wrong(entry, "a list of more than 10,000 numbers")),
+        Raw::Number(_) => return Err(wrong(entry, "a number")),
+        Raw::Other(given) => return Err(wrong(entry, given)),
+    };
+    if !values.iter().all(|si| range.contains(*si, |bound| unit.to_si(bound))) {
+        return Err(CaseProblem::OutOfRange { key, given: given.into(), unit_missing: None });
+    }
+    Ok(values)
+}
+
+fn wrong(entry: &super::keys::Entry, given: &'static str) -> CaseProblem {
+    CaseProblem::Type { path: entry.path.into(), given, expected: entry.expected() }
+}
+
 fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Result<&'static str, CaseProblem> {
     let entry = key.entry();
     match raw {
@@ -388,12 +562,15 @@ fn choice_value(key: Key, choices: &[Choice], raw: Raw<'_>, given: &str) -> Resu
         Raw::Number(_) => {
             Err(CaseProblem::Type { path: entry.path.into(), given: "a number", expected: entry.expected() })
         }
+        Raw::List(_) => {
+            Err(CaseProblem::Type { path: entry.path.into(), given: "an array", expected: entry.expected() })
+        }
         Raw::Other(given) => Err(CaseProblem::Type { path: entry.path.into(), given, expected: entry.expected() }),
     }
 }
 
 /// The text without one pair of quotes around it.
-fn unquoted(text: &str) -> &str {
+pub(super) fn unquoted(text: &str) -> &str {
     let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
     inside('"').or_else(|| inside('\'')).unwrap_or(text)
 }

@@ -1,7 +1,9 @@
 //! The one table of the case's keys: parsing, defaults, ranges, messages, help and documentation come from it.
 
-use super::range::Range;
-use crate::model::{Choice, Edition, Ends, Free, Friction, Include, Shear, Spans};
+use super::range::{Range, RangeEnd};
+use crate::model::{
+    Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, SecondaryKind, Shear, Spans,
+};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
@@ -54,6 +56,65 @@ pub enum Key {
     ReferenceTemperature,
     BendingSoftening,
     RadialSoftening,
+    StartRadius,
+    PrimaryTravel,
+    Flyweights,
+    FlyweightCount,
+    FlyweightMass,
+    FlyweightFriction,
+    FlyweightLost,
+    FlyweightTravels,
+    FlyweightCoefficients,
+    FlyweightRadii,
+    PivotRadius,
+    ArmLength,
+    MassDistance,
+    MassAngle,
+    RampStart,
+    RampPlaces,
+    RampRadii,
+    RollerRadius,
+    RollerStart,
+    PitchDistances,
+    PitchAngles,
+    PrimaryServoForce,
+    PrimaryServoPosition,
+    PrimarySpringRate,
+    PrimarySpringPreload,
+    PrimarySpringFree,
+    PrimarySpringInstalled,
+    PrimarySpringSolid,
+    ClosedRadius,
+    SecondaryTravel,
+    SecondaryActuator,
+    HelixRadius,
+    HelixAngle,
+    HelixOpenings,
+    HelixAngles,
+    HelixAngleFrom,
+    HelixFriction,
+    TorqueShare,
+    SecondaryServoForce,
+    SecondarySpringRate,
+    SecondarySpringPreload,
+    SecondarySpringFree,
+    SecondarySpringInstalled,
+    SecondarySpringSolid,
+    TorsionRate,
+    Pretension,
+    EngineSpeeds,
+    EngineTorques,
+    Throttle,
+    GovernedSpeed,
+    NoLoadSpeed,
+    VehicleMass,
+    FinalRatio,
+    WheelRadius,
+    RollingResistance,
+    DragArea,
+    Grade,
+    AirDensity,
+    FinalEfficiency,
 }
 
 /// What is known of a key.
@@ -85,6 +146,15 @@ pub enum ValueKind {
         /// Whether the base case has the key, so that `example` applies when it is not given.
         base: bool,
     },
+    /// Several numbers with one unit: a column of a table.
+    List {
+        /// Unit in which people read them, and their dimension.
+        unit: Unit,
+        /// Allowed values, in that unit.
+        range: Range,
+        /// A typical list, as it may be written.
+        example: &'static str,
+    },
     /// One of several names.
     Choice {
         /// The names.
@@ -109,6 +179,12 @@ const NM_S: Unit = Unit::decimal("N*m*s", 0, Dimension::DRAG_PER_SPEED);
 const K: Unit = Unit::decimal("K", 0, Dimension::TEMPERATURE);
 const PER_K: Unit = Unit::decimal("1/K", 0, Dimension::PER_TEMPERATURE);
 const W_PER_K: Unit = Unit::decimal("W/K", 0, Dimension::HEAT_TRANSFER);
+const G: Unit = Unit::decimal("g", -3, Dimension::MASS);
+const KG: Unit = Unit::decimal("kg", 0, Dimension::MASS);
+const N_PER_MM: Unit = Unit::decimal("N/mm", 3, Dimension::SPRING_RATE);
+const NM_PER_RAD: Unit = Unit::decimal("N*m/rad", 0, Dimension::TORSION_RATE);
+const M2: Unit = Unit::decimal("m^2", 0, Dimension::AREA);
+const KG_PER_M3: Unit = Unit::decimal("kg/m^3", 0, Dimension::DENSITY);
 const W_PER_M2_K: Unit = Unit::decimal("W/(m^2*K)", 0, Dimension::HEAT_TRANSFER_PER_AREA);
 const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
 
@@ -122,6 +198,10 @@ const fn other(unit: Unit, range: Range, example: f64) -> ValueKind {
     ValueKind::Quantity { unit, range, example, base: false }
 }
 
+const fn list(unit: Unit, range: Range, example: &'static str) -> ValueKind {
+    ValueKind::List { unit, range, example }
+}
+
 const fn choice(choices: &'static [Choice], default: Option<&'static str>) -> ValueKind {
     ValueKind::Choice { choices, default }
 }
@@ -133,7 +213,7 @@ const fn entry(key: Key, path: &'static str, symbol: &'static str, kind: ValueKi
 /// Every key, in the order of [`Key`]. Defaults are those of Table 6.1; upper bounds lie far beyond any drive and catch
 /// numbers written without their unit.
 #[rustfmt::skip]
-pub static TABLE: [Entry; 45] = [
+pub static TABLE: [Entry; 104] = [
     entry(Key::Edition, "edition", "", choice(Edition::CHOICES, Some(Edition::Consistent.name())),
         "set of modelling choices"),
     entry(Key::Shear, "model.shear", "", choice(Shear::CHOICES, None),
@@ -224,6 +304,124 @@ pub static TABLE: [Entry; 45] = [
         "share by which the bending stiffness falls per kelvin"),
     entry(Key::RadialSoftening, "thermal.radial_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
         "share by which the radial stiffness falls per kelvin"),
+    entry(Key::StartRadius, "primary.start_radius", "R_P0", other(MM, Range::positive_to(1e4), 33.0),
+        "radius of the belt on the primary where its sheave's travel is zero; where the belt fits with the secondary closed, if not given"),
+    entry(Key::PrimaryTravel, "primary.travel", "s_P", other(MM, Range::positive_to(1e4), 18.0),
+        "travel of the primary's movable sheave at which it is closed to its stop"),
+    entry(Key::Flyweights, "primary.actuator.type", "", choice(FlyweightKind::CHOICES, None),
+        "what presses on the primary"),
+    entry(Key::FlyweightCount, "primary.actuator.count", "N", other(NUMBER, Range::positive_to(100.0), 3.0),
+        "number of flyweights"),
+    entry(Key::FlyweightMass, "primary.actuator.mass", "m", other(G, Range::positive_to(1e5), 72.0),
+        "mass of one flyweight"),
+    entry(Key::FlyweightFriction, "primary.actuator.friction_angle", "ρ", other(DEG, Range::up_to(45.0), 3.0),
+        "friction angle of the flyweights' contact; 0 if not given"),
+    entry(Key::FlyweightLost, "primary.actuator.friction_loss", "", other(NUMBER, Range { low: RangeEnd::Closed(0.0), high: RangeEnd::Open(1.0) }, 0.05),
+        "table: share of the flyweights' force that friction takes; 0 if not given"),
+    entry(Key::FlyweightTravels, "primary.actuator.travels", "s", list(MM, Range::ANY, "0, 7.2, 14.4, 21.6, 28.8 mm"),
+        "table, ramp: travels at which the next list holds"),
+    entry(Key::FlyweightCoefficients, "primary.actuator.coefficients", "r dr/ds", list(MM, Range::POSITIVE, "39.5, 39.3, 38.4, 37.4, 38 mm"),
+        "table: r dr/ds of a flyweight over the travels; r sin θ of a bench"),
+    entry(Key::FlyweightRadii, "primary.actuator.radii", "r", list(MM, Range::POSITIVE, "38, 40, 43, 46, 48 mm"),
+        "ramp: radius of a flyweight's centre of mass over the travels"),
+    entry(Key::PivotRadius, "primary.actuator.pivot_radius", "R_p", other(MM, Range::positive_to(1e4), 41.88),
+        "arm, cam: radius of the arm's pivot from the shaft"),
+    entry(Key::ArmLength, "primary.actuator.arm_length", "l_r", other(MM, Range::positive_to(1e4), 33.02),
+        "arm: from the pivot to the roller's centre"),
+    entry(Key::MassDistance, "primary.actuator.mass_distance", "l_m", other(MM, Range::positive_to(1e4), 33.02),
+        "arm, cam: from the pivot to the centre of mass"),
+    entry(Key::MassAngle, "primary.actuator.mass_angle", "δ", other(DEG, Range::within(-360.0, 360.0), 0.0),
+        "arm, cam: angle of the centre of mass in the arm; 0 if not given"),
+    entry(Key::RampStart, "primary.actuator.ramp_start", "x_0", other(MM, Range::within(-1e4, 1e4), 37.88),
+        "arm: place on the ramp that the pivot faces at no travel"),
+    entry(Key::RampPlaces, "primary.actuator.ramp_places", "x", list(MM, Range::ANY, "0, 10, 20, 30 mm"),
+        "arm: places along the ramp at which the next list holds"),
+    entry(Key::RampRadii, "primary.actuator.ramp_radii", "h", list(MM, Range::POSITIVE, "40, 45, 49, 51 mm"),
+        "arm: radius from the shaft to which the ramp lets the roller's centre"),
+    entry(Key::RollerRadius, "primary.actuator.roller_radius", "R_r", other(MM, Range::positive_to(1e4), 52.0),
+        "cam: radius of the fixed roller's centre from the shaft"),
+    entry(Key::RollerStart, "primary.actuator.roller_start", "z_0", other(MM, Range::within(-1e4, 1e4), 25.0),
+        "cam: along the shaft from the pivot to the roller's centre at no travel"),
+    entry(Key::PitchDistances, "primary.actuator.pitch_distances", "d", list(MM, Range::POSITIVE, "24, 30, 36, 44 mm"),
+        "cam: distances from the pivot at which the next list holds"),
+    entry(Key::PitchAngles, "primary.actuator.pitch_angles", "ξ", list(DEG, Range::ANY, "34, 18, 0, -22 deg"),
+        "cam: angle in the arm at which the roller's centre lies at that distance"),
+    entry(Key::PrimaryServoForce, "primary.actuator.force", "F_P", other(N, Range::POSITIVE, 2000.0),
+        "servo: axial force on the primary"),
+    entry(Key::PrimaryServoPosition, "primary.actuator.position", "", other(MM, Range::up_to(1e4), 6.0),
+        "servo: travel at which the primary is held, in place of a force"),
+    entry(Key::PrimarySpringRate, "primary.spring.rate", "c_P", other(N_PER_MM, Range::positive_to(1e5), 8.2),
+        "rate of the spring against the flyweights"),
+    entry(Key::PrimarySpringPreload, "primary.spring.preload", "F_P0", other(N, Range::up_to(1e6), 385.0),
+        "its force at no travel"),
+    entry(Key::PrimarySpringFree, "primary.spring.free_length", "", other(MM, Range::positive_to(1e4), 106.0),
+        "its free length, in place of the preload"),
+    entry(Key::PrimarySpringInstalled, "primary.spring.installed_length", "", other(MM, Range::positive_to(1e4), 59.0),
+        "its length at no travel, beside the free length"),
+    entry(Key::PrimarySpringSolid, "primary.spring.solid_length", "", other(MM, Range::positive_to(1e4), 25.0),
+        "its length when its turns touch"),
+    entry(Key::ClosedRadius, "secondary.closed_radius", "R_S0", other(MM, Range::positive_to(1e4), 88.0),
+        "radius of the belt on the secondary where its sheaves are closed to their stop"),
+    entry(Key::SecondaryTravel, "secondary.travel", "s_S", other(MM, Range::positive_to(1e4), 18.0),
+        "travel at which the secondary's movable sheave is open to its stop"),
+    entry(Key::SecondaryActuator, "secondary.actuator.type", "", choice(SecondaryKind::CHOICES, None),
+        "what presses on the secondary"),
+    entry(Key::HelixRadius, "secondary.actuator.helix_radius", "r_h", other(MM, Range::positive_to(1e4), 46.04),
+        "radius at which the helix bears"),
+    entry(Key::HelixAngle, "secondary.actuator.helix_angle", "α", other(DEG, Range { low: RangeEnd::Open(0.0), high: RangeEnd::Open(90.0) }, 38.0),
+        "helix angle"),
+    entry(Key::HelixOpenings, "secondary.actuator.helix_openings", "s", list(MM, Range::ANY, "0, 9, 18 mm"),
+        "varying helix: openings of the secondary at which the next list holds"),
+    entry(Key::HelixAngles, "secondary.actuator.helix_angles", "α", list(DEG, Range { low: RangeEnd::Open(0.0), high: RangeEnd::Open(90.0) }, "42, 38, 34 deg"),
+        "varying helix: helix angle over the openings, in place of one angle"),
+    entry(Key::HelixAngleFrom, "secondary.actuator.angle_from", "", choice(HelixAngleFrom::CHOICES, Some(HelixAngleFrom::Rotation.name())),
+        "from where helix angles are measured"),
+    entry(Key::HelixFriction, "secondary.actuator.friction_angle", "ρ", other(DEG, Range::up_to(45.0), 3.0),
+        "friction angle of the helix's flanks; 0 if not given"),
+    entry(Key::TorqueShare, "secondary.actuator.torque_share", "ζ", other(NUMBER, Range::up_to(1.0), 0.5),
+        "share of the belt's torque that the movable sheave carries; 0.5 if not given"),
+    entry(Key::SecondaryServoForce, "secondary.actuator.force", "F_S", other(N, Range::POSITIVE, 1500.0),
+        "servo: axial force on the secondary"),
+    entry(Key::SecondarySpringRate, "secondary.spring.rate", "c_S", other(N_PER_MM, Range::up_to(1e5), 2.57),
+        "axial rate of the secondary's spring; 0 if not given"),
+    entry(Key::SecondarySpringPreload, "secondary.spring.preload", "F_S0", other(N, Range::up_to(1e6), 77.0),
+        "its axial force where the secondary is closed; 0 if not given"),
+    entry(Key::SecondarySpringFree, "secondary.spring.free_length", "", other(MM, Range::positive_to(1e4), 75.0),
+        "its free length, in place of the preload"),
+    entry(Key::SecondarySpringInstalled, "secondary.spring.installed_length", "", other(MM, Range::positive_to(1e4), 45.0),
+        "its length where the secondary is closed, beside the free length"),
+    entry(Key::SecondarySpringSolid, "secondary.spring.solid_length", "", other(MM, Range::positive_to(1e4), 20.0),
+        "its length when its turns touch"),
+    entry(Key::TorsionRate, "secondary.spring.torsion_rate", "κ_t", other(NM_PER_RAD, Range::up_to(1e4), 3.83),
+        "rate of the spring in torsion; 0 if not given"),
+    entry(Key::Pretension, "secondary.spring.pretension", "φ_0", other(DEG, Range::up_to(3600.0), 60.0),
+        "angle by which the spring is wound up when installed; 0 if not given"),
+    entry(Key::EngineSpeeds, "engine.speeds", "n", list(RPM, Range::POSITIVE, "1800, 2400, 3000, 3400, 3800 rpm"),
+        "speeds at which the next list holds"),
+    entry(Key::EngineTorques, "engine.torques", "M", list(NM, Range::ANY, "24, 26, 26.4, 24.8, 22 N*m"),
+        "torque at full throttle over the speeds"),
+    entry(Key::Throttle, "engine.throttle", "", other(NUMBER, Range::positive_to(1.0), 1.0),
+        "factor on the torque: part throttle; 1 if not given"),
+    entry(Key::GovernedSpeed, "engine.governed_speed", "", other(RPM, Range::POSITIVE, 3700.0),
+        "speed from which the governor takes torque away"),
+    entry(Key::NoLoadSpeed, "engine.no_load_speed", "", other(RPM, Range::POSITIVE, 3950.0),
+        "speed at which the governor leaves none"),
+    entry(Key::VehicleMass, "vehicle.mass", "m_v", other(KG, Range::positive_to(1e6), 227.0),
+        "mass of the vehicle with its driver"),
+    entry(Key::FinalRatio, "vehicle.final_ratio", "i_f", other(NUMBER, Range::positive_to(1e3), 8.32),
+        "turns of the secondary for a turn of the wheel"),
+    entry(Key::WheelRadius, "vehicle.wheel_radius", "r_w", other(MM, Range::positive_to(1e4), 279.0),
+        "rolling radius of the wheel"),
+    entry(Key::RollingResistance, "vehicle.rolling_resistance", "c_r", other(NUMBER, Range::up_to(1.0), 0.03),
+        "coefficient of rolling resistance; 0 if not given"),
+    entry(Key::DragArea, "vehicle.drag_area", "C_d A", other(M2, Range::up_to(1e3), 0.55),
+        "drag area; 0 if not given"),
+    entry(Key::Grade, "vehicle.grade", "", other(NUMBER, Range::within(-10.0, 10.0), 0.0),
+        "grade of the ground, rise over run; 0 if not given"),
+    entry(Key::AirDensity, "vehicle.air_density", "ρ_air", other(KG_PER_M3, Range::up_to(100.0), 1.2),
+        "density of the air; 1.2 kg/m³ if not given"),
+    entry(Key::FinalEfficiency, "vehicle.final_efficiency", "η_f", other(NUMBER, Range::positive_to(1.0), 0.95),
+        "efficiency of the final drive; 1 if not given"),
 ];
 
 /// No key is longer.
@@ -265,12 +463,12 @@ impl Key {
 impl Entry {
     /// The section of the case file it stands in; empty at the top.
     pub fn section(&self) -> &'static str {
-        self.path.split_once('.').map_or("", |(section, _)| section)
+        self.path.rsplit_once('.').map_or("", |(section, _)| section)
     }
 
     /// Its name within its section.
     pub fn name(&self) -> &'static str {
-        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
     }
 
     /// The base case's value in SI, for a quantity that it has.
@@ -295,7 +493,7 @@ impl Entry {
     /// A value in SI as people read it: the number, and its unit as it is printed.
     pub fn readable(&self, si: f64) -> (f64, String) {
         let number = match self.kind {
-            ValueKind::Quantity { unit, .. } => unit.from_si(si),
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. } => unit.from_si(si),
             ValueKind::Choice { .. } => si,
         };
         (number, self.printed_unit())
@@ -317,7 +515,7 @@ impl Entry {
 
     fn printed_unit(&self) -> String {
         match self.kind {
-            ValueKind::Quantity { unit, .. } => unit.printed(),
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. } => unit.printed(),
             ValueKind::Choice { .. } => String::new(),
         }
     }
@@ -327,6 +525,7 @@ impl Entry {
         match self.kind {
             ValueKind::Quantity { unit: Unit { symbol: "", .. }, example, .. } => example.to_string(),
             ValueKind::Quantity { unit, example, .. } => format!("\"{example} {}\"", unit.symbol),
+            ValueKind::List { example, .. } => format!("\"{example}\""),
             ValueKind::Choice { choices, default } => {
                 let name = default.or(choices.first().map(|choice| choice.name)).unwrap_or_default();
                 format!("\"{name}\"")
@@ -340,6 +539,13 @@ impl Entry {
             ValueKind::Quantity { unit, range, .. } => {
                 let (words, example) = (range.words(unit.symbol), self.example());
                 format!("{} {words}, such as {example}", unit.scale.dimension)
+            }
+            ValueKind::List { unit, range, .. } => {
+                let words = match (range.low, range.high) {
+                    (RangeEnd::None, RangeEnd::None) => String::new(),
+                    _ => format!(", each {}", range.words(unit.symbol)),
+                };
+                format!("numbers with one unit{words}, such as {}", self.example())
             }
             ValueKind::Choice { choices, .. } => {
                 let names: Vec<_> = choices.iter().map(|choice| format!("\"{}\"", choice.name)).collect();
@@ -368,7 +574,23 @@ mod tests {
         }
         assert_eq!(
             sections().collect::<Vec<_>>(),
-            ["model", "belt", "sheave", "drive", "operating_point", "losses", "thermal"]
+            [
+                "model",
+                "belt",
+                "sheave",
+                "drive",
+                "operating_point",
+                "losses",
+                "thermal",
+                "primary",
+                "primary.actuator",
+                "primary.spring",
+                "secondary",
+                "secondary.actuator",
+                "secondary.spring",
+                "engine",
+                "vehicle"
+            ]
         );
     }
 
@@ -381,6 +603,12 @@ mod tests {
                     let read = parse(example.trim_matches('"')).and_then(|read| read.expect(unit.scale.dimension));
                     assert_eq!(read, Ok(unit.to_si(value)), "{}", entry.path);
                     assert!(range.contains(unit.to_si(value), |bound| unit.to_si(bound)), "{}", entry.path);
+                }
+                ValueKind::List { unit, range, .. } => {
+                    let read = crate::quantity::parse_list(example.trim_matches('"'), unit.scale.dimension);
+                    for value in read.unwrap() {
+                        assert!(range.contains(value, |bound| unit.to_si(bound)), "{}: {value}", entry.path);
+                    }
                 }
                 ValueKind::Choice { choices, .. } => {
                     assert!(choices.iter().any(|choice| example.trim_matches('"') == choice.name), "{}", entry.path);

@@ -29,6 +29,11 @@ impl Range {
     /// Above zero.
     pub const POSITIVE: Self = Self { low: RangeEnd::Open(0.0), high: RangeEnd::None };
 
+    /// From `low` up to `high`, both allowed.
+    pub const fn within(low: f64, high: f64) -> Self {
+        Self { low: RangeEnd::Closed(low), high: RangeEnd::Closed(high) }
+    }
+
     /// From zero up to and with `high`.
     pub const fn up_to(high: f64) -> Self {
         Self { low: RangeEnd::Closed(0.0), high: RangeEnd::Closed(high) }

@@ -11,6 +11,8 @@ pub(crate) enum Raw<'a> {
     Text(Cow<'a, str>),
     /// A TOML number.
     Number(f64),
+    /// A TOML array.
+    List(Vec<Raw<'a>>),
     /// Anything else.
     Other(&'static str),
 }
@@ -24,6 +26,7 @@ pub(crate) fn raw<'a>(value: &'a DeValue<'_>) -> Raw<'a> {
             integer.as_str().parse().map_or(Raw::Other("an integer"), Raw::Number)
         }
         DeValue::Float(float) => float.as_str().parse().map_or(Raw::Other("a number"), Raw::Number),
+        DeValue::Array(items) => Raw::List(items.iter().map(|item| raw(item.get_ref())).collect()),
         other => Raw::Other(kind(other)),
     }
 }

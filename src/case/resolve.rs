@@ -7,6 +7,7 @@ use super::grid::Grid;
 use super::keys::Key;
 use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
+use super::parts::{Parts, parts};
 use super::swap::GivenSwap;
 use super::thermal::{Stiffnesses, Thermal, thermal};
 use crate::model::{Bending, Edition, Ends, Free, Friction, ModelChoices, Shear, Spans};
@@ -36,6 +37,8 @@ pub struct Resolved {
     pub stiffnesses: Stiffnesses,
     /// Heat, if the belt's temperature is to be found.
     pub thermal: Option<Thermal>,
+    /// Actuators, engine and vehicle, as far as the case has them.
+    pub parts: Parts,
     /// Constants that are found for outputs that are prescribed.
     pub swaps: Vec<GivenSwap>,
     /// What was found, SI, for keys that were solved for; nothing before a case is solved.
@@ -87,6 +90,8 @@ pub struct Drive {
 pub enum Setting {
     /// In SI.
     Number(f64),
+    /// In SI.
+    List(Vec<f64>),
     /// One of the key's choices.
     Name(&'static str),
     /// A table in SI.
@@ -123,6 +128,7 @@ impl Case {
             losses: losses(self, edition)?,
             stiffnesses,
             thermal: thermal(self)?,
+            parts: parts(self)?,
             swaps: self.swaps.iter().map(|(swap, _)| swap.clone()).collect(),
             found: Vec::new(),
         })
@@ -236,7 +242,8 @@ fn is_free(free: Option<Free>, radius: Key) -> bool {
 impl Resolved {
     /// Every key with its value, in the order of the table; given to [`Case::set`], they make the same case again.
     pub fn settings(&self) -> Vec<(Key, Setting)> {
-        let Self { edition, model, belt, sheave, drive, operating_point, losses, stiffnesses, thermal, .. } = self;
+        let Self { edition, model, belt, sheave, drive, operating_point, losses, stiffnesses, thermal, parts, .. } =
+            self;
         let mut settings = vec![(Key::Edition, Setting::Name(edition.name()))];
         if let Some(bending) = model.bending {
             settings.push((Key::Shear, Setting::Name(bending.shear.name())));
@@ -274,6 +281,7 @@ impl Resolved {
             }
             None => {}
         }
+        settings.extend(parts.settings());
         settings.extend(drive.free.map(|free| (Key::Free, Setting::Name(free.name()))));
         settings.sort_by_key(|(key, _)| *key);
         settings
@@ -290,22 +298,35 @@ impl Serialize for Resolved {
         if !self.swaps.is_empty() {
             map.serialize_entry(SWAP, &self.swaps.iter().map(GivenSwap::to_string).collect::<Vec<_>>())?;
         }
-        for section in settings.chunk_by(|(a, _), (b, _)| a.entry().section() == b.entry().section()) {
-            match section {
-                [(key, value)] if key.entry().section().is_empty() => map.serialize_entry(key.path(), value)?,
-                [(key, _), ..] => map.serialize_entry(key.entry().section(), &Section(section))?,
-                [] => {}
-            }
-        }
+        serialize_within(&mut map, 0, &settings)?;
         map.end()
     }
 }
 
+/// Settings as entries of a map, nested by the names of their paths from the one numbered `depth` on.
+fn serialize_within<M: SerializeMap>(map: &mut M, depth: usize, settings: &[(Key, Setting)]) -> Result<(), M::Error> {
+    let name = |key: Key| key.path().split('.').nth(depth).unwrap_or_default();
+    for part in settings.chunk_by(|(a, _), (b, _)| name(*a) == name(*b)) {
+        let Some((key, value)) = part.first() else { continue };
+        if key.path().split('.').count() == depth + 1 {
+            map.serialize_entry(name(*key), value)?;
+        } else {
+            map.serialize_entry(name(*key), &Section { depth: depth + 1, settings: part })?;
+        }
+    }
+    Ok(())
+}
+
 /// The settings of one section.
-struct Section<'a>(&'a [(Key, Setting)]);
+struct Section<'a> {
+    depth: usize,
+    settings: &'a [(Key, Setting)],
+}
 
 impl Serialize for Section<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(key, value)| (key.entry().name(), value)))
+        let mut map = serializer.serialize_map(None)?;
+        serialize_within(&mut map, self.depth, self.settings)?;
+        map.end()
     }
 }

@@ -116,6 +116,11 @@ impl Reader<'_> {
                 Raw::Text(text) => quantity::parse(&text).and_then(|read| read.expect(dimension)),
                 Raw::Number(si) if si.is_finite() => Ok(si),
                 Raw::Number(_) => Err(quantity::QuantityError::NotFinite),
+                Raw::List(_) => {
+                    return Err(
+                        self.wrong(format!("an item of `{name}` is an array: expected {dimension}"), item.span())
+                    );
+                }
                 Raw::Other(given) => {
                     return Err(
                         self.wrong(format!("an item of `{name}` is {given}: expected {dimension}"), item.span())

@@ -5,7 +5,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use sheave::design::DesignError;
-use sheave::drive::SolveOptions;
+use sheave::drive::{Failure, SolveOptions, WORK_LIMIT};
 use sheave::plot::Figure;
 use sheave::study::{Axis, Format, Study, StudyError, Table};
 use std::num::NonZeroUsize;
@@ -19,6 +19,9 @@ pub struct GridArguments {
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
     tol: f64,
+    /// Work that each solution may take: Newton iterations, each counted once for every mesh interval
+    #[arg(long, value_name = "N", default_value_t = WORK_LIMIT, value_parser = super::solve::work_limit)]
+    work_limit: usize,
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "over")]
     json: bool,
@@ -39,7 +42,7 @@ impl GridArguments {
     }
 
     pub fn options(&self) -> SolveOptions {
-        SolveOptions { tolerance: self.tol, ..SolveOptions::default() }
+        SolveOptions { tolerance: self.tol, work_limit: self.work_limit, ..SolveOptions::default() }
     }
 
     pub fn json(&self) -> bool {
@@ -81,5 +84,8 @@ impl GridArguments {
 
 /// Why there is no answer.
 pub fn stop(error: DesignError) -> Stop {
+    if let DesignError::Start(Failure::Cancelled) = error {
+        return Stop::Cancelled;
+    }
     if error.is_bad_input() { Stop::Usage(error.to_string()) } else { Stop::NoSolution(error.to_string()) }
 }

@@ -1,7 +1,7 @@
 //! The one object that `--json` prints, whatever happens.
 
 use super::output;
-use super::stop::Stop;
+use super::stop::{CANCELLED, Stop};
 use serde::Serialize;
 use sheave::result::{FailureKind, FailureReport, envelope, failed};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -73,6 +73,7 @@ impl Stop {
             }
             Self::Usage(reason) => report(FailureKind::Input, reason.clone(), None),
             Self::NoSolution(reason) | Self::Unreached(reason) => report(FailureKind::NoSolution, reason.clone(), None),
+            Self::Cancelled => report(FailureKind::Cancelled, CANCELLED.to_owned(), None),
             Self::Write(what, error) => report(FailureKind::Output, format!("cannot write {what}: {error}"), None),
         }
     }

@@ -1,17 +1,76 @@
 //! `sheave keys`: the keys of a case file, from their table.
 
+use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use sheave::case::{Choice, Entry, RangeEnd, TABLE, ValueKind};
+use serde::Serialize;
+use sheave::case::{Choice, Entry, Range, RangeEnd, TABLE, ValueKind};
+use sheave::quantity::Unit;
 use std::fmt::Write;
 
 /// List the keys of a case file with their units, ranges and defaults
 #[derive(Debug, Args)]
-pub struct Arguments {}
+pub struct Arguments {
+    /// Print them as one JSON object
+    #[arg(long)]
+    json: bool,
+}
 
-pub fn run(_: &Arguments) -> Result<(), Stop> {
+/// A key, for programs.
+#[derive(Debug, Serialize)]
+struct Described {
+    key: &'static str,
+    doc: &'static str,
+    symbol: &'static str,
+    /// Unit in which range and default are given; none for a choice, and for a number without unit.
+    unit: Option<&'static str>,
+    /// Values that are taken, in words; none if all positive ones are.
+    range: Option<String>,
+    /// Whether it takes a list of numbers.
+    list: bool,
+    /// Value of the base case, or the default of a choice.
+    default: Option<String>,
+    choices: Vec<Chosen>,
+}
+
+#[derive(Debug, Serialize)]
+struct Chosen {
+    name: &'static str,
+    doc: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Keys {
+    keys: Vec<Described>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    if arguments.json {
+        let keys = TABLE.iter().map(described).collect();
+        return output::print(&envelope::object("keys", &(), &[], &Keys { keys })?);
+    }
     output::print(&table())
+}
+
+fn described(entry: &Entry) -> Described {
+    let numbers = |unit: &Unit, range: &Range| {
+        let positive = range.low == RangeEnd::Open(0.0) && range.high == RangeEnd::None;
+        let words = (!positive).then(|| range.words(unit.symbol).to_string());
+        (Some(unit.symbol).filter(|symbol| !symbol.is_empty()), words)
+    };
+    let (unit, range) = match &entry.kind {
+        ValueKind::Quantity { unit, range, .. } | ValueKind::List { unit, range, .. } => numbers(unit, range),
+        ValueKind::Choice { .. } => (None, None),
+    };
+    let (default, choices) = match entry.kind {
+        ValueKind::Quantity { base, .. } => (base.then(|| entry.example()), &[][..]),
+        ValueKind::List { .. } => (None, &[][..]),
+        ValueKind::Choice { choices, default } => (default.map(str::to_owned), choices),
+    };
+    let list = matches!(entry.kind, ValueKind::List { .. });
+    let choices = choices.iter().map(|choice| Chosen { name: choice.name, doc: choice.doc }).collect();
+    Described { key: entry.path, doc: entry.doc, symbol: entry.symbol, unit, range, list, default, choices }
 }
 
 /// All keys by section, for people to read.
@@ -63,6 +122,13 @@ fn line(entry: &Entry) -> String {
                 _ => format!("; {}", range.words(unit.symbol)),
             };
             (default, range)
+        }
+        ValueKind::List { unit, range, .. } => {
+            let range = match (range.low, range.high) {
+                (RangeEnd::None, RangeEnd::None) | (RangeEnd::Open(0.0), RangeEnd::None) => String::new(),
+                _ => format!("; each {}", range.words(unit.symbol)),
+            };
+            ("list".into(), range)
         }
         ValueKind::Choice { default, .. } => (default.map_or("-".into(), |name| format!("\"{name}\"")), String::new()),
     };

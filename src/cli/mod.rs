@@ -2,27 +2,35 @@
 
 mod belt;
 mod bench_data;
+mod beside;
 mod case;
 mod compare;
+mod completions;
 mod derive;
 mod design;
+mod drive;
 mod dyno;
 mod envelope;
 mod init;
 mod keeping;
 mod keys;
 mod limit;
+#[cfg(feature = "live")]
+mod live;
 mod map;
 mod measured;
 mod optimum;
 mod output;
+mod plot;
 mod pulley;
 mod radii;
 mod reproduce;
+mod shift;
 mod size;
 mod solve;
 mod stop;
 mod sweep;
+mod tune;
 
 use clap::{ArgAction, Parser, Subcommand};
 use sheave::result::{FailureKind, FailureReport};
@@ -46,10 +54,15 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Solve(solve::Arguments),
+    Beside(beside::Arguments),
+    Drive(drive::Arguments),
+    Shift(shift::Arguments),
     Sweep(sweep::Arguments),
+    Plot(plot::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
     Map(map::Arguments),
+    Tune(tune::Arguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -61,11 +74,16 @@ enum Command {
     Compare(compare::Arguments),
     BenchData(bench_data::Arguments),
     Keys(keys::Arguments),
+    Completions(completions::CompletionsArguments),
+    Man(completions::ManArguments),
+    #[cfg(feature = "live")]
+    Live(live::Arguments),
 }
 
 /// What the exit status means.
 const STATUS: &str = "\
-Exit status: 0 solved; 2 bad input, nothing computed; 3 no solution found; 1 anything else.
+Exit status: 0 solved; 2 bad input, nothing computed; 3 no solution found; 130 cancelled by Ctrl-C; 1 anything
+else.
 Results go to standard output, all else to standard error.";
 
 /// Runs the command that the arguments name.
@@ -84,11 +102,16 @@ pub fn run() -> ExitCode {
     log_to_stderr(arguments.verbose);
     // A panic is a defect of this program; its message is on standard error by then.
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
-        Command::Solve(arguments) => solve::run(arguments),
-        Command::Sweep(arguments) => sweep::run(arguments),
-        Command::Limit(arguments) => limit::run(arguments),
-        Command::Optimum(arguments) => optimum::run(arguments),
-        Command::Map(arguments) => map::run(arguments),
+        Command::Solve(arguments) => in_order(|| solve::run(arguments)),
+        Command::Drive(arguments) => in_order(|| drive::run(arguments)),
+        Command::Shift(arguments) => shift::run(arguments),
+        Command::Beside(arguments) => in_order(|| beside::run(arguments)),
+        Command::Sweep(arguments) => in_order(|| sweep::run(arguments)),
+        Command::Plot(arguments) => plot::run(arguments),
+        Command::Limit(arguments) => in_order(|| limit::run(arguments)),
+        Command::Optimum(arguments) => in_order(|| optimum::run(arguments)),
+        Command::Map(arguments) => in_order(|| map::run(arguments)),
+        Command::Tune(arguments) => in_order(|| tune::run(arguments)),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
@@ -100,6 +123,10 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(arguments),
         Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
+        Command::Completions(arguments) => completions::completions(arguments),
+        Command::Man(arguments) => completions::man(arguments),
+        #[cfg(feature = "live")]
+        Command::Live(arguments) => live::run(arguments),
     });
     match outcome {
         Ok(Ok(())) => ExitCode::SUCCESS,
@@ -113,6 +140,11 @@ pub fn run() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+/// A command that Ctrl-C ends at the next step of what is being solved, rather than the program at once.
+fn in_order(command: impl FnOnce() -> Result<(), stop::Stop>) -> Result<(), stop::Stop> {
+    sheave::cancellable(&stop::cancel_on_interrupt(), command)
 }
 
 /// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act
@@ -131,6 +163,12 @@ fn misunderstood(stop: &clap::Error) -> ExitCode {
     ExitCode::from(u8::try_from(stop.exit_code()).unwrap_or(1))
 }
 
+/// Whether standard error shows colours: on a terminal, unless NO_COLOR is set (no-color.org).
+fn colours() -> bool {
+    let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    !declined && std::io::IsTerminal::is_terminal(&std::io::stderr())
+}
+
 /// Warnings always; more with `-v`, or as the environment variable RUST_LOG says.
 fn log_to_stderr(verbose: u8) {
     let level = match verbose {
@@ -143,7 +181,7 @@ fn log_to_stderr(verbose: u8) {
     let filter = asked.unwrap_or_else(|| Targets::new().with_default(level));
     let lines = tracing_subscriber::fmt::layer()
         .with_writer(|| stop::Diagnostics)
-        .with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr()))
+        .with_ansi(colours())
         .without_time()
         .with_target(verbose > 1);
     // Fails only if a subscriber is set already, and then logs go there.

@@ -66,10 +66,7 @@ struct Object<'a> {
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.case.resolve()?;
     let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
-    let outcome = solve(&case, &options).map_err(|failure| {
-        let stop = if failure.is_bad_input() { Stop::Usage } else { Stop::NoSolution };
-        stop(failure.to_string())
-    })?;
+    let outcome = solve(&case, &options).map_err(|failure| Stop::from(&failure))?;
     let comparison = compare(&outcome, arguments.belt.grip()).map_err(|error| Stop::NoSolution(error.to_string()))?;
     let (edition, belt) = (case.edition.name(), arguments.belt);
     let object = Object { edition, converged: true, belt, comparison: &comparison };

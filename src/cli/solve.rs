@@ -6,9 +6,12 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::case::{CaseError, Key, Resolved};
-use sheave::drive::{Failure, SolveOptions};
-use sheave::result::{FailureKind, FailureReport, Outcome, run as solve, summary, warnings, write_profile};
+use sheave::case::{CaseError, Clamp, Key, Resolved};
+use sheave::design::{Verdict, verdict};
+use sheave::drive::{Branch, Failure, SolveOptions, WORK_LIMIT};
+use sheave::result::{
+    FailureKind, FailureReport, Outcome, Units, run_on_branch as solve, summary_in, warnings, write_profile,
+};
 use solver::Order;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -31,6 +34,15 @@ pub struct Arguments {
     /// Find the clamp that leaves this share of the friction at hand in reserve, in place of the case's clamp: 20%
     #[arg(long, value_name = "R")]
     reserve: Option<String>,
+    /// Units of the summary: workshop (N, mm, rpm), si (N, m, rad/s) or us (lbf, in, rpm, hp); JSON is in SI always
+    #[arg(long, value_name = "U", default_value = "workshop", value_parser = units)]
+    units: Units,
+    /// Where an axial force is given that belongs to two operating points: the tighter belt, or the looser
+    #[arg(long, value_name = "WHICH", default_value = "tight", value_parser = ["tight", "loose"])]
+    branch: String,
+    /// Work that the search may take: Newton iterations, each counted once for every mesh interval
+    #[arg(long, value_name = "N", default_value_t = WORK_LIMIT, value_parser = work_limit)]
+    work_limit: usize,
     /// Print the result as one JSON object
     #[arg(long, conflicts_with = "out")]
     json: bool,
@@ -64,11 +76,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         tolerance: arguments.tol,
         order: arguments.order,
         sensitivities: arguments.sensitivities,
-        ..SolveOptions::default()
+        uncertainty: true,
+        work_limit: arguments.work_limit,
     };
-    match solve(&case, &options) {
+    let wanted = if arguments.branch == Branch::Loose.name() { Branch::Loose } else { Branch::Tight };
+    match solve(&case, wanted, &options) {
         Ok(outcome) => arguments.deliver(&outcome),
-        Err(failure) => Err(arguments.failed(&case, &failure)),
+        Err(failure) => Err(arguments.failed(&case, &failure, &options)),
     }
 }
 
@@ -83,9 +97,18 @@ impl Arguments {
     }
 
     fn deliver(&self, outcome: &Outcome) -> Result<(), Stop> {
-        let warnings = warnings(outcome);
-        for warning in &warnings {
-            tracing::warn!("{warning}");
+        let mut warnings = warnings(outcome);
+        let only = matches!(
+            outcome.result.inputs.operating_point.clamp,
+            Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_)
+        ) && outcome.result.other_solution.is_none();
+        if self.branch == Branch::Loose.name() {
+            warnings
+                .extend(only.then(|| "Only one operating point was found for this axial force: this one.".to_owned()));
+        }
+        // With --json they are in the object, for people on standard error, too; the summary has them itself.
+        if self.json {
+            warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
         }
         let json = || envelope::object("solve", &outcome.result.inputs, &warnings, &outcome.result);
         if self.json {
@@ -99,25 +122,34 @@ impl Arguments {
             let page = sheave::report::page(outcome, &figures)?;
             output::write_file(folder, "report.html", |to| to.write_all(page.as_bytes()))?;
         }
-        output::print(&summary(&outcome.result))
+        output::print(&summary_in(self.units, &warnings, &outcome.result))
     }
 
     /// No solution: the object says so where the result would have stood.
-    fn failed(&self, case: &Resolved, failure: &Failure) -> Stop {
-        let reason = failure.to_string();
-        let (kind, stop): (_, fn(String) -> Stop) = if failure.is_bad_input() {
-            (FailureKind::Input, Stop::Usage)
-        } else {
-            (FailureKind::NoSolution, Stop::NoSolution)
-        };
-        let report = FailureReport { kind, message: reason.clone(), hint: failure.hint().map(str::to_owned) };
+    fn failed(&self, case: &Resolved, failure: &Failure, options: &SolveOptions) -> Stop {
+        let stop = Stop::from(failure);
+        let Stop::NoSolution(mut message) = stop else { return self.unsolved(case, stop.failure(), stop) };
+        let mut hint = failure.hint().map(str::to_owned);
+        match verdict(case, failure, options) {
+            // The message says so already.
+            Verdict::Pushed | Verdict::Open => {}
+            proof => {
+                message = format!("no solution: {proof}");
+                hint = Some("clamp the belt tighter or ask for less torque; `sheave limit` has all limits".to_owned());
+            }
+        }
+        let said = hint.iter().fold(message.clone(), |said, hint| format!("{said}\nwhat to try: {hint}"));
+        self.unsolved(case, FailureReport { kind: FailureKind::NoSolution, message, hint }, Stop::NoSolution(said))
+    }
+
+    fn unsolved(&self, case: &Resolved, report: FailureReport, stop: Stop) -> Stop {
         let known = Unsolved { edition: case.edition.name(), inputs: case };
         let told = match &self.out {
             Some(folder) => envelope::failure("solve", &known, &report).and_then(|text| write_result(folder, &text)),
             None if self.json => envelope::tell("solve", &known, &report),
             None => Ok(()),
         };
-        told.err().unwrap_or_else(|| stop(reason))
+        told.err().unwrap_or(stop)
     }
 }
 
@@ -128,6 +160,15 @@ fn write_result(folder: &Path, text: &str) -> Result<(), Stop> {
 pub(super) fn tolerance(text: &str) -> Result<f64, String> {
     let within = |tolerance: &f64| (1e-12..=1e-1).contains(tolerance);
     text.parse().ok().filter(within).ok_or_else(|| "expected a number from 1e-12 to 1e-1, such as 1e-6".into())
+}
+
+pub(super) fn units(text: &str) -> Result<Units, String> {
+    Units::by_name(text).ok_or_else(|| "expected workshop, si or us".into())
+}
+
+pub(super) fn work_limit(text: &str) -> Result<usize, String> {
+    let positive = |limit: &usize| *limit > 0;
+    text.parse().ok().filter(positive).ok_or_else(|| "expected a whole number above 0, such as 2000000".into())
 }
 
 fn order(text: &str) -> Result<Order, String> {

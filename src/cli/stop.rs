@@ -1,6 +1,8 @@
 //! Why a command ends without a result, and what the exit status says of it.
 
+use sheave::Cancel;
 use sheave::case::CaseError;
+use sheave::drive::Failure;
 use sheave::model::InternalError;
 use sheave::plot::PlotError;
 use sheave::study::StudyError;
@@ -19,6 +21,8 @@ pub enum Stop {
     Refused(miette::Report),
     /// There is no solution, or none was found; the reason.
     NoSolution(String),
+    /// Ctrl-C.
+    Cancelled,
     /// A result was told, and is not what was asked for; the reason.
     Unreached(String),
     /// A file, or standard output, could not be written.
@@ -47,6 +51,10 @@ impl Stop {
                 tell(&(printable(&reason) + "\n"));
                 ExitCode::from(3)
             }
+            Self::Cancelled => {
+                tell(&format!("{CANCELLED}\n"));
+                ExitCode::from(INTERRUPTED)
+            }
             // Whoever reads has enough: nobody to tell.
             Self::Write(_, error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::from(1),
             Self::Write(what, error) => {
@@ -55,6 +63,29 @@ impl Stop {
             }
         }
     }
+}
+
+/// What is said of a command that Ctrl-C has ended.
+pub const CANCELLED: &str = "cancelled";
+/// Exit status of a command that an interrupt has ended: 128 and the number of the signal, as shells have it.
+const INTERRUPTED: u8 = 130;
+
+/// A handle that Ctrl-C cancels, so that the command ends in order; a second Ctrl-C ends the program at once.
+pub fn cancel_on_interrupt() -> Cancel {
+    let cancel = Cancel::new();
+    let handle = cancel.clone();
+    let interrupted = move || {
+        if handle.is_cancelled() {
+            std::process::exit(i32::from(INTERRUPTED));
+        }
+        handle.cancel();
+        tell("stopping; Ctrl-C once more stops at once\n");
+    };
+    if let Err(error) = ctrlc::set_handler(interrupted) {
+        // An interrupt then ends the program as it does by default.
+        tracing::debug!("Ctrl-C is not caught: {error}");
+    }
+    cancel
 }
 
 /// Says it on standard error. If that is full or closed there is nobody to tell, and the exit status has to do.
@@ -87,7 +118,23 @@ impl From<StudyError> for Stop {
         match error {
             StudyError::Case(error) => Self::Input(error),
             StudyError::Keep(error) => Self::Write("the journal".into(), error),
+            StudyError::Cancelled => Self::Cancelled,
             other => Self::Usage(other.to_string()),
+        }
+    }
+}
+
+impl From<&Failure> for Stop {
+    fn from(failure: &Failure) -> Self {
+        if let Some(words) = failure.solver() {
+            tracing::info!("the solver says: {words}");
+        }
+        if failure.is_cancelled() {
+            Self::Cancelled
+        } else if failure.is_bad_input() {
+            Self::Usage(failure.to_string())
+        } else {
+            Self::NoSolution(failure.to_string())
         }
     }
 }

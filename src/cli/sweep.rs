@@ -6,7 +6,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use sheave::drive::SolveOptions;
+use sheave::drive::{SolveOptions, WORK_LIMIT};
 use sheave::study::{Axis, Format, Journal, JournalError, Row, StoredRows, Stream, Study, StudyError};
 use std::io::{self, IsTerminal};
 use std::num::NonZeroUsize;
@@ -33,6 +33,9 @@ pub struct Arguments {
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]
     tol: f64,
+    /// Work that each point may take: Newton iterations, each counted once for every mesh interval
+    #[arg(long, value_name = "N", default_value_t = WORK_LIMIT, value_parser = super::solve::work_limit)]
+    work_limit: usize,
     /// Write the table into this file: .csv, .parquet or .json. Rows are kept as they come in FILE.journal beside it
     /// until the table is whole; an earlier table is kept as FILE.old.1. Without it, CSV goes to standard output as
     /// rows come
@@ -104,7 +107,8 @@ impl Arguments {
         // What the command line varies is not varied by the file as well.
         axes.retain(|axis| !given.iter().any(|other| other.keys().iter().any(|key| axis.keys().contains(key))));
         axes.extend(given);
-        Study::new(case, axes, SolveOptions { tolerance: self.tol, ..SolveOptions::default() })
+        let (tolerance, work_limit) = (self.tol, self.work_limit);
+        Study::new(case, axes, SolveOptions { tolerance, work_limit, ..SolveOptions::default() })
     }
 
     fn journal(&self, out: &Path, study: &Study) -> Result<Journal, Stop> {

@@ -13,6 +13,9 @@ use crate::model::{Constant, InternalError, Output};
 /// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
 /// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
+/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which then
+/// grows beyond all bounds, changes torque and tension by less than a hundredth.
+const BRAKED: f64 = 0.1;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;
 const SMALLEST_STEP: f64 = 1e-4;
@@ -65,6 +68,8 @@ pub struct Branch {
     start: Solved,
     free: Constant,
     efficiency: Output,
+    /// Whether the secondary drives.
+    braking: bool,
     options: SolveOptions,
 }
 
@@ -98,7 +103,7 @@ impl BranchPoint {
 
 impl Branch {
     /// Follows the curve on which `free` (the primary's torque, or the slack tension) moves, from the operating point
-    /// `start` down to the speed efficiency `last`, 0 being the stall; at first so that `sought` rises (`upwards`) or
+    /// `start` down to the speed efficiency `last`, 0 being the stall (in engine braking, [`BRAKED`]); at first so that `sought` rises (`upwards`) or
     /// falls.
     ///
     /// # Errors
@@ -112,7 +117,10 @@ impl Branch {
         options: &SolveOptions,
     ) -> Result<Self, Failure> {
         let efficiency = Output::EfficiencySpeed;
-        let end = End { output: efficiency, value: last.max(RESTING) };
+        // In engine braking the primary is driven: it comes to rest as σ grows beyond all bounds.
+        let braking = start.constant(Constant::PrimaryTorque) < 0.0;
+        let least = last.max(if braking { BRAKED } else { RESTING });
+        let end = End { output: efficiency, value: if braking { 1.0 / least } else { least }, rising: braking };
         let Curve { points, lost } = trace(model, start, (free, sought), upwards, end, options)?;
         let mut branch = Self {
             points: Vec::new(),
@@ -121,6 +129,7 @@ impl Branch {
             start: start.clone(),
             free,
             efficiency,
+            braking,
             options: *options,
         };
         for (kind, solved) in points {
@@ -133,6 +142,8 @@ impl Branch {
         }
         match lost {
             Some(failure) => branch.end = BranchEnd::Lost(failure),
+            // The secondary's speed has no end: the primary counts as at rest at the least that is followed.
+            None if braking => {}
             None => branch.descend(last),
         }
         Ok(branch)
@@ -140,7 +151,8 @@ impl Branch {
 
     /// The solution at a speed efficiency, from one nearby.
     pub(super) fn at(&self, place: f64, from: &Solved) -> Result<BranchPoint, Failure> {
-        let question = self.start.question.clone().swap(self.free, self.efficiency, place);
+        let value = if self.braking { 1.0 / place } else { place };
+        let question = self.start.question.clone().swap(self.free, self.efficiency, value);
         let solved = solve_question_from(from, &self.model, &question, &self.options)?;
         Ok(BranchPoint::new(solved, Parameter::SpeedEfficiency, place, false)?)
     }

@@ -38,13 +38,16 @@ pub enum LimitKind {
 }
 
 impl LimitKind {
+    /// The word for a limit that was not reached.
+    pub(super) const LOST: &str = "lost";
+
     /// In one word.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Fold => "fold",
             Self::Collapse => "collapse",
             Self::SpeedEfficiency => "speed_efficiency",
-            Self::Lost(_) => "lost",
+            Self::Lost(_) => Self::LOST,
         }
     }
 }
@@ -89,7 +92,13 @@ pub struct LimitOptions {
     pub least_speed_efficiency: f64,
 }
 
-/// The largest torque that the clamp of a case carries; the case's load does not matter.
+/// Shares of the torque of the start that are tried in turn, where it has no solution.
+const EASIER: [f64; 3] = [1.0, 0.3, 0.1];
+/// Torque of the start in engine braking over tension times radius: the loose strand keeps the rest.
+const BRAKING: f64 = 0.6;
+
+/// The largest torque that the clamp of a case carries. Of the case's load only its direction matters: for a negative
+/// primary torque it is the largest in engine braking.
 ///
 /// # Errors
 /// See [`DesignError`].
@@ -103,13 +112,44 @@ fn torque_of(case: &Resolved, options: &LimitOptions) -> Result<Found, DesignErr
     let mut start = case.clone();
     // What the clamp suggests when nothing is known of the torque.
     start.operating_point.load = Load::SpeedRatio(1.0);
-    let easy = Question::of(&start).constants[Constant::PrimaryTorque];
-    start.operating_point.load = Load::PrimaryTorque(match case.operating_point.load {
-        Load::PrimaryTorque(torque) if torque > 0.0 => torque.min(easy),
-        _ => easy,
-    });
-    let solved = solve(&start, &options.solve)?;
-    limit(&start.model, &solved, (Constant::PrimaryTorque, Output::PrimaryTorque), true, options)
+    let constants = Question::of(&start).constants;
+    let easy = constants[Constant::PrimaryTorque];
+    let (torque, driven) = match case.operating_point.load {
+        Load::PrimaryTorque(torque) if torque > 0.0 => (torque.min(easy), true),
+        Load::PrimaryTorque(torque) if torque < 0.0 => {
+            let most = BRAKING * constants[Constant::SlackTension] * constants[Constant::PrimaryRadius];
+            (torque.max(-most), false)
+        }
+        _ => (easy, true),
+    };
+    let mut first = None;
+    for share in EASIER {
+        start.operating_point.load = Load::PrimaryTorque(share * torque);
+        match solve(&start, &options.solve) {
+            Ok(solved) => {
+                return limit(&start.model, &solved, (Constant::PrimaryTorque, Output::PrimaryTorque), driven, options);
+            }
+            Err(failure @ (Failure::Lost { .. } | Failure::Unreached { .. } | Failure::Start { .. })) => {
+                _ = first.get_or_insert(failure);
+            }
+            Err(failure) => return Err(failure.into()),
+        }
+    }
+    Err(first.unwrap_or(Failure::NoStart).into())
+}
+
+/// The smallest slack tension that carries the torque of a case; the case's clamp does not matter.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn smallest_slack_tension(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
+    primary_speed(case)?;
+    let mut case = case.clone();
+    case.operating_point.margin = None;
+    in_balance(&case, options, |case| {
+        let (_, solved) = clamped(case, &options.solve)?;
+        limit(&case.model, &solved, (Constant::SlackTension, Output::PrimaryExitTension), false, options)
+    })
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
@@ -210,7 +250,9 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         match solve(&start, options) {
             Ok(solved) => return Ok((start, solved)),
             // The case's own clamp may be below the limit that is sought.
-            Err(failure @ (Failure::Lost { .. } | Failure::Unreached { .. })) => _ = first.get_or_insert(failure),
+            Err(failure @ (Failure::Lost { .. } | Failure::Unreached { .. } | Failure::Start { .. })) => {
+                _ = first.get_or_insert(failure);
+            }
             Err(failure) => return Err(failure.into()),
         }
         tension *= TIGHTER;
@@ -253,6 +295,7 @@ fn limit(
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
     let kind = match &branch.end {
+        BranchEnd::Lost(Failure::Cancelled) => return Err(Failure::Cancelled.into()),
         BranchEnd::Lost(failure) => LimitKind::Lost(failure.to_string()),
         BranchEnd::Whole if least > 0.0 => LimitKind::SpeedEfficiency,
         BranchEnd::Whole => LimitKind::Collapse,

@@ -3,11 +3,11 @@
 use serde_json::Value;
 
 use super::error::DesignError;
-use super::limit::{LimitOptions, largest_torque, smallest_clamps};
+use super::limit::{LimitKind, LimitOptions, largest_torque, smallest_clamps};
 use super::optimum::optimum;
 use crate::case::{Key, Resolved, Setting};
-use crate::drive::SolveOptions;
-use crate::plot::{Axis, Figure, Series};
+use crate::drive::{Failure, SolveOptions};
+use crate::plot::{Axis, Figure, Look, Series};
 use crate::study::{Cell, GridPoint, Row, Study, StudyError, Table, TableBuilder};
 
 /// Keys of the load and of the clamp: what is varied is not sought.
@@ -144,7 +144,10 @@ fn map(
     let row = |index: usize| -> Result<Row, StudyError> {
         let point = study.point(index)?;
         let answer = match &point.case {
-            Ok(case) => answer(case).map_err(|error| error.to_string()),
+            Ok(case) => match answer(case) {
+                Err(DesignError::Start(Failure::Cancelled)) => return Err(StudyError::Cancelled),
+                answer => answer.map_err(|error| error.to_string()),
+            },
             Err(error) => Err(error.to_string()),
         };
         Ok(table_row(index, &point, answer))
@@ -210,22 +213,38 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
     let Some(across) = axis.keys().first().filter(|_| axis.points() > 1 && axis.is_continuous()) else {
         return Vec::new();
     };
-    let line = |first: usize, column: &str, scale: f64| {
+    // Where a curve was lost, its last value is a bound: shown, and not as a limit.
+    let is_bound = |row: usize, column: &str| {
+        let kind = column.strip_suffix("value").map(|stem| format!("{stem}kind"));
+        let cell = kind.and_then(|kind| table.rows.get(row)?.get(table.column(&kind)?));
+        cell == Some(&Cell::Text(LimitKind::LOST.into()))
+    };
+    let line = |(color, first): (usize, usize), column: &str, scale: f64| {
         let varied = study.point(first).map(|point| point.varied).unwrap_or_default();
         let others = varied.iter().take(varied.len().saturating_sub(axis.keys().len()));
         let label: Vec<String> = others.map(|(key, setting)| label(*key, setting)).collect();
         let rows = first..first + axis.points();
         let x = |row: usize| across.entry().readable(table.number(row, across.path())).0;
-        Series::line(label.join(", "), rows.map(|row| (x(row), scale * table.number(row, column))).collect())
+        let y = |row: usize, bounds: bool| {
+            let shown = is_bound(row, column) == bounds;
+            if shown { scale * table.number(row, column) } else { f64::NAN }
+        };
+        let points = |bounds: bool| rows.clone().map(|row| (x(row), y(row, bounds))).collect::<Vec<_>>();
+        let bounds: Vec<(f64, f64)> = points(true).into_iter().filter(|(_, y)| y.is_finite()).collect();
+        let limits = Series::line(label.join(", "), points(false)).color(color);
+        let bounds = (!bounds.is_empty()).then(|| Series::line("", bounds).look(Look::Dots).color(color));
+        std::iter::once(limits).chain(bounds)
     };
     let there = shown.iter().filter(|shown| table.column(shown.column).is_some());
     there
         .map(|shown| {
-            let starts = (0..study.points()).step_by(axis.points());
-            let series = starts.map(|first| line(first, shown.column, shown.scale)).collect();
+            let starts = (0..study.points()).step_by(axis.points()).enumerate();
+            let series: Vec<Series> = starts.flat_map(|start| line(start, shown.column, shown.scale)).collect();
+            let has_bounds = series.iter().any(|series| series.look == Look::Dots);
+            let dots = if has_bounds { "; dots are bounds, where the limit lies beyond" } else { "" };
             Figure::new(
                 shown.name,
-                shown.caption,
+                format!("{}{dots}", shown.caption),
                 Axis::new(across.entry().axis_label()),
                 Axis::new(shown.axis),
                 series,
@@ -238,6 +257,7 @@ fn figures(study: &Study, table: &Table, shown: &[Shown]) -> Vec<Figure> {
 fn label(key: Key, setting: &Setting) -> String {
     match setting {
         Setting::Number(value) => key.entry().label_at(*value),
+        Setting::List(values) => format!("{} of {} values", key.path(), values.len()),
         Setting::Name(name) => (*name).to_owned(),
         Setting::Table(grid) => grid.to_string(),
     }

@@ -11,10 +11,12 @@ mod limit;
 mod map;
 mod optimum;
 mod state;
+mod verdict;
 
 pub use branch::{Branch, BranchEnd, BranchPoint, Parameter};
 pub use error::DesignError;
-pub use limit::{ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, smallest_clamps};
+pub use limit::{ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, smallest_clamps, smallest_slack_tension};
 pub use map::{limit_figures, limit_map, limits, optimum_figures, optimum_map};
 pub use optimum::{Optimum, OptimumPlace, optimum};
 pub use state::DriveState;
+pub use verdict::{Verdict, verdict};

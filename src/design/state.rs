@@ -22,9 +22,10 @@ pub struct DriveState {
     pub secondary_axial_force: f64,
     /// ω_S/ω_P.
     pub speed_ratio: f64,
-    /// ω_S R_S/(ω_P R_P) (6.7).
+    /// ω_S R_S/(ω_P R_P) (6.7); in engine braking, with negative torque, its reciprocal: of the driven pulley over the
+    /// driving one.
     pub speed_efficiency: f64,
-    /// Power out over power in (6.9).
+    /// Power out over power in (6.9); in engine braking its reciprocal.
     pub overall_efficiency: f64,
 }
 
@@ -36,16 +37,18 @@ impl DriveState {
     pub fn of(solved: &Solved) -> Result<Self, InternalError> {
         let outputs = solved.belt.output_values(&solved.solution)?;
         let value = |output| outputs.get(output);
+        let torque = value(Output::PrimaryTorque)?;
+        let driven = |efficiency: f64| if torque < 0.0 { 1.0 / efficiency } else { efficiency };
         Ok(Self {
-            primary_torque: value(Output::PrimaryTorque)?,
+            primary_torque: torque,
             secondary_torque: value(Output::SecondaryTorque)?,
             slack_tension: value(Output::PrimaryExitTension)?,
             tight_tension: value(Output::PrimaryEntryTension)?,
             primary_axial_force: value(Output::PrimaryAxialForce)?,
             secondary_axial_force: value(Output::SecondaryAxialForce)?,
             speed_ratio: value(Output::SecondarySpeed)? / value(Output::PrimarySpeed)?,
-            speed_efficiency: value(Output::EfficiencySpeed)?,
-            overall_efficiency: value(Output::EfficiencyOverall)?,
+            speed_efficiency: driven(value(Output::EfficiencySpeed)?),
+            overall_efficiency: driven(value(Output::EfficiencyOverall)?),
         })
     }
 }

@@ -1,13 +1,16 @@
 //! From one solution to the answer of another question.
 
 use solver::Guess;
-use solver::continuation::{Path, PathOptions, Ramp, follow};
+use solver::continuation::{Path, PathOptions, Ramp, follow_observed};
 
 use super::belt::BeltProblem;
+use super::budget::Budget;
+use super::closing;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
+use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;
 use crate::model::Constant;
 
@@ -18,12 +21,18 @@ pub(super) fn approach(
     from: &Solved,
     question: &Question,
     options: &PathOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let (belt, start) = posed(model, from, question)?;
     let mut path = Ramp::new();
     for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
         let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
         path = path.linear(index, here, asked);
+    }
+    let first_law = Constant::ALL.len() + question.conditions().count();
+    for (_, index) in question.closings.iter().zip(first_law..) {
+        let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
+        path = path.linear(index, here, 0.0);
     }
     let unknowns = question.unknowns();
     for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant)) {
@@ -39,14 +48,15 @@ pub(super) fn approach(
     let unknowns: Vec<usize> = unknowns.into_iter().map(Constant::index).collect();
     let path = RatioPath { ramp: path, free: unknowns.contains(&Constant::SpeedRatio.index()) };
     let relaxed = PathOptions { solve: relaxed(&options.solve), ..options.clone() };
-    let followed = match follow(&belt, &start, &path, &unknowns, &relaxed) {
+    let followed = match follow_observed(&belt, &start, &path, &unknowns, &relaxed, budget) {
         Ok(followed) => followed,
+        Err(_) if is_cancelled() => return Err(Failure::Cancelled),
         Err(error) => return Err(Failure::approaching(&belt, question, error.last.as_deref(), error.cause)),
     };
     let mut stats = from.stats;
     stats += *followed.solution.stats();
     let continuation_steps = from.continuation_steps + accepted(&followed);
-    match corrected(&belt, followed.solution, &options.solve, !question.swaps.is_empty(), &mut stats) {
+    match corrected(&belt, followed.solution, &options.solve, !question.is_ordinary(), &mut stats, budget) {
         Ok(solution) => {
             Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
         }
@@ -58,11 +68,14 @@ pub(super) fn approach(
 pub(super) fn posed(model: &ModelChoices, from: &Solved, question: &Question) -> Result<(BeltProblem, Guess), Failure> {
     let values = from.belt.output_values(&from.solution)?;
     let prescribed: Vec<_> = question.conditions().collect();
-    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?;
+    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?.closed(&question.closings)?;
     let mut start = Guess::from(&from.solution);
     start.constants.truncate(Constant::ALL.len());
     for (output, _) in &prescribed {
         start.constants.push(values.get(*output)?);
+    }
+    for closing in &question.closings {
+        start.constants.push(closing::residual(&*closing.law, &values, from.solution.constants())?);
     }
     Ok((belt, start))
 }

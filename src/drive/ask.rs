@@ -29,7 +29,7 @@ impl Question {
         let swaps = swaps(case);
         let mut constants = start::constants(&constants);
         estimate(&mut constants, case);
-        Self { constants, swaps }
+        Self { constants, swaps, closings: Vec::new() }
     }
 }
 
@@ -37,7 +37,7 @@ impl Case {
     /// Refuses a question that has no answer whatever the numbers, at the places that ask it.
     ///
     /// # Errors
-    /// [`Problem::IllPosed`](crate::case::CaseProblem::IllPosed).
+    /// [`CaseProblem::IllPosed`](crate::case::CaseProblem::IllPosed).
     pub fn check_posed(&self, resolved: &Resolved) -> Result<(), CaseError> {
         Question::of(resolved).check(&resolved.model).map_err(|reason| self.ill_posed(resolved, reason))
     }

@@ -3,6 +3,7 @@
 use generated::{BoundaryKernel, OutputKernel, RegionKernel, RegionOut};
 use solver::{Layout, Points, Problem, Region, Scope, Solution};
 
+use super::closing::{BoundLaw, Closing};
 use super::failure::Failure;
 use super::inputs::inputs;
 use super::model::Kernels;
@@ -15,12 +16,14 @@ use crate::model::{Constant, Constants, InternalError, ModelChoices, Output, Sta
 ///
 /// Two contacts and two spans, each on `[0, 1]`, joined by the boundary equations. Outputs that are prescribed add an
 /// equation each, "output − target = 0", and a constant each, the target: it follows the [`Constant`]s in the layout.
+/// Laws that close the drive add an equation "law − target = 0" and a target each, behind those.
 #[derive(Debug, Clone)]
 pub struct BeltProblem {
     regions: [BoundRegion; 4],
     boundary: &'static BoundaryKernel,
     outputs: &'static OutputKernel,
     prescribed: Vec<Prescribed>,
+    laws: Vec<BoundLaw>,
     layout: Layout,
 }
 
@@ -47,7 +50,14 @@ impl BeltProblem {
             bind(RegionId::TightSpan)?,
         ];
         let layout = layout(&regions, kernels.boundary, constants);
-        Some(Self { regions, boundary: kernels.boundary, outputs: kernels.outputs, prescribed: Vec::new(), layout })
+        Some(Self {
+            regions,
+            boundary: kernels.boundary,
+            outputs: kernels.outputs,
+            prescribed: Vec::new(),
+            laws: Vec::new(),
+            layout,
+        })
     }
 
     /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
@@ -67,6 +77,31 @@ impl BeltProblem {
             belt.prescribed.push(Prescribed { output, row });
         }
         Ok(belt)
+    }
+
+    /// This problem, closed by laws as well; to be asked once, after all outputs are prescribed.
+    ///
+    /// # Errors
+    /// [`Failure::Internal`] for a law of an output that the drives of this model do not have.
+    pub fn closed(mut self, closings: &[Closing]) -> Result<Self, Failure> {
+        let constants = self.first_constant();
+        for closing in closings {
+            let law = BoundLaw::new(closing.law.clone(), self.outputs, constants)?;
+            let (row, target) = (self.layout.equations.len(), self.layout.inputs());
+            self.layout.boundary_pattern.extend(law.inputs.iter().map(|input| (row, *input)));
+            self.layout.boundary_pattern.push((row, target));
+            let name = law.law.name().to_owned();
+            let scale = Some(law.law.scale()).filter(|scale| *scale > 0.0);
+            self.layout.equations.push(name.clone());
+            self.layout.constants.push(solver::Constant { name, scale });
+            self.laws.push(law);
+        }
+        Ok(self)
+    }
+
+    /// Place of the first constant among the inputs of the boundary equations.
+    fn first_constant(&self) -> usize {
+        self.layout.ends() + self.layout.integrals()
     }
 
     /// The outputs that are prescribed, in the order of their equations and targets.
@@ -129,6 +164,10 @@ impl BeltProblem {
         let targets = constants.get(Constant::ALL.len()..).unwrap_or_default();
         for ((g, prescribed), target) in g.iter_mut().zip(&self.prescribed).zip(targets) {
             *g = rows[prescribed.row] - target;
+        }
+        let (behind, targets) = (g.iter_mut().skip(self.prescribed.len()), targets.iter().skip(self.prescribed.len()));
+        for ((g, law), target) in behind.zip(&self.laws).zip(targets) {
+            *g = law.value(rows, constants).0 - target;
         }
     }
 
@@ -278,7 +317,7 @@ impl Problem for BeltProblem {
     fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {
         let (own, more) = g.split_at_mut(self.boundary.equations.len().min(g.len()));
         (self.boundary.value)(ends, integrals, constants, own);
-        if !self.prescribed.is_empty() {
+        if !more.is_empty() {
             self.misses(&self.output_rows(ends, integrals, constants), constants, more);
         }
     }
@@ -287,7 +326,7 @@ impl Problem for BeltProblem {
         let (own, more) = g.split_at_mut(self.boundary.equations.len().min(g.len()));
         let (own_entries, entries) = dz.split_at_mut(self.boundary.pattern.len().min(dz.len()));
         (self.boundary.jacobian)(ends, integrals, constants, own, own_entries);
-        if self.prescribed.is_empty() {
+        if more.is_empty() {
             return;
         }
         let set = &self.outputs.set;
@@ -301,7 +340,13 @@ impl Problem for BeltProblem {
             let own = set.pattern.iter().zip(&partials).filter(move |((other, _), _)| *other == row);
             own.map(|(_, partial)| *partial).chain([-1.0]).collect::<Vec<_>>()
         };
-        let values = self.prescribed.iter().flat_map(own);
+        let first = self.first_constant();
+        let law = |law: &BoundLaw| {
+            let (_, own) = law.value(&values, constants);
+            let gradient = law.gradient(&own, self.outputs, &partials, first);
+            gradient.into_iter().chain([-1.0]).collect::<Vec<_>>()
+        };
+        let values = self.prescribed.iter().flat_map(own).chain(self.laws.iter().flat_map(law));
         entries.iter_mut().zip(values).for_each(|(entry, value)| *entry = value);
     }
 }

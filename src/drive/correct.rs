@@ -6,6 +6,7 @@
 use solver::{Guess, Options, Solution, SolveError, Stats};
 
 use super::belt::BeltProblem;
+use super::budget::Budget;
 
 /// How much larger boundary residuals may be before a solution is corrected.
 const RELAXATION: f64 = 100.0;
@@ -28,6 +29,7 @@ pub(super) fn corrected(
     options: &Options,
     always: bool,
     stats: &mut Stats,
+    budget: &mut Budget,
 ) -> Result<Solution, (Box<Solution>, SolveError)> {
     let met = solution.max_boundary_residual() <= options.boundary_tolerance();
     if met && !always {
@@ -35,7 +37,7 @@ pub(super) fn corrected(
     }
     let newton_tolerance = Some((NEWTON_SHARE * options.tolerance).max(LEAST_NEWTON));
     let options = Options { newton_tolerance, rescues: 0, ..options.clone() };
-    match solver::solve(belt, &Guess::from(&solution), solution.unknowns(), &options) {
+    match solver::solve_observed(belt, &Guess::from(&solution), solution.unknowns(), &options, budget) {
         Ok(better) => {
             *stats += *better.stats();
             Ok(better)

@@ -5,13 +5,15 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed};
-use solver::{Event, Options, Solution, SolveError, Stats};
+use solver::{Event, Observer, Options, Solution, SolveError, Stats};
 
 use super::approach::posed;
+use super::budget::Budget;
 use super::correct::relaxed;
 use super::failure::Failure;
 use super::solve::SolveOptions;
 use super::solved::Solved;
+use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;
 use crate::model::{Constant, Output};
 
@@ -40,13 +42,15 @@ pub struct Curve {
     pub lost: Option<Failure>,
 }
 
-/// An output, the value at which a curve ends, reached from above.
+/// An output, and the value at which a curve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct End {
     /// The output.
     pub output: Output,
     /// Its value there.
     pub value: f64,
+    /// Whether it is reached from below, the output being less before; else from above.
+    pub rising: bool,
 }
 
 /// Follows the curve through the solution `from` on which `free`, given there, moves: by pseudo-arclength, with
@@ -66,23 +70,27 @@ pub fn trace(
 ) -> Result<Curve, Failure> {
     let question = from.question.clone().swap(free, output, f64::NAN);
     let (belt, start) = posed(model, from, &question)?;
-    let parameter = start.constants.len().saturating_sub(1);
+    // Targets of outputs stand before those of laws, and the new one is the last of them.
+    let parameter = start.constants.len().saturating_sub(1 + question.closings.len());
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
     let (over, broken) = (Cell::new(false), Cell::new(None));
+    let sign = if end.rising { -1.0 } else { 1.0 };
     let excess = |solution: &Solution| {
         let value = belt.output_values(solution).and_then(|values| values.get(end.output));
         // A value that is missing ends the curve; the error is told below.
-        let excess = value.map_err(|error| broken.set(Some(error))).map_or(f64::NAN, |value| value - end.value);
+        let excess =
+            value.map_err(|error| broken.set(Some(error))).map_or(f64::NAN, |value| sign * (value - end.value));
         over.set(over.get() || excess <= 0.0);
         excess
     };
+    let mut budget = Budget::new(options.work_limit);
     let mut observer = |event: &Event| match event {
         Event::Step { .. } if over.get() => ControlFlow::Break(()),
-        _ => ControlFlow::Continue(()),
+        event => budget.notify(event),
     };
     let tolerance = options.tolerance.max(TOLERANCE);
     let solve = relaxed(&Options { max_intervals: MAX_INTERVALS, tolerance, ..options.solver() });
-    let options = BranchOptions {
+    let branch = BranchOptions {
         solve,
         upwards,
         contraction: CONTRACTION,
@@ -93,7 +101,7 @@ pub fn trace(
         branch_points: false,
         ..BranchOptions::default()
     };
-    let traced = trace_observed(&belt, &start, parameter, &unknowns, &options, &[&excess], &mut observer);
+    let traced = trace_observed(&belt, &start, parameter, &unknowns, &branch, &[&excess], &mut observer);
     if let Some(error) = broken.get() {
         return Err(error.into());
     }
@@ -104,7 +112,10 @@ pub fn trace(
     let ended = points.iter().position(|point| matches!(point.kind, PointKind::Event(_)));
     points.truncate(ended.map_or(points.len(), |at| at + 1));
     let last = points.last().map(|point| &point.solution);
-    let lost = ended.is_none().then(|| Failure::of(last, cause));
+    let lost = ended.is_none().then(|| match is_cancelled() {
+        true => Failure::Cancelled,
+        false => Failure::of(&belt, &from.question.constants, last, cause),
+    });
     let solved = |point: BranchPoint| {
         let mut question = question.clone();
         question.swaps.iter_mut().next_back().into_iter().for_each(|swap| swap.value = point.parameter);

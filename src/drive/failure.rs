@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::belt::BeltProblem;
 use super::question::{Known, Question};
+use super::trouble::Trouble;
 use crate::model::{Constant, Constants, IllPosed, InternalError};
 
 /// Why there is no solution.
@@ -24,17 +25,24 @@ pub enum Failure {
     #[error(transparent)]
     IllPosed(#[from] IllPosed),
     /// Newton's method failed on the straight belt under a small torque.
-    #[error("no solution was found for the start, a straight belt under a small torque: {0}")]
-    Start(Box<SolveError>),
+    #[error("no solution: {trouble}; not even a straight belt under a small torque was found to start from")]
+    Start {
+        /// What happened to the belt.
+        trouble: Trouble,
+        /// What the solver says.
+        cause: Box<SolveError>,
+    },
     /// The equations are singular at the solution.
     #[error("the solution has no derivatives: {0}")]
     Sensitivities(SolveError),
     /// The path from the start to the case was lost.
     #[error(
-        "the solution was lost at primary torque {torque:.4} N·m, slip threshold {slip_threshold:.3e} m/s, slack tension \
-         {slack_tension:.4} N: {cause}"
+        "no solution: {trouble}; the last one found on the path has a primary torque of {torque:.4} N·m, a slack tension of \
+         {slack_tension:.4} N and a slip threshold of {slip_threshold:.3e} m/s"
     )]
     Lost {
+        /// What happened to the belt.
+        trouble: Trouble,
         /// Primary torque reached, N·m.
         torque: f64,
         /// Slip threshold reached, m/s.
@@ -46,10 +54,12 @@ pub enum Failure {
     },
     /// From a solution nearby, what is prescribed could not be reached.
     #[error(
-        "{} cannot be reached: the solution was lost at {}, where the primary torque is {torque:.4} N·m and the slack \
-         tension {slack_tension:.4} N: {cause}", asked(.reached), had(.reached)
+        "{} cannot be reached: {trouble}; the last solution on the path has {}, a primary torque of {torque:.4} N·m and a slack \
+         tension of {slack_tension:.4} N", asked(.reached), had(.reached)
     )]
     Unreached {
+        /// What happened to the belt.
+        trouble: Trouble,
         /// What is prescribed.
         reached: Vec<Reached>,
         /// Primary torque there, N·m.
@@ -83,10 +93,26 @@ pub enum Failure {
         /// Why there is none nearer.
         cause: Box<Failure>,
     },
+    /// There is a solution, and not to the tolerance that is asked for.
+    #[error("the tolerance of {asked:.0e} is not attained: this drive is solved to {attainable:.0e}")]
+    Tolerance {
+        /// As asked for.
+        asked: f64,
+        /// The tightest to which a solution was found.
+        attainable: f64,
+        /// What the solver says of a tighter one.
+        cause: Box<SolveError>,
+    },
+    /// The solve was stopped from elsewhere: see [`cancellable`](crate::cancellable).
+    #[error("cancelled: the solve was stopped before it had a solution")]
+    Cancelled,
     /// A margin against slip, which `result::run` solves for, given to a solve of one problem.
     #[error("a margin against slip is prescribed: a single boundary value problem has none")]
     MarginGiven,
 }
+
+/// Relative difference of values that are the same.
+const AT: f64 = 1e-9;
 
 /// How far a prescribed value was approached, SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,22 +144,71 @@ impl Failure {
         matches!(self, Self::IllPosed(_))
     }
 
-    /// What to try, where there is more to say than the message says.
-    pub const fn hint(&self) -> Option<&'static str> {
+    /// Whether the solve was stopped from elsewhere, so that nothing else is to be tried.
+    pub const fn is_cancelled(&self) -> bool {
+        matches!(self, Self::Cancelled)
+    }
+
+    /// What happened to the belt, where a solution was sought and not found.
+    pub fn trouble(&self) -> Option<Trouble> {
         match self {
+            Self::Start { trouble, .. } | Self::Lost { trouble, .. } | Self::Unreached { trouble, .. } => {
+                Some(*trouble)
+            }
+            Self::Margin { cause, .. } => cause.trouble(),
             Self::NoEquations
             | Self::Internal(_)
             | Self::NoStart
             | Self::IllPosed(_)
             | Self::Sensitivities(_)
-            | Self::MarginGiven
-            | Self::Temperature { .. } => None,
-            Self::Start(_) => Some("look for a value in the wrong unit: `inputs` has what was understood, in SI"),
-            Self::Lost { .. } | Self::Unreached { .. } => Some(
-                "the belt may slip grossly: `sheave limit` finds the largest torque for a clamp and the smallest clamp for \
-                 a torque",
-            ),
+            | Self::Temperature { .. }
+            | Self::Tolerance { .. }
+            | Self::Cancelled
+            | Self::MarginGiven => None,
+        }
+    }
+
+    /// Whether the path was followed to the question itself, and only the solution there is lacking.
+    pub(super) fn is_at(&self, question: &Question) -> bool {
+        let near = |here: f64, there: f64| (here - there).abs() <= AT * there.abs().max(f64::MIN_POSITIVE);
+        let given = |constant: Constant, here: f64| near(here, question.constants[constant]);
+        match self {
+            Self::Lost { torque, slip_threshold, slack_tension, .. } => {
+                given(Constant::PrimaryTorque, *torque)
+                    && given(Constant::SlipThreshold, *slip_threshold)
+                    && given(Constant::SlackTension, *slack_tension)
+            }
+            Self::Unreached { reached, .. } => reached.iter().all(|at| near(at.value, at.asked)),
+            _ => false,
+        }
+    }
+
+    /// What the solver met, in its own words: for whoever looks into the search rather than the belt.
+    pub fn solver(&self) -> Option<&SolveError> {
+        match self {
+            Self::Start { cause, .. } | Self::Lost { cause, .. } | Self::Unreached { cause, .. } => Some(cause),
+            Self::Tolerance { cause, .. } => Some(cause),
+            Self::Sensitivities(cause) => Some(cause),
+            Self::Margin { cause, .. } => cause.solver(),
+            Self::NoEquations
+            | Self::Internal(_)
+            | Self::NoStart
+            | Self::IllPosed(_)
+            | Self::Temperature { .. }
+            | Self::Cancelled
+            | Self::MarginGiven => None,
+        }
+    }
+
+    /// The likely cause and what to try, where there is more to say than the message says.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
             Self::Margin { .. } => Some("`sheave limit` finds the smallest clamp that carries the torque"),
+            Self::Tolerance { .. } => Some("ask for that tolerance, or try the other order"),
+            Self::Start { trouble: Trouble::Unknown, .. } => {
+                Some("look for a value in the wrong unit: `inputs` has what was understood, in SI")
+            }
+            other => other.trouble().map(Trouble::advice),
         }
     }
 
@@ -151,12 +226,14 @@ impl Failure {
         }
     }
 
-    /// Of a path that was lost at the solution `last`.
-    pub(super) fn of(last: Option<&Solution>, cause: Box<SolveError>) -> Self {
-        let Some(last) = last else { return Self::Start(cause) };
+    /// Of a way to `target` that was lost at the solution `last`.
+    pub(super) fn of(belt: &BeltProblem, target: &Constants, last: Option<&Solution>, cause: Box<SolveError>) -> Self {
+        let trouble = Trouble::of(belt, last, target, &cause);
+        let Some(last) = last else { return Self::Start { trouble, cause } };
         match Constants::try_from(last.constants()) {
             Err(error) => error.into(),
             Ok(constants) => Self::Lost {
+                trouble,
                 torque: constants[Constant::PrimaryTorque],
                 slip_threshold: constants[Constant::SlipThreshold],
                 slack_tension: constants[Constant::SlackTension],
@@ -172,7 +249,9 @@ impl Failure {
         last: Option<&Solution>,
         cause: Box<SolveError>,
     ) -> Self {
-        let Some(last) = last.filter(|_| !question.swaps.is_empty()) else { return Self::of(last, cause) };
+        let Some(last) = last.filter(|_| !question.is_ordinary()) else {
+            return Self::of(belt, &question.constants, last, cause);
+        };
         let constants = match Constants::try_from(last.constants()) {
             Ok(constants) => constants,
             Err(error) => return error.into(),
@@ -189,9 +268,15 @@ impl Failure {
             .swaps
             .iter()
             .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
-        match reached.collect::<Result<_, InternalError>>() {
+        // Laws are met at zero.
+        let laws = targets.iter().skip(question.conditions().count()).zip(&question.closings);
+        let laws = laws
+            .map(|(target, closing)| Ok(Reached { name: closing.law.name().to_owned(), value: *target, asked: 0.0 }));
+        match reached.chain(laws).collect::<Result<_, InternalError>>() {
             Err(error) => error.into(),
             Ok(reached) => Self::Unreached {
+                // What is not given is what it was there.
+                trouble: Trouble::of(belt, Some(last), &constants, &cause),
                 reached,
                 torque: constants[Constant::PrimaryTorque],
                 slack_tension: constants[Constant::SlackTension],

@@ -1,9 +1,13 @@
 //! The belt drive: the generated equations and the solver, joined.
 
+mod accuracy;
 mod approach;
 mod ask;
 mod belt;
+mod branch;
 mod budget;
+mod climb;
+mod closing;
 mod correct;
 mod curve;
 mod estimate;
@@ -19,11 +23,15 @@ mod route;
 mod solve;
 mod solved;
 mod start;
+mod trouble;
 mod tuning;
 mod warm;
 
 pub use crate::model::{Constant, Constants, IllPosed, Output};
+pub use accuracy::{output_errors, refined};
 pub use belt::BeltProblem;
+pub use branch::{Branch, branch, other_solution};
+pub use closing::{Argument, Closing, Law};
 pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};
 pub use inputs::inputs;
@@ -32,6 +40,7 @@ pub use question::{Known, Question, Swap};
 pub use region::RegionId;
 pub(crate) use region::Source;
 pub use route::Route;
-pub use solve::{SolveOptions, WORK_LIMIT, solve, solve_question};
+pub use solve::{SolveOptions, WORK_LIMIT, approach_question, solve, solve_question};
 pub use solved::Solved;
+pub use trouble::Trouble;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from};

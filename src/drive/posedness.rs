@@ -40,6 +40,14 @@ impl Question {
                 return Err(IllPosed::Value { name: swap.known.name(), value: swap.value });
             }
         }
+        for (at, closing) in self.closings.iter().enumerate() {
+            let before = self.closings.get(..at).unwrap_or_default();
+            let twice = before.iter().any(|other| other.free == closing.free)
+                || self.swaps.iter().any(|swap| swap.free == closing.free);
+            if usual(closing.free) || twice {
+                return Err(IllPosed::Unknown { constant: constant_label(closing.free).to_owned() });
+            }
+        }
         let Some(kernels) = Kernels::of(model).filter(|_| !self.swaps.is_empty()) else { return Ok(()) };
         if let Some((output, _)) = self.conditions().find(|(output, _)| kernels.outputs.row(*output).is_none()) {
             return Err(IllPosed::NoOutput { name: Known::Output(output).name() });

@@ -1,6 +1,7 @@
 //! What is asked of a drive: its constants, and which of the given ones are unknown for something else that is
 //! prescribed.
 
+use super::closing::Closing;
 use crate::case::{constant_label, output_label};
 use crate::model::{Constant, Constants, Output};
 
@@ -55,12 +56,14 @@ pub struct Question {
     pub constants: Constants,
     /// What is prescribed in place of what.
     pub swaps: Vec<Swap>,
+    /// Laws that close the drive, each with the given constant that is found for it.
+    pub closings: Vec<Closing>,
 }
 
 impl Question {
     /// The ordinary question: everything given but the eight usual unknowns.
     pub fn new(constants: Constants) -> Self {
-        Self { constants, swaps: Vec::new() }
+        Self { constants, swaps: Vec::new(), closings: Vec::new() }
     }
 
     /// The question with `free` unknown and `output` prescribed in its place.
@@ -68,6 +71,18 @@ impl Question {
     pub fn swap(mut self, free: Constant, output: Output, value: f64) -> Self {
         self.swaps.push(Swap { free, known: Known::Output(output), value });
         self
+    }
+
+    /// The question with a constant unknown, and a law that determines it.
+    #[must_use]
+    pub fn close(mut self, closing: Closing) -> Self {
+        self.closings.push(closing);
+        self
+    }
+
+    /// Whether it is the ordinary question: nothing prescribed in place of a given constant.
+    pub fn is_ordinary(&self) -> bool {
+        self.swaps.is_empty() && self.closings.is_empty()
     }
 
     /// The question with `free` unknown and `known`, which is unknown by default, given in its place.
@@ -81,9 +96,19 @@ impl Question {
     pub fn unknowns(&self) -> Vec<Constant> {
         let fixed = |constant: &Constant| !self.swaps.iter().any(|swap| swap.known == Known::Constant(*constant));
         let usual = Constant::ALL.into_iter().take(Constant::UNKNOWN).filter(fixed);
-        let mut unknowns: Vec<Constant> = usual.chain(self.swaps.iter().map(|swap| swap.free)).collect();
+        let mut unknowns: Vec<Constant> = usual.chain(self.freed()).collect();
         unknowns.sort();
         unknowns
+    }
+
+    /// Whether a given constant is unknown.
+    pub fn frees(&self, constant: Constant) -> bool {
+        self.freed().any(|freed| freed == constant)
+    }
+
+    /// The constants that are unknown for something else.
+    fn freed(&self) -> impl Iterator<Item = Constant> + '_ {
+        self.swaps.iter().map(|swap| swap.free).chain(self.closings.iter().map(|closing| closing.free))
     }
 
     /// Outputs that are prescribed, with their values, in the order in which their equations follow the belt's own.

@@ -4,7 +4,8 @@ use solver::continuation::Ramp;
 
 use super::start;
 use super::tuning::{
-    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER, TORQUE,
+    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER,
+    TORQUE,
 };
 use crate::model::{Constant, Constants};
 
@@ -23,14 +24,24 @@ pub enum Route {
     Bending,
     /// From a looser belt.
     Loose,
+    /// With the last of the slip threshold's way behind that of the tension.
+    Late,
     /// From a much tighter belt.
     Tighter,
 }
 
 impl Route {
     /// All routes, in the order in which they are tried.
-    pub const ALL: [Self; 7] =
-        [Self::Direct, Self::Tight, Self::Threshold, Self::Speed, Self::Bending, Self::Loose, Self::Tighter];
+    pub const ALL: [Self; 8] = [
+        Self::Direct,
+        Self::Tight,
+        Self::Late,
+        Self::Threshold,
+        Self::Speed,
+        Self::Bending,
+        Self::Loose,
+        Self::Tighter,
+    ];
 
     /// Name in messages and tables.
     pub const fn name(self) -> &'static str {
@@ -41,6 +52,7 @@ impl Route {
             Self::Speed => "speed",
             Self::Bending => "bending stiffness",
             Self::Loose => "loose",
+            Self::Late => "late",
             Self::Tighter => "tighter",
         }
     }
@@ -95,7 +107,16 @@ impl Route {
         } else if moves(Constant::PrimaryTorque) {
             stages.push(torque);
         }
-        if moves(Constant::SlipThreshold) || stages.is_empty() {
+        let threshold = Constant::SlipThreshold;
+        let late = LATE_THRESHOLD * target[threshold];
+        if self == Self::Late && late < begin[threshold] && !tighter && moves(Constant::SlackTension) {
+            let stage = |from: f64, to: f64| Ramp::new().geometric(threshold.index(), from, to);
+            stages.push(stage(begin[threshold], late));
+            stages.push(geometric(Ramp::new(), Constant::SlackTension));
+            stages.push(stage(late, target[threshold]));
+            return stages;
+        }
+        if moves(threshold) || stages.is_empty() {
             stages.push(geometric(Ramp::new(), Constant::SlipThreshold));
         }
         if !tighter && moves(Constant::SlackTension) {

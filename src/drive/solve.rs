@@ -1,41 +1,43 @@
 //! From a question to a solution, from nothing.
 
-use solver::continuation::{PathOptions, follow_observed};
-use solver::{Guess, Options, Order, Solution, SolveError, Stats};
+use solver::continuation::PathOptions;
+use solver::{Guess, Options, Order};
 
 use super::approach::approach;
 use super::belt::BeltProblem;
 use super::budget::Budget;
-use super::correct::{corrected, relaxed};
+use super::climb::climb;
 use super::failure::Failure;
 use super::question::{Question, Swap};
 use super::route::Route;
-use super::solved::{Solved, accepted};
-use super::start;
+use super::solved::Solved;
+use super::trouble::Trouble;
+use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
-use crate::model::{Constant, Constants};
+use crate::model::Constant;
 
 /// Tolerance on the path from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Factor on it where the path is followed on finer meshes.
-const FINER: f64 = 0.1;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
 /// Newton iterations of a step on the path: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
-const WAY_ITERATIONS: usize = 25;
+const PATH_ITERATIONS: usize = 25;
 /// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
 /// Intervals of a region on the path.
-const WAY_INTERVALS: usize = 2000;
+const PATH_INTERVALS: usize = 2000;
 /// Smallest step on a stage of the path, as a share of the stage.
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a stage of the path, accepted or not.
-const LEG_STEPS: usize = 400;
+const STAGE_STEPS: usize = 400;
+/// Tolerances to which a solution is sought that was not found to the one asked for.
+const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
-/// Newton iterations of a solve from nothing, unless asked otherwise.
-pub const WORK_LIMIT: usize = 14_000;
+/// Work of a solve, unless asked otherwise: Newton iterations, each counted once for every mesh interval. The base case
+/// takes some thousands.
+pub const WORK_LIMIT: usize = 2_000_000;
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,13 +48,16 @@ pub struct SolveOptions {
     pub order: Order,
     /// Whether derivatives of the outputs with respect to the given constants are wanted.
     pub sensitivities: bool,
-    /// Newton iterations that a solve from nothing may take, over all routes that it tries.
+    /// Work that a solve may take, over all that it tries: Newton iterations, each counted once for every interval of the
+    /// mesh that it works on.
     pub work_limit: usize,
+    /// Whether the errors of the outputs are estimated, and the solution refined until they hold to the tolerance.
+    pub uncertainty: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, work_limit: WORK_LIMIT }
+        Self { tolerance: 1e-6, order: Order::Four, sensitivities: false, uncertainty: true, work_limit: WORK_LIMIT }
     }
 }
 
@@ -86,12 +91,89 @@ pub fn solve(case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure>
 /// See [`Failure`].
 pub fn solve_question(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
     question.check(model)?;
-    if question.swaps.is_empty() {
-        return ordinary(model, question, options);
+    let mut budget = Budget::new(options.work_limit);
+    match attempt(model, question, options, Routes::UntilThere, &mut budget) {
+        Err(failure) if failure.is_at(question) => at_another_tolerance(model, question, options, &mut budget)
+            .unwrap_or_else(|| attempt(model, question, options, Routes::All, &mut budget)),
+        answer => answer,
+    }
+}
+
+/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there is
+/// none, either.
+fn at_another_tolerance(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Option<Result<Solved, Failure>> {
+    for tolerance in LADDER.into_iter().filter(|other| (other / options.tolerance).log10().abs() > 0.5) {
+        let other = SolveOptions { tolerance, ..*options };
+        let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
+            Ok(found) => found,
+            Err(Failure::Cancelled) => return Some(Err(Failure::Cancelled)),
+            Err(_) => continue,
+        };
+        tracing::info!("not found to {:.0e}, and found to {tolerance:.0e}", options.tolerance);
+        // A solution that holds more than was asked for holds that, too.
+        let enough = tolerance <= options.tolerance;
+        return Some(if enough { Ok(found) } else { tightened(found, tolerance, options, budget) });
+    }
+    None
+}
+
+/// A solution made more accurate, step by step.
+fn tightened(
+    mut solved: Solved,
+    mut attained: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
+    while attained > options.tolerance {
+        let tolerance = (0.1 * attained).max(options.tolerance);
+        let finer = Options { tolerance, ..options.solver() };
+        let unknowns = solved.solution.unknowns().to_vec();
+        match solver::solve_observed(&solved.belt, &Guess::from(&solved.solution), &unknowns, &finer, budget) {
+            Ok(solution) => {
+                solved.stats += *solution.stats();
+                (solved.solution, attained) = (solution, tolerance);
+            }
+            Err(_) if is_cancelled() => return Err(Failure::Cancelled),
+            Err(cause) => {
+                return Err(Failure::Tolerance {
+                    asked: options.tolerance,
+                    attainable: attained,
+                    cause: Box::new(cause),
+                });
+            }
+        }
+    }
+    Ok(solved)
+}
+
+/// How many routes are tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Routes {
+    /// No more once one has led to the case, whether or not it has a solution there to the tolerance.
+    UntilThere,
+    /// All, until there is a solution.
+    All,
+}
+
+/// Answers a question to the tolerance of `options`.
+fn attempt(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
+    if question.is_ordinary() {
+        return ordinary(model, question, options, routes, budget);
     }
     let mut failure = None;
     for factor in TENSIONS {
-        let near = match near(model, question, factor, options) {
+        let near = match near(model, question, factor, options, budget) {
             Ok(near) => near,
             Err(next) => {
                 failure = Some(Failure::farther(failure, next));
@@ -99,25 +181,59 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
             }
         };
         for order in [together, one_by_one] {
-            match order(model, &near, question, options) {
+            let given = budget.part(options.work_limit / (2 * TENSIONS.len()));
+            let mut left = given;
+            let answer = order(model, &near, question, options, &mut left);
+            budget.take(&given, &left);
+            match answer {
                 Ok(solved) => return Ok(solved),
                 Err(next) => failure = Some(Failure::farther(failure, next)),
             }
         }
+        if is_cancelled() || budget.is_spent() {
+            break;
+        }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
+    Err(ended(failure))
+}
+
+/// Why everything that was tried came to nothing.
+fn ended(failure: Option<Failure>) -> Failure {
+    if is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
 }
 
 /// An ordinary solution, to the tolerance of the path, near that of a question.
-fn near(model: &ModelChoices, question: &Question, factor: f64, options: &SolveOptions) -> Result<Solved, Failure> {
+fn near(
+    model: &ModelChoices,
+    question: &Question,
+    factor: f64,
+    options: &SolveOptions,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
-    if question.swaps.iter().any(|swap| swap.free == Constant::SlackTension) {
+    if question.frees(Constant::SlackTension) {
         constants[Constant::SlackTension] *= factor;
-    } else if question.swaps.iter().any(|swap| swap.free == Constant::PrimaryTorque) {
+    } else if question.frees(Constant::PrimaryTorque) {
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
-    ordinary(model, &Question::new(constants), &rough)
+    ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
+}
+
+/// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in as
+/// many steps as that takes.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn approach_question(
+    from: &Solved,
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    question.check(model)?;
+    let mut budget = Budget::new(options.work_limit);
+    together(model, from, question, options, &mut budget)
 }
 
 /// Moves everything that is prescribed at once.
@@ -126,8 +242,9 @@ fn together(
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    approach(model, near, question, &path_options(model, options.solver()))
+    approach(model, near, question, &path_options(model, options.solver()), budget)
 }
 
 /// Moves what is prescribed one value after the other.
@@ -136,27 +253,32 @@ fn one_by_one(
     near: &Solved,
     question: &Question,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let mut here = near.clone();
     let (count, constants) = (question.swaps.len(), &near.question.constants);
+    if count == 0 {
+        return together(model, near, question, options, budget);
+    }
     for done in 1..=count {
         let swaps: Vec<Swap> = question.swaps.iter().take(done).copied().collect();
-        let next = Question { constants: constants.clone(), swaps };
+        let closings = if done == count { question.closings.clone() } else { Vec::new() };
+        let next = Question { constants: constants.clone(), swaps, closings };
         let solver = if done == count { options.solver() } else { rough(options) };
-        here = approach(model, &here, &next, &path_options(model, solver))?;
+        here = approach(model, &here, &next, &path_options(model, solver), budget)?;
     }
     here.question = question.clone();
     Ok(here)
 }
 
-fn rough(options: &SolveOptions) -> Options {
-    Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
+pub(super) fn rough(options: &SolveOptions) -> Options {
+    Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: PATH_INTERVALS, ..options.solver() }
 }
 
 /// How a stage of the path is followed, `solve` being for its end.
-fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
+pub(super) fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
     let (tolerance, max_iterations) = match model.bending {
-        Some(_) => (ROUGH_TOLERANCE, WAY_ITERATIONS),
+        Some(_) => (ROUGH_TOLERANCE, PATH_ITERATIONS),
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
         None => (STRING_TOLERANCE, STRING_ITERATIONS),
     };
@@ -165,116 +287,50 @@ fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
         tolerance,
         max_iterations,
         smallest_step: SMALLEST_STEP,
-        max_steps: LEG_STEPS,
+        max_steps: STAGE_STEPS,
         ..PathOptions::default()
     }
 }
 
 /// A question without swaps: by the routes in turn, until one arrives or the work limit is reached.
-fn ordinary(model: &ModelChoices, question: &Question, options: &SolveOptions) -> Result<Solved, Failure> {
+fn ordinary(
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+    routes: Routes,
+    budget: &mut Budget,
+) -> Result<Solved, Failure> {
     let target = &question.constants;
     let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    let mut budget = Budget::new(options.work_limit);
     for route in Route::ALL {
         let given = budget.part(options.work_limit / Route::ALL.len());
         let mut left = given;
         let climbed = climb(model, &belt, route, target, options, &mut left);
         budget.take(&given, &left);
+        let spent = given.left() - left.left();
         match climbed {
             Ok((solution, stats, continuation_steps)) => {
+                tracing::info!("solved by the route {:?}, {continuation_steps} continuation steps", route.name());
                 let (question, route) = (question.clone(), Some(route));
                 return Ok(Solved { question, belt, solution, stats, continuation_steps, route });
             }
             Err(next) => {
-                let spent = given.left() - left.left();
-                tracing::debug!("the route by {} was lost after {spent} Newton iterations: {next}", route.name());
+                tracing::info!("the route {:?} was lost after work of {spent}: {next}", route.name());
+                if let Some(words) = next.solver() {
+                    tracing::debug!("the solver says: {words}");
+                }
+                let there = next.is_at(question);
                 failure = Some(Failure::farther(failure, next));
+                if there && routes == Routes::UntilThere {
+                    break;
+                }
             }
         }
-        if budget.is_spent() {
+        // Where a strand would be pushed, no other route has more.
+        if is_cancelled() || budget.is_spent() || Trouble::of_case(target).is_some() {
             break;
         }
     }
-    Err(failure.unwrap_or(Failure::NoEquations))
-}
-
-/// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
-fn climb(
-    model: &ModelChoices,
-    belt: &BeltProblem,
-    route: Route,
-    target: &Constants,
-    options: &SolveOptions,
-    budget: &mut Budget,
-) -> Result<(Solution, Stats, usize), Failure> {
-    let begin = route.begin(target);
-    let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
-    let lost = match climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, budget) {
-        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
-        Err(lost) => lost,
-    };
-    let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
-        return Err(lost.failure);
-    };
-    let solution = climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget);
-    let solution = solution.map_err(|again| Failure::farther(Some(lost.failure), again.failure))?;
-    Ok((solution, climb.stats, climb.steps))
-}
-
-/// How fine the meshes of the path are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Mesh {
-    Coarse,
-    Fine,
-}
-
-/// The path along a route.
-struct Climb<'a> {
-    model: &'a ModelChoices,
-    belt: &'a BeltProblem,
-    route: Route,
-    target: &'a Constants,
-    options: &'a SolveOptions,
-    stats: Stats,
-    steps: usize,
-}
-
-/// Where the path was lost, and why.
-struct Lost {
-    last: Option<Box<Solution>>,
-    failure: Failure,
-}
-
-impl Lost {
-    fn new(last: Option<Box<Solution>>, cause: Box<SolveError>) -> Self {
-        Self { failure: Failure::of(last.as_deref(), cause), last }
-    }
-}
-
-impl Climb<'_> {
-    /// Follows the stages from a guess whose given constants are those of `begin`.
-    fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
-        let stages = self.route.stages(begin, self.target);
-        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-        let (count, mut guess, mut found) = (stages.len(), guess, None::<Solution>);
-        for (index, path) in stages.into_iter().enumerate() {
-            let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
-            let mut options = path_options(self.model, relaxed(&solver));
-            if mesh == Mesh::Fine {
-                options.tolerance *= FINER;
-                options.max_iterations *= 2;
-            }
-            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &options, budget);
-            // What was found on the stages before is as good a place to go on from.
-            let followed = followed.map_err(|error| Lost::new(error.last.or(found.map(Box::new)), error.cause))?;
-            self.stats += *followed.solution.stats();
-            self.steps += accepted(&followed);
-            let solution = corrected(self.belt, followed.solution, &solver, false, &mut self.stats)
-                .map_err(|(last, cause)| Lost::new(Some(last), Box::new(cause)))?;
-            guess = Guess::from(&solution);
-            found = Some(solution);
-        }
-        found.ok_or(Lost { last: None, failure: Failure::NoEquations })
-    }
+    Err(ended(failure))
 }

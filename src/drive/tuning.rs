@@ -39,3 +39,5 @@ pub(super) const LARGE_THRESHOLD: f64 = 10.0;
 pub(super) const LIGHT: f64 = 0.01;
 /// Factor on the bending stiffness where the belt is to bend more easily.
 pub(super) const HARD_BENDING: f64 = 0.1;
+/// Factor on the case's slip threshold at which the tension is moved, where the rest of the threshold's way comes last.
+pub(super) const LATE_THRESHOLD: f64 = 30.0;

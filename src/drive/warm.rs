@@ -5,12 +5,14 @@ use solver::{Options, Solution, SolveError, Stats};
 
 use super::approach::approach;
 use super::belt::BeltProblem;
+use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::predict::predicted;
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
+use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
 use crate::model::{Constant, Constants};
 
@@ -39,8 +41,8 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
     let question = Question::of(case);
     let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
-    if question.swaps.is_empty() && last.question.swaps.is_empty() {
-        let before = rest.last().filter(|before| before.question.swaps.is_empty());
+    if question.is_ordinary() && last.question.is_ordinary() {
+        let before = rest.last().filter(|before| before.question.is_ordinary());
         along(before.map(|before| &before.solution), &last.solution, &case.model, question, options)
     } else {
         solve_question_from(last, &case.model, &question, options)
@@ -58,6 +60,7 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
+    let work = options;
     let options = PathOptions {
         solve: within(options),
         tolerance: ROUGH_TOLERANCE,
@@ -66,7 +69,8 @@ pub fn solve_question_from(
         max_steps: MAX_STEPS,
         ..PathOptions::default()
     };
-    let mut solved = approach(model, from, question, &options)?;
+    let mut budget = Budget::new(work.work_limit);
+    let mut solved = approach(model, from, question, &options, &mut budget)?;
     // The work from here on, not that of the solution nearby.
     solved.stats = *solved.solution.stats();
     solved.continuation_steps -= from.continuation_steps;
@@ -90,22 +94,29 @@ fn along(
     let origin = Constants::of(from);
     let (mut stats, mut steps, mut progress, mut step) = (Stats::default(), 0, 0.0, 1.0);
     let (mut before, mut here) = (before.cloned(), from.clone());
+    let mut budget = Budget::new(options.work_limit);
+    let lost = |here: &Solution, cause| {
+        let failure = || Failure::of(&belt, &question.constants, Some(here), Box::new(cause));
+        if is_cancelled() { Failure::Cancelled } else { failure() }
+    };
     while progress < 1.0 {
         let next = f64::min(progress + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
         let to = origin.toward(&question.constants, next);
-        match advance(&belt, before.as_ref(), &here, &to, tolerance, options) {
+        match advance(&belt, before.as_ref(), &here, &to, tolerance, options, &mut budget) {
             Ok(solution) => {
                 stats += *solution.stats();
                 steps += 1;
                 (before, progress) = (Some(std::mem::replace(&mut here, solution)), next);
             }
-            Err(cause) if step < 2.0 * SMALLEST_STEP => return Err(Failure::of(Some(&here), Box::new(cause))),
+            Err(cause) if step < 2.0 * SMALLEST_STEP || budget.is_spent() || is_cancelled() => {
+                return Err(lost(&here, cause));
+            }
             Err(_) => step /= 2.0,
         }
     }
-    let corrected = corrected(&belt, here, &options.solver(), false, &mut stats);
-    let solution = corrected.map_err(|(last, cause)| Failure::of(Some(&last), Box::new(cause)))?;
+    let corrected = corrected(&belt, here, &options.solver(), false, &mut stats, &mut budget);
+    let solution = corrected.map_err(|(last, cause)| lost(&last, cause))?;
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
@@ -113,7 +124,7 @@ fn along(
 /// differ in sign, or something else is prescribed in place of one.
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     let question = Question::of(case);
-    if !question.swaps.is_empty() || !from.question.swaps.is_empty() {
+    if !question.is_ordinary() || !from.question.is_ordinary() {
         return f64::INFINITY;
     }
     let (here, target) = (Constants::of(&from.solution), question.constants);
@@ -134,10 +145,11 @@ fn advance(
     to: &Constants,
     tolerance: f64,
     options: &SolveOptions,
+    budget: &mut Budget,
 ) -> Result<Solution, SolveError> {
     let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
     let guess = predicted(belt, before, from, to, tolerance)?;
-    solver::solve(belt, &guess, from.unknowns(), &relaxed(&options))
+    solver::solve_observed(belt, &guess, from.unknowns(), &relaxed(&options), budget)
 }
 
 impl Constants {

@@ -120,6 +120,42 @@ choices! {
     }
 }
 
+choices! {
+    /// What presses the sheaves of the primary together.
+    FlyweightKind {
+        /// flyweights whose r dr/ds over the travel is known, as a bench measures it
+        Table = "table",
+        /// wedges or rollers that slide along a radius against a ramp
+        Ramp = "ramp",
+        /// pivoted arms with a roller at their end, on a ramp of the movable sheave
+        Arm = "arm",
+        /// pivoted arms with a cam, against rollers
+        Cam = "cam",
+        /// a force or a position, as a motor holds it
+        Servo = "servo",
+    }
+}
+
+choices! {
+    /// What presses the sheaves of the secondary together.
+    SecondaryKind {
+        /// a helix that turns torque into axial force, and a spring
+        Helix = "helix",
+        /// a force, as a motor holds it
+        Servo = "servo",
+    }
+}
+
+choices! {
+    /// From where helix angles are measured.
+    HelixAngleFrom {
+        /// from the plane of rotation: a helix of 90° would press with nothing
+        Rotation = "rotation",
+        /// from the shaft's axis: a helix of 0° would press with nothing
+        Axis = "axis",
+    }
+}
+
 /// What is computed: the edition's choices, or finer ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct ModelChoices {

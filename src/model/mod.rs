@@ -6,7 +6,10 @@ mod constants;
 mod error;
 mod posed;
 
-pub use choice::{Bending, Choice, Edition, Ends, Free, Friction, Include, ModelChoices, Shear, Spans};
+pub use choice::{
+    Bending, Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, ModelChoices,
+    SecondaryKind, Shear, Spans,
+};
 pub use constants::Constants;
 pub use error::InternalError;
 pub use generated::{BeltTheory, Constant, Field, Integral, Output, RegionConstant, State, UnknownOutput};

@@ -1,10 +1,11 @@
 //! The figures of one solution.
 
 use super::figure::{Axis, Figure, Look, Mark, Series};
+use super::trajectory::{Rim, Trajectory};
 use crate::drive::RegionId;
-use crate::model::{Constant, Constants, Field, Integral, InternalError, State};
+use crate::model::{Constant, Constants, Field, InternalError, State};
 use crate::result::{Outcome, Sampled};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Points inside each mesh interval, besides its nodes.
 const INNER: usize = 2;
@@ -16,6 +17,7 @@ const WRAP: &str = "wrap angle φ (deg)";
 struct View<'a> {
     outcome: &'a Outcome,
     constants: Constants,
+    trajectory: Trajectory<'a>,
     /// In the order of [`RegionId`].
     regions: [Sampled; 4],
 }
@@ -31,7 +33,8 @@ pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
         Sampled::at(&solved.belt, &solved.solution, region, dense(mesh))
     };
     let constants = Constants::try_from(solved.solution.constants())?;
-    let view = View { outcome, constants, regions: RegionId::ALL.map(sample) };
+    let trajectory = Trajectory::new(solved)?;
+    let view = View { outcome, constants, trajectory, regions: RegionId::ALL.map(sample) };
     let threshold = view.constant(Constant::SlipThreshold);
     let mut sliding = view.over_wrap(
         "sliding_speed",
@@ -46,7 +49,7 @@ pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<_>>();
     let times = |values: Vec<f64>, factor: f64| values.into_iter().map(|value| value * factor).collect::<Vec<_>>();
     let mut figures = vec![
-        view.trajectory()?,
+        view.trajectory_figure()?,
         view.over_wrap(
             "tension",
             "Tractive tension over wrap angle",
@@ -113,26 +116,6 @@ fn unjumped(mut angles: Vec<f64>) -> Vec<f64> {
     angles
 }
 
-/// A curve of unit speed through its nodes, with points between them by Hermite's cubic.
-fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Vec<(f64, f64)> {
-    const PARTS: usize = 6;
-    let mut curve: Vec<(f64, f64)> = nodes.first().copied().into_iter().collect();
-    for ((s, ends), angles) in s.windows(2).zip(nodes.windows(2)).zip(direction.windows(2)) {
-        let (&[s0, s1], &[a, b], &[from, to]) = (s, ends, angles) else { continue };
-        let h = s1 - s0;
-        let cubic = |t: f64, a: f64, b: f64, slope_a: f64, slope_b: f64| {
-            let u = 1.0 - t;
-            u * u * (1.0 + 2.0 * t) * a + t * t * (3.0 - 2.0 * t) * b + h * t * u * (u * slope_a - t * slope_b)
-        };
-        curve.extend(
-            (1..=PARTS)
-                .map(|part| part as f64 / PARTS as f64)
-                .map(|t| (cubic(t, a.0, b.0, from.cos(), to.cos()), cubic(t, a.1, b.1, from.sin(), to.sin()))),
-        );
-    }
-    curve
-}
-
 impl View<'_> {
     fn constant(&self, constant: Constant) -> f64 {
         self.constants[constant]
@@ -176,57 +159,14 @@ impl View<'_> {
         Ok(Figure::new(name, caption, Axis::new(WRAP).over(0.0, widest).every(30.0), y, series))
     }
 
-    /// Radius, centre and first angle of a pulley, m and rad.
-    fn pulley(&self, region: RegionId) -> (f64, f64, f64) {
-        match region {
-            RegionId::Primary => {
-                (self.constant(Constant::PrimaryRadius), 0.0, self.constant(Constant::PrimaryOrientation))
-            }
-            _ => {
-                let (wrap, turned) = (self.wrap(region), self.constant(Constant::SecondaryOrientation));
-                let center = self.constant(Constant::CenterDistance);
-                (self.constant(Constant::SecondaryRadius), center, PI - turned - wrap)
-            }
-        }
+    /// The belt's path in a region, mm.
+    fn path(&self, region: RegionId) -> Result<Vec<(f64, f64)>, InternalError> {
+        let path = self.trajectory.path(region, self.s(region))?;
+        Ok(path.points.into_iter().map(|(x, y)| (1e3 * x, 1e3 * y)).collect())
     }
 
-    /// The belt on a pulley, mm.
-    fn contact(&self, region: RegionId) -> Result<Vec<(f64, f64)>, InternalError> {
-        let (radius, center, first) = self.pulley(region);
-        let wrap = self.wrap(region);
-        let at = |(s, x): (&f64, &f64)| {
-            let (sin, cos) = (first + wrap * s).sin_cos();
-            (1e3 * (center + (radius - x) * cos), 1e3 * (radius - x) * sin)
-        };
-        let sampled = self.sampled(region);
-        Ok(sampled.s.iter().zip(sampled.state(State::Penetration)?).map(at).collect())
-    }
-
-    /// The belt in a span, mm, from where the contact before it ends.
-    fn span(&self, region: RegionId) -> Result<Vec<(f64, f64)>, InternalError> {
-        let (before, length) = match region {
-            RegionId::SlackSpan => (RegionId::Primary, self.constant(Constant::SlackLength)),
-            _ => (RegionId::Secondary, self.constant(Constant::TightLength)),
-        };
-        let Some((x0, y0)) = self.contact(before)?.last().copied() else { return Ok(Vec::new()) };
-        let part = &self.outcome.solved.solution.regions()[region.index()];
-        let kernel = self.outcome.solved.belt.kernel(region);
-        let integral = |integral: Integral| {
-            let row = kernel.integral(integral).ok_or(InternalError::Integral { region: region.name(), integral });
-            row.map(|row| part.cumulative(row))
-        };
-        let scale = 1e3 * length;
-        let across = integral(Integral::PositionAcross)?;
-        let nodes = integral(Integral::PositionAlong)?.iter().zip(across).map(|(x, y)| (*x, *y));
-        let state = State::Direction;
-        let row = kernel.state(state).ok_or(InternalError::State { region: region.name(), state })?;
-        let smooth = between(part.mesh(), &nodes.collect::<Vec<_>>(), part.state(row));
-        Ok(smooth.into_iter().map(|(x, y)| (x0 + scale * x, y0 + scale * y)).collect())
-    }
-
-    fn trajectory(&self) -> Result<Figure, InternalError> {
-        let circle = |region| {
-            let (radius, center, _) = self.pulley(region);
+    fn trajectory_figure(&self) -> Result<Figure, InternalError> {
+        let circle = |Rim { radius, center, .. }| {
             let at = |part: usize| (TAU * part as f64 / 180.0).sin_cos();
             let points = (0..=180).map(at).map(|(sin, cos)| (1e3 * (center + radius * cos), 1e3 * radius * sin));
             Series::line("", points.collect()).look(Look::Guide)
@@ -238,15 +178,15 @@ impl View<'_> {
             (1e3 * result.primary.resultant_x, 1e3 * result.primary.resultant_y),
             (1e3 * (center + result.secondary.resultant_x), 1e3 * result.secondary.resultant_y),
         ];
-        let mut nominal = circle(RegionId::Primary);
+        let mut nominal = circle(self.trajectory.primary());
         nominal.label = "nominal radius".into();
         let series = vec![
             nominal,
-            circle(RegionId::Secondary),
-            line("contact", self.contact(RegionId::Primary)?, 0),
-            line("", self.contact(RegionId::Secondary)?, 0),
-            line("tight span", self.span(RegionId::TightSpan)?, 1),
-            line("slack span", self.span(RegionId::SlackSpan)?, 2),
+            circle(self.trajectory.secondary()),
+            line("contact", self.path(RegionId::Primary)?, 0),
+            line("", self.path(RegionId::Secondary)?, 0),
+            line("tight span", self.path(RegionId::TightSpan)?, 1),
+            line("slack span", self.path(RegionId::SlackSpan)?, 2),
             Series::line("resultant axial force", force.to_vec()).look(Look::Dots).color(3),
             Series::line("", vec![(0.0, 0.0), (1e3 * center, 0.0)]).look(Look::Dots).color(6),
         ];
@@ -262,7 +202,7 @@ impl View<'_> {
     fn span_shape(&self) -> Result<Figure, InternalError> {
         let series = [(RegionId::TightSpan, "tight span", 1), (RegionId::SlackSpan, "slack span", 2)].map(
             |(region, label, color)| {
-                let points = self.span(region)?;
+                let points = self.path(region)?;
                 let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
                     return Ok(Series::line(label, Vec::new()));
                 };

@@ -20,10 +20,14 @@ mod figure;
 mod path;
 #[cfg(feature = "figures")]
 mod render;
+mod stack;
 #[cfg(feature = "figures")]
 mod ticks;
+mod trajectory;
 
 pub use drive::drive;
 pub use figure::{Axis, Figure, Look, Mark, Series};
 #[cfg(feature = "figures")]
 pub use render::PlotError;
+pub use stack::Stack;
+pub use trajectory::{Path, Rim, Trajectory};

@@ -65,11 +65,22 @@ impl Figure {
         Ok(text.replace(end, "</tspan><tspan dy=\"-0.18em\">").replace(close, "</tspan>"))
     }
 
+    /// Width and height.
+    pub fn size(&self) -> (u32, u32) {
+        size(self)
+    }
+
     /// The figure as PNG, two points for one.
     ///
     /// # Errors
     /// [`PlotError`].
     pub fn png(&self) -> Result<Vec<u8>, PlotError> {
+        let (mean, width, height) = self.pixels()?;
+        encode(&mean, width, height).map_err(|error| self.error(error.to_string()))
+    }
+
+    /// Its pixels, and how many there are across and down.
+    fn pixels(&self) -> Result<(Vec<u8>, u32, u32), PlotError> {
         fonts();
         let factor = RESOLUTION * SAMPLES;
         let (width, height) = size(self);
@@ -82,13 +93,22 @@ impl Figure {
             drawn.map_err(|error| self.error(error.to_string()))?;
         }
         let (width, height) = (width * RESOLUTION, height * RESOLUTION);
-        let mean = means(&fine, wide as usize);
-        encode(&mean, width, height).map_err(|error| self.error(error.to_string()))
+        Ok((means(&fine, wide as usize), width, height))
     }
 
     fn error(&self, reason: String) -> PlotError {
         PlotError { figure: self.name.clone(), reason }
     }
+}
+
+/// The pixels of a figure, three bytes each, and how many there are across and down.
+pub(super) fn pixels(figure: &Figure) -> Result<(Vec<u8>, u32, u32), PlotError> {
+    figure.pixels()
+}
+
+/// Pixels as PNG.
+pub(super) fn encoded(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, String> {
+    encode(pixels, width, height).map_err(|error| error.to_string())
 }
 
 /// The mean of each square of samples.
@@ -119,6 +139,6 @@ fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::Encodi
 }
 
 /// A text within an XML attribute.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -21,7 +21,7 @@ pub struct Dimension {
 }
 
 /// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 19] = [
+const NAMED: [(Dimension, &str); 23] = [
     (Dimension::NONE, "a plain number"),
     (Dimension::LENGTH, "a length"),
     (Dimension::MASS, "a mass"),
@@ -36,6 +36,10 @@ const NAMED: [(Dimension, &str); 19] = [
     (Dimension::POWER, "a power"),
     (Dimension::MASS_PER_LENGTH, "a mass per length"),
     (Dimension::BENDING_STIFFNESS, "a bending stiffness"),
+    (Dimension::SPRING_RATE, "a force per length"),
+    (Dimension::TORSION_RATE, "a torque per angle"),
+    (Dimension::AREA, "an area"),
+    (Dimension::DENSITY, "a density"),
     (Dimension::DRAG_PER_SPEED, "a torque over a speed"),
     (Dimension::TEMPERATURE, "a temperature"),
     (Dimension::PER_TEMPERATURE, "a share per kelvin"),
@@ -72,6 +76,15 @@ impl Dimension {
     pub const MASS_PER_LENGTH: Self = Self::new(-1, 1, 0, 0);
     /// Newton metre squared.
     pub const BENDING_STIFFNESS: Self = Self::new(3, 1, -2, 0);
+
+    /// Newton per metre.
+    pub const SPRING_RATE: Self = Self::new(0, 1, -2, 0);
+    /// Newton metre per radian.
+    pub const TORSION_RATE: Self = Self::new(2, 1, -2, -1);
+    /// Square metre.
+    pub const AREA: Self = Self::new(2, 0, 0, 0);
+    /// Kilogram per cubic metre.
+    pub const DENSITY: Self = Self::new(-3, 1, 0, 0);
 
     /// Newton metre second per radian: a torque over a speed of rotation, written N*m*s.
     pub const DRAG_PER_SPEED: Self = Self::new(2, 1, -1, 0);

@@ -51,6 +51,27 @@ impl Quantity {
     }
 }
 
+/// Reads numbers separated by commas, the last with the unit of all that have none: `0, 4.5, 11.7 mm`; in SI.
+///
+/// ```
+/// use sheave::quantity::{Dimension, parse_list};
+/// assert_eq!(parse_list("0, 4.5, 1 cm", Dimension::LENGTH)?, [0.0, 0.045, 0.01]);
+/// # Ok::<(), sheave::quantity::QuantityError>(())
+/// ```
+///
+/// # Errors
+/// What is wrong with one of them, see [`QuantityError`].
+pub fn parse_list(text: &str, expected: Dimension) -> Result<Vec<f64>, QuantityError> {
+    let texts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let unit = texts.last().map_or("", |last| parse::split_number(last).1.trim());
+    let one = |text: &&str| {
+        let bare = parse::split_number(text).1.trim().is_empty();
+        let read = if bare { parse(&format!("{text} {unit}")) } else { parse(text) };
+        read?.expect(expected)
+    };
+    texts.iter().map(one).collect()
+}
+
 /// Reads a quantity: a number, then optionally a product of units (`18.71 MPa`, `0.2602 N*m^2`, `18 lbf·ft`,
 /// `2 kg m/s²`). Factors of units are separated by `*`, `·`, a space or `/`; a `/` divides by the one factor behind it.
 ///

@@ -176,6 +176,10 @@ fn inputs(html: &mut String, outcome: &Outcome) {
                 let (number, unit) = entry.readable(si);
                 (short(number), unit)
             }
+            Setting::List(values) => {
+                let numbers: Vec<String> = values.iter().map(|si| short(entry.readable(*si).0)).collect();
+                (numbers.join(", "), entry.readable(0.0).1)
+            }
             Setting::Name(name) => (name.to_owned(), String::new()),
             Setting::Table(grid) => (grid.to_string(), "SI".into()),
         };

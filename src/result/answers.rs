@@ -1,9 +1,9 @@
 //! What an engineer asks first of a solved drive.
 
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 use super::schema::DriveResult;
+use super::units::{Measured, Units};
 use crate::case::{Key, Resolved};
 
 /// Share of the friction at hand that ought to be left over; below, a drive is at the mercy of dust and damp.
@@ -53,11 +53,16 @@ pub struct Answer {
 
 /// Does it slip, where do the watts go, what clamp does it take, what are the radii, and what was solved for.
 pub fn answers(result: &DriveResult<Resolved>) -> Vec<Answer> {
+    answers_in(Units::Workshop, result)
+}
+
+/// As [`answers`], in other units.
+pub fn answers_in(units: Units, result: &DriveResult<Resolved>) -> Vec<Answer> {
     let mut answers = vec![
         Answer { question: "does it slip?", answer: slip(result) },
-        Answer { question: "where do the watts go?", answer: watts(result) },
-        Answer { question: "what clamp?", answer: clamp(result) },
-        Answer { question: "radii and ratio", answer: radii(result) },
+        Answer { question: "where do the watts go?", answer: watts(units, result) },
+        Answer { question: "what clamp?", answer: clamp(units, result) },
+        Answer { question: "radii and ratio", answer: radii(units, result) },
     ];
     answers.extend(found(result).map(|answer| Answer { question: "solved for", answer }));
     answers
@@ -68,37 +73,41 @@ fn slip(result: &DriveResult<Resolved>) -> String {
     format!("{}; {:.1} % of the friction at hand is in reserve", light.words(), 100.0 * result.slip_reserve)
 }
 
-fn watts(result: &DriveResult<Resolved>) -> String {
+fn watts(units: Units, result: &DriveResult<Resolved>) -> String {
     let energy = &result.energy;
     let [primary, secondary] = [&result.primary, &result.secondary].map(|pulley| pulley.friction_loss);
+    let show = |power: f64| units.show(Measured::Power, power, 0);
     let driving = if energy.power_in < 0.0 && energy.power_out < 0.0 {
-        let (power, delivered) = (-energy.power_out, -energy.power_in);
-        format!("{power:.0} W from the secondary, {delivered:.0} W to the primary")
+        format!("{} from the secondary, {} to the primary", show(-energy.power_out), show(-energy.power_in))
     } else {
-        format!("{:.0} W in, {:.0} W out", energy.power_in, energy.power_out)
+        format!("{} in, {} out", show(energy.power_in), show(energy.power_out))
     };
     let total = primary + secondary;
     let besides = result
         .losses
         .as_ref()
-        .map_or(String::new(), |losses| format!("; besides, {:.0} W of hysteresis, drag and gears", losses.total));
+        .map_or(String::new(), |losses| format!("; besides, {} of hysteresis, drag and gears", show(losses.total)));
     format!(
-        "{driving}; {total:.0} W of friction, {primary:.0} W on the primary and {secondary:.0} W on the secondary{besides}"
+        "{driving}; {} of friction, {} on the primary and {} on the secondary{besides}",
+        show(total),
+        show(primary),
+        show(secondary)
     )
 }
 
-fn clamp(result: &DriveResult<Resolved>) -> String {
+fn clamp(units: Units, result: &DriveResult<Resolved>) -> String {
     let (primary, secondary) = (&result.primary, &result.secondary);
+    let show = |force: f64| units.show(Measured::Force, force, 0);
     let mut text = format!(
-        "{:.0} N axial on the primary, {:.0} N on the secondary, {:.0} N slack tension",
-        primary.axial_force, secondary.axial_force, primary.exit_tension
+        "{} axial on the primary, {} on the secondary, {} slack tension",
+        show(primary.axial_force),
+        show(secondary.axial_force),
+        show(primary.exit_tension)
     );
     if let Some(tension) = tension_for(result, WANTED_RESERVE) {
-        let (percent, tension) = (100.0 * WANTED_RESERVE, rounded(tension));
-        let _ = write!(
-            text,
-            "; for {percent:.0} % reserve about {tension:.0} N slack (--reserve {percent:.0}% solves for it)"
-        );
+        let (percent, tension) = (100.0 * WANTED_RESERVE, show(rounded(tension)));
+        let _ =
+            write!(text, "; for {percent:.0} % reserve about {tension} slack (--reserve {percent:.0}% solves for it)");
     }
     text
 }
@@ -122,15 +131,15 @@ fn rounded(value: f64) -> f64 {
     (value / unit).round() * unit
 }
 
-fn radii(result: &DriveResult<Resolved>) -> String {
+fn radii(units: Units, result: &DriveResult<Resolved>) -> String {
     let (primary, secondary) = (&result.primary, &result.secondary);
     format!(
-        "{:.2} mm and {:.2} mm, ratio {:.4}; {:.0} and {:.0} rpm, speed ratio {:.4}",
-        1e3 * primary.radius,
-        1e3 * secondary.radius,
+        "{} and {}, ratio {:.4}; {} and {}, speed ratio {:.4}",
+        units.show(Measured::Length, primary.radius, 2),
+        units.show(Measured::Length, secondary.radius, 2),
         secondary.radius / primary.radius,
-        primary.speed * 30.0 / PI,
-        secondary.speed * 30.0 / PI,
+        units.of(Measured::Speed).number(primary.speed, 0),
+        units.show(Measured::Speed, secondary.speed, 0),
         secondary.speed / primary.speed,
     )
 }

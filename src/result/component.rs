@@ -2,8 +2,8 @@
 //! relation makes of the tensions that the full model finds.
 
 use super::{Outcome, Pulley};
+use crate::formula::Inputs;
 use crate::model::{Constant, Constants, InternalError};
-use crate::small::formula::Inputs;
 use crate::small::pulley::{BeltPulley, BeltType, Branch, Direction, Ports, Shaft};
 use generated::{BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput};
 use serde::Serialize;

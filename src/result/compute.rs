@@ -92,9 +92,33 @@ pub fn refined(mesh: &[f64], inner: usize) -> Vec<f64> {
     mesh.windows(2).flat_map(part).chain(mesh.last().copied()).collect()
 }
 
-/// The smallest and largest of some values.
-fn extremes(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)))
+/// Rounds in which an extremum is sought between samples, and the parts into which each divides what is left.
+const ROUNDS: usize = 4;
+const PARTS: usize = 16;
+
+/// The least (`sign` 1) or the largest (−1) of what `read` finds along a region, sought between the samples around the
+/// extreme one.
+fn extremum(
+    solved: &Solved,
+    sampled: &Sampled,
+    sign: f64,
+    read: impl Fn(&Sampled) -> Result<&[f64], InternalError>,
+) -> Result<f64, InternalError> {
+    let least = |values: &[f64]| {
+        let values = values.iter().map(|value| sign * value).enumerate();
+        values.min_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((0, f64::INFINITY))
+    };
+    let (mut at, mut best) = least(read(sampled)?);
+    let mut s = sampled.s.clone();
+    for _ in 0..ROUNDS {
+        let (Some(&from), Some(&to)) = (s.get(at.saturating_sub(1)), s.get((at + 1).min(s.len() - 1))) else { break };
+        let inner = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64).collect();
+        let closer = Sampled::at(&solved.belt, &solved.solution, sampled.region, inner);
+        let (next, value) = least(read(&closer)?);
+        (at, best) = (next, best.min(value));
+        s = closer.s;
+    }
+    Ok(sign * best)
 }
 
 /// Share of `[0, 1]` on which `v` lies below `threshold`, `v` taken as linear between its samples.
@@ -135,10 +159,11 @@ impl Contact {
     fn new(solved: &Solved, constants: &Constants, region: RegionId) -> Result<Self, InternalError> {
         let sampled = Sampled::new(&solved.belt, &solved.solution, region, INNER);
         let sliding = sampled.field(Field::SlidingSpeed)?;
-        let (slowest, fastest) = extremes(sliding);
+        let at = |sampled: &'_ Sampled, sign: f64| extremum(solved, sampled, sign, |s| s.field(Field::SlidingSpeed));
+        let (slowest, fastest) = (at(&sampled, 1.0)?, at(&sampled, -1.0)?);
         let mean = sampled.rim_friction()?;
         Ok(Self {
-            penetration: extremes(sampled.state(State::Penetration)?).1,
+            penetration: extremum(solved, &sampled, -1.0, |s| s.state(State::Penetration))?,
             slowest,
             fastest,
             adhesion: share_below(&sampled.s, sliding, constants[Constant::SlipThreshold]),
@@ -281,7 +306,8 @@ impl<'a> Reading<'a> {
 
     fn span(&self, region: RegionId, arc_length: Output, unstretched: Output) -> Result<Span, InternalError> {
         let sampled = Sampled::new(&self.solved.belt, &self.solved.solution, region, INNER);
-        let (min_tension, max_tension) = extremes(sampled.state(State::SpanTension)?);
+        let tension = |sign: f64| extremum(self.solved, &sampled, sign, |s| s.state(State::SpanTension));
+        let (min_tension, max_tension) = (tension(1.0)?, tension(-1.0)?);
         Ok(Span {
             arc_length: self.outputs.get(arc_length)?,
             unstretched_length: self.outputs.get(unstretched)?,

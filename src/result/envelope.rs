@@ -20,6 +20,8 @@ pub enum FailureKind {
     NoData,
     /// There is no solution, or none was found.
     NoSolution,
+    /// Stopped by Ctrl-C.
+    Cancelled,
     /// A result could not be written.
     Output,
     /// A defect of the program.

@@ -66,6 +66,7 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
                 before = Some((here, used));
                 (here, used, near, heat) = (next, utilization(&solved)?, solved, warm);
             }
+            Err(Failure::Cancelled) => return Err(Failure::Cancelled),
             // Beyond what has a solution: half the way.
             Err(failure) if (next - here).abs() <= 1e-6 * here => {
                 return Err(Failure::margin(target, used, here, failure));
@@ -109,7 +110,7 @@ fn carried(case: &mut Resolved, options: &SolveOptions) -> Result<Solved, Failur
         case.operating_point.clamp = Clamp::SlackTension(tension);
         match solve(case, options) {
             Ok(solved) => return Ok(solved),
-            Err(failure) if failure.is_bad_input() => return Err(failure),
+            Err(failure) if failure.is_bad_input() || failure.is_cancelled() => return Err(failure),
             Err(failure) => _ = first.get_or_insert(failure),
         }
         tension *= TIGHTER;

@@ -1,6 +1,7 @@
 //! What a solution means: the result object, the profile along the belt, the summary.
 
 mod answers;
+mod beside;
 mod component;
 mod compute;
 mod envelope;
@@ -9,28 +10,33 @@ mod profile;
 mod schema;
 mod sensitivity;
 mod summary;
+mod units;
 mod utilization;
 mod warnings;
 
 use std::collections::BTreeMap;
 
-pub use answers::{Answer, Light, WANTED_RESERVE, answers, tension_for};
+pub use answers::{Answer, Light, WANTED_RESERVE, answers, answers_in, tension_for};
+pub use beside::beside;
 pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
 pub use envelope::{FailureKind, FailureReport, envelope, failed};
 pub use profile::write_profile;
-pub use schema::{BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, Pulley, SCHEMA, SolverReport, Span};
+pub use schema::{
+    BeltResult, DriveResult, Efficiency, Energy, MeshIntervals, OtherSolution, Pulley, SCHEMA, SolverReport, Span,
+};
 use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
-pub use summary::summary;
+pub use summary::{summary, summary_in};
+pub use units::Units;
 pub use utilization::utilizations;
 pub use warnings::warnings;
 
-use crate::case::{Key, Resolved};
+use crate::case::{Clamp, Key, Resolved};
 use crate::clock::Stopwatch;
-use crate::drive::{Failure, RegionId, SolveOptions, Solved, solve};
+use crate::drive::{Branch, Failure, RegionId, SolveOptions, Solved, branch, other_solution, refined, solve};
 use crate::losses::{Heat, NoLosses, close, losses, settle};
-use crate::model::InternalError;
+use crate::model::{Constant, InternalError, Output};
 
 /// A solved case: the result object, and the solution it was read from.
 #[derive(Debug, Clone)]
@@ -54,7 +60,38 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     }
     let start = Stopwatch::start();
     let solved = solve(case, options)?;
-    interpret(case, options, solved, start)
+    // Of two solutions the tighter, whichever the search has met.
+    let loose = matches!(branch(&solved), Ok(Some(Branch::Loose)));
+    let tight = if loose { other_solution(&case.model, &solved, options)? } else { None };
+    interpret(case, options, tight.unwrap_or(solved), start)
+}
+
+/// As [`run`]; where the clamp is an axial force that belongs to two solutions, the one that `wanted` says, and the other
+/// beside it.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on_branch(case: &Resolved, wanted: Branch, options: &SolveOptions) -> Result<Outcome, Failure> {
+    let start = Stopwatch::start();
+    if case.operating_point.margin.is_some()
+        || !matches!(case.operating_point.clamp, Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_))
+    {
+        return run(case, options);
+    }
+    let solved = solve(case, options)?;
+    let other = other_solution(&case.model, &solved, options)?;
+    let is_tighter = |a: &Solved, b: &Solved| a.constant(Constant::SlackTension) > b.constant(Constant::SlackTension);
+    let (chosen, other) = match other {
+        Some(other) if is_tighter(&other, &solved) == (wanted == Branch::Tight) => (other, Some(solved)),
+        other => (solved, other),
+    };
+    let mut outcome = interpret(case, options, chosen, start)?;
+    if let Some(other) = other {
+        let friction_utilization = margin::utilization(&other)?;
+        let slack_tension = other.constant(Constant::SlackTension);
+        outcome.result.other_solution = Some(OtherSolution { slack_tension, friction_utilization });
+    }
+    Ok(outcome)
 }
 
 /// Reads a solution of a case, found since `start`; where the case asks for the belt's temperature, the solution at
@@ -113,7 +150,9 @@ fn read_at(
     start: Stopwatch,
 ) -> Result<Outcome, Failure> {
     let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+    let (solved, errors) = if options.uncertainty { refined(solved, options)? } else { (solved, None) };
     let mut result = read(case, options, &solved, start)?;
+    result.uncertainty = errors.map(|errors| uncertainty(&result, &errors));
     result.belt.temperature = heat.map(|heat| heat.temperature);
     result.thermal = heat;
     if options.sensitivities {
@@ -131,6 +170,23 @@ fn read_at(
         }
     };
     Ok(Outcome { result, solved, no_losses })
+}
+
+/// The errors of the outputs as those of the result: in engine braking efficiencies are reciprocals.
+fn uncertainty(result: &DriveResult<Resolved>, errors: &[(Output, f64)]) -> BTreeMap<String, f64> {
+    let efficiency = &result.efficiency;
+    let braking = result.energy.power_in < 0.0;
+    let scale = |output: Output| {
+        match output {
+            Output::EfficiencyOverall => efficiency.overall,
+            Output::EfficiencySpeed => efficiency.speed,
+            Output::EfficiencyTorque => efficiency.torque,
+            _ => return Some(1.0),
+        }
+        .map(|value| if braking { value * value } else { 1.0 })
+    };
+    let error = |(output, error): &(Output, f64)| Some((output.name().to_owned(), (error * scale(*output)?).abs()));
+    errors.iter().filter_map(error).collect()
 }
 
 fn read(
@@ -176,6 +232,8 @@ fn read(
             continuation_steps: solved.continuation_steps,
             wall_time: start.seconds(),
         },
+        uncertainty: None,
+        other_solution: None,
         sensitivities: None,
     };
     for constant in solved.question.swaps.iter().map(|swap| swap.free) {

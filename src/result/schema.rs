@@ -52,9 +52,26 @@ pub struct DriveResult<I> {
     pub thermal: Option<Heat>,
     /// How the solution was found.
     pub solver: SolverReport,
+    /// Estimated errors of the outputs, SI, without sign, by the output's name: what the defects of the solution leave in
+    /// each, to first order. Extremes along a contact or a span have none. Absent where none were asked for, as in a
+    /// sweep, and where the equations are singular.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<BTreeMap<String, f64>>,
+    /// The other solution, where an axial force is prescribed that belongs to two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_solution: Option<OtherSolution>,
     /// Derivatives of the outputs with respect to the given constants, if they were asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
+}
+
+/// The other of two solutions for a prescribed axial force.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct OtherSolution {
+    /// Tractive tension at the exit of the primary, N.
+    pub slack_tension: f64,
+    /// Share of the friction at hand that is used.
+    pub friction_utilization: f64,
 }
 
 /// One pulley and its contact.

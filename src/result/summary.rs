@@ -2,47 +2,75 @@
 
 use std::fmt::Write;
 
-use super::answers::answers;
+use super::answers::answers_in;
 use super::schema::{DriveResult, Pulley, SolverReport};
+use super::units::{Measured, Units};
 use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 
-fn row(text: &mut String, name: &str, unit: &str, digits: usize, values: [f64; 2]) {
-    let [primary, secondary] = values;
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "  {name:<26}{primary:>12.digits$}{secondary:>12.digits$}  {unit}");
+/// Rows of the table of both pulleys.
+struct Rows<'a> {
+    text: &'a mut String,
+    units: Units,
+    primary: &'a Pulley,
+    secondary: &'a Pulley,
 }
 
-fn pulleys(text: &mut String, primary: &Pulley, secondary: &Pulley) {
-    let both = |value: fn(&Pulley) -> f64| [value(primary), value(secondary)];
+impl Rows<'_> {
+    fn row(&mut self, name: &str, what: Measured, digits: usize, value: fn(&Pulley) -> f64) {
+        let unit = self.units.of(what);
+        let [primary, secondary] = [self.primary, self.secondary].map(|pulley| unit.number(value(pulley), digits));
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "  {name:<26}{primary:>12}{secondary:>12}  {}", unit.symbol);
+    }
+
+    fn share(&mut self, name: &str, unit: &str, value: fn(&Pulley) -> f64) {
+        let [primary, secondary] = [self.primary, self.secondary].map(|pulley| 100.0 * value(pulley));
+        let _ = writeln!(self.text, "  {name:<26}{primary:>12.1}{secondary:>12.1}  {unit}");
+    }
+}
+
+fn pulleys(text: &mut String, units: Units, primary: &Pulley, secondary: &Pulley) {
     let _ = writeln!(text, "  {:<26}{:>12}{:>12}", "", "primary", "secondary");
-    row(text, "axial force", "N", 1, both(|p| p.axial_force));
-    row(text, "torque", "N·m", 3, both(|p| p.torque));
-    row(text, "speed", "rpm", 1, both(|p| p.speed * 30.0 / std::f64::consts::PI));
-    row(text, "power", "W", 1, both(|p| p.power));
-    row(text, "friction loss", "W", 1, both(|p| p.friction_loss));
-    row(text, "wrap angle", "deg", 2, both(|p| p.wrap_angle.to_degrees()));
-    row(text, "entry tension", "N", 1, both(|p| p.entry_tension));
-    row(text, "exit tension", "N", 1, both(|p| p.exit_tension));
-    row(text, "largest penetration", "mm", 3, both(|p| p.max_penetration * 1e3));
-    row(text, "smallest sliding speed", "mm/s", 4, both(|p| p.min_sliding_speed * 1e3));
-    row(text, "adhesion", "% of wrap", 1, both(|p| p.adhesion_fraction * 100.0));
-    row(text, "friction utilization", "%", 1, both(|p| p.friction_utilization * 100.0));
-    row(text, "resultant x", "mm", 1, both(|p| p.resultant_x * 1e3));
-    row(text, "resultant y", "mm", 1, both(|p| p.resultant_y * 1e3));
-    row(text, "binding moment", "N·m", 1, both(|p| p.binding_moment));
+    let mut rows = Rows { text, units, primary, secondary };
+    rows.row("axial force", Measured::Force, 1, |p| p.axial_force);
+    rows.row("torque", Measured::Torque, 3, |p| p.torque);
+    rows.row("speed", Measured::Speed, 1, |p| p.speed);
+    rows.row("power", Measured::Power, 1, |p| p.power);
+    rows.row("friction loss", Measured::Power, 1, |p| p.friction_loss);
+    rows.row("wrap angle", Measured::Angle, 2, |p| p.wrap_angle);
+    rows.row("entry tension", Measured::Force, 1, |p| p.entry_tension);
+    rows.row("exit tension", Measured::Force, 1, |p| p.exit_tension);
+    rows.row("largest penetration", Measured::Length, 3, |p| p.max_penetration);
+    rows.row("smallest sliding speed", Measured::Sliding, 4, |p| p.min_sliding_speed);
+    rows.share("adhesion", "% of wrap", |p| p.adhesion_fraction);
+    rows.share("friction utilization", "%", |p| p.friction_utilization);
+    rows.row("resultant x", Measured::Length, 1, |p| p.resultant_x);
+    rows.row("resultant y", Measured::Length, 1, |p| p.resultant_y);
+    rows.row("binding moment", Measured::Torque, 1, |p| p.binding_moment);
 }
 
 /// What an engineer asks first, then axial forces, efficiencies, the energy audit and how well the solution holds.
 pub fn summary(result: &DriveResult<Resolved>) -> String {
+    summary_in(Units::Workshop, &[], result)
+}
+
+/// As [`summary`], in other units, with warnings behind the answers.
+pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolved>) -> String {
+    let power = |watts: f64, digits: usize| units.of(Measured::Power).number(watts, digits);
+    let watt = units.of(Measured::Power).symbol;
     let mut text = String::new();
     let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
     let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
-    for answer in answers(result) {
+    for answer in answers_in(units, result) {
         let _ = writeln!(text, "  {:<24}{}", answer.question, answer.answer);
     }
+    if !warnings.is_empty() {
+        text.push('\n');
+        warnings.iter().for_each(|warning| text += &format!("  warning: {warning}\n"));
+    }
     text.push('\n');
-    pulleys(&mut text, &result.primary, &result.secondary);
+    pulleys(&mut text, units, &result.primary, &result.secondary);
     let percent = |fraction: f64| 100.0 * fraction;
     match (efficiency.overall, efficiency.speed, efficiency.torque) {
         (Some(overall), Some(speed), Some(torque)) => {
@@ -64,43 +92,47 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
     let unaccounted = percent(rest / energy.power_in.abs().max(energy.power_out.abs()));
     let _ = writeln!(
         text,
-        "  energy audit              {:>11.1} W in = {:.1} W out + {:.1} W friction {} {:.2} W stretch work; {} % unaccounted for",
-        energy.power_in,
-        energy.power_out,
-        energy.friction_loss,
+        "  energy audit              {:>11} {watt} in = {} {watt} out + {} {watt} friction {} {} {watt} stretch work; {} % \
+         unaccounted for",
+        power(energy.power_in, 1),
+        power(energy.power_out, 1),
+        power(energy.friction_loss, 1),
         if energy.stretch_work < 0.0 { '−' } else { '+' },
-        energy.stretch_work.abs(),
+        power(energy.stretch_work.abs(), 2),
         unsigned_zero(&format!("{unaccounted:.4}")),
     );
     if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
         let _ = writeln!(
             text,
-            "  with all losses           {:>11.2} % overall: hysteresis {:.1} W (bending {:.1}, groove {:.1}, cord {:.1}), drag {:.1} W, \
-             gears {:.1} W",
+            "  with all losses           {:>11.2} % overall: hysteresis {} {watt} (bending {}, groove {}, cord {}), drag {} {watt}, \
+             gears {} {watt}",
             percent(overall),
-            losses.bending + losses.groove + losses.cord,
-            losses.bending,
-            losses.groove,
-            losses.cord,
-            losses.drag,
-            losses.gears,
+            power(losses.bending + losses.groove + losses.cord, 1),
+            power(losses.bending, 1),
+            power(losses.groove, 1),
+            power(losses.cord, 1),
+            power(losses.drag, 1),
+            power(losses.gears, 1),
         );
     }
     if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
         let _ = writeln!(
             text,
-            "  belt temperature          {:>11.1} °C: {:.1} W into the belt, {:.1} W into the primary's sheaves, {:.1} W into the secondary's",
-            temperature - 273.15,
-            heat.belt,
-            heat.primary,
-            heat.secondary,
+            "  belt temperature          {:>11} {}: {} {watt} into the belt, {} {watt} into the primary's sheaves, {} {watt} into \
+             the secondary's",
+            units.of(Measured::Temperature).number(temperature, 1),
+            units.of(Measured::Temperature).symbol,
+            power(heat.belt, 1),
+            power(heat.primary, 1),
+            power(heat.secondary, 1),
         );
     }
     let _ = writeln!(
         text,
-        "  belt                      {:>11.2} mm unstretched, {:+.2} mm against the belt given",
-        belt.unstretched_length * 1e3,
-        belt.length_error * 1e3,
+        "  belt                      {:>14} unstretched, {}{} against the belt given",
+        units.show(Measured::Length, belt.unstretched_length, 2),
+        if belt.length_error < 0.0 { "" } else { "+" },
+        units.show(Measured::Length, belt.length_error, 2),
     );
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(

@@ -2,8 +2,8 @@
 
 use super::Outcome;
 use super::schema::Pulley;
-use crate::drive::RegionId;
-use crate::model::State;
+use crate::drive::{Branch, RegionId};
+use crate::model::{Constant, State};
 
 /// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
 const LITTLE_ADHESION: f64 = 0.02;
@@ -26,6 +26,7 @@ const HOT: f64 = 71.0 + CELSIUS;
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
     let mut said = Vec::new();
+    said.extend(two_solutions(outcome));
     said.extend(adhesion(outcome));
     said.extend(powers(outcome));
     said.extend(compression(outcome));
@@ -41,6 +42,25 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(hot(outcome));
     said.extend(beyond_tables(outcome));
     said
+}
+
+/// An axial force that belongs to two operating points.
+fn two_solutions(outcome: &Outcome) -> Option<String> {
+    let other = outcome.result.other_solution?;
+    let tension = outcome.solved.constant(Constant::SlackTension);
+    let (key, force) = outcome.result.inputs.operating_point.clamp.setting();
+    let which = if tension > other.slack_tension { Branch::Tight } else { Branch::Loose };
+    let wanted = if which == Branch::Tight { Branch::Loose } else { Branch::Tight };
+    Some(format!(
+        "`{}` = {force:.2} N belongs to two operating points: this one, the {} one, at {tension:.2} N of slack tension, where \
+         {:.1} % of the friction at hand is used, and another at {:.2} N, where {:.1} % is. `--branch {}` gives the other.",
+        key.path(),
+        which.name(),
+        100.0 * outcome.result.friction_utilization,
+        other.slack_tension,
+        100.0 * other.friction_utilization,
+        wanted.name(),
+    ))
 }
 
 /// A belt that will not last.

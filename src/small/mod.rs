@@ -3,7 +3,6 @@
 //!
 //! Their equations are derived and emitted by `eqgen` as the full model's are; `docs/small-models.md` lists them.
 
-pub(crate) mod formula;
 pub mod init;
 pub mod pulley;
 pub mod size;

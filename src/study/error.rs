@@ -64,6 +64,9 @@ pub enum StudyError {
     /// The threads could not be had.
     #[error("cannot start {0} threads")]
     Threads(usize),
+    /// Stopped from elsewhere; the rows that were handed over hold.
+    #[error("cancelled")]
+    Cancelled,
     /// A row could not be handed over.
     #[error("cannot keep a row: {0}")]
     Keep(#[from] std::io::Error),

@@ -58,6 +58,8 @@ impl Study {
             return Err(StudyError::TooMany);
         }
         case.make_room(&varied);
+        // A row holds values; their errors are told of single solutions.
+        let options = SolveOptions { uncertainty: false, ..options };
         let study = Self { case, axes, options };
         study.check()?;
         Ok(study)
@@ -119,6 +121,7 @@ impl Study {
         for (key, setting) in &varied {
             match setting {
                 Setting::Number(value) => case.set_si(*key, *value)?,
+                Setting::List(values) => case.set_list(*key, values)?,
                 Setting::Name(name) => case.set(key.path(), name)?,
                 Setting::Table(grid) => case.set(key.path(), &grid.to_string())?,
             }
@@ -163,6 +166,7 @@ impl Study {
             for (_, setting) in (0..axis.points()).flat_map(|at| axis.at(at)) {
                 match setting {
                     Setting::Number(value) => checksum.update(&value.to_le_bytes()),
+                    Setting::List(values) => values.iter().for_each(|value| checksum.update(&value.to_le_bytes())),
                     Setting::Name(name) => checksum.update(name.as_bytes()),
                     Setting::Table(grid) => checksum.update(grid.to_string().as_bytes()),
                 }

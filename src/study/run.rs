@@ -3,6 +3,7 @@
 use super::error::StudyError;
 use super::plan::{GridPoint, HEADS, Study};
 use super::row::{Row, Table, TableBuilder};
+use crate::cancel::is_cancelled;
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
@@ -201,6 +202,7 @@ impl Work<'_> {
             let begun = self.checked(|| {
                 let point = study.point(task.start)?;
                 let head = attempt(&point, |case| head(case, study.options(), &heads));
+                uncancelled()?;
                 Ok((point, head))
             });
             let Some((point, head)) = begun else { return };
@@ -234,6 +236,7 @@ impl Work<'_> {
                 let near: Vec<&Solved> = near.map(|(_, outcome)| &outcome.solved).collect();
                 solve(case, study.options(), &near, &mut too_far)
             });
+            uncancelled()?;
             (self.take)(task, index, &point, found(&solved))?;
             if let Ok(solved) = solved {
                 if trail.len() == TRAIL {
@@ -258,6 +261,12 @@ impl Work<'_> {
             }
         }
     }
+}
+
+/// # Errors
+/// [`StudyError::Cancelled`]: what was being solved then says nothing of its point.
+fn uncancelled() -> Result<(), StudyError> {
+    if is_cancelled() { Err(StudyError::Cancelled) } else { Ok(()) }
 }
 
 fn found(solved: &Result<Known, String>) -> Found<'_> {
@@ -293,6 +302,7 @@ fn solve(case: &Resolved, options: &SolveOptions, near: &[&Solved], too_far: &mu
                 *too_far = 0;
                 return result::interpret(case, options, solved, start);
             }
+            Err(Failure::Cancelled) => return Err(Failure::Cancelled),
             Err(_) => *too_far += 1,
         }
     }

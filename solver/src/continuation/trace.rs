@@ -79,8 +79,9 @@ pub(super) fn trace_within(
 /// let buckling = straight.branch_points().next().ok_or("no branch point")?;
 /// assert!((buckling.parameter - std::f64::consts::PI.powi(2)).abs() < 1e-3);
 /// let [left, right] = trace_crossing(&strut, buckling, 0, &[], &options, &[])?;
-/// let angle = |branch: &solver::continuation::Branch| branch.points[8].solution.regions()[0].state(0)[0];
-/// assert!(angle(&left).abs() > 0.1 && (angle(&left) + angle(&right)).abs() < 1e-3);
+/// let ends = [left, right].map(|half| half.points.last().map(|point| point.solution.regions()[0].eval(0.0)[0]));
+/// let [Some(left), Some(right)] = ends else { return Err("no points".into()) };
+/// assert!(left.abs() > 1.0 && (left + right).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

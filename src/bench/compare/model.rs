@@ -264,7 +264,7 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
             let (_, setting) = settings.iter().find(|(other, _)| *other == key)?;
             match setting {
                 crate::case::Setting::Number(value) => Some((key, *value)),
-                crate::case::Setting::Name(_) | crate::case::Setting::Table(_) => None,
+                crate::case::Setting::List(_) | crate::case::Setting::Name(_) | crate::case::Setting::Table(_) => None,
             }
         });
         match value {

@@ -21,8 +21,8 @@ mod state;
 
 pub use state::{InitError, InitialState, Method, PulleyId};
 
-use super::formula::{Inputs, Outputs};
 use crate::case::{Clamp, Load, Resolved, Speed, geometry};
+use crate::formula::{Inputs, Outputs};
 use generated::{
     BELT_PULLEY_LIMITS, BeltPulleyLimit, BeltPulleyLimitInput, FormulaKernel, Identity, SIMPLE_DRIVE,
     SIMPLE_DRIVE_CLOSED, SimpleDriveInput as Given, SimpleDriveOutput as Derived, SimpleDriveResidual as Residual,

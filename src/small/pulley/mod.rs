@@ -16,7 +16,7 @@ mod error;
 
 pub use error::PulleyError;
 
-use super::formula::Inputs;
+use crate::formula::Inputs;
 use error::check;
 use generated::{
     BELT_PULLEY, BELT_PULLEY_LIMITS, BeltPulleyInput as Variable, BeltPulleyLimit, BeltPulleyLimitInput,

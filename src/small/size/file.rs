@@ -172,6 +172,7 @@ fn read_into<T>(
         Raw::Text(text) => quantity::parse(&text).map_err(|reason| invalid(reason, &given, &expected)),
         Raw::Number(si) if si.is_finite() => Ok(Quantity { si, dimension: Dimension::NONE, bare: true }),
         Raw::Number(_) => Err(invalid(QuantityError::NotFinite, &given, &expected)),
+        Raw::List(_) => Err(Problem::Type { path: path.into(), given: "an array", expected: expected.clone() }),
         Raw::Other(kind) => Err(Problem::Type { path: path.into(), given: kind, expected: expected.clone() }),
     };
     let si = read.and_then(|quantity| {

@@ -18,7 +18,7 @@ mod keys;
 pub use error::{Problem, SizeError};
 pub use keys::{Entry, IDLER, TABLE};
 
-use super::formula::Inputs;
+use crate::formula::Inputs;
 use generated::{DRIVE_SIZING, DRIVE_SIZING_IDLER, DriveSizingIdlerOutput, DriveSizingInput, DriveSizingOutput};
 use serde::Serialize;
 

@@ -1,0 +1,151 @@
+//! `sheave drive`: the equilibrium of a whole drive.
+
+use super::case::CaseArguments;
+use super::envelope;
+use super::output;
+use super::solve::tolerance;
+use super::stop::Stop;
+use clap::{Args, ValueEnum};
+use sheave::case::{Case, Key, Resolved};
+use sheave::drive::SolveOptions;
+use sheave::equilibrium::{Direction, DriveReport, EquilibriumError, equilibrium_outcome};
+use sheave::quantity::{Dimension, parse};
+
+/// Which way friction in the actuators acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Branch {
+    /// Shifting up: the primary closes against friction
+    Up,
+    /// Shifting back, as on a hill: the primary opens
+    Back,
+    /// Friction in the actuators left out
+    Frictionless,
+}
+
+impl From<Branch> for Direction {
+    fn from(branch: Branch) -> Self {
+        match branch {
+            Branch::Up => Self::Up,
+            Branch::Back => Self::Back,
+            Branch::Frictionless => Self::Frictionless,
+        }
+    }
+}
+
+/// Find where a whole drive settles: belt, actuators and engine as one problem
+///
+/// The case has [primary.actuator] and [secondary.actuator] with their springs, [engine], and if it likes [vehicle];
+/// the secondary turns at a speed that is given. Radii, engine speed, torque and clamp are found; what the case says of
+/// them is not used. Prints what presses, where the sheaves stand, the slip margin, the losses, and what a change of
+/// each part does; with --json one object in SI units.
+#[derive(Debug, Args)]
+#[command(after_long_help = super::keys::table() + "\n" + super::STATUS)]
+pub struct Arguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Speed of the secondary, in place of operating_point.secondary_speed: "2000 rpm"
+    #[arg(long, value_name = "SPEED", conflicts_with = "vehicle_speed")]
+    speed: Option<String>,
+    /// Speed of the vehicle, in place of the secondary's: "30 km/h"
+    #[arg(long, value_name = "SPEED")]
+    vehicle_speed: Option<String>,
+    /// Which way the drive shifts, and so which way friction in the actuators acts
+    #[arg(long, value_enum, default_value = "up")]
+    direction: Branch,
+    /// Relative tolerance of the solution, from 1e-12 to 0.1
+    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = tolerance)]
+    tol: f64,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let case = arguments.case.read()?;
+    let resolved = case.resolve()?;
+    let speed = arguments.secondary_speed(&case, &resolved)?;
+    let warnings = unused(&case);
+    let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
+    let (found, outcome) =
+        equilibrium_outcome(None, &resolved, speed, arguments.direction.into(), &options).map_err(stop)?;
+    let mut warnings: Vec<String> = warnings.into_iter().chain(sheave::result::warnings(&outcome)).collect();
+    let report = DriveReport::new(&resolved, &found, outcome, true).map_err(stop)?;
+    warnings.extend(beyond_engine(&resolved, report.primary_speed));
+    warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
+    if arguments.json {
+        return output::print(&envelope::object("drive", &resolved, &warnings, &report)?);
+    }
+    output::print(&report.summary())
+}
+
+impl Arguments {
+    fn secondary_speed(&self, case: &Case, resolved: &Resolved) -> Result<f64, Stop> {
+        if let Some(text) = &self.vehicle_speed {
+            let vehicle = resolved.parts.vehicle.as_ref();
+            let vehicle =
+                vehicle.ok_or_else(|| Stop::Usage("--vehicle-speed needs a case with [vehicle]".to_owned()))?;
+            return quantity("--vehicle-speed", text, Dimension::SPEED, "30 km/h")
+                .map(|speed| vehicle.secondary_speed(speed));
+        }
+        if let Some(text) = &self.speed {
+            return quantity("--speed", text, Dimension::ANGULAR_SPEED, "2000 rpm");
+        }
+        let given = case.settings().find_map(|(key, setting)| match setting {
+            sheave::case::Setting::Number(value) if key == Key::SecondarySpeed => Some(value),
+            _ => None,
+        });
+        given.ok_or_else(|| {
+            Stop::Usage(
+                "at which speed of the secondary? Give --speed \"2000 rpm\", --vehicle-speed \"30 km/h\", or \
+                 operating_point.secondary_speed in the case"
+                    .to_owned(),
+            )
+        })
+    }
+}
+
+/// A positive quantity from an option.
+pub(super) fn quantity(option: &str, text: &str, dimension: Dimension, example: &str) -> Result<f64, Stop> {
+    let read = parse(text).and_then(|quantity| quantity.expect(dimension));
+    let wrong =
+        |reason: String| Stop::Usage(format!("{option} {text}: {reason}; expected {dimension} such as \"{example}\""));
+    match read {
+        Ok(value) if value > 0.0 => Ok(value),
+        Ok(_) => Err(wrong("not positive".to_owned())),
+        Err(error) => Err(wrong(error.to_string())),
+    }
+}
+
+/// Keys of the case that an equilibrium does not use, lest they be thought to count.
+pub(super) fn unused(case: &Case) -> Vec<String> {
+    let found = |key: &Key| {
+        let section = key.entry().section();
+        let radii = [Key::PrimaryRadius, Key::SecondaryRadius, Key::Ratio, Key::Free];
+        (section == "operating_point" && *key != Key::SecondarySpeed) || radii.contains(key)
+    };
+    let told = |key: Key| format!("`{}` is not used: actuators, engine and belt determine it.", key.path());
+    case.keys().filter(found).map(told).collect()
+}
+
+/// An engine that would have to run where it is not known.
+pub(super) fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
+    let (low, high) = case.parts.engine.as_ref()?.range();
+    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+    (speed < low || speed > high).then(|| {
+        format!(
+            "The engine would run at {:.0} rpm, outside of the {:.0} to {:.0} rpm for which its torque is given.",
+            rpm(speed),
+            rpm(low),
+            rpm(high)
+        )
+    })
+}
+
+/// Why there is no equilibrium.
+pub(super) fn stop(error: EquilibriumError) -> Stop {
+    let reason = match error.hint() {
+        Some(hint) => format!("{error}\n{hint}"),
+        None => error.to_string(),
+    };
+    if error.is_bad_input() { Stop::Usage(reason) } else { Stop::NoSolution(reason) }
+}

@@ -1,0 +1,339 @@
+//! `sheave shift`: the shift curve of a whole drive.
+
+use super::case::CaseArguments;
+use super::drive::{beyond_engine, quantity, stop, unused};
+use super::envelope;
+use super::output;
+use super::solve::tolerance;
+use super::stop::Stop;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+use sheave::case::{Case, Resolved};
+use sheave::drive::SolveOptions;
+use sheave::equilibrium::{
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, deviation, read_measured,
+    shift_branch, shift_figures, shift_table,
+};
+use sheave::plot::Stack;
+use sheave::quantity::Dimension;
+use sheave::study::{Format, Table};
+use std::f64::consts::PI;
+use std::fmt::Write;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Which branches are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Branches {
+    /// Shifting up, then shifting back
+    Both,
+    /// Shifting up
+    Up,
+    /// Shifting back
+    Back,
+    /// Friction in the actuators left out
+    Frictionless,
+}
+
+/// Compute the shift curve of a whole drive: engine speed over road speed, up and back
+///
+/// The phases of a launch: where flyweights overcome their spring, where the belt takes the drive off, low ratio,
+/// shift-out, and high ratio until the engine gives no more torque. With --out a table, figures and the object; points
+/// without an equilibrium say why, and the run goes on. The table is kept after every point, so that Ctrl-C loses none.
+#[derive(Debug, Args)]
+#[command(after_long_help = super::STATUS)]
+pub struct Arguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Points of each direction, half of them between the stops
+    #[arg(long, value_name = "N", default_value = "24", value_parser = clap::value_parser!(u16).range(2..=2000))]
+    points: u16,
+    /// Which way
+    #[arg(long, value_enum, default_value = "both")]
+    direction: Branches,
+    /// Speed of the secondary at which the curve begins [default: where the belt takes off]
+    #[arg(long, value_name = "SPEED")]
+    from: Option<String>,
+    /// Speed of the secondary at which it ends [default: where the engine's torque is known no farther]
+    #[arg(long, value_name = "SPEED")]
+    to: Option<String>,
+    /// Measured points beside it: CSV with the columns secondary_rpm, primary_rpm, and if there are both ways direction
+    #[arg(long, value_name = "FILE")]
+    data: Option<PathBuf>,
+    /// The curve of another case in the same figure
+    #[arg(long, value_name = "OTHER.toml")]
+    compare: Option<PathBuf>,
+    /// Relative tolerance of the solutions, from 1e-12 to 0.1
+    #[arg(long, value_name = "T", default_value = "1e-6", value_parser = tolerance)]
+    tol: f64,
+    /// Write shift.csv, shift.json and the figures (SVG, PNG) into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the table into this file: .csv, .parquet or .json
+    #[arg(long, value_name = "FILE", value_parser = table_format)]
+    table: Option<PathBuf>,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+fn table_format(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let known = Format::of(&path).is_some();
+    if known { Ok(path) } else { Err("expected a name that ends in .csv, .parquet or .json".into()) }
+}
+
+/// What is known of one direction, SI.
+#[derive(Debug, Serialize)]
+struct BranchTold<'a> {
+    direction: Direction,
+    engagement_speed: Option<f64>,
+    take_off: Option<Landmark>,
+    shift_out: Option<Landmark>,
+    full_shift: Option<Landmark>,
+    deviation: Option<Deviation>,
+    remarks: &'a [String],
+}
+
+#[derive(Debug, Serialize)]
+struct Told<'a> {
+    edition: &'static str,
+    branches: Vec<BranchTold<'a>>,
+    points: serde_json::Value,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    let case = arguments.case.read()?;
+    let resolved = case.resolve()?;
+    let other = arguments.compare.as_deref().map(|path| Case::read(path)?.resolve()).transpose()?;
+    let measured = arguments.data.as_deref().map(read_data).transpose()?.unwrap_or_default();
+    let options = arguments.options()?;
+    if let Some(folder) = &arguments.out {
+        output::create_folder(folder)?;
+    }
+    let mut warnings = unused(&case);
+    let branches = arguments.branches(&resolved, &options, true)?;
+    let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
+    let last = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
+    let fastest = last.map(|report| report.primary_speed).fold(0.0, f64::max);
+    warnings.extend(beyond_engine(&resolved, fastest));
+    let (failures, points) = failures(&branches);
+    if failures > 0 {
+        warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));
+    }
+    warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
+    let told = told(&resolved, &branches, &measured)?;
+    arguments.deliver(&resolved, &branches, compared.as_deref(), &measured, &told, &warnings)?;
+    if failures == points {
+        let reasons = branches.iter().flat_map(|branch| branch.remarks.iter().cloned());
+        let failed = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().err());
+        let reason = reasons.chain(failed.cloned()).next().unwrap_or_default();
+        return Err(Stop::NoSolution(format!("no point of the shift curve has an equilibrium: {reason}")));
+    }
+    if arguments.json {
+        return output::print(&envelope::object("shift", &resolved, &warnings, &told)?);
+    }
+    output::print(&summary(&resolved, &branches, &told))
+}
+
+impl Arguments {
+    fn options(&self) -> Result<ShiftOptions, Stop> {
+        let speed = |option: &str, text: &Option<String>| {
+            text.as_ref().map(|text| quantity(option, text, Dimension::ANGULAR_SPEED, "2000 rpm")).transpose()
+        };
+        let directions = match self.direction {
+            Branches::Both => vec![Direction::Up, Direction::Back],
+            Branches::Up => vec![Direction::Up],
+            Branches::Back => vec![Direction::Back],
+            Branches::Frictionless => vec![Direction::Frictionless],
+        };
+        Ok(ShiftOptions {
+            points: self.points.into(),
+            directions,
+            from: speed("--from", &self.from)?,
+            to: speed("--to", &self.to)?,
+            solve: SolveOptions { tolerance: self.tol, ..SolveOptions::default() },
+        })
+    }
+
+    /// All branches of a case; what was found so far is written after every point.
+    fn branches(&self, case: &Resolved, options: &ShiftOptions, keep: bool) -> Result<Vec<ShiftBranch>, Stop> {
+        let mut branches: Vec<ShiftBranch> = Vec::new();
+        for direction in &options.directions {
+            let mut points = Vec::new();
+            let mut broken = None;
+            let mut see = |point: &sheave::equilibrium::ShiftPoint| {
+                let rpm = point.secondary_speed * 30.0 / PI;
+                tracing::info!("{} at {rpm:.0} rpm: {}", direction.name(), point_words(point));
+                points.push(point.clone());
+                let partial = ShiftBranch {
+                    direction: *direction,
+                    engagement: None,
+                    take_off: None,
+                    shift_out: None,
+                    full_shift: None,
+                    points: points.clone(),
+                    remarks: Vec::new(),
+                };
+                let so_far: Vec<ShiftBranch> = branches.iter().cloned().chain([partial]).collect();
+                match if keep { self.write_tables(&shift_table(&so_far)) } else { Ok(()) } {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(error) => {
+                        broken = Some(error);
+                        ControlFlow::Break(())
+                    }
+                }
+            };
+            let branch = shift_branch(case, *direction, options, &mut see).map_err(stop)?;
+            if let Some(error) = broken {
+                return Err(error);
+            }
+            branches.push(branch);
+        }
+        Ok(branches)
+    }
+
+    fn write_tables(&self, table: &Table) -> Result<(), Stop> {
+        if let Some(folder) = &self.out {
+            output::write_file(folder, "shift.csv", |to| Format::Csv.write(table, to))?;
+        }
+        if let (Some(path), Some(format)) = (&self.table, self.table.as_deref().and_then(Format::of)) {
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            output::write_file(folder, &name, |to| format.write(table, to))?;
+        }
+        Ok(())
+    }
+
+    fn deliver(
+        &self,
+        case: &Resolved,
+        branches: &[ShiftBranch],
+        compared: Option<&[ShiftBranch]>,
+        measured: &[Measured],
+        told: &Told<'_>,
+        warnings: &[String],
+    ) -> Result<(), Stop> {
+        self.write_tables(&shift_table(branches))?;
+        let Some(folder) = &self.out else { return Ok(()) };
+        let text = envelope::object("shift", case, warnings, told)?;
+        output::write_file(folder, "shift.json", |to| to.write_all(text.as_bytes()))?;
+        let name = self.compare.as_deref().and_then(Path::file_stem).map(|name| name.to_string_lossy().into_owned());
+        let other = name.unwrap_or_default();
+        let mut curves = vec![ShiftCurve { name: "this", branches }];
+        curves.extend(compared.map(|branches| ShiftCurve { name: &other, branches }));
+        let panels = shift_figures(&curves, case.parts.vehicle.as_ref(), measured);
+        let stack = Stack { name: "shift".into(), caption: "The shift curve of a whole drive".into(), panels };
+        let (svg, png) = (stack.svg()?, stack.png()?);
+        output::write_file(folder, "shift.svg", |to| to.write_all(svg.as_bytes()))?;
+        output::write_file(folder, "shift.png", |to| to.write_all(&png))
+    }
+}
+
+fn read_data(path: &Path) -> Result<Vec<Measured>, Stop> {
+    let file = std::fs::File::open(path).map_err(|error| Stop::Usage(format!("{}: {error}", path.display())))?;
+    read_measured(file).map_err(|error| Stop::Usage(format!("{} {error}", path.display())))
+}
+
+/// Points without an equilibrium, and all points.
+fn failures(branches: &[ShiftBranch]) -> (usize, usize) {
+    let points = || branches.iter().flat_map(|branch| &branch.points);
+    (points().filter(|point| point.report.is_err()).count(), points().count())
+}
+
+fn point_words(point: &sheave::equilibrium::ShiftPoint) -> String {
+    match &point.report {
+        Ok(report) => format!("{:.0} rpm, {}", report.primary_speed * 30.0 / PI, report.phase),
+        Err(reason) => reason.clone(),
+    }
+}
+
+fn told<'a>(case: &Resolved, branches: &'a [ShiftBranch], measured: &[Measured]) -> Result<Told<'a>, Stop> {
+    let mut rows = Vec::new();
+    let written = Format::Json.write(&shift_table(branches), &mut rows);
+    written.map_err(|error| Stop::Write("JSON".into(), error))?;
+    let points = serde_json::from_slice(&rows).map_err(|error| Stop::Write("JSON".into(), error.into()))?;
+    let branches = branches.iter().map(|branch| BranchTold {
+        direction: branch.direction,
+        engagement_speed: branch.engagement,
+        take_off: branch.take_off,
+        shift_out: branch.shift_out,
+        full_shift: branch.full_shift,
+        deviation: deviation(branch, measured),
+        remarks: &branch.remarks,
+    });
+    Ok(Told { edition: case.edition.name(), branches: branches.collect(), points })
+}
+
+fn summary(case: &Resolved, branches: &[ShiftBranch], told: &Told<'_>) -> String {
+    let rpm = |speed: f64| speed * 30.0 / PI;
+    let mut text = format!("Shift curve, edition {}\n", told.edition);
+    for (branch, told) in branches.iter().zip(&told.branches) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "\n{}", branch.direction.name());
+        if let Some(speed) = branch.engagement {
+            let _ = writeln!(text, "  {:<22}{:>6.0} rpm", "flyweights engage", rpm(speed));
+        }
+        for (name, place) in
+            [("belt takes off", branch.take_off), ("shift-out", branch.shift_out), ("full shift", branch.full_shift)]
+        {
+            if let Some(place) = place {
+                let (engine, road) = (rpm(place.primary_speed), rpm(place.secondary_speed));
+                let _ = writeln!(
+                    text,
+                    "  {name:<22}{engine:>6.0} rpm at a secondary of {road:.0} rpm, ratio {:.2}",
+                    place.ratio
+                );
+            }
+        }
+        if let Some(found) = told.deviation {
+            let _ = writeln!(
+                text,
+                "  {:<22}{:>6.0} rpm rms, {:+.0} rpm on average, over {} measured points",
+                "beside the data",
+                rpm(found.rms),
+                rpm(found.mean),
+                found.points
+            );
+        }
+        let _ = writeln!(text, "\n{}", rows(case, branch));
+        branch.remarks.iter().for_each(|remark| _ = writeln!(text, "  {remark}"));
+    }
+    text
+}
+
+fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
+    let rpm = |speed: f64| speed * 30.0 / PI;
+    let road = if case.parts.vehicle.is_some() { "km/h" } else { "" };
+    let mut text = format!(
+        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>9}{:>8}{:>9}\n",
+        "secondary", road, "engine", "ratio", "", "primary", "secondary", "slip", "effi-"
+    );
+    let _ = writeln!(
+        text,
+        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>9}{:>8}{:>9}",
+        "rpm", "", "rpm", "", "", "N", "N", "reserve", "ciency"
+    );
+    for point in &branch.points {
+        let secondary = rpm(point.secondary_speed);
+        match &point.report {
+            Ok(report) => {
+                let road = report.vehicle_speed.map_or_else(String::new, |speed| format!("{:.1}", 3.6 * speed));
+                let slip =
+                    if report.slipping { "slips".into() } else { format!("{:.1} %", 100.0 * report.slip_reserve) };
+                let share = report.efficiency.map_or_else(|| "-".into(), |share| format!("{:.1} %", 100.0 * share));
+                let _ = writeln!(
+                    text,
+                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<9}{:>9.0}{:>9.0}{slip:>8}{share:>9}",
+                    rpm(report.primary_speed),
+                    report.ratio,
+                    report.phase,
+                    report.primary_axial_force,
+                    report.secondary_axial_force,
+                );
+            }
+            Err(reason) => _ = writeln!(text, "  {secondary:>9.0}  {reason}"),
+        }
+    }
+    text
+}

@@ -1,0 +1,83 @@
+//! The temperature of the belt in the equilibrium of a drive.
+
+use super::error::EquilibriumError;
+use super::point::{Direction, Equilibrium};
+use super::question::{equilibrium, equilibrium_from};
+use crate::case::{Resolved, Thermal};
+use crate::clock::Stopwatch;
+use crate::drive::{Failure, SolveOptions};
+use crate::losses::at_temperature;
+use crate::result::{Outcome, interpret};
+
+/// Temperatures that are tried at most, and by how much two of them may differ in the end, K.
+const TRIED: usize = 30;
+const SETTLED: f64 = 1e-3;
+/// Largest step between two of them, K.
+const LARGEST_STEP: f64 = 50.0;
+
+/// The equilibrium with the belt as warm as its losses make it, and what the belt does there; without heat in the case,
+/// with the stiffnesses that are given. From the equilibrium of a drive nearby, or from nothing.
+///
+/// # Errors
+/// See [`EquilibriumError`].
+pub fn equilibrium_outcome(
+    near: Option<&Equilibrium>,
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<(Equilibrium, Outcome), EquilibriumError> {
+    let start = Stopwatch::start();
+    let solve = |near: Option<&Equilibrium>, case: &Resolved| match near {
+        Some(near) => equilibrium_from(near, case, secondary_speed, direction, options)
+            .or_else(|_| equilibrium(case, secondary_speed, direction, options)),
+        None => equilibrium(case, secondary_speed, direction, options),
+    };
+    let Some(thermal) = case.thermal else {
+        let found = solve(near, case)?;
+        let outcome = read(&found, case, options, start)?;
+        return Ok((found, outcome));
+    };
+    let mut temperature = thermal.reference;
+    let mut before: Option<(f64, f64)> = None;
+    let mut here = solve(near, &at_temperature(case, &thermal, temperature))?;
+    for _ in 0..TRIED {
+        let outcome = read(&here, &at_temperature(case, &thermal, temperature), options, start)?;
+        let balanced = thermal.ambient + heat(&outcome, &thermal) / thermal.heat_transfer;
+        let missing = balanced - temperature;
+        if missing.abs() <= SETTLED {
+            let mut outcome = outcome;
+            outcome.result.belt.temperature = Some(temperature);
+            return Ok((here, outcome));
+        }
+        // The secant of "balanced less temperature"; at first as if the heat did not depend on the temperature.
+        let step = match before {
+            Some((other, missed)) if missed != missing => -missing * (temperature - other) / (missing - missed),
+            _ => missing,
+        };
+        before = Some((temperature, missing));
+        temperature += if step.is_finite() { step.clamp(-LARGEST_STEP, LARGEST_STEP) } else { missing };
+        here = solve(Some(&here), &at_temperature(case, &thermal, temperature))?;
+    }
+    let failure = Box::new(Failure::Temperature { temperature });
+    Err(EquilibriumError::Failure { phase: here.phase, failure })
+}
+
+/// What the belt does in an equilibrium.
+fn read(
+    found: &Equilibrium,
+    case: &Resolved,
+    options: &SolveOptions,
+    start: Stopwatch,
+) -> Result<Outcome, EquilibriumError> {
+    let mut posed = found.operating_case(case);
+    posed.thermal = None;
+    interpret(&posed, options, found.solved.clone(), start)
+        .map_err(|failure| EquilibriumError::Failure { phase: found.phase, failure: Box::new(failure) })
+}
+
+/// Heat into the belt, W: its hysteresis, and its share of the friction loss.
+fn heat(outcome: &Outcome, thermal: &Thermal) -> f64 {
+    let hysteresis = outcome.result.losses.as_ref().map_or(0.0, |losses| losses.bending + losses.groove + losses.cord);
+    hysteresis + thermal.friction_share * outcome.result.energy.friction_loss
+}

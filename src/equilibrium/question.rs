@@ -1,0 +1,302 @@
+//! From a drive and a speed of its secondary to its equilibrium.
+
+use std::sync::Arc;
+
+use super::error::EquilibriumError;
+use super::estimate::{Estimate, elsewhere, estimate};
+use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
+use super::point::{Direction, Equilibrium, Phase, Stop};
+use crate::actuator::PrimaryActuator;
+use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
+use crate::drive::{
+    Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question,
+    solve_question_from,
+};
+use crate::powertrain::Engine;
+
+/// States that are tried at most: from one end to the other and back.
+const STATES: usize = 5;
+/// A typical force of an actuator, N.
+const FORCE: f64 = 1000.0;
+/// Travel in m, and share of a force, by which a stop may be missed.
+const TRAVEL_SLACK: f64 = 1e-9;
+const FORCE_SLACK: f64 = 1e-6;
+
+/// What is given of a drive, beside its parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Given {
+    /// Speed of the secondary, rad/s.
+    SecondarySpeed(f64),
+    /// A stop that the sheave touches without a force: where a phase begins or ends.
+    Corner(Stop),
+    /// Speed efficiency at the low stop: where the belt takes the drive off.
+    SpeedEfficiency(f64),
+}
+
+/// A drive with all its parts.
+pub(super) struct Whole<'a> {
+    case: &'a Resolved,
+    actuation: &'a Actuation,
+    engine: &'a Engine,
+    given: Given,
+    direction: Direction,
+}
+
+/// The equilibrium of a drive whose secondary turns at `secondary_speed` in rad/s, from nothing. Of the case, belt,
+/// sheaves, center distance, actuators and engine count; its operating point and its radii do not.
+///
+/// # Errors
+/// See [`EquilibriumError`].
+pub fn equilibrium(
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<Equilibrium, EquilibriumError> {
+    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
+    let near = whole.rough();
+    whole.engaged(&near)?;
+    let from = |near: &Estimate| {
+        let question = whole.question(near.phase, &start(case, near));
+        let solved = solve_question(&case.model, &question, options);
+        whole.settle(whole.read(solved.map_err(|failure| whole.failed(near.phase, failure))?, near.phase)?, options)
+    };
+    let first = match from(&near) {
+        Err(error) if !error.is_bad_input() => error,
+        other => return other,
+    };
+    // A start that leads nowhere may do so because the drive is not where it was taken to be.
+    let others = elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction);
+    others.iter().find_map(|other| from(other).ok()).ok_or(first)
+}
+
+/// As [`equilibrium`], from that of a case nearby: other parts, or another speed.
+///
+/// # Errors
+/// See [`EquilibriumError`].
+pub fn equilibrium_from(
+    near: &Equilibrium,
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<Equilibrium, EquilibriumError> {
+    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
+    whole.settle_from(&near.solved, near.phase, options)
+}
+
+impl<'a> Whole<'a> {
+    pub fn new(case: &'a Resolved, given: Given, direction: Direction) -> Result<Self, EquilibriumError> {
+        if let Given::SecondarySpeed(speed) = given
+            && !(speed > 0.0 && speed.is_finite())
+        {
+            return Err(EquilibriumError::Speed(speed));
+        }
+        let actuation = case.parts.actuation.as_ref().ok_or(EquilibriumError::Missing {
+            what: "actuators",
+            needs: "give [primary.actuator] and [secondary.actuator] with their springs",
+        })?;
+        let engine = case
+            .parts
+            .engine
+            .as_ref()
+            .ok_or(EquilibriumError::Missing { what: "engine", needs: "give [engine] with speeds and torques" })?;
+        Ok(Self { case, actuation, engine, given, direction })
+    }
+
+    /// A rough equilibrium, to begin with.
+    pub fn rough(&self) -> Estimate {
+        let speed = match self.given {
+            Given::SecondarySpeed(speed) => speed,
+            Given::Corner(_) | Given::SpeedEfficiency(_) => self.engine.range().0,
+        };
+        estimate(self.case, self.actuation, self.engine, speed, self.direction)
+    }
+
+    /// The equilibrium at an end of a phase, from one of the same drive.
+    pub fn corner(&self, from: &Equilibrium, options: &SolveOptions) -> Result<Equilibrium, EquilibriumError> {
+        let phase = match self.given {
+            Given::Corner(Stop::SecondaryClosed) | Given::SpeedEfficiency(_) => Phase::Low,
+            Given::Corner(stop) => Phase::High(stop),
+            Given::SecondarySpeed(_) => from.phase,
+        };
+        let question = self.question(phase, &posed_at(self.case, &from.solved));
+        let solved = approach_question(&from.solved, &self.case.model, &question, options);
+        self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)
+    }
+
+    /// Refuses a drive whose primary is open.
+    fn engaged(&self, near: &Estimate) -> Result<(), EquilibriumError> {
+        let half_angle = self.case.sheave.half_angle;
+        let travel = crate::actuator::travel(half_angle, self.actuation.start_radius, near.primary_radius);
+        match self.actuation.primary.force(near.speed, travel, self.direction.primary()) {
+            Err(error) => Err(EquilibriumError::Actuator { phase: near.phase, error }),
+            Ok(Some(force)) if force.value <= 0.0 => {
+                Err(EquilibriumError::Disengaged { speed: near.speed, force: -force.value })
+            }
+            Ok(_) => Ok(()),
+        }
+    }
+
+    /// What is asked of the belt in a phase: constants as in `at`, five or four of them unknown.
+    fn question(&self, phase: Phase, at: &Resolved) -> Question {
+        let slope = 2.0 * self.case.sheave.half_angle.tan();
+        let mut question = Question::of(at);
+        let closed = self.actuation.closed_radius;
+        match phase {
+            Phase::Low | Phase::High(Stop::SecondaryClosed) => question.constants[Constant::SecondaryRadius] = closed,
+            Phase::High(Stop::SecondaryOpen) => {
+                let travel = self.actuation.secondary_travel.unwrap_or(0.0);
+                question.constants[Constant::SecondaryRadius] = closed - travel / slope;
+            }
+            Phase::High(Stop::PrimaryClosed) => {
+                let travel = self.actuation.primary_travel.unwrap_or(0.0);
+                question.constants[Constant::PrimaryRadius] = self.actuation.start_radius + travel / slope;
+            }
+            Phase::Held => {
+                let travel = match self.actuation.primary {
+                    PrimaryActuator::Position(travel) => travel,
+                    PrimaryActuator::Flyweights { .. } | PrimaryActuator::Force(_) => 0.0,
+                };
+                question.constants[Constant::PrimaryRadius] = self.actuation.start_radius + travel / slope;
+            }
+            Phase::Shifting => {}
+        }
+        let primary_is_given = matches!(phase, Phase::High(Stop::PrimaryClosed) | Phase::Held);
+        let other = if primary_is_given { Constant::SecondaryRadius } else { Constant::PrimaryRadius };
+        let question = question.swap(other, Output::BeltUnstretchedLength, self.case.belt.length);
+        let mut question = match self.given {
+            Given::SecondarySpeed(speed) => question.swap(Constant::PrimarySpeed, Output::SecondarySpeed, speed),
+            Given::SpeedEfficiency(share) => question.swap(Constant::PrimarySpeed, Output::EfficiencySpeed, share),
+            // The law of the pulley that touches its stop holds as well.
+            Given::Corner(Stop::PrimaryClosed) => question.close(self.by_primary(Constant::PrimarySpeed)),
+            Given::Corner(Stop::SecondaryClosed | Stop::SecondaryOpen) => {
+                question.close(self.by_secondary(Constant::PrimarySpeed))
+            }
+        };
+        question = question.close(self.by_engine());
+        if !primary_is_given {
+            question = question.close(self.by_primary(Constant::SlackTension));
+        }
+        match phase {
+            Phase::Shifting => question.close(self.by_secondary(Constant::SecondaryRadius)),
+            Phase::High(Stop::PrimaryClosed) | Phase::Held => question.close(self.by_secondary(Constant::SlackTension)),
+            Phase::Low | Phase::High(Stop::SecondaryOpen | Stop::SecondaryClosed) => question,
+        }
+    }
+
+    fn by_engine(&self) -> Closing {
+        let law = EngineLaw { engine: self.engine.clone() };
+        Closing { free: Constant::PrimaryTorque, law: Arc::new(law) }
+    }
+
+    fn by_primary(&self, free: Constant) -> Closing {
+        let law = PrimaryLaw {
+            actuator: self.actuation.primary.clone(),
+            shift: self.direction.primary(),
+            start_radius: self.actuation.start_radius,
+            scale: FORCE,
+        };
+        Closing { free, law: Arc::new(law) }
+    }
+
+    fn by_secondary(&self, free: Constant) -> Closing {
+        let law = SecondaryLaw {
+            actuator: self.actuation.secondary.clone(),
+            shift: self.direction.secondary(),
+            closed_radius: self.actuation.closed_radius,
+            scale: FORCE,
+        };
+        Closing { free, law: Arc::new(law) }
+    }
+
+    fn read(&self, solved: Solved, phase: Phase) -> Result<Equilibrium, EquilibriumError> {
+        Equilibrium::of(self.actuation, solved, phase, self.direction)
+    }
+
+    fn failed(&self, phase: Phase, failure: Failure) -> EquilibriumError {
+        EquilibriumError::Failure { phase, failure: Box::new(failure) }
+    }
+
+    /// The phase that a state is to be left for; none if it is consistent with all stops.
+    fn other(&self, found: &Equilibrium) -> Option<Phase> {
+        let pulls = |belt: f64| found.forces.stop.is_some_and(|force| force < -FORCE_SLACK * belt);
+        match found.phase {
+            Phase::Held => None,
+            Phase::Low => pulls(found.forces.secondary_belt).then_some(Phase::Shifting),
+            Phase::High(Stop::PrimaryClosed) => pulls(found.forces.primary_belt).then_some(Phase::Shifting),
+            Phase::High(_) => pulls(found.forces.secondary_belt).then_some(Phase::Shifting),
+            Phase::Shifting => {
+                let beyond = |travel: f64, most: Option<f64>| most.is_some_and(|most| travel > most + TRAVEL_SLACK);
+                if found.secondary_travel < -TRAVEL_SLACK {
+                    Some(Phase::Low)
+                } else if beyond(found.primary_travel, self.actuation.primary_travel) {
+                    Some(Phase::High(Stop::PrimaryClosed))
+                } else if beyond(found.secondary_travel, self.actuation.secondary_travel) {
+                    Some(Phase::High(Stop::SecondaryOpen))
+                } else {
+                    None
+                }
+            }
+        }
+    }
+
+    /// Goes on from a state to the one that is consistent with all stops.
+    fn settle(&self, found: Equilibrium, options: &SolveOptions) -> Result<Equilibrium, EquilibriumError> {
+        let mut here = found;
+        for _ in 0..STATES {
+            let Some(phase) = self.other(&here) else { return Ok(here) };
+            let question = self.question(phase, &posed_at(self.case, &here.solved));
+            let solved = approach_question(&here.solved, &self.case.model, &question, options);
+            here = self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)?;
+        }
+        Err(EquilibriumError::Cycle(STATES))
+    }
+
+    /// From the solution of a drive nearby, taken to be in the same phase first.
+    fn settle_from(
+        &self,
+        near: &Solved,
+        phase: Phase,
+        options: &SolveOptions,
+    ) -> Result<Equilibrium, EquilibriumError> {
+        let question = self.question(phase, &posed_at(self.case, near));
+        let solved = solve_question_from(near, &self.case.model, &question, options)
+            .or_else(|_| approach_question(near, &self.case.model, &question, options));
+        let found = self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)?;
+        self.settle(found, options)
+    }
+}
+
+/// The case as an ordinary operating point at a rough equilibrium.
+fn start(case: &Resolved, near: &Estimate) -> Resolved {
+    let mut posed = ordinary(case);
+    posed.drive.primary_radius = near.primary_radius;
+    posed.drive.secondary_radius = near.secondary_radius;
+    posed.operating_point.speed = Speed::Primary(near.speed);
+    posed.operating_point.load = Load::PrimaryTorque(near.torque);
+    posed.operating_point.clamp = Clamp::SlackTension(near.slack_tension);
+    posed
+}
+
+/// The case as an ordinary operating point at a solution.
+pub(super) fn posed_at(case: &Resolved, solved: &Solved) -> Resolved {
+    let mut posed = ordinary(case);
+    posed.drive.primary_radius = solved.constant(Constant::PrimaryRadius);
+    posed.drive.secondary_radius = solved.constant(Constant::SecondaryRadius);
+    posed.operating_point.speed = Speed::Primary(solved.constant(Constant::PrimarySpeed));
+    posed.operating_point.load = Load::PrimaryTorque(solved.constant(Constant::PrimaryTorque));
+    posed.operating_point.clamp = Clamp::SlackTension(solved.constant(Constant::SlackTension));
+    posed
+}
+
+/// The case with nothing free and nothing prescribed.
+fn ordinary(case: &Resolved) -> Resolved {
+    let mut posed = case.clone();
+    posed.drive.free = None;
+    posed.operating_point.fourth = None;
+    posed.operating_point.margin = None;
+    posed.swaps.clear();
+    posed.found.clear();
+    posed
+}

@@ -1,0 +1,196 @@
+//! The box of parts: kinds, each with the parts among which one is chosen.
+
+use std::path::Path;
+
+use super::error::TuneError;
+use crate::case::{Case, Key};
+
+/// Combinations at most.
+pub const MAX_CANDIDATES: usize = 1_000_000;
+
+/// A box of parts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartsBox {
+    /// Kinds, in the order of the file.
+    pub kinds: Vec<PartKind>,
+}
+
+/// A kind of part: flyweights, springs, helices.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartKind {
+    /// Its name.
+    pub name: String,
+    /// The parts among which one is chosen.
+    pub parts: Vec<Part>,
+}
+
+/// One part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Its name.
+    pub name: String,
+    /// Keys of the case that it sets, with their values as in a case file.
+    pub settings: Vec<(String, String)>,
+}
+
+impl PartsBox {
+    /// Reads a file of parts: a table for each kind, in it a table for each part with the keys of the case that it sets,
+    /// or one key with a list of values.
+    ///
+    /// # Errors
+    /// [`TuneError::Parts`] says what is wrong, and where.
+    pub fn read(path: &Path) -> Result<Self, TuneError> {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| TuneError::Parts { path: name.clone(), reason: error.to_string() })?;
+        Self::from_toml(&name, &text)
+    }
+
+    /// As [`PartsBox::read`], from the text of a file.
+    ///
+    /// # Errors
+    /// As [`PartsBox::read`].
+    pub fn from_toml(path: &str, text: &str) -> Result<Self, TuneError> {
+        let wrong = |reason: String| TuneError::Parts { path: path.to_owned(), reason };
+        let file: toml::Table = text.parse().map_err(|error: toml::de::Error| wrong(error.to_string()))?;
+        let mut kinds = Vec::new();
+        for (name, content) in file {
+            let toml::Value::Table(content) = content else {
+                return Err(wrong(format!("`{name}`: expected a table of parts, such as [{name}]")));
+            };
+            kinds.push(kind(name, content).map_err(wrong)?);
+        }
+        let all = kinds.iter().try_fold(1_usize, |all, kind| all.checked_mul(kind.parts.len()));
+        match all {
+            _ if kinds.is_empty() => Err(wrong("there are no parts in it".into())),
+            Some(1..=MAX_CANDIDATES) => Ok(Self { kinds }),
+            _ => Err(wrong(format!("there are more than {MAX_CANDIDATES} combinations, or none"))),
+        }
+    }
+
+    /// Number of combinations.
+    pub fn candidates(&self) -> usize {
+        self.kinds.iter().map(|kind| kind.parts.len()).product()
+    }
+
+    /// The parts of a combination, one of each kind, counted in the order of the file with the last kind fastest.
+    pub fn parts(&self, candidate: usize) -> Vec<&Part> {
+        let mut rest = candidate;
+        let mut parts: Vec<&Part> = Vec::with_capacity(self.kinds.len());
+        for kind in self.kinds.iter().rev() {
+            parts.extend(kind.parts.get(rest % kind.parts.len().max(1)));
+            rest /= kind.parts.len().max(1);
+        }
+        parts.reverse();
+        parts
+    }
+
+    /// A case with the parts of a combination in it.
+    ///
+    /// # Errors
+    /// What the case says of a key or its value.
+    pub fn case(&self, base: &Case, candidate: usize) -> Result<Case, crate::case::CaseError> {
+        let mut case = base.clone();
+        for (key, value) in self.parts(candidate).into_iter().flat_map(|part| &part.settings) {
+            case.set(key, value)?;
+        }
+        Ok(case)
+    }
+}
+
+/// The parts of a kind.
+fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
+    let mut parts = Vec::new();
+    for (entry, value) in content {
+        let toml::Value::Table(table) = value else {
+            return Err(format!("`{name}.{entry}`: expected the keys that the part sets, in braces"));
+        };
+        let mut leaves = Vec::new();
+        if is_section(&entry) {
+            // One key with a list of its values.
+            leaves_of(&entry, table, &mut leaves);
+            let [(path, toml::Value::Array(values))] = leaves.as_slice() else {
+                return Err(format!("`{name}.{entry}`: expected one key of the case with a list of values"));
+            };
+            for value in values {
+                let text =
+                    text(value).ok_or_else(|| format!("`{name}`: a value of `{path}` is neither text nor a number"))?;
+                parts.push(Part { name: text.clone(), settings: vec![(path.clone(), text)] });
+            }
+            continue;
+        }
+        leaves_of("", table, &mut leaves);
+        let settings = leaves.iter().map(|(path, value)| {
+            let text = text(value).ok_or_else(|| format!("`{name}.{entry}`: `{path}` is neither text nor a number"))?;
+            Ok((path.clone(), text))
+        });
+        parts.push(Part { settings: settings.collect::<Result<_, String>>()?, name: entry });
+    }
+    for (path, _) in parts.iter().flat_map(|part| &part.settings) {
+        if Key::from_path(path).is_none() {
+            let near = Key::nearest(path).map_or(String::new(), |key| format!("; did you mean `{}`?", key.path()));
+            return Err(format!("`{name}`: `{path}` is no key of a case{near}"));
+        }
+    }
+    if parts.is_empty() { Err(format!("`{name}` has no parts")) } else { Ok(PartKind { name, parts }) }
+}
+
+/// Whether a name is that of a section of the case file rather than of a part.
+fn is_section(name: &str) -> bool {
+    crate::case::sections().any(|section| section.split('.').next() == Some(name))
+}
+
+fn leaves_of(path: &str, table: toml::Table, leaves: &mut Vec<(String, toml::Value)>) {
+    for (name, value) in table {
+        let path = if path.is_empty() { name } else { format!("{path}.{name}") };
+        match value {
+            toml::Value::Table(table) => leaves_of(&path, table, leaves),
+            value => leaves.push((path, value)),
+        }
+    }
+}
+
+/// A value as a case takes it.
+fn text(value: &toml::Value) -> Option<String> {
+    match value {
+        toml::Value::String(text) => Some(text.clone()),
+        toml::Value::Integer(number) => Some(number.to_string()),
+        toml::Value::Float(number) => Some(number.to_string()),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = r#"
+        [flyweight]
+        "1045" = { primary.actuator.mass = "45 g" }
+        "1072" = { primary.actuator.mass = "72 g", primary.actuator.count = 3 }
+
+        [helix]
+        secondary.actuator.helix_angle = ["32 deg", "34 deg", "36 deg"]
+    "#;
+
+    #[test]
+    fn kinds_and_lists_are_read() {
+        let parts = PartsBox::from_toml("parts.toml", TEXT).unwrap();
+        assert_eq!(parts.candidates(), 6);
+        let names = |candidate: usize| parts.parts(candidate).iter().map(|part| part.name.clone()).collect::<Vec<_>>();
+        assert_eq!([names(0), names(4)], [["1045", "32 deg"], ["1072", "34 deg"]]);
+        assert_eq!(parts.kinds[0].parts[1].settings[1], ("primary.actuator.count".into(), "3".into()));
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let said = |text: &str| PartsBox::from_toml("parts.toml", text).unwrap_err().to_string();
+        assert!(said("").contains("no parts"));
+        assert!(said("a = 1").contains("expected a table of parts"));
+        assert!(said("[a]").contains("has no parts"));
+        assert!(said("[a]\nb = 1").contains("in braces"));
+        assert!(said("[a]\nb = { primary.actuator.mas = \"1 g\" }").contains("primary.actuator.mass"));
+        assert!(said("[a]\nsecondary.actuator.helix_angle = \"32 deg\"").contains("a list of values"));
+        assert!(said("[a").contains("parts.toml"));
+    }
+}

@@ -1,0 +1,347 @@
+//! The shift of a drive on a map of its belt: where flyweights, springs and helix balance the belt.
+
+use super::error::TuneError;
+use crate::actuator::{ActuatorError, Shift, travel};
+use crate::beltmap::{BeltMap, MapPoint, Outside, Quantity};
+use crate::case::geometry::radius_beside;
+use crate::case::{Actuation, Key, Resolved};
+use crate::powertrain::Engine;
+
+/// Newton steps at a point of the shift, and how often one of them is halved to stay on the map.
+const STEPS: usize = 30;
+const HALVINGS: usize = 12;
+/// Forces balance to this share of the belt's.
+const BALANCED: f64 = 1e-8;
+/// Largest step of the speed in a Newton step, as a share of it.
+const STRIDE: f64 = 0.25;
+
+/// What a search needs of the map: places of its axes.
+#[derive(Debug, Clone, Copy)]
+pub struct Screen<'a> {
+    map: &'a BeltMap,
+    ratio: usize,
+    torque: usize,
+    speed: usize,
+    tension: usize,
+}
+
+/// A point of the shift.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShiftPoint {
+    /// Nominal ratio R_S/R_P.
+    pub ratio: f64,
+    /// Speed of the primary, rad/s.
+    pub primary_speed: f64,
+    /// Speed of the secondary, rad/s.
+    pub secondary_speed: f64,
+    /// Slack tension, N.
+    pub slack_tension: f64,
+    /// Share of the friction at hand that is left over.
+    pub slip_reserve: f64,
+    /// Power out over power in, with losses where the map has them.
+    pub efficiency: f64,
+}
+
+/// Why a combination of parts has no shift on the map.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unfit {
+    /// An actuator gives no force.
+    #[error("at ratio {ratio:.2}, {error}")]
+    Actuator {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Why.
+        error: ActuatorError,
+    },
+    /// The clamp is below the slip limit.
+    #[error("at ratio {ratio:.2}, the parts press with too little: the belt slips")]
+    Slips {
+        /// Nominal ratio.
+        ratio: f64,
+    },
+    /// No balance at a speed of the map.
+    #[error("at ratio {ratio:.2}, the forces balance at no speed from {from:.0} to {to:.0} rad/s")]
+    Speed {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Least speed of the map, rad/s.
+        from: f64,
+        /// Largest, rad/s.
+        to: f64,
+    },
+    /// A clamp beyond the map.
+    #[error("at ratio {ratio:.2}, the parts press with more than the map has: over {tension:.0} N of slack tension")]
+    Tight {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Largest slack tension of the map, N.
+        tension: f64,
+    },
+    /// The balance was not found.
+    #[error("at ratio {ratio:.2}, no balance of forces was found")]
+    Lost {
+        /// Nominal ratio.
+        ratio: f64,
+    },
+}
+
+impl Unfit {
+    /// In a word, for counts.
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::Actuator { error: ActuatorError::SpringSolid { .. }, .. } => "spring beyond its solid length",
+            Self::Actuator { error: ActuatorError::HelixContact { .. }, .. } => "helix without contact",
+            Self::Actuator { .. } => "actuator without force",
+            Self::Slips { .. } => "belt slips",
+            Self::Speed { .. } => "no balance at a speed of the map",
+            Self::Tight { .. } => "clamp beyond the map",
+            Self::Lost { .. } => "balance not found",
+        }
+    }
+}
+
+/// The nominal ratios at the ends of the shift, low first: where the secondary is closed, and where the first of the
+/// other stops is met.
+///
+/// # Errors
+/// [`TuneError::Missing`] without a stop at high ratio.
+pub fn ends(case: &Resolved, actuation: &Actuation) -> Result<(f64, f64), TuneError> {
+    let missing = TuneError::Missing {
+        what: "stop at high ratio",
+        needs: "give primary.travel, or secondary.travel, so that the end of the shift is known",
+    };
+    let (length, center) = (case.belt.length, case.drive.center_distance);
+    let slope = 2.0 * case.sheave.half_angle.tan();
+    let beside = |radius: f64| radius_beside(radius, length, center).ok();
+    let low = beside(actuation.closed_radius).map(|primary| actuation.closed_radius / primary);
+    let by_primary = actuation.primary_travel.and_then(|travel| {
+        let primary = actuation.start_radius + travel / slope;
+        Some(beside(primary)? / primary)
+    });
+    let by_secondary = actuation.secondary_travel.and_then(|travel| {
+        let secondary = actuation.closed_radius - travel / slope;
+        Some(secondary / beside(secondary)?)
+    });
+    let high = [by_primary, by_secondary].into_iter().flatten().reduce(f64::max);
+    match (low, high) {
+        (Some(low), Some(high)) if high < low => Ok((low, high)),
+        _ => Err(missing),
+    }
+}
+
+/// `count` nominal ratios from low to high, evenly spaced in the speed of the vehicle at one speed of the engine.
+pub fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| 1.0 / (1.0 / low + (1.0 / high - 1.0 / low) * i as f64 / last)).collect()
+}
+
+impl<'a> Screen<'a> {
+    /// For a map over ratio, torque and speed of the primary, and slack tension.
+    ///
+    /// # Errors
+    /// [`TuneError::Axis`].
+    pub fn new(map: &'a BeltMap) -> Result<Self, TuneError> {
+        let expected = "ratio, torque, speed and slack_tension";
+        let axis = |key: Key| map.axis(key).ok_or(TuneError::Axis { key, expected });
+        let screen = Self {
+            map,
+            ratio: axis(Key::Ratio)?,
+            torque: axis(Key::PrimaryTorque)?,
+            speed: axis(Key::PrimarySpeed)?,
+            tension: axis(Key::SlackTension)?,
+        };
+        match map
+            .axes()
+            .iter()
+            .find(|axis| ![Key::Ratio, Key::PrimaryTorque, Key::PrimarySpeed, Key::SlackTension].contains(&axis.key()))
+        {
+            Some(axis) => {
+                Err(TuneError::Axis { key: axis.key(), expected: "ratio, torque, speed and slack_tension alone" })
+            }
+            None => Ok(screen),
+        }
+    }
+
+    /// Follows the shift through some nominal ratios, upshift, the engine at its throttle; counts readings of the map.
+    ///
+    /// # Errors
+    /// See [`Unfit`].
+    pub fn shift(
+        &self,
+        case: &Resolved,
+        actuation: &Actuation,
+        engine: &Engine,
+        (ratios, target): (&[f64], f64),
+        readings: &mut usize,
+    ) -> Result<Vec<ShiftPoint>, Unfit> {
+        let drive = Drive { case, actuation, engine };
+        let mut points: Vec<ShiftPoint> = Vec::with_capacity(ratios.len());
+        for &ratio in ratios {
+            let near = points.last().map(|point| (point.primary_speed, point.slack_tension));
+            points.push(self.balance(&drive, ratio, near, target, readings)?);
+        }
+        Ok(points)
+    }
+
+    fn at(&self, drive: &Drive<'_>, ratio: f64, (speed, tension): (f64, f64)) -> Result<MapPoint<'a>, Outside> {
+        let mut at = [0.0; 4];
+        at[self.ratio] = ratio;
+        at[self.torque] = drive.engine.torque(speed).value;
+        at[self.speed] = speed;
+        at[self.tension] = tension;
+        self.map.at(&at)
+    }
+
+    /// Newton's method for the speed and the slack tension at which both pulleys balance.
+    fn balance(
+        &self,
+        drive: &Drive<'_>,
+        ratio: f64,
+        near: Option<(f64, f64)>,
+        target: f64,
+        readings: &mut usize,
+    ) -> Result<ShiftPoint, Unfit> {
+        let (mut here, mut point) = self.start(drive, ratio, near, target, readings)?;
+        for _ in 0..STEPS {
+            let balance = drive.balance(self, ratio, here, &point)?;
+            if balance.missed <= BALANCED {
+                return Ok(read(&point, ratio, here));
+            }
+            let (mut speed, mut tension) = balance.step().ok_or(Unfit::Lost { ratio })?;
+            let stride = (STRIDE * here.0 / speed.abs()).min(0.5 * here.1 / tension.abs()).min(1.0);
+            (speed, tension) = (stride * speed, stride * tension);
+            let mut moved = Err(Outside::Slipping);
+            for _ in 0..HALVINGS {
+                let there = (here.0 + speed, here.1 + tension);
+                *readings += 1;
+                moved = self.at(drive, ratio, there).map(|point| (there, point));
+                if moved.is_ok() {
+                    break;
+                }
+                (speed, tension) = (0.5 * speed, 0.5 * tension);
+            }
+            match moved {
+                Ok((there, next)) => (here, point) = (there, next),
+                Err(outside) => return Err(self.left(ratio, outside, tension)),
+            }
+        }
+        Err(Unfit::Lost { ratio })
+    }
+
+    /// A point of the map to begin with: the one before, or one at the target's speed.
+    fn start(
+        &self,
+        drive: &Drive<'_>,
+        ratio: f64,
+        near: Option<(f64, f64)>,
+        target: f64,
+        readings: &mut usize,
+    ) -> Result<((f64, f64), MapPoint<'a>), Unfit> {
+        let tensions = self.map.axes()[self.tension].breakpoints();
+        let tight = tensions.iter().rev().map(|tension| (target, *tension));
+        let middle = tensions.get(tensions.len() / 2).map(|tension| (target, *tension));
+        for there in near.into_iter().chain(middle).chain(tight) {
+            *readings += 1;
+            if let Ok(point) = self.at(drive, ratio, there) {
+                return Ok((there, point));
+            }
+        }
+        Err(Unfit::Slips { ratio })
+    }
+
+    /// Why the balance lies off the map.
+    fn left(&self, ratio: f64, outside: Outside, tension: f64) -> Unfit {
+        let (from, to) = self.map.axes()[self.speed].range();
+        match outside {
+            Outside::Slipping => Unfit::Slips { ratio },
+            Outside::Range { key: Key::SlackTension, .. } if tension > 0.0 => {
+                Unfit::Tight { ratio, tension: self.map.axes()[self.tension].range().1 }
+            }
+            Outside::Range { key: Key::SlackTension, .. } => Unfit::Slips { ratio },
+            Outside::Range { key: Key::PrimarySpeed | Key::PrimaryTorque, .. } => Unfit::Speed { ratio, from, to },
+            _ => Unfit::Lost { ratio },
+        }
+    }
+}
+
+/// A drive as a combination of parts makes it.
+struct Drive<'a> {
+    case: &'a Resolved,
+    actuation: &'a Actuation,
+    engine: &'a Engine,
+}
+
+/// What is left over on both pulleys, N, and its derivatives.
+struct Balance {
+    rest: [f64; 2],
+    /// By pulley: with respect to speed and slack tension.
+    slopes: [[f64; 2]; 2],
+    missed: f64,
+}
+
+impl Balance {
+    fn step(&self) -> Option<(f64, f64)> {
+        let [[a, b], [c, d]] = self.slopes;
+        let determinant = a * d - b * c;
+        let [p, q] = self.rest;
+        let step = ((b * q - d * p) / determinant, (c * p - a * q) / determinant);
+        (step.0.is_finite() && step.1.is_finite()).then_some(step)
+    }
+}
+
+impl Drive<'_> {
+    fn balance(
+        &self,
+        screen: &Screen<'_>,
+        ratio: f64,
+        (speed, _): (f64, f64),
+        point: &MapPoint<'_>,
+    ) -> Result<Balance, Unfit> {
+        let told = |error| Unfit::Actuator { ratio, error };
+        let lost = |_: Outside| Unfit::Lost { ratio };
+        let half_angle = self.case.sheave.half_angle;
+        let by_radius = 2.0 * half_angle.tan();
+        let torque_slope = self.engine.torque(speed).by_speed;
+        // The map's derivatives along speed, on which the torque hangs, and slack tension.
+        let along = |quantity: Quantity| -> Result<(f64, [f64; 2]), Unfit> {
+            let slopes = point.slopes(quantity).map_err(lost)?;
+            let by_speed = slopes[screen.speed] + slopes[screen.torque] * torque_slope;
+            Ok((point.value(quantity).map_err(lost)?, [by_speed, slopes[screen.tension]]))
+        };
+        let (primary_belt, primary_slopes) = along(Quantity::PrimaryAxialForce)?;
+        let (secondary_belt, secondary_slopes) = along(Quantity::SecondaryAxialForce)?;
+        let (primary_radius, primary_moves) = along(Quantity::PrimaryRadius)?;
+        let (secondary_radius, secondary_moves) = along(Quantity::SecondaryRadius)?;
+        let (torque, torque_slopes) = along(Quantity::SecondaryTorque)?;
+        let closed = travel(half_angle, self.actuation.start_radius, primary_radius);
+        let opened = travel(half_angle, secondary_radius, self.actuation.closed_radius);
+        let primary = self.actuation.primary.force(speed, closed, Shift::Closing).map_err(told)?;
+        let primary = primary.ok_or(Unfit::Lost { ratio })?;
+        let secondary = self.actuation.secondary.force(torque, opened, Shift::Opening).map_err(told)?;
+        let rest = [primary.value - primary_belt, secondary.value - secondary_belt];
+        let on_primary = |k: usize| {
+            let own = if k == 0 { primary.by_drive } else { 0.0 };
+            own + primary.by_travel * by_radius * primary_moves[k] - primary_slopes[k]
+        };
+        let on_secondary = |k: usize| {
+            secondary.by_drive * torque_slopes[k]
+                - secondary.by_travel * by_radius * secondary_moves[k]
+                - secondary_slopes[k]
+        };
+        let missed = (rest[0] / primary_belt).abs().max((rest[1] / secondary_belt).abs());
+        Ok(Balance { rest, slopes: [[0, 1].map(on_primary), [0, 1].map(on_secondary)], missed })
+    }
+}
+
+fn read(point: &MapPoint<'_>, ratio: f64, (primary_speed, slack_tension): (f64, f64)) -> ShiftPoint {
+    let efficiency = point.efficiency_with_losses().or_else(|_| point.efficiency());
+    ShiftPoint {
+        ratio,
+        primary_speed,
+        secondary_speed: point.secondary_speed().unwrap_or(f64::NAN),
+        slack_tension,
+        slip_reserve: point.slip_reserve().unwrap_or(f64::NAN),
+        efficiency: efficiency.unwrap_or(f64::NAN),
+    }
+}

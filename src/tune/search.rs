@@ -1,0 +1,421 @@
+//! The search through a box of parts: every combination screened on the map, the best confirmed by full solutions.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use serde::Serialize;
+
+use super::error::TuneError;
+use super::parts::PartsBox;
+use super::screen::{Screen, ShiftPoint, ends, ratios};
+use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan};
+use crate::cancel::is_cancelled;
+use crate::case::{Case, Key, Resolved};
+use crate::drive::SolveOptions;
+use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
+use crate::model::Output;
+use crate::study::StudyError;
+use crate::threads;
+
+/// Speeds of the map around the target, as shares of it.
+const SPEEDS: (f64, f64) = (0.6, 1.25);
+/// Slack tensions of the map, N over the largest torque over the smallest radius of the primary.
+const TENSIONS: (f64, f64) = (0.05, 0.6);
+/// Least span of the map's torques, as a share of the largest.
+const TORQUES: f64 = 0.1;
+/// How far the map's torques reach beyond those of the curve's samples, as a share of the largest.
+const BEYOND: f64 = 0.01;
+/// How much the map reaches beyond both ends of the shift, as a share of the ratio.
+const MARGIN: f64 = 1e-9;
+
+/// What is searched for, and how.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TuneOptions {
+    /// Speed that the engine is to hold over the shift, rad/s.
+    pub target: f64,
+    /// Points of the shift.
+    pub points: usize,
+    /// Least slip reserve over the shift of a tune that is ranked.
+    pub least_reserve: f64,
+    /// How many of the best are confirmed by full solutions.
+    pub confirmed: usize,
+    /// For these.
+    pub solve: SolveOptions,
+    /// Threads; all cores if not given.
+    pub jobs: Option<usize>,
+}
+
+impl TuneOptions {
+    /// For a target speed in rad/s.
+    pub fn new(target: f64) -> Self {
+        let solve = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+        Self { target, points: 11, least_reserve: 0.0, confirmed: 10, solve, jobs: None }
+    }
+}
+
+/// What a combination of parts does over the shift.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Merits {
+    /// Root mean square of the primary's speed less the target, rad/s.
+    pub rms_deviation: f64,
+    /// Mean of the primary's speed, rad/s.
+    pub mean_speed: f64,
+    /// Smallest share of the friction at hand that is left over.
+    pub smallest_slip_reserve: f64,
+    /// Mean of power out over power in.
+    pub mean_efficiency: f64,
+}
+
+/// A combination of parts that shifts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Tune {
+    /// Its number: the combinations in the order of the file of parts, the last kind fastest.
+    pub candidate: usize,
+    /// Names of its parts, by kind.
+    pub parts: BTreeMap<String, String>,
+    /// As screened on the map.
+    #[serde(flatten)]
+    pub merits: Merits,
+    /// Whether no other is better in deviation, slip reserve and efficiency at once.
+    pub pareto: bool,
+    /// As full solutions have it, of the best.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub confirmed: Option<Confirmed>,
+    /// The shift on the map.
+    #[serde(skip)]
+    pub shift: Vec<ShiftPoint>,
+}
+
+/// What full solutions say of a combination.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Confirmed {
+    /// Over the points that have a solution between the stops.
+    #[serde(flatten)]
+    pub merits: Option<Merits>,
+    /// How many of the points have one.
+    pub points: usize,
+    /// Largest difference of the primary's speed between map and full solution, rad/s.
+    pub largest_difference: f64,
+    /// Why points have none.
+    pub failures: Vec<String>,
+}
+
+/// Why combinations were refused.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Refused {
+    /// What is wrong with them, in a word.
+    pub reason: String,
+    /// How many.
+    pub count: usize,
+    /// The first of them.
+    pub candidate: usize,
+    /// What is wrong with that.
+    pub example: String,
+}
+
+/// What was found in a box of parts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Ranking {
+    /// Speed asked for, rad/s.
+    pub target: f64,
+    /// Combinations.
+    pub candidates: usize,
+    /// Points of the shift of each.
+    pub points: usize,
+    /// Nominal ratios of these.
+    pub ratios: Vec<f64>,
+    /// Readings of the map.
+    pub readings: usize,
+    /// Combinations that shift on the map with the reserve asked for, the smallest deviation first.
+    pub tunes: Vec<Tune>,
+    /// The others.
+    pub refused: Vec<Refused>,
+}
+
+/// A drive with a box of parts.
+#[derive(Debug, Clone)]
+pub struct TunePlan {
+    case: Case,
+    parts: PartsBox,
+    options: TuneOptions,
+    /// The first combination that makes a drive.
+    first_case: Case,
+    first: Resolved,
+    ratios: Vec<f64>,
+}
+
+impl TunePlan {
+    /// A search. The case has all of a drive that no kind of part sets: belt, sheaves, stops, engine.
+    ///
+    /// # Errors
+    /// See [`TuneError`].
+    pub fn new(case: Case, parts: PartsBox, options: TuneOptions) -> Result<Self, TuneError> {
+        check(&options)?;
+        let mut reason = None;
+        let first = (0..parts.candidates()).find_map(|candidate| {
+            let made = parts.case(&case, candidate).and_then(|case| Ok((case.resolve()?, case)));
+            made.map_err(|error| _ = reason.get_or_insert(error.to_string())).ok()
+        });
+        let count = parts.candidates();
+        let (first, first_case) =
+            first.ok_or_else(|| TuneError::NoDrive { count, reason: reason.unwrap_or_default() })?;
+        let actuation = first.parts.actuation.as_ref().ok_or(TuneError::Missing {
+            what: "actuators",
+            needs: "give [primary.actuator] and [secondary.actuator] in the case or in the file of parts",
+        })?;
+        if first.parts.engine.is_none() {
+            return Err(TuneError::Missing { what: "engine", needs: "give [engine] with speeds and torques" });
+        }
+        let ratios = ratios(ends(&first, actuation)?, options.points);
+        Ok(Self { case, parts, options, first_case, first, ratios })
+    }
+
+    /// The first combination of parts that makes a drive, with everything decided.
+    pub fn case(&self) -> &Resolved {
+        &self.first
+    }
+
+    /// The box of parts.
+    pub fn parts(&self) -> &PartsBox {
+        &self.parts
+    }
+
+    /// The map on which combinations are screened: of the drive's belt over ratio, torque and speed of the primary and
+    /// slack tension, as far as its shifts may lead.
+    ///
+    /// # Errors
+    /// See [`TuneError`].
+    pub fn map(&self, options: MapOptions) -> Result<MapPlan, TuneError> {
+        let engine = self.first.parts.engine.as_ref();
+        let engine = engine.ok_or(TuneError::Missing { what: "engine", needs: "give [engine]" })?;
+        let (least, most) = engine.range();
+        // Where the governor takes the torque away, nothing is to be tuned.
+        let governed = engine.governor.map(|governor| governor.governed).filter(|speed| *speed > self.options.target);
+        let from = (SPEEDS.0 * self.options.target).max(least);
+        let to = (SPEEDS.1 * self.options.target).min(governed.unwrap_or(most));
+        let target = self.options.target;
+        let holds = from < target && target < to;
+        if !holds {
+            let expected = "a speed between those at which the engine is known";
+            return Err(TuneError::Parameter { what: "the target", given: target, expected });
+        }
+        let speed = |share: f64| from + share * (to - from);
+        let torques = (0..=200).map(|i| engine.torque(speed(f64::from(i) / 200.0)).value);
+        let (low, high) = torques.fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at), high.max(at)));
+        // The curve may pass its samples a little.
+        let (low, high) = (low.min((1.0 - TORQUES) * high) - BEYOND * high, (1.0 + BEYOND) * high);
+        let ends = (self.ratios.first().copied().unwrap_or(1.0), self.ratios.last().copied().unwrap_or(1.0));
+        let (slow, fast) = (ends.0 * (1.0 + MARGIN), ends.1 * (1.0 - MARGIN));
+        let pull = high / self.smallest_radius();
+        let first = [fast, (fast * slow).sqrt(), slow];
+        let axes = vec![
+            MapAxis::new(Key::Ratio, first)?,
+            MapAxis::new(Key::PrimarySpeed, [from, to])?,
+            MapAxis::new(Key::PrimaryTorque, [low, high])?,
+            MapAxis::new(Key::SlackTension, [TENSIONS.0, 0.1, 0.2, 0.35, TENSIONS.1].map(|share| share * pull))?,
+        ];
+        Ok(MapPlan::new(self.first_case.clone(), axes, options)?)
+    }
+
+    /// Radius of the primary at low ratio, m.
+    fn smallest_radius(&self) -> f64 {
+        let ratio = self.ratios.first().copied().unwrap_or(1.0);
+        let (length, center) = (self.first.belt.length, self.first.drive.center_distance);
+        crate::case::geometry::radii_of_ratio(ratio, length, center)
+            .map_or(self.first.drive.primary_radius, |radii| radii.0)
+    }
+
+    /// Screens every combination on a map, and confirms the best. `done` hears of each screened combination.
+    ///
+    /// # Errors
+    /// [`TuneError::Axis`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is counted among
+    /// the refused.
+    pub fn search(&self, map: &BeltMap, done: &(dyn Fn() + Sync)) -> Result<Ranking, TuneError> {
+        let screen = Screen::new(map)?;
+        let jobs = self.options.jobs.unwrap_or(0);
+        let screened = threads::map(jobs, self.parts.candidates(), |candidate| {
+            let found = self.screened(&screen, candidate);
+            done();
+            found
+        });
+        let screened = screened.map_err(|_| TuneError::Threads(jobs))?;
+        let mut ranking = Ranking {
+            target: self.options.target,
+            candidates: self.parts.candidates(),
+            points: self.ratios.len(),
+            ratios: self.ratios.clone(),
+            readings: screened.iter().map(|(readings, _)| readings).sum(),
+            tunes: Vec::new(),
+            refused: Vec::new(),
+        };
+        for (candidate, (_, found)) in screened.into_iter().enumerate() {
+            match found {
+                Ok(tune) => ranking.tunes.push(tune),
+                Err((reason, example)) => match ranking.refused.iter_mut().find(|refused| refused.reason == reason) {
+                    Some(refused) => refused.count += 1,
+                    None => ranking.refused.push(Refused { reason, count: 1, candidate, example }),
+                },
+            }
+        }
+        ranking.tunes.sort_by(|a, b| a.merits.rms_deviation.total_cmp(&b.merits.rms_deviation));
+        mark_pareto(&mut ranking.tunes);
+        let best = ranking.tunes.len().min(self.options.confirmed);
+        let confirmed = threads::map(jobs, best, |at| ranking.tunes.get(at).map(|tune| self.confirm(tune)));
+        let confirmed = confirmed.map_err(|_| TuneError::Threads(jobs))?;
+        if is_cancelled() {
+            return Err(MapError::Study(StudyError::Cancelled).into());
+        }
+        for (tune, confirmed) in ranking.tunes.iter_mut().zip(confirmed) {
+            tune.confirmed = confirmed;
+        }
+        Ok(ranking)
+    }
+
+    /// A combination on the map, with the readings it took; or why it is refused, in a word and in full.
+    fn screened(&self, screen: &Screen<'_>, candidate: usize) -> (usize, Result<Tune, (String, String)>) {
+        let mut readings = 0;
+        let found = self.shift(screen, candidate, &mut readings);
+        (readings, found)
+    }
+
+    fn shift(&self, screen: &Screen<'_>, candidate: usize, readings: &mut usize) -> Result<Tune, (String, String)> {
+        let of_case = |error: crate::case::CaseError| ("parts that make no drive".to_owned(), error.to_string());
+        let case = self.parts.case(&self.case, candidate).and_then(|case| case.resolve()).map_err(of_case)?;
+        let none = || ("parts that make no drive".to_owned(), "it has no actuators, or no engine".to_owned());
+        let (actuation, engine) = (case.parts.actuation.as_ref(), case.parts.engine.as_ref());
+        let (actuation, engine) = (actuation.ok_or_else(none)?, engine.ok_or_else(none)?);
+        let asked = (self.ratios.as_slice(), self.options.target);
+        let shift = screen.shift(&case, actuation, engine, asked, readings);
+        let shift = shift.map_err(|unfit| (unfit.kind().to_owned(), unfit.to_string()))?;
+        let merits = merits(&shift, self.options.target);
+        if merits.smallest_slip_reserve < self.options.least_reserve {
+            let reserve = format!("its smallest slip reserve is {:.1} %", 100.0 * merits.smallest_slip_reserve);
+            return Err(("slip reserve below what is asked for".to_owned(), reserve));
+        }
+        let names = self.parts.kinds.iter().zip(self.parts.parts(candidate));
+        let parts = names.map(|(kind, part)| (kind.name.clone(), part.name.clone())).collect();
+        Ok(Tune { candidate, parts, merits, pareto: false, confirmed: None, shift })
+    }
+
+    /// The equilibrium of the whole drive at every secondary speed of a shift.
+    fn confirm(&self, tune: &Tune) -> Confirmed {
+        let mut confirmed = Confirmed { merits: None, points: 0, largest_difference: 0.0, failures: Vec::new() };
+        let case = match self.parts.case(&self.case, tune.candidate).and_then(|case| case.resolve()) {
+            Ok(case) => case,
+            Err(error) => {
+                confirmed.failures.push(error.to_string());
+                return confirmed;
+            }
+        };
+        let mut shift = Vec::new();
+        let mut near: Option<Equilibrium> = None;
+        for point in &tune.shift {
+            let (speed, options) = (point.secondary_speed, &self.options.solve);
+            let warm = near.as_ref().and_then(|near| equilibrium_from(near, &case, speed, Direction::Up, options).ok());
+            let found = warm.map_or_else(|| equilibrium(&case, speed, Direction::Up, options), Ok);
+            match found {
+                Ok(found) => {
+                    let here = solved_point(&found, point);
+                    confirmed.largest_difference =
+                        confirmed.largest_difference.max((here.primary_speed - point.primary_speed).abs());
+                    shift.push(here);
+                    near = Some(found);
+                }
+                Err(error) => confirmed.failures.push(format!("at ratio {:.2}: {error}", point.ratio)),
+            }
+        }
+        confirmed.points = shift.len();
+        confirmed.merits = (!shift.is_empty()).then(|| merits(&shift, self.options.target));
+        confirmed
+    }
+}
+
+fn check(options: &TuneOptions) -> Result<(), TuneError> {
+    let parameter = |what, given: f64, holds: bool, expected| {
+        if holds { Ok(()) } else { Err(TuneError::Parameter { what, given, expected }) }
+    };
+    let target = options.target;
+    parameter("the target", target, target.is_finite() && target > 0.0, "a speed above zero, such as \"3400 rpm\"")?;
+    let points = options.points;
+    parameter("the number of points", points as f64, (2..=1000).contains(&points), "a number from 2 to 1000")?;
+    let reserve = options.least_reserve;
+    parameter("the least slip reserve", reserve, (0.0..1.0).contains(&reserve), "a share from 0 to below 1")
+}
+
+/// A point of the shift as a full solution has it.
+fn solved_point(found: &Equilibrium, near: &ShiftPoint) -> ShiftPoint {
+    let used = crate::result::utilizations(&found.solved).unwrap_or([f64::NAN; 2]);
+    ShiftPoint {
+        ratio: near.ratio,
+        primary_speed: found.primary_speed(),
+        secondary_speed: near.secondary_speed,
+        slack_tension: found.output(Output::PrimaryExitTension).unwrap_or(f64::NAN),
+        slip_reserve: 1.0 - used[0].abs().max(used[1].abs()),
+        efficiency: found.output(Output::EfficiencyOverall).unwrap_or(f64::NAN),
+    }
+}
+
+/// What a shift is worth.
+fn merits(shift: &[ShiftPoint], target: f64) -> Merits {
+    let count = shift.len() as f64;
+    let mean = |of: &dyn Fn(&ShiftPoint) -> f64| shift.iter().map(of).sum::<f64>() / count;
+    Merits {
+        rms_deviation: mean(&|point| (point.primary_speed - target).powi(2)).sqrt(),
+        mean_speed: mean(&|point| point.primary_speed),
+        smallest_slip_reserve: shift.iter().map(|point| point.slip_reserve).fold(f64::INFINITY, f64::min),
+        mean_efficiency: mean(&|point| point.efficiency),
+    }
+}
+
+/// Marks the tunes, sorted by deviation, that no other beats in all three merits.
+fn mark_pareto(tunes: &mut [Tune]) {
+    // Those before are no worse in deviation: one is beaten if one of them is no worse in the other two.
+    let mut front: Vec<(f64, f64)> = Vec::new();
+    for tune in tunes {
+        let here = (tune.merits.smallest_slip_reserve, tune.merits.mean_efficiency);
+        let beaten = front.iter().any(|(reserve, efficiency)| *reserve >= here.0 && *efficiency >= here.1);
+        tune.pareto = !beaten;
+        if !beaten {
+            front.retain(|(reserve, efficiency)| *reserve > here.0 || *efficiency > here.1);
+            front.push(here);
+        }
+    }
+}
+
+/// rad/s as rpm.
+pub(super) fn rpm(speed: f64) -> f64 {
+    speed * 30.0 / PI
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pareto_front_is_what_nothing_beats() {
+        let tune = |rms: f64, reserve: f64, efficiency: f64| Tune {
+            candidate: 0,
+            parts: BTreeMap::new(),
+            merits: Merits {
+                rms_deviation: rms,
+                mean_speed: 0.0,
+                smallest_slip_reserve: reserve,
+                mean_efficiency: efficiency,
+            },
+            pareto: false,
+            confirmed: None,
+            shift: Vec::new(),
+        };
+        let mut tunes = [
+            (1.0, 0.2, 0.90),
+            (2.0, 0.1, 0.95),
+            (3.0, 0.15, 0.93),
+            (4.0, 0.1, 0.94),
+            (5.0, 0.3, 0.80),
+            (6.0, 0.2, 0.8),
+        ]
+        .map(|(a, b, c)| tune(a, b, c));
+        mark_pareto(&mut tunes);
+        assert_eq!(tunes.map(|tune| tune.pareto), [true, true, true, false, true, false]);
+    }
+}

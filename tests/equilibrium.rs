@@ -1,0 +1,193 @@
+//! Equilibria of whole drives: belt, actuators and engine as one problem, against the laws called by hand, against each
+//! other, and their derivatives against differences.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use sheave::case::{Case, Key, Resolved};
+use sheave::drive::{Constant, Output, SolveOptions, solve};
+use sheave::equilibrium::{
+    Direction, Equilibrium, EquilibriumError, Phase, ShiftOptions, Stop, equilibrium, equilibrium_from, sensitivities,
+    shift_branch, shift_table,
+};
+
+const RPM: f64 = PI / 30.0;
+const UP: Direction = Direction::Up;
+
+fn gx9() -> Case {
+    Case::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/drive/gx9.toml")).unwrap()
+}
+
+fn resolved(case: &Case) -> Resolved {
+    case.resolve().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn options() -> SolveOptions {
+    SolveOptions::default()
+}
+
+fn first() -> (Resolved, Equilibrium) {
+    let case = resolved(&gx9());
+    let found = equilibrium(&case, 2500.0 * RPM, UP, &options()).unwrap_or_else(|error| panic!("{error}"));
+    (case, found)
+}
+
+/// Every law holds at the solution, by the parts' own functions; and an ordinary solve of the operating point that was
+/// found gives the same forces.
+#[test]
+fn the_equilibrium_is_one_of_every_part() {
+    let (case, found) = first();
+    assert_eq!(found.phase, Phase::Shifting);
+    assert!(found.forces.residual < 1e-9, "{:?}", found.forces);
+    let parts = case.parts.actuation.as_ref().unwrap();
+    let (engine, speed) = (case.parts.engine.as_ref().unwrap(), found.primary_speed());
+    let torque = found.solved.constant(Constant::PrimaryTorque);
+    assert!((torque / engine.torque(speed).value - 1.0).abs() < 1e-9);
+    assert!((found.output(Output::SecondarySpeed).unwrap() / (2500.0 * RPM) - 1.0).abs() < 1e-9);
+    assert!((found.output(Output::BeltUnstretchedLength).unwrap() / case.belt.length - 1.0).abs() < 1e-9);
+    let slope = 2.0 * case.sheave.half_angle.tan();
+    let travel = slope * (found.solved.constant(Constant::PrimaryRadius) - parts.start_radius);
+    let press = parts.primary.force(speed, travel, UP.primary()).unwrap().unwrap().value;
+    let opening = slope * (parts.closed_radius - found.solved.constant(Constant::SecondaryRadius));
+    let torque = found.output(Output::SecondaryTorque).unwrap();
+    let squeeze = parts.secondary.force(torque, opening, UP.secondary()).unwrap().value;
+    // By another way: all that was found is given, and an ordinary problem is solved from nothing.
+    let again = solve(&found.operating_case(&case), &options()).unwrap();
+    let outputs = again.belt.output_values(&again.solution).unwrap();
+    for (output, value) in [(Output::PrimaryAxialForce, press), (Output::SecondaryAxialForce, squeeze)] {
+        let belt = outputs.get(output).unwrap();
+        assert!((belt / value - 1.0).abs() < 1e-4, "{output:?}: belt {belt} N, actuator {value} N");
+    }
+}
+
+/// Exact sensitivities against equilibria with the part a little larger and smaller.
+#[test]
+fn sensitivities_are_those_of_differences() {
+    let (case, found) = first();
+    let exact = sensitivities(&case, &found).unwrap();
+    let ratio = |found: &Equilibrium| {
+        found.solved.constant(Constant::SecondaryRadius) / found.solved.constant(Constant::PrimaryRadius)
+    };
+    for (key, value, share) in [
+        (Key::FlyweightMass, 0.134, 5e-3),
+        (Key::PrimarySpringPreload, 300.254_96, 5e-3),
+        (Key::HelixAngle, 38f64.to_radians(), 5e-3),
+        (Key::Pretension, 60f64.to_radians(), 5e-3),
+        (Key::Throttle, 1.0, -5e-3),
+    ] {
+        let part = exact.iter().find(|part| part.key == key).unwrap_or_else(|| panic!("{key:?}"));
+        let at = |value: f64| {
+            let mut changed = gx9();
+            changed.set_si(key, value).unwrap();
+            equilibrium_from(&found, &resolved(&changed), 2500.0 * RPM, UP, &options()).unwrap()
+        };
+        let step = share * value;
+        // A throttle beyond 1 is none: one-sided, of second order.
+        let (one, two) = (at(value + step), at(if share > 0.0 { value - step } else { value + 2.0 * step }));
+        let difference = |of: &dyn Fn(&Equilibrium) -> f64| {
+            if share > 0.0 {
+                (of(&one) - of(&two)) / (2.0 * step)
+            } else {
+                (4.0 * of(&one) - of(&two) - 3.0 * of(&found)) / (2.0 * step)
+            }
+        };
+        let (by_speed, by_ratio) = (difference(&Equilibrium::primary_speed), difference(&ratio));
+        assert!((part.primary_speed / by_speed - 1.0).abs() < 1e-3, "{key:?}: {part:?}, difference {by_speed}");
+        assert!((part.ratio / by_ratio - 1.0).abs() < 1e-3, "{key:?}: {part:?}, difference {by_ratio}");
+    }
+}
+
+/// A warm start finds what a start from nothing finds, for far less work.
+#[test]
+fn the_way_does_not_matter() {
+    let (case, found) = first();
+    let warm = equilibrium_from(&found, &case, 2800.0 * RPM, UP, &options()).unwrap();
+    let cold = equilibrium(&case, 2800.0 * RPM, UP, &options()).unwrap();
+    assert!(
+        (warm.primary_speed() / cold.primary_speed() - 1.0).abs() < 1e-4,
+        "{} {}",
+        warm.primary_speed(),
+        cold.primary_speed()
+    );
+    let work = [&warm, &cold].map(|found| found.solved.stats.newton_iterations);
+    assert!(work[0] < 25 && 2 * work[0] < work[1], "{work:?}");
+}
+
+/// Friction in the actuators makes a band: shifting back takes a lower speed of the engine than shifting up.
+#[test]
+fn shifting_back_takes_a_lower_speed() {
+    let mut case = gx9();
+    case.set("primary.actuator.friction_angle", "2 deg").unwrap();
+    case.set("secondary.actuator.friction_angle", "2 deg").unwrap();
+    let case = resolved(&case);
+    let up = equilibrium(&case, 2500.0 * RPM, UP, &options()).unwrap();
+    let back = equilibrium_from(&up, &case, 2500.0 * RPM, Direction::Back, &options()).unwrap();
+    let band = (up.primary_speed() - back.primary_speed()) / RPM;
+    assert!(band > 20.0 && band < 1000.0, "{band} rpm");
+}
+
+/// At low speed the secondary rests closed on its stop; faster, the drive shifts.
+#[test]
+fn at_low_speed_the_secondary_rests_on_its_stop() {
+    let case = resolved(&gx9());
+    let found = equilibrium(&case, 1100.0 * RPM, UP, &options()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(found.phase, Phase::Low);
+    assert!(found.secondary_travel.abs() < 1e-12 && found.forces.stop.is_some_and(|force| force > 0.0));
+    let faster = equilibrium_from(&found, &case, 1700.0 * RPM, UP, &options()).unwrap();
+    assert_eq!(faster.phase, Phase::Shifting, "{:?}", faster.forces);
+}
+
+/// A shift curve has all phases, its stops at the landmarks, and every point an equilibrium.
+#[test]
+fn a_shift_curve_has_its_phases() {
+    let case = resolved(&gx9());
+    let options = ShiftOptions {
+        points: 8,
+        from: Some(1050.0 * RPM),
+        solve: SolveOptions { tolerance: 1e-4, ..SolveOptions::default() },
+        ..ShiftOptions::default()
+    };
+    let branch = shift_branch(&case, UP, &options, &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
+    let failed: Vec<&String> = branch.points.iter().filter_map(|point| point.report.as_ref().err()).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    let engagement = branch.engagement.unwrap() / RPM;
+    assert!(engagement > 1000.0 && engagement < 2600.0, "{engagement} rpm");
+    let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
+    assert!(out.secondary_speed < full.secondary_speed && out.ratio > full.ratio, "{out:?} {full:?}");
+    let phases: Vec<&str> = branch.points.iter().map(|point| point.report.as_ref().unwrap().phase).collect();
+    for phase in ["low", "shifting", "high"] {
+        assert!(phases.contains(&phase), "{phases:?}");
+    }
+    assert_eq!(shift_table(std::slice::from_ref(&branch)).rows.len(), branch.points.len());
+}
+
+/// Beyond the travel the primary rests on its stop, which carries what the belt does not.
+#[test]
+fn a_stop_carries_what_is_too_much() {
+    let mut case = gx9();
+    case.set("primary.travel", "10 mm").unwrap();
+    let case = resolved(&case);
+    let found = equilibrium(&case, 3000.0 * RPM, UP, &options()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(found.phase, Phase::High(Stop::PrimaryClosed));
+    assert!((found.primary_travel - 10e-3).abs() < 1e-12, "{}", found.primary_travel);
+    let press = found.forces.primary.unwrap().value;
+    let stop = found.forces.stop.unwrap();
+    assert!(stop > 0.0 && (press - found.forces.primary_belt - stop).abs() < 1e-9 * press, "{:?}", found.forces);
+    // From there back to where it shifts.
+    let slower = equilibrium_from(&found, &case, 1600.0 * RPM, UP, &options()).unwrap();
+    assert_eq!(slower.phase, Phase::Shifting, "{:?}", slower.forces);
+    assert!(slower.primary_travel < 10e-3);
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let error = equilibrium(&resolved(&Case::base()), 300.0, UP, &options()).unwrap_err();
+    assert!(matches!(error, EquilibriumError::Missing { what: "actuators", .. }), "{error}");
+    let mut case = gx9();
+    case.unset("engine.speeds").unwrap();
+    let error = case.resolve().unwrap_err();
+    assert!(error.to_string().contains("needs `engine.speeds`"), "{error}");
+    let error = equilibrium(&resolved(&gx9()), -1.0, UP, &options()).unwrap_err();
+    assert!(matches!(error, EquilibriumError::Speed(_)), "{error}");
+}

@@ -1,0 +1,143 @@
+//! A drive that is changed while one looks at it: the questions that the page asks.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use serde_json::{Value, json};
+use sheave::live::Live;
+use sheave::prelude::*;
+
+fn ask(live: &mut Live, question: Value) -> Value {
+    serde_json::from_str(&live.answer(&question.to_string())).unwrap()
+}
+
+/// A slider at a value: where the drive was, it goes from there.
+fn slide(live: &mut Live, case: &str, key: &str, value: &str) -> Value {
+    let set = json!([[key, value]]);
+    ask(live, json!({ "ask": "solve", "case": case, "set": set, "tolerance": 1e-3, "follow": true }))
+}
+
+/// A slider at a value, until the drive has followed or has lost its way.
+fn arrive(live: &mut Live, case: &str, key: &str, value: &str) -> Value {
+    let mut answer = slide(live, case, key, value);
+    for _ in 0..80 {
+        if answer["on_the_way"] != true {
+            break;
+        }
+        let case = text(&answer, "case").to_owned();
+        answer = slide(live, &case, key, value);
+    }
+    assert_eq!(answer["on_the_way"], Value::Null, "{key} {value}");
+    answer
+}
+
+fn force(answer: &Value) -> f64 {
+    answer["result"]["primary"]["axial_force"].as_f64().unwrap_or_else(|| panic!("{answer}"))
+}
+
+fn text<'a>(answer: &'a Value, key: &str) -> &'a str {
+    answer[key].as_str().unwrap_or_else(|| panic!("{answer}"))
+}
+
+#[test]
+fn followed_or_from_nothing_the_drive_is_the_same() {
+    let mut live = Live::default();
+    let mut case = String::new();
+    for torque in ["18 N*m", "20 N*m", "23 N*m", "60 N*m"] {
+        let answer = arrive(&mut live, &case, "operating_point.primary_torque", torque);
+        case = text(&answer, "case").to_owned();
+    }
+    let rested = ask(&mut live, json!({ "ask": "solve", "case": case, "tolerance": 1e-8 }));
+    let cold = Case::base().with("operating_point.primary_torque", "60 N*m").unwrap();
+    let cold = sheave::solve_with(&cold, &SolveOptions { tolerance: 1e-8, ..SolveOptions::default() }).unwrap();
+    let cold = cold.result.primary.axial_force;
+    assert!((force(&rested) - cold).abs() < 1e-6 * cold, "{} {cold}", force(&rested));
+}
+
+#[test]
+fn what_is_moved_takes_the_place_of_what_it_excludes_and_the_rest_stays() {
+    let mut live = Live::default();
+    let ratio = slide(&mut live, "", "drive.ratio", "1.3");
+    let secondary = ratio["values"]["drive.secondary_radius"].as_f64().unwrap();
+    let radius = slide(&mut live, text(&ratio, "case"), "drive.primary_radius", "60 mm");
+    assert_eq!(radius["values"]["drive.secondary_radius"].as_f64(), Some(secondary));
+    assert!(!text(&radius, "case").contains("ratio"), "{radius}");
+    let free = slide(&mut live, text(&radius, "case"), "drive.free", "secondary_radius");
+    assert!(free["failure"].is_null() && !text(&free, "case").contains("secondary_radius ="), "{free}");
+    let clamped = slide(&mut live, text(&free, "case"), "operating_point.secondary_axial_force", "700 N");
+    assert!((clamped["result"]["secondary"]["axial_force"].as_f64().unwrap() - 700.0).abs() < 0.1);
+    let tension = clamped["values"]["operating_point.slack_tension"].as_f64().unwrap();
+    let shown = clamped["result"]["primary"]["exit_tension"].as_f64().unwrap();
+    assert_eq!(tension, shown);
+    let out = json!({ "ask": "solve", "case": text(&clamped, "case"), "tolerance": 1e-3,
+        "unset": ["operating_point.secondary_axial_force", "drive.free"] });
+    assert_eq!(ask(&mut live, out)["given"], json!(["drive.primary_radius"]));
+    let speed = slide(&mut live, "", "operating_point.secondary_speed", "3000 rpm");
+    let given = |answer: &Value| answer["given"].clone();
+    assert_eq!(given(&speed), json!(["operating_point.secondary_speed"]));
+    let speed = slide(&mut live, text(&speed, "case"), "operating_point.primary_speed", "3000 rpm");
+    assert_eq!(given(&speed), json!(["operating_point.primary_speed"]));
+}
+
+#[test]
+fn where_the_belt_slips_the_way_ends_and_the_limit_is_named() {
+    let mut live = Live::default();
+    let start = slide(&mut live, "", "operating_point.primary_axial_force", "900 N");
+    let answer = arrive(&mut live, text(&start, "case"), "operating_point.primary_torque", "60 N*m");
+    let message = text(&answer["failure"], "message");
+    assert!(message.starts_with("the belt slips beyond primary torque = 32.1"), "{message}");
+    assert_eq!(answer["values"]["operating_point.primary_torque"], 60.0);
+    assert!(answer["scene"]["primary"]["x"].as_array().is_some_and(|x| x.len() > 100));
+    // Farther on the same way nothing is computed again, and back there is a solution.
+    let farther = slide(&mut live, text(&answer, "case"), "operating_point.primary_torque", "61 N*m");
+    assert_eq!(farther["failure"]["message"], answer["failure"]["message"]);
+    let limit = ask(&mut live, json!({ "ask": "largest_torque", "case": text(&farther, "case"), "tolerance": 1e-3 }));
+    let largest = limit["torque"]["value"].as_f64().unwrap();
+    assert!((32.1..32.2).contains(&largest), "{limit}");
+    let back = slide(&mut live, text(&farther, "case"), "operating_point.primary_torque", "30 N*m");
+    assert!(force(&back) > 0.0);
+    let clamps = json!({ "ask": "smallest_clamps", "case": text(&farther, "case"), "tolerance": 1e-3 });
+    let clamp = ask(&mut live, clamps)["operating_point.primary_axial_force"]["value"].as_f64().unwrap();
+    assert!(clamp > 900.0, "{clamp}");
+}
+
+#[test]
+fn what_is_wrong_is_said_and_nothing_is_lost() {
+    let mut live = Live::default();
+    for (question, kind, said) in [
+        ("", "usage", "not understood"),
+        ("[]", "usage", "not understood"),
+        (r#"{"ask": "everything"}"#, "usage", "everything"),
+        (r#"{"ask": "solve", "tolerance": 1}"#, "usage", "1e-10"),
+        (r#"{"ask": "solve", "case": "belt = <script>"}"#, "input", "not valid TOML"),
+        (r#"{"ask": "solve", "case": "[engine]\nfile = \"/etc/passwd\""}"#, "input", "unknown key `engine.file`"),
+        (r#"{"ask": "solve", "set": [["drive.ratio", "two"]]}"#, "input", "drive.ratio"),
+        (r#"{"ask": "solve", "set": [["drive.ratoi", "2"]]}"#, "input", "drive.ratio"),
+        (r#"{"ask": "solve", "set": [["drive.ratio", "90"]]}"#, "input", "drive.ratio"),
+        (r#"{"ask": "solve", "set": [["thermal.ambient", "20 degC"]]}"#, "input", "heat_transfer"),
+    ] {
+        let answer: Value = serde_json::from_str(&live.answer(question)).unwrap();
+        let failure = &answer["failure"];
+        assert_eq!(failure["kind"], kind, "{question}: {answer}");
+        assert!(format!("{failure}").contains(said), "{question}: {failure}");
+    }
+    assert_eq!(ask(&mut live, json!({ "ask": "profile" }))["csv"], "");
+    assert!(force(&slide(&mut live, "", "drive.ratio", "1.1")) > 0.0);
+    let keys = ask(&mut live, json!({ "ask": "keys" }));
+    assert_eq!(keys["keys"].as_array().unwrap().len(), sheave::case::TABLE.len());
+}
+
+#[test]
+fn every_edition_heat_and_a_margin_are_shown() {
+    let mut live = Live::default();
+    for edition in ["string", "thesis", "published", "consistent"] {
+        // At the base case's threshold, a string has no solution that the solver finds.
+        let answer = slide(&mut live, "[sheave]\nslip_threshold = \"5 mm/s\"", "edition", edition);
+        assert_eq!(answer["result"]["edition"], edition);
+        assert!(answer["scene"]["tight_span"]["x"].as_array().is_some_and(|x| x.len() > 10), "{edition}");
+    }
+    let set = json!([["thermal.ambient", "25 degC"], ["thermal.heat_transfer", "10 W/K"]]);
+    let warm = ask(&mut live, json!({ "ask": "solve", "case": "", "set": set, "tolerance": 1e-3 }));
+    assert!(warm["result"]["belt"]["temperature"].as_f64().is_some_and(|kelvin| kelvin > 298.15));
+    assert!((warm["values"]["thermal.ambient"].as_f64().unwrap() - 25.0).abs() < 1e-9);
+    let margin = slide(&mut live, "", "operating_point.slip_reserve", "30 %");
+    assert!((margin["result"]["slip_reserve"].as_f64().unwrap() - 0.3).abs() < 1e-3);
+}

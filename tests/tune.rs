@@ -1,0 +1,132 @@
+//! The search for a tune: what it finds, what it refuses, how much work it is.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use sheave::beltmap::{BeltMap, KeepNothing, MapOptions};
+use sheave::case::Case;
+use sheave::drive::SolveOptions;
+use sheave::tune::{PartsBox, TuneError, TuneOptions, TunePlan};
+use std::path::Path;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const RPM: f64 = std::f64::consts::PI / 30.0;
+const TARGET: f64 = 3400.0 * RPM;
+
+fn example(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/tune").join(name)
+}
+
+fn drive() -> Case {
+    Case::read(&example("tuksbaja.toml")).unwrap()
+}
+
+fn whole_box() -> PartsBox {
+    PartsBox::read(&example("tuksbaja-parts.toml")).unwrap()
+}
+
+fn plan(parts: PartsBox, confirmed: usize) -> TunePlan {
+    TunePlan::new(drive(), parts, TuneOptions { points: 3, confirmed, ..TuneOptions::new(TARGET) }).unwrap()
+}
+
+/// One coarse map for all tests: no part changes the belt.
+fn map() -> &'static BeltMap {
+    static MAP: OnceLock<BeltMap> = OnceLock::new();
+    MAP.get_or_init(|| {
+        let solve = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+        let options = MapOptions { accuracy: 5e-2, solve, max_points: 400, ..MapOptions::default() };
+        plan(whole_box(), 0).map(options).unwrap().build(&KeepNothing).unwrap()
+    })
+}
+
+#[test]
+fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
+    let plan = plan(whole_box(), 0);
+    let done = AtomicUsize::new(0);
+    let ranking = plan.search(map(), &|| _ = done.fetch_add(1, Ordering::Relaxed)).unwrap();
+    assert_eq!((ranking.candidates, done.into_inner()), (10_800, 10_800));
+    let refused: usize = ranking.refused.iter().map(|refused| refused.count).sum();
+    assert_eq!(ranking.tunes.len() + refused, 10_800);
+    assert!(!ranking.tunes.is_empty(), "{:?}", ranking.refused);
+    // A few Newton steps a point.
+    assert!(ranking.readings < 10 * 3 * 10_800, "{} readings of the map", ranking.readings);
+    let deviation = |at: usize| ranking.tunes[at].merits.rms_deviation;
+    assert!((1..ranking.tunes.len()).all(|at| deviation(at - 1) <= deviation(at)));
+    assert!(ranking.tunes[0].pareto);
+    // Whoever is not on the front is beaten by one who is.
+    let front: Vec<_> = ranking.tunes.iter().filter(|tune| tune.pareto).map(|tune| tune.merits).collect();
+    for tune in ranking.tunes.iter().filter(|tune| !tune.pareto) {
+        let m = tune.merits;
+        assert!(front.iter().any(|best| {
+            best.rms_deviation <= m.rms_deviation
+                && best.smallest_slip_reserve >= m.smallest_slip_reserve
+                && best.mean_efficiency >= m.mean_efficiency
+        }));
+    }
+}
+
+#[test]
+fn a_full_solution_confirms_what_the_map_says() {
+    let text = r#"
+        [flyweight]
+        "1072" = { primary.actuator.mass = "72 g", primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm" }
+        [primary_spring]
+        purple = { primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm" }
+        [helix]
+        secondary.actuator.helix_angle = ["44 deg"]
+        [secondary_spring]
+        red = { secondary.spring.preload = "117 N", secondary.spring.rate = "4.27 N/mm", secondary.spring.torsion_rate = "4.55 N*m/rad", secondary.spring.pretension = "22 deg" }
+    "#;
+    let ranking = plan(PartsBox::from_toml("parts", text).unwrap(), 1).search(map(), &|| ()).unwrap();
+    let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
+    let confirmed = tune.confirmed.as_ref().unwrap();
+    assert!(confirmed.points >= 2, "{confirmed:?}");
+    // The map of these tests is accurate to 5 %, and the speed goes with the square root of the force.
+    assert!(confirmed.largest_difference < 0.03 * TARGET, "{confirmed:?}");
+}
+
+#[test]
+fn bad_parts_are_refused_with_the_reason() {
+    let text = |spring: &str, pretension: &str| {
+        format!(
+            r#"
+            [flyweight]
+            "1072" = {{ primary.actuator.mass = "72 g", primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm" }}
+            [primary_spring]
+            one = {{ primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm" }}
+            other = {{ {spring} }}
+            [rest]
+            red = {{ secondary.spring.preload = "117 N", secondary.spring.rate = "4.27 N/mm", secondary.spring.torsion_rate = "4.55 N*m/rad", secondary.spring.pretension = "{pretension}", secondary.actuator.helix_angle = "44 deg" }}
+            "#
+        )
+    };
+    let refused = |spring: &str| {
+        let parts = PartsBox::from_toml("parts", &text(spring, "22 deg")).unwrap();
+        let ranking = plan(parts, 0).search(map(), &|| ()).unwrap();
+        let counts: Vec<(usize, String)> =
+            ranking.refused.iter().map(|refused| (refused.count, refused.example.clone())).collect();
+        (ranking.tunes.len(), counts)
+    };
+    // A spring that is compressed beyond its solid length.
+    let solid = r#"primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm", primary.spring.solid_length = "45 mm""#;
+    let (_, counts) = refused(solid);
+    assert!(counts.iter().any(|(count, why)| *count == 1 && why.contains("solid length")), "{counts:?}");
+    // A spring shorter than its place.
+    let (_, counts) = refused(r#"primary.spring.free_length = "40 mm", primary.spring.rate = "8.2 N/mm""#);
+    assert!(counts.iter().any(|(count, why)| *count == 1 && why.contains("free length")), "{counts:?}");
+    // A spring so stiff that nothing balances it.
+    let (_, counts) = refused(r#"primary.spring.free_length = "300 mm", primary.spring.rate = "80 N/mm""#);
+    assert!(counts.iter().any(|(count, _)| *count == 1), "{counts:?}");
+}
+
+#[test]
+fn what_a_search_needs_is_said() {
+    let said = |case: Case, text: &str| {
+        let parts = PartsBox::from_toml("parts", text).unwrap();
+        TunePlan::new(case, parts, TuneOptions::new(TARGET)).map(|_| ()).unwrap_err().to_string()
+    };
+    let masses = "[flyweight]\nprimary.actuator.mass = [\"60 g\", \"70 g\"]";
+    assert!(said(drive(), masses).contains("none of the 2 combinations"));
+    let parts = PartsBox::from_toml("parts", masses).unwrap();
+    let wrong = TunePlan::new(drive(), parts, TuneOptions::new(-1.0));
+    assert!(matches!(wrong, Err(TuneError::Parameter { what: "the target", .. })));
+}

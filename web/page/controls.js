@@ -1,0 +1,198 @@
+// Sliders, fields and lists for every key of a case file, from the table that the solver tells.
+
+import { number, plain, step, words } from "./format.js";
+import { html, symbol } from "./dom.js";
+
+const SECTIONS = {
+  "": "Edition",
+  operating_point: "Operating point",
+  drive: "Drive",
+  sheave: "Sheaves",
+  belt: "Belt",
+  losses: "Losses besides friction",
+  thermal: "Heat",
+  model: "Finer choices of the model",
+};
+const OPEN = ["", "operating_point", "drive", "sheave"];
+/** Sliders whose ends are this many times apart go by factors. */
+const LOGARITHMIC = 100;
+const NOTES = {
+  operating_point:
+    "One key each for speed, load and clamp: what is moved takes the place of the other keys of its kind, which then follow.",
+  drive: "The ratio takes the place of both radii, which then follow from the belt's length.",
+  thermal: "With ambient temperature and heat transfer, the belt's temperature is found.",
+};
+
+/** A key with a quantity: slider, field, and a button that takes it out of the case. */
+class Quantity {
+  constructor(key, changed) {
+    this.key = key;
+    this.changed = changed;
+    const id = `key-${key.path.replace(".", "-")}`;
+    const unit = key.printed_unit;
+    this.label = html("label", { for: id, title: key.doc });
+    this.label.append(words(key.name));
+    if (key.symbol) this.label.append(" ", symbol(html("span", { class: "symbol" }), key.symbol));
+    this.range = html("input", { type: "range", id, "data-key": key.path, "aria-describedby": `${id}-doc` });
+    this.field = html("input", {
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "data-field": key.path,
+      "aria-label": `${words(key.name)}${unit ? ` in ${unit}` : ""}`,
+    });
+    this.out = html("button", {
+      type: "button",
+      class: "out",
+      title: `Take ${key.path} out of the case`,
+      "aria-label": `Take ${words(key.name)} out of the case`,
+      text: "×",
+    });
+    this.doc = html("span", { class: "doc", id: `${id}-doc`, text: key.doc });
+    this.row = html(
+      "div",
+      { class: "row" },
+      this.label,
+      html("span", { class: "field" }, this.field, html("span", { class: "unit", text: unit })),
+      this.out,
+      this.range,
+      this.doc,
+    );
+    this.#reach(key.example);
+    this.range.addEventListener("input", () => this.#slid());
+    this.field.addEventListener("change", () => this.#typed());
+    this.field.addEventListener("keydown", (event) => event.key === "Enter" && this.#typed());
+    this.out.addEventListener("click", () => changed({ unset: [key.path] }));
+  }
+
+  /** How far the slider goes: as the table says, farther where a value lies beyond. */
+  #reach(value) {
+    let [from, to] = this.key.slider;
+    if (value > to) to = this.#within(value * 1.25);
+    if (value < from) from = this.#within(value > 0 ? value * 0.8 : value * 1.25);
+    if (this.from === from && this.to === to) return;
+    [this.from, this.to] = [from, to];
+    this.log = from > 0 && to / from >= LOGARITHMIC;
+    const [low, high] = this.log ? [Math.log10(from), Math.log10(to)] : [from, to];
+    this.range.min = low;
+    this.range.max = high;
+    this.step = this.log ? 0.01 : step(high - low, 250);
+    this.range.step = this.step;
+  }
+
+  #within(value) {
+    const { low, high } = this.key;
+    if (high && value > high.value) return high.open ? high.value * 0.999 : high.value;
+    if (low && value < low.value) return low.open ? low.value + 1e-6 : low.value;
+    return value;
+  }
+
+  #slid() {
+    const raw = Number(this.range.value);
+    this.value = this.log ? Number((10 ** raw).toPrecision(3)) : Number(raw.toPrecision(9));
+    this.field.value = plain(this.value);
+    this.#tell();
+    this.#say(`${this.field.value}`);
+  }
+
+  #typed() {
+    const text = this.field.value.trim().replace("−", "-");
+    if (text === "" || text === this.shown) return;
+    const number = Number(text.replace(",", "."));
+    // A text with a unit of its own is the solver's to read.
+    this.#say(Number.isFinite(number) ? String(number) : text);
+  }
+
+  #say(text) {
+    this.shown = this.field.value;
+    const unit = this.key.unit && Number.isFinite(Number(text)) ? ` ${this.key.unit}` : "";
+    this.changed({ set: [[this.key.path, `${text}${unit}`]] }, this);
+  }
+
+  #tell() {
+    this.range.setAttribute("aria-valuetext", `${plain(this.value, 4)} ${this.key.printed_unit}`.trim());
+  }
+
+  /** Shows a value; `active` is the control that is being moved and keeps its own. */
+  show(value, given, active) {
+    this.row.classList.toggle("given", given);
+    this.out.hidden = !given;
+    const known = Number.isFinite(value);
+    this.row.classList.toggle("unknown", !known);
+    if (active === this && known) return;
+    this.value = known ? value : this.key.example;
+    this.#reach(this.value);
+    this.range.value = String(this.log ? Math.log10(this.value) : this.value);
+    if (document.activeElement !== this.field || !known) this.field.value = known ? plain(value, 5) : "";
+    this.field.placeholder = known ? "" : `e.g. ${number(this.key.example)}`;
+    this.shown = this.field.value;
+    this.#tell();
+  }
+}
+
+/** A key with a choice: a list. */
+class List {
+  constructor(key, changed) {
+    this.key = key;
+    const id = `key-${key.path.replace(".", "-")}`;
+    this.select = html("select", { id, "data-key": key.path, "aria-describedby": `${id}-doc` });
+    if (key.default === null)
+      this.select.append(
+        html("option", { value: "", text: key.path === "drive.free" ? "neither" : "as the edition has it" }),
+      );
+    for (const choice of key.choices)
+      this.select.append(html("option", { value: choice.name, text: choice.name, title: choice.doc }));
+    this.doc = html("span", { class: "doc", id: `${id}-doc` });
+    this.row = html(
+      "div",
+      { class: "row list" },
+      html("label", { for: id, text: words(key.name), title: key.doc }),
+      this.select,
+      this.doc,
+    );
+    this.select.addEventListener("change", () => {
+      changed(this.select.value === "" ? { unset: [key.path] } : { set: [[key.path, this.select.value]] });
+    });
+  }
+
+  show(choice, given) {
+    this.row.classList.toggle("given", given);
+    this.select.value = given ? choice : (this.key.default ?? "");
+    const chosen = this.key.choices.find((each) => each.name === choice);
+    this.doc.textContent = chosen
+      ? `${given || this.key.default ? "" : `${chosen.name}: `}${chosen.doc}`
+      : this.key.doc;
+  }
+}
+
+/** All controls, by sections. */
+export class Controls {
+  constructor(host, keys, changed) {
+    this.controls = new Map();
+    for (const [section, title] of Object.entries(SECTIONS)) {
+      const own = keys.filter((key) => key.section === section);
+      if (own.length === 0) continue;
+      const box = html(
+        "details",
+        { class: "section", open: OPEN.includes(section) },
+        html("summary", {}, html("h3", { text: title })),
+      );
+      if (NOTES[section]) box.append(html("p", { class: "note", text: NOTES[section] }));
+      for (const key of own) {
+        const control = key.choices ? new List(key, changed) : new Quantity(key, changed);
+        this.controls.set(key.path, control);
+        box.append(control.row);
+      }
+      host.append(box);
+    }
+  }
+
+  show({ values, given, choices }, active) {
+    for (const [path, control] of this.controls) {
+      const is = given.includes(path);
+      if (control instanceof List) control.show(choices[path], is);
+      else control.show(values[path], is, active);
+    }
+  }
+}

@@ -1,0 +1,425 @@
+// The page: what is moved, what is asked, what is shown.
+
+import { Engine } from "./engine.js";
+import { Controls } from "./controls.js";
+import { DriveView, SLOWER } from "./drive.js";
+import { Chart, PROFILES } from "./chart.js";
+import { glance, Readouts, spoken } from "./readouts.js";
+import { download, fromFragment, LONGEST, standalone, toFragment } from "./share.js";
+import { fixed, number, words } from "./format.js";
+import { html, set } from "./dom.js";
+
+/** Tolerances while something moves, and once it rests. */
+const MOVING = 1e-3;
+const RESTING = 1e-6;
+/** Milliseconds without a change after which the drive is solved to the finer tolerance. */
+const REST = 150;
+/** Milliseconds after which a search that a change makes obsolete is ended, by what is searched. */
+const PATIENCE = { limit: 0, rest: 1500, move: 8000 };
+/** Milliseconds after which a button to stop is offered. */
+const LONG = 1200;
+/** Work of a start from nothing, Newton iterations times mesh intervals: a few seconds. */
+const WORK = 600_000;
+/** Steps on the way to where a slider was put. */
+const MOST_STEPS = 60;
+
+const byId = (id) => document.getElementById(id);
+
+const page = {
+  engine: new Engine(),
+  /** The text of the case. */
+  case: "",
+  /** Changes not yet asked for. */
+  change: null,
+  active: null,
+  busy: null,
+  answer: null,
+  /** Whether the last answer has a solution, to the finer tolerance. */
+  rested: false,
+  frames: [],
+  /** The answer that waits for the next picture; how many have been shown. */
+  waiting: null,
+  scheduled: false,
+  drawn: 0,
+  /** Whether a notice outlives the next solution. */
+  sticky: false,
+};
+
+function say(id, text) {
+  const element = byId(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function notice(kind, message, hint) {
+  const box = byId("notice");
+  box.hidden = !message;
+  box.dataset.kind = kind;
+  say("notice-message", message ?? "");
+  say("notice-hint", hint ?? "");
+}
+
+/** Asks one question; while it is long, it can be stopped. */
+async function ask(kind, question) {
+  page.busy = { kind, since: performance.now() };
+  const long = setTimeout(() => (byId("stop").hidden = false), LONG);
+  document.documentElement.dataset.busy = kind;
+  try {
+    return await page.engine.ask(question);
+  } finally {
+    clearTimeout(long);
+    byId("stop").hidden = true;
+    delete document.documentElement.dataset.busy;
+    page.busy = null;
+  }
+}
+
+/** Notes a change and sees to it that it is asked for. */
+function changed(change, active = null) {
+  page.change = page.change ? joined(page.change, change) : change;
+  page.active = active;
+  page.rested = false;
+  page.sticky = false;
+  if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) end();
+  run();
+}
+
+/** Two changes as one: what the second says of a key holds, and another case replaces everything before it. */
+function joined(first, second) {
+  if (second.whole !== undefined) return second;
+  const names = [...(second.set ?? []).map(([key]) => key), ...(second.unset ?? [])];
+  return {
+    whole: first.whole,
+    set: [...(first.set ?? []).filter(([key]) => !names.includes(key)), ...(second.set ?? [])],
+    unset: [...(first.unset ?? []), ...(second.unset ?? [])],
+  };
+}
+
+/** Ends what is being computed, once. */
+function end() {
+  if (!page.busy || page.busy.ending) return;
+  page.busy.ending = true;
+  page.engine
+    .interrupt()
+    .catch((error) => notice("error", "The solver could not be started again.", String(error.message ?? error)));
+}
+
+let running = false;
+
+/** Answers changes one after the other, the newest only; then rests. */
+async function run() {
+  if (running) return;
+  running = true;
+  try {
+    while (true) {
+      if (page.change) await guarded(move);
+      else if (!page.rested && (await pause(REST))) await guarded(rest);
+      else if (page.rested && !page.change) break;
+    }
+  } finally {
+    running = false;
+  }
+}
+
+/** Whether so long nothing is changed. */
+async function pause(milliseconds) {
+  const until = performance.now() + milliseconds;
+  while (performance.now() < until) {
+    if (page.change) return false;
+    await new Promise((resolve) => setTimeout(resolve, 15));
+  }
+  return !page.change;
+}
+
+async function guarded(task) {
+  try {
+    await task();
+  } catch (error) {
+    if (error.name === "AbortError") return;
+    notice("error", "The solver stopped and was started again.", String(error.message ?? error));
+    page.rested = true;
+  }
+}
+
+/** Follows the drive to where it was moved. */
+async function move() {
+  const { change } = page;
+  page.change = null;
+  const { set: keys = [], unset = [], whole } = change;
+  const from = whole ?? page.case;
+  const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
+  try {
+    for (let steps = 0; steps < MOST_STEPS; steps += 1) {
+      const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
+      if (answer.case === undefined) {
+        refused(answer.failure, whole !== undefined);
+        return;
+      }
+      page.case = answer.case;
+      draw(answer);
+      if (!answer.on_the_way || page.change) return;
+    }
+  } catch (error) {
+    // What a newer change interrupted is asked again together with it.
+    if (error.name === "AbortError" && page.change) page.change = joined(change, page.change);
+    throw error;
+  }
+}
+
+/** Shows an answer with the next picture, while the next question is being answered. */
+function draw(answer) {
+  page.answer = answer;
+  page.waiting = answer;
+  if (page.scheduled) return;
+  page.scheduled = true;
+  requestAnimationFrame(() => {
+    page.scheduled = false;
+    drawNow();
+  });
+}
+
+/** Shows the answer that waits for a picture. */
+function drawNow() {
+  const { waiting } = page;
+  page.waiting = null;
+  if (waiting) show(waiting);
+}
+
+/** Solves to the finer tolerance, or says what limits the drive. */
+async function rest() {
+  drawNow();
+  if (page.answer?.failure) {
+    // If the clamp does not carry the torque, no search from nothing is needed.
+    if ((await limit(page.answer)) || page.change) {
+      if (!page.change) settled();
+      return;
+    }
+  }
+  const answer = await ask("rest", { ask: "solve", case: page.case, tolerance: RESTING, work_limit: WORK });
+  if (page.change) return;
+  if (answer.case === undefined) {
+    page.rested = true;
+    refused(answer.failure);
+    return;
+  }
+  show(answer);
+  say("spoken", answer.failure ? byId("notice-message").textContent : spoken(answer));
+  settled();
+}
+
+/** Nothing is left to ask: the case goes into the address bar. */
+function settled() {
+  page.active = null;
+  page.rested = true;
+  history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+  document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
+}
+
+/** Names the torque that the clamp carries, and says whether it is less than what is asked. */
+async function limit(answer) {
+  const found = await ask("limit", { ask: "largest_torque", case: page.case, tolerance: MOVING });
+  if (!found.torque || page.change) return false;
+  const { value, words: meaning } = found.torque;
+  const clamp =
+    ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
+      answer.given.includes(`operating_point.${name}`),
+    ) ?? "slack_tension";
+  const at = page.controls.controls.get(`operating_point.${clamp}`);
+  const asked = answer.values["operating_point.primary_torque"];
+  const torque = `A ${words(clamp)} of ${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit} carries at most ${number(value)} N·m`;
+  const isTorque = !answer.given.some((key) => /secondary_torque|speed_ratio|secondary_speed/.test(key));
+  if (isTorque && asked > value) {
+    notice(
+      "slips",
+      `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`,
+      `${meaning} Less torque or more clamp brings it back.`,
+    );
+    page.readouts.stale("it slips");
+    say("spoken", byId("notice-message").textContent);
+    return true;
+  }
+  notice("slips", byId("notice-message").textContent, `${torque}. ${meaning}`);
+  return false;
+}
+
+/** A case that is not understood: it stays out, and the controls go back. */
+function refused(failure, whole) {
+  notice("error", failure.message, failure.hint);
+  page.rested = true;
+  if (page.answer) page.controls.show(page.answer, null);
+  if (whole && !page.answer) {
+    // What the address says is no case: the base case is shown, and why stays to be read.
+    changed({ whole: "" });
+    page.sticky = true;
+  }
+}
+
+function show(answer) {
+  const { failure } = answer;
+  page.answer = answer;
+  page.drawn += 1;
+  page.controls.show(answer, page.active);
+  if (answer.scene) {
+    page.view.show(answer.scene, Boolean(failure));
+    for (const chart of page.charts) chart.show(answer.scene);
+  }
+  byId("drawing").dataset.state = failure ? "none" : "solved";
+  if (failure) {
+    const message = failure.message[0].toUpperCase() + failure.message.slice(1);
+    notice("slips", `${message}.`, failure.hint);
+    page.readouts.stale("no solution");
+    say("glance", "no solution");
+  } else {
+    if (!page.sticky) notice("none", "");
+    page.readouts.show(answer);
+    say("glance", glance(answer));
+    const notes = [...answer.result.warnings, ...answer.remarks];
+    byId("warnings").replaceChildren(...notes.map((text) => html("li", { text })));
+    byId("warnings-box").hidden = notes.length === 0;
+    const { solver } = answer.result;
+    const intervals = Object.values(solver.mesh_intervals).reduce((sum, count) => sum + count, 0);
+    say(
+      "solved",
+      `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`,
+    );
+  }
+  if (answer.scene) {
+    const [low, high] = page.view.range;
+    say("tension-low", `${number(low, 3)} N`);
+    say("tension-high", `${number(high, 3)} N`);
+  }
+  if (answer.result?.solver.tolerance === MOVING) measured();
+}
+
+/** Drawings in the last second. */
+function measured() {
+  const now = performance.now();
+  page.frames = [...page.frames.filter((time) => now - time < 1000), now];
+  const span = now - page.frames[0];
+  if (page.frames.length > 3)
+    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} drawings a second while moving`);
+}
+
+function open(text) {
+  if (text.length > LONGEST) notice("error", "The file is too long for a case.", "");
+  else changed({ whole: text });
+}
+
+async function openFile(file) {
+  if (!file) return;
+  if (file.size > LONGEST) notice("error", "The file is too long for a case.", "");
+  else open(await file.text());
+}
+
+function wire() {
+  byId("stop").addEventListener("click", () => {
+    page.rested = true;
+    end();
+  });
+  byId("pause").addEventListener("click", (event) => {
+    page.view.moves = !page.view.moves;
+    event.currentTarget.setAttribute("aria-pressed", String(!page.view.moves));
+  });
+  byId("base").addEventListener("click", () => open(""));
+  byId("share").addEventListener("click", async () => {
+    const url = `${location.origin}${location.pathname}${toFragment(page.case)}`;
+    history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+    try {
+      await navigator.clipboard.writeText(url);
+      say("spoken", "The link to this case is on the clipboard.");
+      say("share", "Link copied");
+    } catch {
+      say("share", "Link is in the address bar");
+    }
+    setTimeout(() => say("share", "Copy link"), 2500);
+  });
+  byId("save-case").addEventListener("click", () => download("case.toml", "application/toml", page.case));
+  byId("save-svg").addEventListener("click", () => download("drive.svg", "image/svg+xml", standalone(page.view.svg)));
+  byId("save-csv").addEventListener("click", async () => {
+    if (page.busy) return;
+    const { csv } = await ask("rest", { ask: "profile" });
+    download("profile.csv", "text/csv", csv);
+  });
+  byId("save-json").addEventListener("click", () => {
+    download("result.json", "application/json", `${JSON.stringify(page.answer?.result ?? {}, null, 2)}\n`);
+  });
+  const input = byId("file");
+  byId("open").addEventListener("click", () => input.click());
+  input.addEventListener("change", () => {
+    openFile(input.files[0]);
+    input.value = "";
+  });
+  const over = (is) => (event) => {
+    event.preventDefault();
+    document.body.classList.toggle("over", is);
+  };
+  addEventListener("dragover", over(true));
+  addEventListener("dragleave", (event) => event.relatedTarget ?? document.body.classList.remove("over"));
+  addEventListener("drop", (event) => {
+    over(false)(event);
+    openFile(event.dataTransfer.files[0]);
+  });
+  addEventListener("hashchange", () => {
+    const text = fromFragment(location.hash);
+    if (text !== null && text !== page.case) open(text);
+  });
+}
+
+async function start() {
+  wire();
+  page.view = new DriveView(byId("drawing"));
+  page.view.moves = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  set(byId("pause"), { "aria-pressed": String(!page.view.moves) });
+  say("slower", `Motion is shown ${SLOWER} times slower.`);
+  page.readouts = new Readouts(byId("readouts"));
+  page.charts = PROFILES.map((profile) => new Chart(profile));
+  byId("charts").append(...page.charts.map((chart) => chart.figure));
+  try {
+    await page.engine.start();
+  } catch (error) {
+    notice("error", "The solver could not be started.", String(error.message ?? error));
+    return;
+  }
+  say("engine", `Solved by ${page.engine.name}.`);
+  const { keys } = await page.engine.ask({ ask: "keys" });
+  page.controls = new Controls(byId("controls"), keys, moved);
+  changed({ whole: fromFragment(location.hash) ?? "" });
+}
+
+/** The least slip threshold of a belt without bending stiffness, mm/s: below, the solver finds nothing (docs/string.md). */
+const STRING_THRESHOLD = 5;
+
+/** A change from the controls, with what has to change beside it. */
+function moved(change, active) {
+  const threshold = 1e3 * (page.answer?.values["sheave.slip_threshold"] ?? 0);
+  const isString = change.set?.some(([key, value]) => key === "edition" && value === "string");
+  if (isString && threshold < STRING_THRESHOLD) {
+    const text = `${STRING_THRESHOLD} mm/s`;
+    changed({ ...change, set: [...change.set, ["sheave.slip_threshold", text]] }, active);
+    notice("note", `A belt without bending stiffness needs a larger slip threshold: it is set to ${text}.`, "");
+    page.sticky = true;
+  } else {
+    thermal(change, active);
+  }
+}
+
+/** Heat needs two keys: one alone brings the other's example with it. */
+function thermal(change, active) {
+  const ways = ["thermal.heat_transfer", "thermal.heat_transfer_per_area"];
+  const pair = ["thermal.ambient", ...ways];
+  const first = change.set?.map(([key]) => key).find((key) => pair.includes(key));
+  const given = page.answer?.given ?? [];
+  const other = ways.includes(first) ? "thermal.ambient" : ways[0];
+  const has = other === ways[0] ? ways.some((key) => given.includes(key)) : given.includes(other);
+  if (first && !has) {
+    const { key } = page.controls.controls.get(other);
+    changed({ ...change, set: [...change.set, [other, `${key.example} ${key.unit}`]] }, active);
+  } else if (change.unset?.some((key) => pair.includes(key))) {
+    changed({ ...change, unset: pair }, active);
+  } else {
+    changed(change, active);
+  }
+}
+
+// For tests: what is shown, and how it is asked.
+globalThis.sheave = page;
+start();
