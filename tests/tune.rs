@@ -72,9 +72,9 @@ fn a_full_solution_confirms_what_the_map_says() {
         [primary_spring]
         purple = { primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm" }
         [helix]
-        secondary.actuator.helix_angle = ["44 deg"]
+        secondary.actuator.helix_angle = ["32 deg"]
         [secondary_spring]
-        red = { secondary.spring.preload = "117 N", secondary.spring.rate = "4.27 N/mm", secondary.spring.torsion_rate = "4.55 N*m/rad", secondary.spring.pretension = "22 deg" }
+        silver = { secondary.spring.preload = "159 N", secondary.spring.rate = "5.39 N/mm", secondary.spring.torsion_rate = "7.3 N*m/rad", secondary.spring.pretension = "88 deg" }
     "#;
     let ranking = plan(PartsBox::from_toml("parts", text).unwrap(), 1).search(map(), &|| ()).unwrap();
     let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));

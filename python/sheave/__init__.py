@@ -25,11 +25,13 @@ from ._api import (
     compare,
     dyno,
     limit,
+    map,
     optimum,
     sensitivities,
     sweep,
 )
 from ._sheave import (
+    BeltMap,
     BeltResult,
     Case,
     Efficiency,
@@ -48,10 +50,11 @@ from ._sheave import (
     keys,
     solve,
 )
-from .errors import BenchError, CaseError, DesignError, Error, Place, SolveError, StudyError
+from .errors import BenchError, CaseError, DesignError, Error, MapError, Place, SolveError, StudyError
 
 __all__ = [
     "Belt",
+    "BeltMap",
     "BeltResult",
     "BenchError",
     "BestClamp",
@@ -68,6 +71,7 @@ __all__ = [
     "Limit",
     "Limits",
     "Losses",
+    "MapError",
     "Operating",
     "Place",
     "Profile",
@@ -88,6 +92,7 @@ __all__ = [
     "errors",
     "keys",
     "limit",
+    "map",
     "optimum",
     "sensitivities",
     "solve",

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _sheave
-from ._sheave import Case, Table
+from ._sheave import BeltMap, Case, Table
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -30,6 +30,7 @@ __all__ = [
     "compare",
     "dyno",
     "limit",
+    "map",
     "optimum",
     "progress_bar",
     "sensitivities",
@@ -232,6 +233,53 @@ def optimum(case: CaseLike = None, /, *, tolerance: float = 1e-6, **keys: Any) -
     """
     found = _sheave.optimum(case, tolerance=tolerance, **keys)
     return BestClamp(**{**found, "state": DriveState(**found["state"])})
+
+
+def map(
+    case: CaseLike = None,
+    /,
+    *,
+    over: Union[Mapping[str, Any], Sequence[str]],
+    accuracy: float = 1e-3,
+    tolerance: float = 1e-5,
+    max_points: int = 20_000,
+    least_speed_efficiency: float = 0.9,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+    **keys: Any,
+) -> BeltMap:
+    """Makes a map of what a belt does over two or more keys of its case, read between its nodes with a known error.
+
+    ``over`` is a dictionary of keys and their ranges or breakpoints, or texts as ``sheave map --over`` takes them::
+
+        map(over={"ratio": "0.7..3.2", "torque": "0..30 N*m", "clamp": [500, 1000, 2000]})
+
+    The keys may be shortened to their last part; ``ratio``, ``torque``, ``speed`` and ``clamp`` (the axial force on the
+    secondary) are usual. Breakpoints are added until the error at points that took no part is within ``accuracy``.
+
+    Raises ``CaseError``, ``MapError``, ``StudyError``.
+    """
+    texts = [f"{key}={_places(values)}" for key, values in over.items()] if isinstance(over, Mapping) else list(over)
+    # How many points it takes is known at the end only.
+    with progress_bar(progress, max_points) as tell:
+        return _sheave.map(
+            case,
+            over=texts,
+            accuracy=accuracy,
+            tolerance=tolerance,
+            max_points=max_points,
+            least_speed_efficiency=least_speed_efficiency,
+            jobs=jobs,
+            progress=tell,
+            **keys,
+        )
+
+
+def _places(values: Any) -> str:
+    """A range, or breakpoints, as text."""
+    if isinstance(values, str):
+        return values
+    return ",".join(value if isinstance(value, str) else repr(float(value)) for value in values)
 
 
 @dataclass(frozen=True)

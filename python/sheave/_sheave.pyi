@@ -441,6 +441,40 @@ class Study:
         """Solves all points, or those from ``start`` to below ``stop``."""
 
 @final
+class BeltMap:
+    """A table of what a belt does over two or more keys of its case, read between its nodes with a known error."""
+
+    @staticmethod
+    def read(path: Union[str, PathLike[str]]) -> BeltMap:
+        """Reads a map that was written as CSV, by ``write`` or by ``sheave map``. Raises MapError."""
+    def write(self, path: Union[str, PathLike[str]]) -> None:
+        """Writes the map; the ending of the name says in which form. The file appears whole."""
+    @property
+    def keys(self) -> list[str]:
+        """What the map is over, in the order of coordinates: the keys of its axes."""
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of each axis, by key."""
+    @property
+    def breakpoints(self) -> dict[str, _Array]:
+        """Where the map has nodes, SI: breakpoints by key."""
+    @property
+    def quantities(self) -> dict[str, str]:
+        """What the map tells, with its unit."""
+    @property
+    def report(self) -> dict[str, Any]:
+        """How the map was made, and how accurate it is."""
+    @property
+    def inputs(self) -> dict[str, Any]:
+        """The case in the middle of the map, resolved to SI units."""
+    def at(self, *coordinates: float, **by_key: float) -> dict[str, float]:
+        """Everything at one point: its coordinates in the order of ``keys``, or by key. Raises MapError outside."""
+    def interpolate(self, quantity: str, points: _Array) -> tuple[_Array, _Array]:
+        """A quantity at many points of shape (m, axes): values (m,) and derivatives (m, axes); NaN outside."""
+    def table_bytes(self) -> bytes:
+        """The table of the map as the library of a Functional Mock-up Unit reads it."""
+
+@final
 class BvpSolution:
     """The solution of a boundary value problem."""
 
@@ -493,7 +527,7 @@ def keys() -> list[dict[str, Any]]:
 
 def rebuild_case(given: Mapping[str, Any], swaps: Sequence[str]) -> Case: ...
 def rebuild_study(case: Case, axes: Sequence[str], tolerance: float, order: int) -> Study: ...
-def bare_seconds(case: Case, repeats: int, tolerance: float = 1e-6) -> list[float]: ...
+def bare_seconds(case: Case, near: Result, repeats: int, tolerance: float) -> list[tuple[float, float]]: ...
 def limit(
     case: _CaseLike = None,
     /,
@@ -503,6 +537,20 @@ def limit(
     **keys: Any,
 ) -> dict[str, Any]: ...
 def optimum(case: _CaseLike = None, /, *, tolerance: float = 1e-6, **keys: Any) -> dict[str, Any]: ...
+def map(
+    case: _CaseLike = None,
+    /,
+    *,
+    over: Sequence[str],
+    accuracy: float = 1e-3,
+    tolerance: float = 1e-5,
+    max_points: int = 20_000,
+    least_speed_efficiency: float = 0.9,
+    jobs: Optional[int] = None,
+    progress: Optional[Callable[[int], Any]] = None,
+    **keys: Any,
+) -> BeltMap: ...
+def fmu_library() -> tuple[str, str, bytes]: ...
 def belt(file: Union[str, PathLike[str]], *, temperature: Any = None) -> dict[str, Any]: ...
 def dyno(
     paths: Sequence[Union[str, PathLike[str]]],

@@ -20,8 +20,10 @@ affair: ``LocalCluster``, ``SSHCluster``, ``dask_kubernetes``, ``dask_jobqueue.S
 
 from __future__ import annotations
 
+import functools
 import json
 import os
+import pickle
 import uuid
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -142,13 +144,20 @@ def _in_order(kinds: dict[str, Any]) -> list[tuple[str, Any]]:
     return sorted(kinds.items(), key=lambda item: item[0] == "failure")
 
 
-def solve_part(study: Study, part: tuple[int, int], path: str) -> str:
-    """Solves a part of a study on one thread and writes its file, which appears whole; gives the path.
+@functools.lru_cache(maxsize=2)
+def _study(pickled: bytes) -> Study:
+    """A study, which a worker makes once: all points of its grid are checked."""
+    study: Study = pickle.loads(pickled)
+    return study
+
+
+def solve_part(study: bytes, part: tuple[int, int], path: str) -> str:
+    """Solves a part of a pickled study on one thread and writes its file, which appears whole; gives the path.
 
     A file that is there already stays: its rows are those that would be written.
     """
     if not os.path.exists(path):
-        study.run(part[0], part[1], jobs=1).write(path)
+        _study(study).run(part[0], part[1], jobs=1).write(path)
     return path
 
 
@@ -192,15 +201,15 @@ def _solve(dataset: Dataset, missing: list[tuple[int, int]], client: Any, progre
     from distributed.client import FutureCancelledError
 
     client = client or get_client()
-    study = dataset.study
+    study = pickle.dumps(dataset.study)
     # The study goes with each task: data that is scattered dies with the workers that hold it.
     futures = {
         client.submit(solve_part, study, part, str(dataset.path(part)), pure=False, key=_key(part)): part
         for part in missing
     }
-    solved = len(study) - sum(stop - start for start, stop in missing)
+    solved = len(dataset.study) - sum(stop - start for start, stop in missing)
     try:
-        with progress_bar(progress, len(study)) as tell:
+        with progress_bar(progress, len(dataset.study)) as tell:
             for future in as_completed(futures):
                 try:
                     future.result()

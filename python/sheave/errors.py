@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Optional
 
-__all__ = ["BenchError", "CaseError", "DesignError", "Error", "Place", "SolveError", "StudyError"]
+__all__ = ["BenchError", "CaseError", "DesignError", "Error", "MapError", "Place", "SolveError", "StudyError"]
 
 
 @dataclass(frozen=True)
@@ -71,6 +71,10 @@ class SolveError(Error, RuntimeError):
 
 class DesignError(Error, RuntimeError):
     """There is no limit or optimum, or none was found."""
+
+
+class MapError(Error, ValueError):
+    """A map cannot be made or read, or has no value at a point."""
 
 
 class StudyError(Error, ValueError):

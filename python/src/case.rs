@@ -3,7 +3,7 @@
 use crate::{convert, error};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyString};
+use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
 use std::path::PathBuf;
 
@@ -89,7 +89,9 @@ impl Case {
     fn __repr__(&self) -> String {
         let value = |setting| match setting {
             case::Setting::Number(si) => si.to_string(),
+            case::Setting::List(numbers) => format!("{numbers:?}"),
             case::Setting::Name(name) => format!("\"{name}\""),
+            case::Setting::Table(table) => format!("\"{table}\""),
         };
         let given = self.0.settings().map(|(key, setting)| format!("\"{}\": {}", key.path(), value(setting)));
         let given = given.collect::<Vec<_>>().join(", ");
@@ -103,7 +105,15 @@ impl Case {
         let rebuild = py.import("sheave._sheave")?.getattr("rebuild_case")?;
         let case = &slf.get().0;
         let swaps: Vec<String> = case.swaps().map(ToString::to_string).collect();
-        Ok((rebuild, (slf.get().given(py)?, swaps).into_pyobject(py)?.into_any()))
+        let given = PyDict::new(py);
+        for (key, setting) in case.settings() {
+            match setting {
+                // As text, which the case reads again.
+                case::Setting::Table(table) => given.set_item(key.path(), table.to_string())?,
+                other => given.set_item(key.path(), convert::object(py, &other)?)?,
+            }
+        }
+        Ok((rebuild, (given, swaps).into_pyobject(py)?.into_any()))
     }
 }
 
@@ -113,8 +123,9 @@ pub fn rebuild_case(py: Python<'_>, given: &Bound<'_, PyDict>, swaps: Vec<String
     let mut case = case::Case::base();
     for (path, value) in given {
         let path: String = path.extract()?;
-        let set = match (value.extract::<f64>(), Key::from_path(&path)) {
-            (Ok(number), Some(key)) => case.set_si(key, number),
+        let set = match (Key::from_path(&path), value.extract::<f64>(), value.extract::<Vec<f64>>()) {
+            (Some(key), Ok(number), _) => case.set_si(key, number),
+            (Some(key), _, Ok(numbers)) => case.set_list(key, &numbers),
             _ => case.set_from(ARGUMENT, &path, &text_of(&path, &value)?),
         };
         set.map_err(|error| error::case(py, &error))?;
@@ -131,7 +142,7 @@ pub fn rebuild_case(py: Python<'_>, given: &Bound<'_, PyDict>, swaps: Vec<String
 pub fn keys(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     let rows = TABLE.iter().map(|entry| {
         let (unit, choices) = match entry.kind {
-            ValueKind::Quantity { unit, .. } => (unit.symbol, Vec::new()),
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. } => (unit.symbol, Vec::new()),
             ValueKind::Choice { choices, .. } => ("", choices.iter().map(|choice| choice.name).collect()),
         };
         serde_json::json!({
@@ -257,6 +268,14 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     };
     if value.is_instance_of::<PyBool>() {
         return Err(wrong());
+    }
+    if let Ok(items) = value.cast::<PyList>() {
+        // As TOML has it: texts in quotes.
+        let item = |item: Bound<'_, PyAny>| {
+            let text = text_of(name, &item)?;
+            Ok(if text.parse::<f64>().is_ok() { text } else { format!("{text:?}") })
+        };
+        return Ok(format!("[{}]", items.iter().map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     if value.hasattr("to_base_units")? {
         let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;

@@ -16,6 +16,7 @@ mod python {
     import_exception!(sheave.errors, BenchError);
     import_exception!(sheave.errors, CaseError);
     import_exception!(sheave.errors, DesignError);
+    import_exception!(sheave.errors, MapError);
     import_exception!(sheave.errors, SolveError);
     import_exception!(sheave.errors, StudyError);
 }
@@ -104,6 +105,11 @@ pub fn bench(error: &BenchError) -> PyErr {
         .into_iter()
         .collect();
     python::BenchError::new_err((error.to_string(), error.advice().map(str::to_owned), places))
+}
+
+/// A map that cannot be made or read, or has no value at a point.
+pub fn map(message: &str) -> PyErr {
+    python::MapError::new_err((message.to_owned(), None::<String>))
 }
 
 /// A boundary value problem without a solution.

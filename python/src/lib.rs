@@ -2,6 +2,7 @@
 //! made. What is Python's own affair (units of pint, tables of pandas, figures of matplotlib) is written in Python, in
 //! `sheave/`; here stands what touches the Rust library.
 
+mod beltmap;
 mod bench;
 mod bvp;
 mod case;
@@ -9,6 +10,7 @@ mod convert;
 mod design;
 mod error;
 mod figure;
+mod fmu;
 mod interrupt;
 mod profile;
 mod result;
@@ -21,6 +23,8 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _sheave {
     #[pymodule_export]
+    use crate::beltmap::{BeltMap, map};
+    #[pymodule_export]
     use crate::bench::{belt, compare, dyno};
     #[pymodule_export]
     use crate::bvp::{BvpSolution, solve_bvp};
@@ -28,6 +32,8 @@ mod _sheave {
     use crate::case::{Case, keys, rebuild_case};
     #[pymodule_export]
     use crate::design::{limit, optimum};
+    #[pymodule_export]
+    use crate::fmu::fmu_library;
     #[pymodule_export]
     use crate::profile::{Profile, Region};
     #[pymodule_export]

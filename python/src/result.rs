@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sheave::clock::Stopwatch;
-use sheave::drive::{SolveOptions, solve_from};
+use sheave::drive::{Failure, SolveOptions, solve_from};
 use sheave::result::{self, Outcome};
 use sheave::solver::Order;
 use std::sync::Arc;
@@ -35,37 +35,46 @@ pub fn solve(
     let resolved = case::resolved(py, &case)?;
     let options = SolveOptions { sensitivities, ..options(tolerance, order)? };
     let near = near.map(|near| near.get().outcome.clone());
-    let work = move || {
-        let warm =
-            near.filter(|near| near.solved.question.swaps.is_empty() || resolved.operating_point.margin.is_none());
-        let warm = warm.filter(|near| near.result.inputs.model == resolved.model).and_then(|near| {
-            let start = Stopwatch::start();
-            let solved = solve_from(&near.solved, &resolved, &options).ok()?;
-            Some(result::interpret(&resolved, &options, solved, start))
-        });
-        warm.unwrap_or_else(|| result::run(&resolved, &options))
-    };
+    let work = move || solved(&resolved, near.as_deref(), &options);
     match interrupt::run(py, work)? {
         Ok(outcome) => Ok(Result { outcome: Arc::new(outcome) }),
         Err(failure) => Err(error::solve(py, &failure)),
     }
 }
 
-/// Seconds of each of some solutions of a case by the library alone, from a case in memory, to hold a call against.
+/// The case's solution: from one nearby if that leads to it, else from nothing.
+fn solved(
+    case: &sheave::case::Resolved,
+    near: Option<&Outcome>,
+    options: &SolveOptions,
+) -> std::result::Result<Outcome, Failure> {
+    let near = near.filter(|near| near.result.inputs.model == case.model && case.operating_point.margin.is_none());
+    let warm = near.and_then(|near| {
+        let start = Stopwatch::start();
+        let solved = solve_from(&near.solved, case, options).ok()?;
+        Some(result::interpret(case, options, solved, start))
+    });
+    warm.unwrap_or_else(|| result::run(case, options))
+}
+
+/// Seconds of each of some solutions of a case near a result by the library alone, to hold a call against; and of these
+/// the seconds from the resolved case to the result.
 #[pyfunction]
-#[pyo3(signature = (case, repeats, tolerance=1e-6))]
 pub fn bare_seconds(
     py: Python<'_>,
     case: &Bound<'_, case::Case>,
+    near: &Bound<'_, Result>,
     repeats: usize,
     tolerance: f64,
-) -> PyResult<Vec<f64>> {
-    let (case, options) = (&case.get().0, options(tolerance, 4)?);
+) -> PyResult<Vec<(f64, f64)>> {
+    let (case, options, near) = (&case.get().0, options(tolerance, 4)?, &near.get().outcome);
     let one = |_| {
         let start = std::time::Instant::now();
-        let outcome = sheave::solve_with(case, &options);
+        let resolved = case.resolve()?;
+        case.check_posed(&resolved)?;
+        let outcome = solved(&resolved, Some(near), &options)?;
         let seconds = start.elapsed().as_secs_f64();
-        outcome.map(|_| seconds)
+        Ok((seconds, outcome.result.solver.wall_time.unwrap_or(f64::NAN)))
     };
     py.detach(|| (0..repeats).map(one).collect::<std::result::Result<_, _>>())
         .map_err(|error: sheave::Error| PyValueError::new_err(error.to_string()))

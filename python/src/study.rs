@@ -50,7 +50,7 @@ impl Study {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
         let (py, this) = (slf.py(), slf.get());
         let rebuild = py.import("sheave._sheave")?.getattr("rebuild_study")?;
-        let axes: Vec<String> = this.study.axes().iter().map(text).collect();
+        let axes = this.study.axes().iter().map(text).collect::<PyResult<Vec<String>>>()?;
         let options = this.study.options();
         let arguments = (case::Case(this.case.clone()), axes, options.tolerance, options.order.number());
         Ok((rebuild, arguments.into_pyobject(py)?.into_any()))
@@ -164,7 +164,7 @@ pub fn rebuild_study(
 }
 
 /// An axis as text, with every digit of its values.
-fn text(axis: &Axis) -> String {
+fn text(axis: &Axis) -> PyResult<String> {
     let key = |(place, key): (usize, &Key)| {
         // In words: a bare number that is surely in rpm is refused.
         let unit = match key.entry().kind {
@@ -172,14 +172,16 @@ fn text(axis: &Axis) -> String {
             _ => "",
         };
         let value = |point: usize| match axis.at(point).nth(place) {
-            Some((_, Setting::Number(number))) => format!("{number:e}{unit}"),
-            Some((_, Setting::Name(name))) => name.to_owned(),
-            None => String::new(),
+            Some((_, Setting::Number(number))) => Ok(format!("{number:e}{unit}")),
+            Some((_, Setting::Name(name))) => Ok(name.to_owned()),
+            Some((_, Setting::List(_) | Setting::Table(_))) | None => {
+                Err(PyTypeError::new_err(format!("a study over `{}` cannot be pickled", key.path())))
+            }
         };
-        let values: Vec<String> = (0..axis.points()).map(value).collect();
-        format!("{}={}", key.path(), values.join(","))
+        let values = (0..axis.points()).map(value).collect::<PyResult<Vec<_>>>()?;
+        Ok(format!("{}={}", key.path(), values.join(",")))
     };
-    axis.keys().iter().enumerate().map(key).collect::<Vec<_>>().join("&")
+    Ok(axis.keys().iter().enumerate().map(key).collect::<PyResult<Vec<_>>>()?.join("&"))
 }
 
 /// What varies, from a dictionary, a text or several.

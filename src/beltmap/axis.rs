@@ -94,6 +94,11 @@ impl MapAxis {
         self.key
     }
 
+    /// SI unit of the breakpoints, as files state it; `1` for a pure number.
+    pub fn unit(&self) -> &'static str {
+        super::file::unit(self.key)
+    }
+
     /// Where the map has nodes, SI, increasing; three at the least.
     pub fn breakpoints(&self) -> &[f64] {
         &self.breakpoints

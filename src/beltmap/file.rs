@@ -20,6 +20,7 @@ use std::path::Path;
 /// What the first line of a map as CSV begins with.
 const MAGIC: &str = "# sheave belt map ";
 /// Where other formats have the same.
+#[cfg(any(feature = "netcdf", feature = "parquet"))]
 pub(super) const ATTRIBUTE: &str = "sheave_belt_map";
 /// Version of the format.
 const VERSION: usize = 1;

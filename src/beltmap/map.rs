@@ -129,6 +129,17 @@ impl BeltMap {
         &self.quantities
     }
 
+    /// What the interpolant is made of, for who reads the map elsewhere: all derivatives, node by node, quantity by quantity,
+    /// order by order. Bit k of an order stands for a derivative along axis k; not numbers at nodes without a solution.
+    pub fn derivatives(&self) -> &[f64] {
+        &self.jets
+    }
+
+    /// Whether the map has values in the cell above each node, by node; false at the upper end of an axis.
+    pub fn usable_above(&self) -> &[bool] {
+        &self.usable
+    }
+
     /// The case in the middle of the map with everything decided, as in the `inputs` of a result.
     pub fn inputs(&self) -> &serde_json::Value {
         &self.inputs

@@ -6,6 +6,7 @@ mod ask;
 mod belt;
 mod branch;
 mod budget;
+mod climb;
 mod closing;
 mod correct;
 mod curve;

@@ -1,47 +1,37 @@
 //! From a question to a solution, from nothing.
 
-use solver::continuation::{PathOptions, follow_observed};
-use solver::{Guess, Options, Order, Solution, SolveError, Stats};
+use solver::continuation::PathOptions;
+use solver::{Guess, Options, Order};
 
 use super::approach::approach;
 use super::belt::BeltProblem;
 use super::budget::Budget;
-use super::correct::{corrected, relaxed};
+use super::climb::climb;
 use super::failure::Failure;
 use super::question::{Question, Swap};
 use super::route::Route;
-use super::solved::{Solved, accepted};
-use super::start;
+use super::solved::Solved;
 use super::trouble::Trouble;
 use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
-use crate::model::{Constant, Constants};
+use crate::model::Constant;
 
 /// Tolerance on the path from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Factor on it where the path is followed on finer meshes.
-const FINER: f64 = 0.1;
 /// The same for a belt without bending stiffness.
 const STRING_TOLERANCE: f64 = 1e-3;
 /// Newton iterations of a step on the path: where the belt adheres at 1e-5 m/s, kinks travel over the mesh for a while.
-const WAY_ITERATIONS: usize = 25;
+const PATH_ITERATIONS: usize = 25;
 /// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
 /// Intervals of a region on the path.
-const WAY_INTERVALS: usize = 2000;
+const PATH_INTERVALS: usize = 2000;
 /// Smallest step on a stage of the path, as a share of the stage.
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps on a stage of the path, accepted or not.
-const LEG_STEPS: usize = 400;
+const STAGE_STEPS: usize = 400;
 /// Tolerances to which a solution is sought that was not found to the one asked for.
 const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
-/// Share of a route's work that its first path may take.
-const SHARE: f64 = 0.4;
-/// How far the end of the path may be from a place where it was lost, for a try to get there at once: factors on slip
-/// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
-const LEAP_THRESHOLD: f64 = 10.0;
-const LEAP_TENSION: f64 = 2.0;
-const LEAP_PULL: f64 = 0.5;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
@@ -281,14 +271,14 @@ fn one_by_one(
     Ok(here)
 }
 
-fn rough(options: &SolveOptions) -> Options {
-    Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: WAY_INTERVALS, ..options.solver() }
+pub(super) fn rough(options: &SolveOptions) -> Options {
+    Options { tolerance: options.tolerance.max(ROUGH_TOLERANCE), max_intervals: PATH_INTERVALS, ..options.solver() }
 }
 
 /// How a stage of the path is followed, `solve` being for its end.
-fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
+pub(super) fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
     let (tolerance, max_iterations) = match model.bending {
-        Some(_) => (ROUGH_TOLERANCE, WAY_ITERATIONS),
+        Some(_) => (ROUGH_TOLERANCE, PATH_ITERATIONS),
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
         None => (STRING_TOLERANCE, STRING_ITERATIONS),
     };
@@ -297,7 +287,7 @@ fn path_options(model: &ModelChoices, solve: Options) -> PathOptions {
         tolerance,
         max_iterations,
         smallest_step: SMALLEST_STEP,
-        max_steps: LEG_STEPS,
+        max_steps: STAGE_STEPS,
         ..PathOptions::default()
     }
 }
@@ -343,144 +333,4 @@ fn ordinary(
         }
     }
     Err(ended(failure))
-}
-
-/// Follows the stages of a route; where the path is lost, it goes on from there once more, on finer meshes.
-fn climb(
-    model: &ModelChoices,
-    belt: &BeltProblem,
-    route: Route,
-    target: &Constants,
-    options: &SolveOptions,
-    budget: &mut Budget,
-) -> Result<(Solution, Stats, usize), Failure> {
-    let begin = route.begin(target);
-    let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
-    // What short steps do not reach, a leap may: something is left for it.
-    let given = budget.part((SHARE * budget.left() as f64) as usize);
-    let mut part = given;
-    let followed = climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part);
-    budget.take(&given, &part);
-    let lost = match followed {
-        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
-        Err(lost) => lost,
-    };
-    let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
-        return Err(lost.failure);
-    };
-    if let Some(solution) = climb.leap(&last, budget) {
-        return Ok((solution, climb.stats, climb.steps));
-    }
-    let again = match climb.follow(Guess::from(&*last), &Constants::of(&last), Mesh::Fine, budget) {
-        Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
-        Err(again) => again,
-    };
-    match again.last.and_then(|last| climb.leap(&last, budget)) {
-        Some(solution) => Ok((solution, climb.stats, climb.steps)),
-        None => Err(Failure::farther(Some(lost.failure), again.failure)),
-    }
-}
-
-/// Whether a place on the path is so near its end that Newton's iteration may get there at once.
-fn is_near(here: &Constants, target: &Constants) -> bool {
-    let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
-    let pull =
-        (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
-    here[Constant::BendingStiffness] == target[Constant::BendingStiffness]
-        && here[Constant::MassPerLength] == target[Constant::MassPerLength]
-        && factor(Constant::SlipThreshold) <= LEAP_THRESHOLD.ln()
-        && factor(Constant::SlackTension) <= LEAP_TENSION.ln()
-        && pull <= LEAP_PULL * target[Constant::SlackTension]
-}
-
-/// How fine the meshes of the path are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Mesh {
-    Coarse,
-    Fine,
-}
-
-/// The path along a route.
-struct Climb<'a> {
-    model: &'a ModelChoices,
-    belt: &'a BeltProblem,
-    route: Route,
-    target: &'a Constants,
-    options: &'a SolveOptions,
-    stats: Stats,
-    steps: usize,
-}
-
-/// Where the path was lost, and why.
-struct Lost {
-    last: Option<Box<Solution>>,
-    failure: Failure,
-}
-
-impl Climb<'_> {
-    /// The end of the path from a place near it, in one step, on meshes that are halved where Newton's iteration fails:
-    /// where the belt adheres on a sliver, steps along the path become too short to be of use.
-    fn leap(&mut self, last: &Solution, budget: &mut Budget) -> Option<Solution> {
-        if !is_near(&Constants::of(last), self.target) || budget.is_spent() || is_cancelled() {
-            return None;
-        }
-        let mut guess = Guess::from(last);
-        let given = guess.constants.iter_mut().zip(&self.target.0).skip(Constant::UNKNOWN);
-        given.for_each(|(here, there)| *here = *there);
-        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-        let (rough, solver) = (rough(self.options), self.options.solver());
-        let near = solver::solve_observed(self.belt, &guess, &unknowns, &relaxed(&rough), budget).ok()?;
-        self.stats += *near.stats();
-        let found =
-            solver::solve_observed(self.belt, &Guess::from(&near), &unknowns, &relaxed(&solver), budget).ok()?;
-        self.stats += *found.stats();
-        self.steps += 1;
-        corrected(self.belt, found, &solver, false, &mut self.stats, budget).ok()
-    }
-
-    fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {
-        Lost { failure: Failure::of(self.belt, self.target, last.as_deref(), cause), last }
-    }
-
-    /// Follows the stages from a guess whose given constants are those of `begin`.
-    fn follow(&mut self, guess: Guess, begin: &Constants, mesh: Mesh, budget: &mut Budget) -> Result<Solution, Lost> {
-        let stages = self.route.stages(begin, self.target);
-        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
-        let (count, mut guess, mut found) = (stages.len(), guess, None::<Solution>);
-        for (index, path) in stages.into_iter().enumerate() {
-            let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
-            let mut options = path_options(self.model, relaxed(&solver));
-            if mesh == Mesh::Fine {
-                options.tolerance *= FINER;
-                options.max_iterations *= 2;
-            }
-            let followed = follow_observed(self.belt, &guess, &path, &unknowns, &options, budget);
-            // What was found on the stages before is as good a place to go on from.
-            let followed = match followed {
-                Ok(followed) => followed,
-                Err(error) => return Err(self.lost(error.last.or(found.map(Box::new)), error.cause)),
-            };
-            self.stats += *followed.solution.stats();
-            let steps = accepted(&followed);
-            self.steps += steps;
-            let corrected = corrected(self.belt, followed.solution, &solver, false, &mut self.stats, budget);
-            let solution = match corrected {
-                Ok(solution) => solution,
-                Err((last, cause)) => return Err(self.lost(Some(last), Box::new(cause))),
-            };
-            let here = Constants::of(&solution);
-            tracing::info!(
-                "stage {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
-                index + 1,
-                steps,
-                here[Constant::PrimaryTorque],
-                here[Constant::SlackTension],
-                here[Constant::SlipThreshold],
-                solution.intervals(),
-            );
-            guess = Guess::from(&solution);
-            found = Some(solution);
-        }
-        found.ok_or(Lost { last: None, failure: Failure::NoEquations })
-    }
 }

@@ -25,8 +25,8 @@
 //! 8. A trip is left only by Acknowledge, after its cause has gone, and leads to Safe.
 //! 9. From every state Safe can be reached again once the faults are gone.
 //! 10. Power ends within `torque_ms` + one step after the torque sensor gives nothing new.
-//! 11. A reset of the measuring device ends power at once, and power stays off until a frame has told of the reset, also
-//!     where the link is lost meanwhile.
+//! 11. A reset of the measuring device ends power at once, and power stays off until a frame has told of the reset,
+//!     also where the link is lost meanwhile.
 
 /// Times after which a condition ends a run, ms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -292,7 +292,6 @@ fn record<H: Hardware>(mut rig: H, kind: &str, test: &Test) -> Result<ExitCode, 
     let (cause, message) = (session.cause(), session.status().message.clone());
     let (_, written) = session.finish();
     let exported = runs::export(&folder)?;
-    runs::write_points(&folder, &points)?;
     println!("{} operating points in {seconds:.0} s, {} frames", points.len(), exported.frames);
     if !written {
         return Err("the recording is not complete: the disk is full or gone".into());

@@ -1,7 +1,8 @@
 //! Runs as the thesis's program left them (Appendix H): for each operating point n the files `P_n.csv`, `S_n.csv`,
 //! `ADC_n.csv` and `TORQUE_n.csv`, each with rows of time in µs and value, and nothing else.
 //!
-//! The clock of the thesis rolls over after 71.6 minutes; a stamp that falls by more than half of its range is taken on.
+//! The clock of the thesis rolls over after 71.6 minutes; a stamp that falls by more than half of its range is taken
+//! on.
 
 use std::fs;
 use std::io::{self, Write};
@@ -54,7 +55,7 @@ pub enum OldRunError {
         given: String,
     },
     /// No such files at all.
-    #[error("{path}: neither a journal nor files such as P_0.csv, S_0.csv, TORQUE_0.csv are here", path = path.display())]
+    #[error("{path}: neither a journal nor files such as P_0.csv and S_0.csv are here", path = path.display())]
     Nothing {
         /// Which folder.
         path: PathBuf,
@@ -95,7 +96,10 @@ fn point(folder: &Path, number: u32) -> Result<OldPoint, OldRunError> {
     let channel = |name: &str| samples(&folder.join(format!("{name}_{number}.csv")));
     let [primary, secondary, converter, torque] = CHANNELS;
     let (converter, torque) = (channel(converter), channel(torque));
-    let absent = |read: &Result<Samples, OldRunError>| matches!(read, Err(OldRunError::File { error, .. }) if error.kind() == io::ErrorKind::NotFound);
+    let absent = |read: &Result<Samples, OldRunError>| match read {
+        Err(OldRunError::File { error, .. }) => error.kind() == io::ErrorKind::NotFound,
+        Ok(_) | Err(_) => false,
+    };
     // One of the two is enough.
     let (converter, torque) = match (absent(&converter), absent(&torque)) {
         (true, false) => (Vec::new(), torque?),

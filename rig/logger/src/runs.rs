@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::calibration::Calibration;
 use crate::journal::{JOURNAL, Journal, Record};
-use crate::steady::Point;
+use crate::steady::{BEGINS, Mean, Point, READING, READING_UNSETTLED, SETTLING};
 
 /// What a run was made with; `run.toml` beside the data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -119,50 +119,128 @@ impl Channel {
     }
 }
 
-/// Makes of a journal: `log.csv` of the whole run (timestamp_ms, primary_rpm, secondary_rpm, torque), and for each
-/// operating
-/// point the files P_n, S_n, ADC_n and TORQUE_n of Appendix H. May be repeated at any time; the journal is never
-/// touched.
+/// What is being read of an operating point.
+struct Reading {
+    number: u32,
+    channels: [Channel; 4],
+    begins: u64,
+    settling_ms: u64,
+    settled: bool,
+    means: [Mean; 3],
+}
+
+impl Reading {
+    fn frame(&mut self, frame: &Frame, calibration: &Calibration) {
+        let snapshot = &frame.snapshot;
+        let (p, s) = (snapshot.primary.speed.rpm_exact(), snapshot.secondary.speed.rpm_exact());
+        let torque = calibration.torque(snapshot.torque);
+        let stamp = |at: Option<rig_core::Instant>| at.map(rig_core::Instant::microseconds);
+        let converted = stamp(snapshot.torque_at);
+        let [primary, secondary, adc, torques] = &mut self.channels;
+        let [primary_mean, secondary_mean, torque_mean] = &mut self.means;
+        primary_mean.add(p);
+        secondary_mean.add(s);
+        if converted != adc.last {
+            torque_mean.add(torque);
+        }
+        primary.add(stamp(snapshot.primary.last_pulse), &format!("{p:.3}"));
+        secondary.add(stamp(snapshot.secondary.last_pulse), &format!("{s:.3}"));
+        adc.add(converted, &snapshot.torque.to_string());
+        torques.add(converted, &format!("{torque:.5}"));
+    }
+
+    fn point(&self, pass: u32, number: u32, ends: u64) -> Point {
+        let [primary, secondary, torque] = &self.means;
+        Point {
+            pass,
+            number,
+            primary_rpm: primary.result(),
+            secondary_rpm: secondary.result(),
+            torque: torque.result(),
+            conversions: torque.count(),
+            duration: (ends - self.begins) as f64 * 1e-6,
+            settling_ms: self.settling_ms,
+            settled: self.settled,
+        }
+    }
+}
+
+/// What a journal's records come to.
+#[derive(Default)]
+struct Exporting {
+    log: String,
+    frames: usize,
+    points: Vec<Point>,
+    passes: u32,
+    /// The number of the next point within its pass.
+    number: u32,
+    settling_since: u64,
+    settled: bool,
+    reading: Option<Reading>,
+}
+
+impl Exporting {
+    fn record(&mut self, folder: &Path, record: &Record, calibration: &Calibration) -> io::Result<()> {
+        match record {
+            Record::Frame { at, bytes } => {
+                let Ok(frame) = Frame::from_bytes(bytes) else { return Ok(()) };
+                self.frames += 1;
+                let (primary, secondary) = (frame.snapshot.primary.speed, frame.snapshot.secondary.speed);
+                let (p, s) = (primary.rpm_exact(), secondary.rpm_exact());
+                let torque = calibration.torque(frame.snapshot.torque);
+                self.log.push_str(&format!("{:.3},{p:.3},{s:.3},{torque:.4}\n", *at as f64 * 1e-3));
+                // A point is what came after its beginning.
+                if let Some(reading) = self.reading.as_mut().filter(|reading| reading.begins < *at) {
+                    reading.frame(&frame, calibration);
+                }
+            }
+            Record::Point { at, number, begins: true } => {
+                self.reading = Some(Reading {
+                    number: *number,
+                    channels: Default::default(),
+                    begins: *at,
+                    settling_ms: at.saturating_sub(self.settling_since) / 1000,
+                    settled: self.settled,
+                    means: Default::default(),
+                });
+            }
+            Record::Point { at, begins: false, .. } => {
+                let Some(reading) = self.reading.take() else { return Ok(()) };
+                self.points.push(reading.point(self.passes.saturating_sub(1), self.number, *at));
+                self.number += 1;
+                for (name, channel) in ["P", "S", "ADC", "TORQUE"].iter().zip(reading.channels) {
+                    write(folder, &format!("{name}_{}.csv", reading.number), &channel.text)?;
+                }
+            }
+            Record::Note { at, text } => match text.as_str() {
+                BEGINS => (self.passes, self.number) = (self.passes + 1, 0),
+                SETTLING => self.settling_since = *at,
+                READING => self.settled = true,
+                READING_UNSETTLED => self.settled = false,
+                _ => {}
+            },
+            Record::Temperature { .. } => {}
+        }
+        Ok(())
+    }
+}
+
+/// Makes of a journal: `log.csv` of the whole run (timestamp_ms, primary_rpm, secondary_rpm, torque), for each
+/// operating point the files P_n, S_n, ADC_n and TORQUE_n of Appendix H, and the table of points, `points.csv`. May be
+/// repeated at any time; the journal is never touched.
 ///
 /// # Errors
 /// If the folder cannot be read or written.
 pub fn export(folder: &Path) -> io::Result<Exported> {
     let calibration = metadata(folder)?.calibration;
     let journal = Journal::read(&folder.join(JOURNAL))?;
-    let mut log = String::from("timestamp_ms,primary_rpm,secondary_rpm,torque\n");
-    let mut exported = Exported { frames: 0, points: 0, bad_lines: journal.bad_lines.len() };
-    let mut point: Option<(u32, [Channel; 4])> = None;
+    let mut exporting = Exporting::default();
     for record in &journal.records {
-        match record {
-            Record::Frame { at, bytes } => {
-                let Ok(frame) = Frame::from_bytes(bytes) else { continue };
-                exported.frames += 1;
-                let snapshot = &frame.snapshot;
-                let (p, s) = (snapshot.primary.speed.rpm_exact(), snapshot.secondary.speed.rpm_exact());
-                let torque = calibration.torque(snapshot.torque);
-                log.push_str(&format!("{:.3},{p:.3},{s:.3},{torque:.4}\n", *at as f64 * 1e-3));
-                let Some((_, channels)) = &mut point else { continue };
-                let stamp = |at: Option<rig_core::Instant>| at.map(rig_core::Instant::microseconds);
-                let converted = stamp(snapshot.torque_at);
-                let [primary, secondary, adc, torques] = channels;
-                primary.add(stamp(snapshot.primary.last_pulse), &format!("{p:.3}"));
-                secondary.add(stamp(snapshot.secondary.last_pulse), &format!("{s:.3}"));
-                adc.add(converted, &snapshot.torque.to_string());
-                torques.add(converted, &format!("{torque:.5}"));
-            }
-            Record::Point { number, begins: true, .. } => point = Some((*number, Default::default())),
-            Record::Point { begins: false, .. } => {
-                let Some((number, channels)) = point.take() else { continue };
-                exported.points += 1;
-                for (name, channel) in ["P", "S", "ADC", "TORQUE"].iter().zip(channels) {
-                    write(folder, &format!("{name}_{number}.csv"), &channel.text)?;
-                }
-            }
-            Record::Temperature { .. } | Record::Note { .. } => {}
-        }
+        exporting.record(folder, record, &calibration)?;
     }
-    write(folder, "log.csv", &log)?;
-    Ok(exported)
+    write(folder, "log.csv", &format!("timestamp_ms,primary_rpm,secondary_rpm,torque\n{}", exporting.log))?;
+    write_points(folder, &exporting.points)?;
+    Ok(Exported { frames: exporting.frames, points: exporting.points.len(), bad_lines: journal.bad_lines.len() })
 }
 
 /// Writes the points of a test as `points.csv`, in the columns that `sheave compare` reads.

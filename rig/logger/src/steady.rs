@@ -8,6 +8,15 @@ use crate::session::Session;
 use crate::settle::Settling;
 use crate::watch::PRELOAD_US;
 
+/// What a test notes in the journal: a pass begins,
+pub(crate) const BEGINS: &str = "putting the brake on";
+/// a point is waited for,
+pub(crate) const SETTLING: &str = "settling";
+/// it is read,
+pub(crate) const READING: &str = "reading";
+/// it is read all the same.
+pub(crate) const READING_UNSETTLED: &str = "reading, though it has not settled";
+
 /// How the test goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
@@ -88,6 +97,11 @@ pub struct Mean {
 }
 
 impl Mean {
+    /// How many values there were.
+    pub(crate) fn count(&self) -> u32 {
+        self.count
+    }
+
     /// Mean and standard deviation of some values; zero for none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
         let mut mean = Self::default();
@@ -95,14 +109,14 @@ impl Mean {
         mean.result()
     }
 
-    fn add(&mut self, value: f64) {
+    pub(crate) fn add(&mut self, value: f64) {
         self.count += 1;
         let before = value - self.mean;
         self.mean += before / f64::from(self.count);
         self.squares += before * (value - self.mean);
     }
 
-    fn result(&self) -> (f64, f64) {
+    pub(crate) fn result(&self) -> (f64, f64) {
         (self.mean, if self.count > 1 { (self.squares / f64::from(self.count - 1)).sqrt() } else { 0.0 })
     }
 }
@@ -147,7 +161,7 @@ impl<H: Hardware> Test<'_, H> {
 
     /// Puts the brake on, has the engine started and opens the throttle; false if that does not come about in a minute.
     fn start(&mut self) -> bool {
-        self.session.note("putting the brake on");
+        self.session.note(BEGINS);
         if !self.for_ms(PRELOAD_US as u64 / 1000 + 100, Brake::Apply) {
             return false;
         }
@@ -217,7 +231,7 @@ impl<H: Hardware> Test<'_, H> {
 
     /// Waits until speeds and torque have settled; the time it took in ms and whether they had.
     fn settle(&mut self) -> Option<(u64, bool)> {
-        self.session.note("settling");
+        self.session.note(SETTLING);
         let begin = self.session.status().time;
         let mut settling = [Settling::new(25.0, 300), Settling::new(25.0, 300), Settling::new(0.6, 300)];
         loop {
@@ -238,7 +252,7 @@ impl<H: Hardware> Test<'_, H> {
 
     fn read(&mut self, pass: u32, number: u32, (settling_ms, settled): (u64, bool)) -> Option<Point> {
         self.session.set_point(number);
-        self.session.note(if settled { "reading" } else { "reading, though it has not settled" });
+        self.session.note(if settled { READING } else { READING_UNSETTLED });
         let begin = self.session.status().time;
         let count = self.points.len() as u32;
         self.session.record(&Record::Point { at: begin, number: count, begins: true });

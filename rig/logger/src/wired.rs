@@ -1,4 +1,5 @@
-//! The real rig, over the traits of `embedded-hal`: a bus, two lines for the brake, one for the emergency stop, a servo.
+//! The real rig, over the traits of `embedded-hal`: a bus, two lines for the brake, one for the emergency stop, a
+//! servo.
 //!
 //! With the feature `linux`, [`open`] takes them from `/dev/i2c-1`, `/dev/gpiochip0` and `/sys/class/pwm`; the tests
 //! take them from a device that is made up.
@@ -24,7 +25,7 @@ const INFRARED_ADDRESS: u8 = 0x5a;
 const OBJECT_TEMPERATURE: u8 = 0x07;
 /// The check of an SMBus transfer.
 const PACKET_CHECK: crc::Crc<u8> = crc::Crc::<u8>::new(&crc::CRC_8_SMBUS);
-/// Share of the servo's period of 20 ms, in thousandths, for a closed and for an open throttle (Appendix H: 11 and 4 %).
+/// Share of the servo's period of 20 ms, in thousandths, for a closed and an open throttle (Appendix H: 11 and 4 %).
 const SERVO_CLOSED: u16 = 110;
 const SERVO_OPEN: u16 = 40;
 /// The relay that turns the actuator round switches without current, and is given this long for it.

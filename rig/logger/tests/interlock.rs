@@ -1,7 +1,8 @@
 //! Every state that the interlock can reach, with every fault at any moment, by exhaustive enumeration.
 //!
 //! The model joins three machines: the interlock, the run permit of the measuring device (the code that the firmware
-//! runs), and the world outside, which keeps its own account of how long each fault has truly lasted. In every step of 100 ms
+//! runs), and the world outside, which keeps its own account of how long each fault has truly lasted. In every step of
+//! 100 ms
 //! the world may change any of its conditions, the operator may ask for anything, and the program may die for good,
 //! leaving its outputs as they were.
 

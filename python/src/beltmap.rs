@@ -1,0 +1,278 @@
+//! Belt maps.
+
+use crate::{case, convert, error, interrupt, result};
+use numpy::ndarray::ArrayView2;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use sheave::Cancel;
+use sheave::beltmap::{self, Keep, MapAxis, MapError, MapFormat, MapOptions, MapPlan, Progress, Quantity};
+use sheave::study::Row;
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Makes a map: see `sheave.map`.
+#[pyfunction]
+#[pyo3(signature = (case=None, /, *, over, accuracy=1e-3, tolerance=1e-5, max_points=20_000, least_speed_efficiency=0.9,
+    jobs=None, progress=None, **keys))]
+pub fn map(
+    py: Python<'_>,
+    case: Option<&Bound<'_, PyAny>>,
+    over: Vec<String>,
+    accuracy: f64,
+    tolerance: f64,
+    max_points: usize,
+    least_speed_efficiency: f64,
+    jobs: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<BeltMap> {
+    let case = case::read(py, case, keys)?;
+    let solve = result::options(tolerance, 4)?;
+    let options = MapOptions { accuracy, solve, max_points, least_speed_efficiency, jobs };
+    let axes: Result<Vec<_>, _> = over.iter().map(|text| MapAxis::parse(text)).collect();
+    let plan = axes.and_then(|axes| MapPlan::new(case, axes, options)).map_err(|error| refused(py, &error))?;
+    let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
+    let kept = Counting { cancel: cancel.clone(), solved: solved.clone() };
+    let tell = |_: Python<'_>| match progress {
+        Some(progress) => progress.call1((solved.load(Ordering::Relaxed),)).map(|_| ()),
+        None => Ok(()),
+    };
+    let map = interrupt::watched(py, &cancel, move || plan.build(&kept), tell)?;
+    map.map(|map| BeltMap(Arc::new(map))).map_err(|error| refused(py, &error))
+}
+
+/// Values and derivatives.
+type Interpolated<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// Keeps nothing but the number of points, and takes no more once it is cancelled.
+struct Counting {
+    cancel: Cancel,
+    solved: Arc<AtomicUsize>,
+}
+
+impl Keep for Counting {
+    fn kept(&self, _point: usize) -> Option<Row> {
+        None
+    }
+
+    fn keep(&self, _row: Row) -> io::Result<()> {
+        if self.cancel.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { Ok(()) }
+    }
+
+    fn progress(&self, progress: Progress) {
+        self.solved.store(progress.solved, Ordering::Relaxed);
+    }
+}
+
+fn refused(py: Python<'_>, error: &MapError) -> PyErr {
+    match error {
+        MapError::Case(error) => error::case(py, error),
+        MapError::Study(error) => error::study(py, error),
+        other => error::map(&other.to_string()),
+    }
+}
+
+/// A table of what a belt does over two or more keys of its case, read between its nodes with a known error.
+#[pyclass(frozen, module = "sheave")]
+pub struct BeltMap(Arc<beltmap::BeltMap>);
+
+#[pymethods]
+impl BeltMap {
+    /// Reads a map that was written as CSV, by `write` or by `sheave map`.
+    #[staticmethod]
+    fn read(path: PathBuf) -> PyResult<Self> {
+        let map = beltmap::BeltMap::read(&path);
+        map.map(|map| Self(Arc::new(map))).map_err(|error| error::map(&error.to_string()))
+    }
+
+    /// Writes the map; the ending of the name says in which form. The file appears whole.
+    fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let format = MapFormat::of(&path)
+            .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv or .parquet"))?;
+        let write = || -> io::Result<()> {
+            let mut name = path.clone().into_os_string();
+            name.push(format!(".{}.part", std::process::id()));
+            let beside = PathBuf::from(name);
+            let written = std::fs::File::create(&beside).and_then(|file| {
+                let mut writer = BufWriter::new(file);
+                format.write(&self.0, &mut writer)?;
+                writer.flush()?;
+                writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
+                std::fs::rename(&beside, &path)
+            });
+            if written.is_err() {
+                // What is left of a file that nobody asked for.
+                let _ = std::fs::remove_file(&beside);
+            }
+            written
+        };
+        py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
+    }
+
+    /// What the map is over, in the order of coordinates: the keys of its axes.
+    #[getter]
+    fn keys(&self) -> Vec<&'static str> {
+        self.0.axes().iter().map(|axis| axis.key().path()).collect()
+    }
+
+    /// Where the map has nodes, SI: breakpoints by key.
+    #[getter]
+    fn breakpoints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for axis in self.0.axes() {
+            dict.set_item(axis.key().path(), axis.breakpoints().to_pyarray(py))?;
+        }
+        Ok(dict)
+    }
+
+    /// What the map tells, with its unit.
+    #[getter]
+    fn quantities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        self.0.quantities().iter().try_for_each(|quantity| dict.set_item(quantity.name(), quantity.unit()))?;
+        Ok(dict)
+    }
+
+    /// How the map was made, and how accurate it is.
+    #[getter]
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        convert::object(py, self.0.report())
+    }
+
+    /// The case in the middle of the map, resolved to SI units.
+    #[getter]
+    fn inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        convert::python(py, self.0.inputs())
+    }
+
+    /// A quantity at many points: `points` of shape (m, number of axes), SI, in the order of `keys`. Gives its values, shape
+    /// (m,), and its derivatives, shape (m, number of axes); not a number outside the map.
+    fn interpolate<'py>(
+        &self,
+        py: Python<'py>,
+        quantity: &str,
+        points: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Interpolated<'py>> {
+        let wanted = Quantity::from_name(quantity).filter(|quantity| self.0.quantities().contains(quantity));
+        let wanted = wanted.ok_or_else(|| PyValueError::new_err(format!("the map does not tell `{quantity}`")))?;
+        let (points, axes) = (points.as_array(), self.0.axes().len());
+        if points.ncols() != axes {
+            let given = points.ncols();
+            return Err(PyValueError::new_err(format!("{given} coordinates are given: the map has {axes} axes")));
+        }
+        let (mut values, mut slopes) = (Vec::with_capacity(points.nrows()), Vec::with_capacity(points.len()));
+        for point in points.outer_iter() {
+            let at = self.0.at(&point.to_vec());
+            let found = at.as_ref().ok().and_then(|at| Some((at.value(wanted).ok()?, at.slopes(wanted).ok()?)));
+            match found {
+                Some((value, slope)) => {
+                    values.push(value);
+                    slopes.extend_from_slice(slope);
+                }
+                None => {
+                    values.push(f64::NAN);
+                    slopes.extend(std::iter::repeat_n(f64::NAN, axes));
+                }
+            }
+        }
+        let shaped = ArrayView2::from_shape((values.len(), axes), &slopes);
+        let shaped = shaped.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok((values.to_pyarray(py), PyArray2::from_array(py, &shaped)))
+    }
+
+    /// Unit of each axis, as files state it, by key.
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for axis in self.0.axes() {
+            dict.set_item(axis.key().path(), axis.unit())?;
+        }
+        Ok(dict)
+    }
+
+    /// The table of the map as the library of a Functional Mock-up Unit reads it: see `fmu/table.rs`.
+    fn table_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        let mut bytes = Vec::new();
+        let count =
+            |bytes: &mut Vec<u8>, count: usize| bytes.extend(u32::try_from(count).unwrap_or(u32::MAX).to_le_bytes());
+        let text = |bytes: &mut Vec<u8>, text: &str| {
+            count(bytes, text.len());
+            bytes.extend(text.as_bytes());
+        };
+        count(&mut bytes, self.0.axes().len());
+        for axis in self.0.axes() {
+            let places = axis.breakpoints();
+            text(&mut bytes, axis.key().path());
+            bytes.extend(places.get(places.len() / 2).copied().unwrap_or(f64::NAN).to_le_bytes());
+            count(&mut bytes, places.len());
+            places.iter().for_each(|place| bytes.extend(place.to_le_bytes()));
+        }
+        count(&mut bytes, self.0.quantities().len());
+        self.0.quantities().iter().for_each(|quantity| text(&mut bytes, quantity.name()));
+        self.0.derivatives().iter().for_each(|derivative| bytes.extend(derivative.to_le_bytes()));
+        bytes.extend(self.0.usable_above().iter().map(|usable| u8::from(*usable)));
+        PyBytes::new(py, &bytes)
+    }
+
+    /// Everything at one point: its coordinates in the order of `keys`, or by key. Raises MapError outside the map.
+    #[pyo3(signature = (*coordinates, **by_key))]
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        coordinates: Vec<f64>,
+        by_key: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let at = match by_key {
+            None => coordinates,
+            Some(named) => self.by_key(named)?,
+        };
+        let point = self.0.at(&at).map_err(|outside| error::map(&outside.to_string()))?;
+        let dict = PyDict::new(py);
+        for quantity in self.0.quantities() {
+            dict.set_item(
+                quantity.name(),
+                point.value(*quantity).map_err(|outside| error::map(&outside.to_string()))?,
+            )?;
+        }
+        for (name, value) in [
+            ("secondary.speed", point.secondary_speed()),
+            ("slip_reserve", point.slip_reserve()),
+            ("efficiency.overall", point.efficiency()),
+        ] {
+            dict.set_item(name, value.map_err(|outside| error::map(&outside.to_string()))?)?;
+        }
+        Ok(dict)
+    }
+
+    fn __repr__(&self) -> String {
+        let axes = self.0.axes().iter().map(|axis| format!("{} ({})", axis.key().path(), axis.len()));
+        let report = self.0.report();
+        format!(
+            "<sheave.BeltMap over {}: largest error {:.1e}, {} of {} cells with values>",
+            axes.collect::<Vec<_>>().join(" × "),
+            report.error.largest,
+            report.usable_cells,
+            report.cells
+        )
+    }
+}
+
+impl BeltMap {
+    fn by_key(&self, named: &Bound<'_, PyDict>) -> PyResult<Vec<f64>> {
+        let mut at = vec![None; self.0.axes().len()];
+        for (name, value) in named {
+            let name: String = name.extract()?;
+            let path = case::path_of(&name)?;
+            let place = self.0.axes().iter().position(|axis| axis.key().path() == path);
+            let place = place.ok_or_else(|| PyValueError::new_err(format!("`{path}` is no axis of the map")))?;
+            at[place] = Some(value.extract()?);
+        }
+        let missing =
+            |axis: usize| PyValueError::new_err(format!("`{}` is not given", self.0.axes()[axis].key().path()));
+        at.into_iter().enumerate().map(|(axis, value)| value.ok_or_else(|| missing(axis))).collect()
+    }
+}
