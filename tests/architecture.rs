@@ -186,7 +186,9 @@ fn no_generated_name_is_matched_as_a_string() {
     for (path, lines) in code() {
         // A unit of temperature, not the belt's tension.
         let unit = |line: &str| path == "bench/sheet.rs" && line.contains("\"degF\"");
-        let lines = lines.iter().filter(|line| !unit(line) && matches_a_name(line, &names));
+        // A type that reads its own names, and keys of the case file, which are not generated.
+        let own = |line: &str| line.contains("Self::ALL.into_iter().find(") || line.contains("case::TABLE.iter()");
+        let lines = lines.iter().filter(|line| !unit(line) && !own(line) && matches_a_name(line, &names));
         found.extend(lines.map(|line| format!("{path}: {}", line.trim())));
     }
     assert!(found.is_empty(), "generated names are matched as strings:\n{}", found.join("\n"));

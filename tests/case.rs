@@ -51,7 +51,9 @@ fn the_example_spells_the_base_case_out() {
     let example = include_str!("../examples/baja.toml");
     assert_eq!(resolved(example), resolved(""));
     let case = Case::from_toml("baja.toml", example).unwrap();
-    for entry in &TABLE {
+    // Actuators, engine and vehicle are those of examples/drive.
+    let parts = ["primary", "secondary", "engine", "vehicle"];
+    for entry in TABLE.iter().filter(|entry| !parts.contains(&entry.path.split('.').next().unwrap_or_default())) {
         assert!(example.contains(entry.name()) || entry.key == Key::Free, "{} is not mentioned", entry.path);
         assert!(case.has(entry.key) || entry.base().is_none(), "{} is not given", entry.path);
     }

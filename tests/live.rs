@@ -111,7 +111,8 @@ fn what_is_wrong_is_said_and_nothing_is_lost() {
         (r#"{"ask": "solve", "case": "[engine]\nfile = \"/etc/passwd\""}"#, "input", "unknown key `engine.file`"),
         (r#"{"ask": "solve", "set": [["drive.ratio", "two"]]}"#, "input", "drive.ratio"),
         (r#"{"ask": "solve", "set": [["drive.ratoi", "2"]]}"#, "input", "drive.ratio"),
-        (r#"{"ask": "solve", "set": [["drive.ratio", "90"]]}"#, "input", "drive.ratio"),
+        (r#"{"ask": "solve", "set": [["drive.ratio", "0"]]}"#, "input", "drive.ratio"),
+        (r#"{"ask": "solve", "set": [["drive.ratio", "90"]]}"#, "no_solution", "too stiff"),
         (r#"{"ask": "solve", "set": [["thermal.ambient", "20 degC"]]}"#, "input", "heat_transfer"),
     ] {
         let answer: Value = serde_json::from_str(&live.answer(question)).unwrap();

@@ -46,8 +46,8 @@ fn committed_schemas_are_those_that_the_program_prints() {
 fn what_commands_print_fits_their_schemas() {
     let commands: [&[&str]; 11] = [
         &["solve", "--json", "--sensitivities"],
-        &["solve", "--json", "--edition", "published", "--set", "operating_point.torque=-5 N*m"],
-        &["solve", "--json", "--set", "operating_point.torque=0"],
+        &["solve", "--json", "--edition", "published", "--set", "operating_point.primary_torque=-5 N*m"],
+        &["solve", "--json", "--set", "operating_point.primary_torque=0"],
         &["solve", "--json", "--swap", "belt.bending_stiffness for efficiency.overall = 0.96"],
         &["limit", "--json", "--tol", "1e-2"],
         &["optimum", "--json", "--tol", "1e-2"],
@@ -68,7 +68,7 @@ fn what_commands_print_fits_their_schemas() {
 fn failures_fit_the_schemas_too() {
     let commands: [&[&str]; 4] = [
         &["solve", "--json", "--set", "belt.length=3 kg"],
-        &["solve", "--json", "--set", "operating_point.torque=900 N*m"],
+        &["solve", "--json", "--set", "operating_point.primary_torque=900 N*m"],
         &["limit", "--json", "--edition", "none"],
         &["dyno", "no-such-file.csv", "--json"],
     ];

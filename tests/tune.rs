@@ -17,7 +17,10 @@ fn example(name: &str) -> std::path::PathBuf {
 }
 
 fn drive() -> Case {
-    Case::read(&example("tuksbaja.toml")).unwrap()
+    let mut case = Case::read(&example("tuksbaja.toml")).unwrap();
+    // The load at which the coarse map of these tests has combinations that shift.
+    case.set("engine.throttle", "0.4").unwrap();
+    case
 }
 
 fn whole_box() -> PartsBox {
@@ -47,8 +50,8 @@ fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
     let refused: usize = ranking.refused.iter().map(|refused| refused.count).sum();
     assert_eq!(ranking.tunes.len() + refused, 10_800);
     assert!(!ranking.tunes.is_empty(), "{:?}", ranking.refused);
-    // A few Newton steps a point.
-    assert!(ranking.readings < 10 * 3 * 10_800, "{} readings of the map", ranking.readings);
+    // Twenty-two readings a point: a few Newton steps where the parts balance, several starts where they do not.
+    assert!(ranking.readings < 25 * 3 * 10_800, "{} readings of the map", ranking.readings);
     let deviation = |at: usize| ranking.tunes[at].merits.rms_deviation;
     assert!((1..ranking.tunes.len()).all(|at| deviation(at - 1) <= deviation(at)));
     assert!(ranking.tunes[0].pareto);
@@ -66,17 +69,7 @@ fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
 
 #[test]
 fn a_full_solution_confirms_what_the_map_says() {
-    let text = r#"
-        [flyweight]
-        "1072" = { primary.actuator.mass = "72 g", primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm" }
-        [primary_spring]
-        purple = { primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm" }
-        [helix]
-        secondary.actuator.helix_angle = ["32 deg"]
-        [secondary_spring]
-        silver = { secondary.spring.preload = "159 N", secondary.spring.rate = "5.39 N/mm", secondary.spring.torsion_rate = "7.3 N*m/rad", secondary.spring.pretension = "88 deg" }
-    "#;
-    let ranking = plan(PartsBox::from_toml("parts", text).unwrap(), 1).search(map(), &|| ()).unwrap();
+    let ranking = plan(whole_box(), 1).search(map(), &|| ()).unwrap();
     let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
     let confirmed = tune.confirmed.as_ref().unwrap();
     assert!(confirmed.points >= 2, "{confirmed:?}");

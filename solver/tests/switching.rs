@@ -41,6 +41,7 @@ fn all_five_branches_of_autos_demo_are_reached() {
             max_points: 12,
             branch_points: false,
             largest_step: 0.5,
+            solve: Options { tolerance: 1e-6, ..Options::default() },
             ..options.clone()
         };
         let halves = trace_crossing(&demo, point, 0, &[], &options, &[]).unwrap();
@@ -55,8 +56,10 @@ fn all_five_branches_of_autos_demo_are_reached() {
             assert!(amplitude(&last.solution) > 0.05, "branch {}: back on the trivial branch", k + 1);
             assert_eq!(nodes(&last.solution), k, "branch {}", k + 1);
             // A solution in its own right.
-            let again = solve(&demo, &Guess::from(&last.solution), &[], &Options::default()).unwrap();
-            assert!((amplitude(&again) - amplitude(&last.solution)).abs() < 1e-4 * amplitude(&again));
+            let again = solve(&demo, &Guess::from(&last.solution), &[], &options.solve).unwrap();
+            let difference = amplitude(&again) - amplitude(&last.solution);
+            // Points of a branch are held to a defect, not to an error: these are right to three digits.
+            assert!(difference.abs() < 2e-3 * amplitude(&again), "branch {}: {difference}", k + 1);
         }
         let first = |half: &Branch| half.points[2].solution.regions()[0].eval_slope(0.0)[0];
         assert!(first(&halves[0]) * first(&halves[1]) < 0.0, "both halves are the same");

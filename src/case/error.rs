@@ -296,8 +296,8 @@ fn pounds(given: Dimension, expected: Dimension) -> Option<String> {
 /// The keys among which the one written was probably meant to be.
 fn keys_near(path: &str) -> String {
     use super::keys::{TABLE, sections};
-    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
-    let keys: Vec<_> = TABLE.iter().filter(|entry| !section.is_empty() && entry.section() == section).collect();
+    let section = path.rsplit_once('.').map_or(path, |(section, _)| section);
+    let keys: Vec<_> = TABLE.iter().filter(|entry| entry.section() == section).collect();
     if keys.is_empty() {
         // The distance takes time with the length of both.
         let short = section.len() < 40;

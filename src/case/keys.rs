@@ -424,6 +424,8 @@ pub static TABLE: [Entry; 104] = [
         "efficiency of the final drive; 1 if not given"),
 ];
 
+/// Letters of a name that must be there for it to count as cut short.
+const SHORTEST_START: usize = 4;
 /// No key is longer.
 const LONGEST_KEY: usize = 50;
 
@@ -453,9 +455,15 @@ impl Key {
             let whole = strsim::damerau_levenshtein(entry.path, path);
             // A name without its section, or in the wrong one.
             let last = path.rsplit('.').next().unwrap_or(path);
-            whole.min(strsim::damerau_levenshtein(entry.name(), last) + 1)
+            // A name cut short is near however much is missing.
+            let cut = last.len() >= SHORTEST_START && entry.name().starts_with(last);
+            let alone = if cut { 0 } else { strsim::damerau_levenshtein(entry.name(), last) };
+            whole.min(alone + 1)
         };
-        let (distance, entry) = TABLE.iter().map(|entry| (distance(entry), entry)).min_by_key(|(d, _)| *d)?;
+        // Of names that are equally near, the one whose section is, too.
+        let whole = |entry: &Entry| strsim::damerau_levenshtein(entry.path, path);
+        let (distance, entry) =
+            TABLE.iter().map(|entry| (distance(entry), entry)).min_by_key(|(d, entry)| (*d, whole(entry)))?;
         (distance <= 1 + entry.name().len() / 3).then_some(entry.key)
     }
 }

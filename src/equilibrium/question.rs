@@ -70,7 +70,8 @@ pub fn equilibrium(
     others.iter().find_map(|other| from(other).ok()).ok_or(first)
 }
 
-/// As [`equilibrium`], from that of a case nearby: other parts, or another speed.
+/// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
+/// across a stop, from nothing.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
@@ -82,7 +83,11 @@ pub fn equilibrium_from(
     options: &SolveOptions,
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    whole.settle_from(&near.solved, near.phase, options)
+    let first = match whole.settle_from(&near.solved, near.phase, options) {
+        Err(error) if !error.is_bad_input() => error,
+        other => return other,
+    };
+    equilibrium(case, secondary_speed, direction, options).map_err(|_| first)
 }
 
 impl<'a> Whole<'a> {

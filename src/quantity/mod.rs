@@ -196,7 +196,7 @@ mod tests {
         assert_eq!(message("3 furlong"), "`furlong` is not a known unit");
         assert_eq!(message("3 RPM"), "`RPM` is not a known unit (did you mean `rpm`?)");
         assert_eq!(message("3 kg"), "its unit is that of a mass, not of a length");
-        assert_eq!(message("3 m^2"), "its unit is that of a quantity in m^2, not of a length");
+        assert_eq!(message("3 m^2"), "its unit is that of an area, not of a length");
         assert_eq!(message("3 m/"), "its unit is incomplete");
         assert_eq!(message("3 (m"), "its unit is incomplete");
         assert_eq!(message("3 m)"), "`)` is unexpected");

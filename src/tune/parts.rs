@@ -11,7 +11,7 @@ pub const MAX_CANDIDATES: usize = 1_000_000;
 /// A box of parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartsBox {
-    /// Kinds, in the order of the file.
+    /// Kinds, in the order of their names.
     pub kinds: Vec<PartKind>,
 }
 
@@ -73,7 +73,8 @@ impl PartsBox {
         self.kinds.iter().map(|kind| kind.parts.len()).product()
     }
 
-    /// The parts of a combination, one of each kind, counted in the order of the file with the last kind fastest.
+    /// The parts of a combination, one of each kind, counted with the last kind fastest; kinds and parts stand
+    /// in the order of their names.
     pub fn parts(&self, candidate: usize) -> Vec<&Part> {
         let mut rest = candidate;
         let mut parts: Vec<&Part> = Vec::with_capacity(self.kinds.len());
@@ -179,7 +180,9 @@ mod tests {
         assert_eq!(parts.candidates(), 6);
         let names = |candidate: usize| parts.parts(candidate).iter().map(|part| part.name.clone()).collect::<Vec<_>>();
         assert_eq!([names(0), names(4)], [["1045", "32 deg"], ["1072", "34 deg"]]);
-        assert_eq!(parts.kinds[0].parts[1].settings[1], ("primary.actuator.count".into(), "3".into()));
+        let settings = &parts.kinds[0].parts[1].settings;
+        assert!(settings.contains(&("primary.actuator.count".into(), "3".into())), "{settings:?}");
+        assert!(settings.contains(&("primary.actuator.mass".into(), "72 g".into())), "{settings:?}");
     }
 
     #[test]

@@ -71,7 +71,7 @@ pub struct Merits {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Tune {
-    /// Its number: the combinations in the order of the file of parts, the last kind fastest.
+    /// Its number: the combinations in the order of the names of kinds and parts, the last kind fastest.
     pub candidate: usize,
     /// Names of its parts, by kind.
     pub parts: BTreeMap<String, String>,

@@ -88,19 +88,19 @@ impl Uniform {
                 *value = a.value + share * (b.value - a.value);
             }
         }
-        match behind {
-            Some(time) => {
-                // The first time of the grid behind the gap.
-                let steps = ((time - next) / self.period).ceil().max(1.0);
-                self.next = Some(next + steps * self.period);
-                self.gaps += 1;
-                Some(Row::Gap)
-            }
-            None => {
-                self.next = Some(next + self.period);
-                Some(Row::Values(next, values))
-            }
+        // The first time of the grid behind the gap, or the next one.
+        let steps = behind.map_or(1.0, |time| ((time - next) / self.period).ceil().max(1.0));
+        let following = next + steps * self.period;
+        if following <= next || !following.is_finite() {
+            // A time so far from zero that a period is lost in rounding: no rate can be kept there.
+            self.waiting.iter_mut().for_each(VecDeque::clear);
+            self.next = None;
+            self.gaps += 1;
+            return Some(Row::Gap);
         }
+        self.next = Some(following);
+        self.gaps += u64::from(behind.is_some());
+        Some(behind.map_or(Row::Values(next, values), |_| Row::Gap))
     }
 }
 
@@ -125,6 +125,16 @@ mod tests {
             assert!((primary - 3.0 - 2.0 * time).abs() < 1e-9 && (secondary - 7.0 + time).abs() < 1e-9);
             assert!(torque.is_nan());
         }
+    }
+
+    #[test]
+    fn times_that_rounding_cannot_tell_apart_end_the_grid() {
+        let mut uniform = Uniform::new([true, false, false], 125.0, 4.0);
+        let mut rows = Vec::new();
+        for time in [1e16, 1e16 + 2.0, 1e16 + 4.0, 1e16 + 6.0] {
+            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0 }, &mut rows);
+        }
+        assert!(rows.len() < 10 && rows.iter().all(|row| *row == Row::Gap), "{rows:?}");
     }
 
     #[test]
