@@ -24,8 +24,11 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
+/// Makes the schema of the command of that name.
+type Describe = fn(&str) -> Value;
+
 /// Commands that print an object, and its schema.
-const COMMANDS: [(&str, fn(&str) -> Value); 16] = [
+const COMMANDS: [(&str, Describe); 16] = [
     ("solve", schema::<Resolved, DriveResult<Resolved>>),
     ("limit", schema::<Resolved, limit::Found<'static>>),
     ("optimum", schema::<Resolved, optimum::Found>),

@@ -306,12 +306,12 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
     let rpm = |speed: f64| speed * 30.0 / PI;
     let road = if case.parts.vehicle.is_some() { "km/h" } else { "" };
     let mut text = format!(
-        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>9}{:>8}{:>9}\n",
+        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>11}{:>8}{:>9}\n",
         "secondary", road, "engine", "ratio", "", "primary", "secondary", "slip", "effi-"
     );
     let _ = writeln!(
         text,
-        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>9}{:>8}{:>9}",
+        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>11}{:>8}{:>9}",
         "rpm", "", "rpm", "", "", "N", "N", "reserve", "ciency"
     );
     for point in &branch.points {
@@ -324,7 +324,7 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
                 let share = report.efficiency.map_or_else(|| "-".into(), |share| format!("{:.1} %", 100.0 * share));
                 let _ = writeln!(
                     text,
-                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<9}{:>9.0}{:>9.0}{slip:>8}{share:>9}",
+                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<9}{:>9.0}{:>11.0}{slip:>8}{share:>9}",
                     rpm(report.primary_speed),
                     report.ratio,
                     report.phase,
