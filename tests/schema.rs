@@ -1,4 +1,5 @@
 //! The JSON Schemas: the committed ones are those that the program prints, and what the commands print fits them.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use boon::{Compiler, Schemas};
 use serde_json::Value;
