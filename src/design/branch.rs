@@ -103,8 +103,8 @@ impl BranchPoint {
 
 impl Branch {
     /// Follows the curve on which `free` (the primary's torque, or the slack tension) moves, from the operating point
-    /// `start` down to the speed efficiency `last`, 0 being the stall (in engine braking, [`BRAKED`]); at first so that `sought` rises (`upwards`) or
-    /// falls.
+    /// `start` down to the speed efficiency `last`, 0 being the stall (in engine braking, a tenth); at first so that
+    /// `sought` rises (`upwards`) or falls.
     ///
     /// # Errors
     /// [`Failure::NoEquations`].
