@@ -64,7 +64,7 @@ pub struct DriveReport {
     pub slipping: bool,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
-    /// Overall efficiency, with losses besides friction where they are told.
+    /// Overall efficiency, with losses besides friction where they are told; nothing where losses take all of the power.
     pub efficiency: Option<f64>,
     /// Power from the engine, W.
     pub power_in: f64,
@@ -92,7 +92,8 @@ impl DriveReport {
     ) -> Result<Self, EquilibriumError> {
         let drive = outcome.result;
         let secondary_speed = drive.secondary.speed;
-        let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall);
+        // Where losses take more than the engine gives, nothing arrives of which a share could be told.
+        let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall).filter(|share| *share > 0.0);
         let vehicle = case.parts.vehicle.as_ref();
         let delivered = drive.losses.as_ref().map_or(drive.energy.power_out, |losses| losses.power_out);
         let forces = &found.forces;
