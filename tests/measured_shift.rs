@@ -40,10 +40,8 @@ fn misses(model: &[f64], measured: &[f64]) -> (f64, f64) {
 
 /// Medians of one tune: speeds of secondary and engine, rpm.
 fn medians(tune: &str) -> (Vec<f64>, Vec<f64>) {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path("tests/data/terps/shift_lines.csv"))
-        .unwrap();
+    let mut reader =
+        csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path("tests/data/terps/shift_lines.csv")).unwrap();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let column = |at: usize| {
         let of_tune = rows.iter().filter(|row| &row[0] == tune);
@@ -67,7 +65,11 @@ fn three_tunes_of_a_baja_car() {
         println!("tune {tune}: {model:.0?} measured {measured:?}");
         (misses(&model, &measured), model)
     };
-    let stated = [("38 deg", "60 deg", "1", 139.0, 5.0), ("38 deg", "40 deg", "3", 143.0, -71.0), ("28 deg", "40 deg", "4", 190.0, 159.0)];
+    let stated = [
+        ("38 deg", "60 deg", "1", 139.0, 5.0),
+        ("38 deg", "40 deg", "3", 143.0, -71.0),
+        ("28 deg", "40 deg", "4", 190.0, 159.0),
+    ];
     let mut lines = Vec::new();
     for (helix, pretension, tune, rms, mean) in stated {
         let (found, model) = of(helix, pretension, tune);

@@ -15,8 +15,11 @@ const ABSOLUTE: f64 = 1e-8;
 const ROWS: usize = 400;
 /// Halvings of the range of speeds in which the top speed lies.
 const HALVINGS: usize = 60;
-/// Longest launch, s.
+/// Share by which the last point may miss what ended the launch, as the integrator locates it.
+const ENDED: f64 = 1e-6;
+/// Longest launch and longest step of its integration, s.
 const LONGEST: f64 = 600.0;
+const LONGEST_STEP: f64 = 0.25;
 /// Speeds at which the sign of the acceleration is looked at.
 const LOOKED: usize = 400;
 
@@ -206,13 +209,10 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     motion.end = (goal, far);
     // How long it takes, and then at even times.
     let whole = integrate(&motion, None)?;
-    let (Some(&end), Some(&state)) = (whole.0.last(), whole.1.last()) else {
-        return Err(LaunchError::Integration("it has no result".into()));
-    };
-    let reached = motion.event(end, &state) > -1e-6;
-    if !reached {
+    let mut moments = whole.0.iter().zip(&whole.1);
+    let Some((&end, &state)) = moments.find(|(time, state)| motion.event(**time, state) > -ENDED) else {
         return Err(LaunchError::Endless(LONGEST));
-    }
+    };
     let times: Vec<f64> = (0..=ROWS).map(|i| end * i as f64 / ROWS as f64).collect();
     let (times, states) = integrate(&motion, Some(&times))?;
     let points: Vec<LaunchPoint> =
@@ -261,7 +261,7 @@ fn top(motion: &Motion<'_>, last: f64) -> (f64, bool) {
 
 fn integrate(motion: &Motion<'_>, times: Option<&[f64]>) -> Result<(Vec<f64>, Vec<State>), LaunchError> {
     let derivative = |_: f64, state: &State, derivative: &mut State| *derivative = motion.derivative(state);
-    let method = ExplicitRungeKutta::dopri5().rtol(RELATIVE).atol(ABSOLUTE).max_steps(100_000);
+    let method = ExplicitRungeKutta::dopri5().rtol(RELATIVE).atol(ABSOLUTE).h_max(LONGEST_STEP).max_steps(100_000);
     let end = times.and_then(|times| times.last().copied()).unwrap_or(LONGEST);
     let problem = IVP::ode_from_fn(&derivative, 0.0, end, [0.0; STATE]).method(method);
     let solved = match times {
@@ -293,7 +293,7 @@ fn point(motion: &Motion<'_>, time: f64, state: &State) -> LaunchPoint {
 
 /// When a quantity that only grows has a value: by the cubic through both neighbours' values and rates.
 fn crossing(points: &[LaunchPoint], of: impl Fn(&LaunchPoint) -> (f64, f64), wanted: f64) -> Option<Mark> {
-    let pair = points.windows(2).find(|pair| of(&pair[0]).0 <= wanted && wanted <= of(&pair[1]).0 * (1.0 + 1e-12))?;
+    let pair = points.windows(2).find(|pair| of(&pair[0]).0 <= wanted && wanted <= of(&pair[1]).0 * (1.0 + ENDED))?;
     let (a, b) = (&pair[0], &pair[1]);
     let width = b.time - a.time;
     let cubic = |from: (f64, f64), to: (f64, f64), t: f64| {

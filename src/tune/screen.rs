@@ -120,12 +120,35 @@ pub enum Unfit {
         /// Largest slack tension of the map, N.
         tension: f64,
     },
+    /// A map that does not reach as far as the drive may have to.
+    #[error("at ratio {ratio:.2}, the map does not reach to `{}` = {value:.4}: expected one that does", key.path())]
+    Beyond {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Key of the axis.
+        key: Key,
+        /// Where on it, SI.
+        value: f64,
+    },
     /// A clamp beyond the map.
     #[error("at ratio {ratio:.2}, the parts press with more than the map has: over {tension:.0} N of slack tension")]
     Tight {
         /// Nominal ratio.
         ratio: f64,
         /// Largest slack tension of the map, N.
+        tension: f64,
+    },
+    /// A clamp below the map.
+    #[error(
+        "at ratio {ratio:.2}, the parts press with less than the map has: below {tension:.0} N of slack tension at {:.0} rpm",
+        speed * 30.0 / PI
+    )]
+    Loose {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Speed of the primary, rad/s.
+        speed: f64,
+        /// Least slack tension of the map, N.
         tension: f64,
     },
     /// The balance was not found.
@@ -144,9 +167,11 @@ impl Unfit {
             Self::Actuator { error: ActuatorError::HelixContact { .. }, .. } => "helix without contact",
             Self::Actuator { .. } => "actuator without force",
             Self::Slips { .. } | Self::Untold { .. } => "belt slips",
+            Self::Beyond { .. } => "beyond the map",
             Self::TooLight { .. } => "flyweights too light",
             Self::TooHeavy { .. } => "flyweights too heavy",
             Self::Tight { .. } => "clamp beyond the map",
+            Self::Loose { .. } => "clamp below the map",
             Self::Lost { .. } => "balance not found",
         }
     }
@@ -357,6 +382,7 @@ impl<'a> Screen<'a> {
             *readings += 1;
             match self.at(drive, ratio, (speed, tension)) {
                 Ok(point) => drive.balance(self, ratio, (speed, tension), &point).map(Some),
+                Err(Outside::Range { key, value, .. }) => Err(Unfit::Beyond { ratio, key, value }),
                 Err(_) => Ok(None),
             }
         };
@@ -370,6 +396,10 @@ impl<'a> Screen<'a> {
         }
         let (mut low, loose) = loosest.ok_or(Unfit::Untold { ratio, speed, tension: largest })?;
         if loose.rest[1] < 0.0 {
+            // The end of the map says nothing of slip.
+            if tensions.first() == Some(&low) {
+                return Err(Unfit::Loose { ratio, speed, tension: low });
+            }
             let presses = loose.presses[1];
             let torque = drive.engine.torque(speed).value;
             return Err(Unfit::Slips { ratio, speed, torque, presses, needs: presses - loose.rest[1] });

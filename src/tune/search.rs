@@ -21,13 +21,13 @@ use crate::threads;
 /// Speeds of the map around the target, as shares of it.
 const SPEEDS: (f64, f64) = (0.6, 1.25);
 /// Slack tensions of the map, N over the largest torque over the smallest radius of the primary.
-const TENSIONS: (f64, f64) = (0.05, 0.6);
+const TENSIONS: (f64, f64) = (0.03, 0.6);
 /// Least span of the map's torques, as a share of the largest.
 const TORQUES: f64 = 0.1;
 /// How far the map's torques reach beyond those of the curve's samples, as a share of the largest.
 const BEYOND: f64 = 0.01;
 /// Share of the torque that the governor leaves at the largest speed of the map.
-const LEFT: f64 = 0.3;
+const LEFT: f64 = 0.4;
 /// How much the map reaches beyond both ends of the shift, as a share of the ratio.
 const MARGIN: f64 = 1e-9;
 

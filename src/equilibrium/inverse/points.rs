@@ -13,6 +13,8 @@ use crate::result::utilizations;
 
 /// Slack tensions of the first solution over M_in/R_P.
 const FIRST: [f64; 5] = [0.35, 0.7, 0.2, 1.2, 0.1];
+/// How often a step from one place to the next is halved.
+const HALVED: usize = 3;
 /// Steps of the search for the slack tension of a reserve, how well it is met, and the largest step of its logarithm.
 const RESERVES: usize = 30;
 const MET: f64 = 1e-7;
@@ -103,7 +105,8 @@ impl<'a> Held<'a> {
         Ok(Self { case, actuation, whole, target, torque, direction, clamp, options })
     }
 
-    /// `count` places, evenly spaced in the travel of the primary, from the low stop to the high one.
+    /// `count` places at the most, evenly spaced in the travel of the primary but for the stops, from the low stop to the
+    /// high one.
     pub fn points(&self, count: usize) -> Result<Vec<InversePoint>, InverseError> {
         let slope = 2.0 * self.case.sheave.half_angle.tan();
         let (closed, start) = (self.actuation.closed_radius, self.actuation.start_radius);
@@ -120,20 +123,31 @@ impl<'a> Held<'a> {
             Place::Primary(radius) => radius,
             Place::Secondary(radius) => radius_beside(radius, length, center).unwrap_or(start),
         };
-        let middle = self.first(0.5 * (start + end))?;
-        let low = self.next(&middle, Place::Secondary(closed))?;
-        let high = self.next(&middle, high)?;
-        let radius = |solved: &Solved| solved.constant(Constant::PrimaryRadius);
-        let (from, to) = (radius(&low), radius(&high));
-        let mut points = vec![self.read(&low)?];
-        let mut near = low;
-        for at in 1..count.saturating_sub(1) {
-            let share = at as f64 / (count - 1) as f64;
-            near = self.next(&near, Place::Primary(from + share * (to - from)))?;
-            points.push(self.read(&near)?);
+        // From the middle outwards, so that each place is solved from one nearby; the stops, whose radii are found, last.
+        let radius = |at: usize| start + (end - start) * at as f64 / (count - 1) as f64;
+        let middle = count / 2;
+        let first = self.first(radius(middle))?;
+        let mut below = vec![first.clone()];
+        for at in (1..middle).rev() {
+            below.push(self.next(below.last().unwrap_or(&first), Place::Primary(radius(at)))?);
         }
-        points.push(self.read(&high)?);
-        Ok(points)
+        let low = self.next(below.last().unwrap_or(&first), Place::Secondary(closed))?;
+        let mut found = vec![low];
+        found.extend(below.into_iter().rev());
+        for at in middle + 1..count - 1 {
+            found.push(self.next(found.last().unwrap_or(&first), Place::Primary(radius(at)))?);
+        }
+        found.push(self.next(found.last().unwrap_or(&first), high)?);
+        // A place beside a stop, closer than a quarter of a step, would say little and be noisy.
+        let least = 0.25 * (end - start) / (count - 1) as f64;
+        let at = |solved: &Solved| solved.constant(Constant::PrimaryRadius);
+        let (low, high) = (found.first().map_or(start, at), found.last().map_or(end, at));
+        let last = found.len() - 1;
+        let kept = found
+            .iter()
+            .enumerate()
+            .filter(|(i, solved)| *i == 0 || *i == last || (at(solved) - low >= least && high - at(solved) >= least));
+        kept.map(|(_, solved)| self.read(solved)).collect()
     }
 
     fn question(&self, place: Place, tension: f64) -> Question {
@@ -216,10 +230,24 @@ impl<'a> Held<'a> {
         InverseError::Belt { ratio, clamp, failure: Box::new(failure) }
     }
 
-    /// The next place, from a solution nearby.
+    /// The next place, from a solution nearby; where that is too far, by way of the place half-way.
     fn next(&self, near: &Solved, place: Place) -> Result<Solved, InverseError> {
+        self.by_steps(near, place, HALVED)
+    }
+
+    fn by_steps(&self, near: &Solved, place: Place, halvings: usize) -> Result<Solved, InverseError> {
         let question = self.question(place, near.constant(Constant::SlackTension));
-        self.settled(self.solved(near, &question, place)?, place)
+        let error = match self.solved(near, &question, place) {
+            Ok(solved) => return self.settled(solved, place),
+            Err(error) if error.is_bad_input() || crate::cancel::is_cancelled() || halvings == 0 => return Err(error),
+            Err(error) => error,
+        };
+        let halfway = match place {
+            Place::Primary(radius) => Place::Primary(0.5 * (near.constant(Constant::PrimaryRadius) + radius)),
+            Place::Secondary(radius) => Place::Secondary(0.5 * (near.constant(Constant::SecondaryRadius) + radius)),
+        };
+        let between = self.by_steps(near, halfway, halvings - 1).map_err(|_| error)?;
+        self.by_steps(&between, place, halvings - 1)
     }
 
     fn solved(&self, near: &Solved, question: &Question, place: Place) -> Result<Solved, InverseError> {

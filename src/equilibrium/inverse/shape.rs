@@ -70,6 +70,15 @@ pub(super) fn flyweight_shape(
         }
         forces.push(force);
     }
+    // Below the low stop the belt is held by the secondary's stop: the profile goes on to where the primary is open, with the
+    // force that it has at the stop.
+    let mut travels = travels;
+    if let (Some(first), Some(second), Some(force)) = (travels.first(), travels.get(1), forces.first())
+        && *first > 0.25 * (second - first)
+    {
+        forces.insert(0, *force);
+        travels.insert(0, 0.0);
+    }
     let wanted = Wanted { flyweights, forces: profile(travels.clone(), forces)?, speed, shift };
     match &flyweights.mechanism {
         Mechanism::Coefficient { .. } => wanted.coefficient(&travels),

@@ -59,9 +59,15 @@ pub fn inverse_table(made: &Inverse) -> Table {
             Shape::Cam(profile) => (["pitch_distance", "pitch_angle"], profile),
             Shape::Helix(profile, _) => (["helix_opening", "helix_angle"], profile),
         };
+        // A ramp may have a point more, where the primary is open.
+        let before = columns.len();
         columns.extend(names.map(str::to_owned));
-        for (row, (place, value)) in rows.iter_mut().zip(profile.places().iter().zip(profile.values())) {
-            row.extend([number(*place), number(*value)]);
+        let more = profile.places().len().saturating_sub(rows.len());
+        rows.extend(std::iter::repeat_n(vec![Cell::Empty; before], more));
+        let mut points = profile.places().iter().zip(profile.values());
+        for row in &mut rows {
+            let cells = points.next().map_or([Cell::Empty, Cell::Empty], |(place, value)| [*place, *value].map(number));
+            row.extend(cells);
         }
     }
     Table { columns, rows }
@@ -69,7 +75,18 @@ pub fn inverse_table(made: &Inverse) -> Table {
 
 /// The panels of a figure: each profile, the forces along the shift, and the drive solved forward.
 pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
-    let mut figures: Vec<Figure> = outlines.iter().map(outline_figure).collect();
+    // What stands on the same axes, as a ramp and the path of its roller, in one panel.
+    let mut figures: Vec<Figure> = Vec::new();
+    for outline in outlines {
+        let figure = outline_figure(outline);
+        match figures.iter_mut().find(|other| other.x == figure.x) {
+            Some(other) => {
+                other.y = Axis::new("radius from the shaft (mm)");
+                other.series.extend(figure.series);
+            }
+            None => figures.push(figure),
+        }
+    }
     let mm = |value: f64| 1e3 * value;
     for part in &made.parts {
         let (name, caption, y, scale, profile) = match &part.shape {
@@ -110,7 +127,7 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
     figures.push(Figure::new(
         "check",
         "The drive solved forward with the profile: engine speed less the target",
-        Axis::new("speed ratio R_S/R_P"),
+        Axis::new("ratio R_S/R_P"),
         Axis::new("deviation (rpm)"),
         vec![
             Series::line("", vec![(low, 0.0), (high, 0.0)]).look(Look::Guide),
@@ -123,9 +140,9 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
 fn outline_figure(outline: &Outline) -> Figure {
     let points = outline.points.iter().map(|(x, y)| (1e3 * x, 1e3 * y)).collect();
     let [x, y] = outline.axes.map(|axis| Axis::new(format!("{axis} (mm)")));
-    let name = outline.name.to_lowercase();
-    let mut figure =
-        Figure::new(name, format!("The {} to scale", words(outline.name)), x, y, vec![Series::line("", points)]);
+    let name = words(outline.name);
+    let caption = format!("The {name} to scale");
+    let mut figure = Figure::new(outline.name.to_lowercase(), caption, x, y, vec![Series::line(name, points)]);
     figure.equal = true;
     figure
 }
@@ -136,7 +153,7 @@ fn words(layer: &str) -> String {
         "RAMP" => "ramp".into(),
         "ROLLER_CENTRE" => "path of the roller's centre".into(),
         "PITCH_CURVE" => "cam's pitch curve".into(),
-        "HELIX_UNROLLED" => "helix, unrolled,".into(),
+        "HELIX_UNROLLED" => "helix, unrolled".into(),
         other => other.to_lowercase(),
     }
 }
