@@ -26,7 +26,8 @@ pub fn launch_figures(launch: &Launch) -> Vec<Figure> {
             .push(Series::line("", vec![(0.0, mark.distance), (mark.time, mark.distance)]).look(Look::Guide));
         distance.series.push(Series::line("", vec![(mark.time, mark.distance)]).look(Look::Dots).color(1));
         let text = format!("{:.0} ft: {:.2} s", mark.distance / 0.3048, mark.time);
-        distance.marks.push(Text { at: (0.12 * last, mark.distance * 1.07 + 0.5), text });
+        // Beside the dot, below the curve, which rises.
+        distance.marks.push(Text { at: (mark.time + 0.12 * last, mark.distance - 3.0), text });
     }
     vec![
         panel(
