@@ -1,15 +1,15 @@
 //! Belt maps.
 
-use crate::{case, convert, error, interrupt, result};
+use crate::{case, convert, error, file, interrupt, result};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use sheave::Cancel;
 use sheave::beltmap::{self, Keep, MapAxis, MapError, MapFormat, MapOptions, MapPlan, Progress, Quantity};
 use sheave::study::Row;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -93,24 +93,7 @@ impl BeltMap {
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let format = MapFormat::of(&path)
             .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv or .parquet"))?;
-        let write = || -> io::Result<()> {
-            let mut name = path.clone().into_os_string();
-            name.push(format!(".{}.part", std::process::id()));
-            let beside = PathBuf::from(name);
-            let written = std::fs::File::create(&beside).and_then(|file| {
-                let mut writer = BufWriter::new(file);
-                format.write(&self.0, &mut writer)?;
-                writer.flush()?;
-                writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-                std::fs::rename(&beside, &path)
-            });
-            if written.is_err() {
-                // What is left of a file that nobody asked for.
-                let _ = std::fs::remove_file(&beside);
-            }
-            written
-        };
-        py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
+        file::write(py, &path, |to| format.write(&self.0, to))
     }
 
     /// What the map is over, in the order of coordinates: the keys of its axes.

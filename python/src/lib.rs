@@ -10,6 +10,7 @@ mod convert;
 mod design;
 mod error;
 mod figure;
+mod file;
 mod fmu;
 mod interrupt;
 mod profile;
