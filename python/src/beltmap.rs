@@ -36,7 +36,7 @@ pub fn map(
     let axes: Result<Vec<_>, _> = over.iter().map(|text| MapAxis::parse(text)).collect();
     let plan = axes.and_then(|axes| MapPlan::new(case, axes, options)).map_err(|error| refused(py, &error))?;
     let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
-    let kept = Counting { cancel: cancel.clone(), solved: solved.clone() };
+    let kept = Counting::new(cancel.clone(), solved.clone());
     let tell = |_: Python<'_>| match progress {
         Some(progress) => progress.call1((solved.load(Ordering::Relaxed),)).map(|_| ()),
         None => Ok(()),
@@ -49,9 +49,16 @@ pub fn map(
 type Interpolated<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Keeps nothing but the number of points, and takes no more once it is cancelled.
-struct Counting {
+pub struct Counting {
     cancel: Cancel,
     solved: Arc<AtomicUsize>,
+}
+
+impl Counting {
+    /// Counts into `solved`.
+    pub fn new(cancel: Cancel, solved: Arc<AtomicUsize>) -> Self {
+        Self { cancel, solved }
+    }
 }
 
 impl Keep for Counting {
@@ -68,7 +75,8 @@ impl Keep for Counting {
     }
 }
 
-fn refused(py: Python<'_>, error: &MapError) -> PyErr {
+/// Why there is no map, as an exception.
+pub fn refused(py: Python<'_>, error: &MapError) -> PyErr {
     match error {
         MapError::Case(error) => error::case(py, error),
         MapError::Study(error) => error::study(py, error),
@@ -78,7 +86,7 @@ fn refused(py: Python<'_>, error: &MapError) -> PyErr {
 
 /// A table of what a belt does over two or more keys of its case, read between its nodes with a known error.
 #[pyclass(frozen, module = "sheave")]
-pub struct BeltMap(Arc<beltmap::BeltMap>);
+pub struct BeltMap(pub Arc<beltmap::BeltMap>);
 
 #[pymethods]
 impl BeltMap {

@@ -8,6 +8,7 @@ mod bvp;
 mod case;
 mod convert;
 mod design;
+mod equilibrium;
 mod error;
 mod figure;
 mod file;
@@ -17,6 +18,7 @@ mod profile;
 mod result;
 mod study;
 mod table;
+mod tune;
 
 use pyo3::prelude::*;
 
@@ -34,6 +36,8 @@ mod _sheave {
     #[pymodule_export]
     use crate::design::{limit, optimum};
     #[pymodule_export]
+    use crate::equilibrium::{ShiftBranches, drive, shift};
+    #[pymodule_export]
     use crate::fmu::fmu_library;
     #[pymodule_export]
     use crate::profile::{Profile, Region};
@@ -45,6 +49,8 @@ mod _sheave {
     use crate::study::{Study, rebuild_study};
     #[pymodule_export]
     use crate::table::Table;
+    #[pymodule_export]
+    use crate::tune::{Ranked, tune};
     use pyo3::prelude::*;
 
     #[pymodule_init]
