@@ -10,7 +10,9 @@ use pyo3::types::PyDict;
 use sheave::Cancel;
 use sheave::beltmap::MapOptions;
 use sheave::quantity::Dimension;
-use sheave::tune::{self, PartsBox, Ranking, TuneError, TuneOptions, TunePlan};
+use sheave::tune::{
+    PartsBox, Ranking, TuneError, TuneOptions, TunePlan, pareto_figure, summary, table as tune_table,
+};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -105,7 +107,7 @@ impl Ranked {
     /// All tunes with their parts and merits, best first; those that no other beats alone with `pareto`.
     #[pyo3(signature = (pareto=false))]
     fn table(&self, pareto: bool) -> Table {
-        let table = tune::table(&self.ranking, pareto);
+        let table = tune_table(&self.ranking, pareto);
         let rows = table.rows.len();
         Table::new(table, vec![(vec!["candidate".to_owned()], rows)])
     }
@@ -128,16 +130,16 @@ impl Ranked {
     /// The best in words.
     #[getter]
     fn summary(&self) -> String {
-        tune::summary(&self.ranking)
+        summary(&self.ranking)
     }
 
     /// Deviation over slip reserve as data.
     fn figures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        figure::figures(py, &[tune::pareto_figure(&self.ranking)])
+        figure::figures(py, &[pareto_figure(&self.ranking)])
     }
 
     /// Deviation over slip reserve as SVG.
     fn svg(&self) -> PyResult<String> {
-        figure::svg(&[tune::pareto_figure(&self.ranking)], "pareto")
+        figure::svg(&[pareto_figure(&self.ranking)], "pareto")
     }
 }

@@ -31,6 +31,7 @@ mod remarks;
 mod report;
 mod sensitivity;
 mod table;
+mod walk;
 
 pub use curve::{Landmark, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed, shift_branch};
 pub use error::EquilibriumError;
@@ -43,3 +44,4 @@ pub use remarks::{beyond_engine, unused_keys};
 pub use report::{DriveReport, SLIPPING};
 pub use sensitivity::{PartSensitivity, sensitivities};
 pub use table::{DataError, Deviation, Measured, deviation, read_measured, shift_table};
+pub use walk::ShiftWalk;

@@ -12,6 +12,8 @@
 //! | `solve` | the case with what is changed in it, its result, what to draw, or what the belt does instead |
 //! | `largest_torque` | the largest torque that the case's clamp carries, or none |
 //! | `smallest_clamps` | the smallest clamps that carry the case's torque, or none |
+//! | `shift` | the landmarks of a whole drive's shift curve in one direction, and how many points it has |
+//! | `shift_next` | its next point, or none |
 //! | `profile` | every state and derived field along the belt of the last solution, as CSV |
 //!
 //! ```
@@ -28,6 +30,7 @@ mod follow;
 mod keys;
 mod limit;
 mod scene;
+mod shift;
 mod values;
 
 use serde_json::{Value, json};
@@ -46,6 +49,7 @@ const LONGEST: usize = 1 << 20;
 #[derive(Debug, Default)]
 pub struct Live {
     follower: Follower,
+    curves: shift::Curves,
 }
 
 /// Why a question has no answer.
@@ -125,6 +129,12 @@ impl Live {
             Ask::LargestTorque(ask) => Ok(limit::largest_torque(&posed(&read(&ask.case)?)?, &ask.options())),
             Ask::SmallestClamps(ask) => Ok(limit::smallest_clamps(&posed(&read(&ask.case)?)?, &ask.options())),
             Ask::Profile => self.profile(),
+            Ask::Shift(ask) => {
+                let case = change::changed(&read(&ask.case)?, &ask.set, &ask.unset, None)?;
+                // Posed or not: a whole drive finds its own operating point.
+                self.curves.begin(&case, &case.resolve()?, &ask)
+            }
+            Ask::ShiftNext(ask) => self.curves.next(ask.direction),
         }
     }
 

@@ -6,6 +6,7 @@ import { DriveView, SLOWER } from "./drive.js";
 import { Chart, PROFILES } from "./chart.js";
 import { glance, Readouts, spoken } from "./readouts.js";
 import { download, fromFragment, LONGEST, standalone, toFragment } from "./share.js";
+import { Whole } from "./whole.js";
 import { fixed, number, words } from "./format.js";
 import { html, set } from "./dom.js";
 
@@ -27,6 +28,8 @@ const byId = (id) => document.getElementById(id);
 
 const page = {
   engine: new Engine(),
+  /** What is looked at: the belt at an operating point, or the drive and its shift curve. */
+  look: "belt",
   /** The text of the case. */
   case: "",
   /** Changes not yet asked for. */
@@ -61,16 +64,20 @@ function notice(kind, message, hint) {
 /** Asks one question; while it is long, it can be stopped. */
 async function ask(kind, question) {
   page.busy = { kind, since: performance.now() };
-  const long = setTimeout(() => (byId("stop").hidden = false), LONG);
+  const long = setTimeout(() => stoppable(true), LONG);
   document.documentElement.dataset.busy = kind;
   try {
     return await page.engine.ask(question);
   } finally {
     clearTimeout(long);
-    byId("stop").hidden = true;
+    stoppable(false);
     delete document.documentElement.dataset.busy;
     page.busy = null;
   }
+}
+
+function stoppable(is) {
+  for (const button of document.querySelectorAll(".stop")) button.hidden = !is;
 }
 
 /** Notes a change and sees to it that it is asked for. */
@@ -111,8 +118,9 @@ async function run() {
   running = true;
   try {
     while (true) {
-      if (page.change) await guarded(move);
-      else if (!page.rested && (await pause(REST))) await guarded(rest);
+      const view = page.look === "belt" ? { move, rest } : page.whole;
+      if (page.change) await guarded(() => view.move());
+      else if (!page.rested && (await pause(REST))) await guarded(() => view.rest());
       else if (page.rested && !page.change) break;
     }
   } finally {
@@ -206,11 +214,16 @@ async function rest() {
   settled();
 }
 
+/** Where this case is, in this view. */
+function address() {
+  return `${location.pathname}${location.search}${toFragment(page.case, page.look)}`;
+}
+
 /** Nothing is left to ask: the case goes into the address bar. */
 function settled() {
   page.active = null;
   page.rested = true;
-  history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+  history.replaceState(null, "", address());
   document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
 }
 
@@ -310,19 +323,42 @@ async function openFile(file) {
   else open(await file.text());
 }
 
+/** Looks at the belt, or at the whole drive. */
+function look(at) {
+  page.look = at;
+  for (const element of document.querySelectorAll("[data-view]")) element.hidden = element.dataset.view !== at;
+  for (const view of ["belt", "drive"]) {
+    if (view === at) byId(`view-${view}`).setAttribute("aria-current", "page");
+    else byId(`view-${view}`).removeAttribute("aria-current");
+  }
+  document.querySelector(`.stage[data-view="${at}"]`).prepend(byId("notice"));
+  page.view.seen = at === "belt";
+  page.controls.whole = at === "drive";
+  notice("none", "");
+}
+
 function wire() {
-  byId("stop").addEventListener("click", () => {
-    page.rested = true;
-    end();
-  });
+  for (const button of document.querySelectorAll(".stop")) {
+    button.addEventListener("click", () => {
+      page.rested = true;
+      end();
+    });
+  }
+  for (const view of ["belt", "drive"]) {
+    byId(`view-${view}`).addEventListener("click", () => {
+      if (page.look === view) return;
+      look(view);
+      changed({});
+    });
+  }
   byId("pause").addEventListener("click", (event) => {
     page.view.moves = !page.view.moves;
     event.currentTarget.setAttribute("aria-pressed", String(!page.view.moves));
   });
   byId("base").addEventListener("click", () => open(""));
   byId("share").addEventListener("click", async () => {
-    const url = `${location.origin}${location.pathname}${toFragment(page.case)}`;
-    history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+    const url = `${location.origin}${address()}`;
+    history.replaceState(null, "", address());
     try {
       await navigator.clipboard.writeText(url);
       say("spoken", "The link to this case is on the clipboard.");
@@ -333,13 +369,21 @@ function wire() {
     setTimeout(() => say("share", "Copy link"), 2500);
   });
   byId("save-case").addEventListener("click", () => download("case.toml", "application/toml", page.case));
-  byId("save-svg").addEventListener("click", () => download("drive.svg", "image/svg+xml", standalone(page.view.svg)));
+  const isWhole = () => page.look === "drive";
+  byId("save-svg").addEventListener("click", () => {
+    const [name, text] = isWhole()
+      ? ["shift.svg", standalone(page.whole.view.svg, "px")]
+      : ["drive.svg", standalone(page.view.svg, "mm")];
+    download(name, "image/svg+xml", text);
+  });
   byId("save-csv").addEventListener("click", async () => {
+    if (isWhole()) return download("shift.csv", "text/csv", page.whole.view.csv);
     if (page.busy) return;
     const { csv } = await ask("rest", { ask: "profile" });
     download("profile.csv", "text/csv", csv);
   });
   byId("save-json").addEventListener("click", () => {
+    if (isWhole()) return download("shift.json", "application/json", page.whole.view.json);
     download("result.json", "application/json", `${JSON.stringify(page.answer?.result ?? {}, null, 2)}\n`);
   });
   const input = byId("file");
@@ -359,8 +403,10 @@ function wire() {
     openFile(event.dataTransfer.files[0]);
   });
   addEventListener("hashchange", () => {
-    const text = fromFragment(location.hash);
-    if (text !== null && text !== page.case) open(text);
+    const asked = fromFragment(location.hash);
+    if (!asked || (asked.text === page.case && asked.look === page.look)) return;
+    if (asked.look !== page.look) look(asked.look);
+    open(asked.text);
   });
 }
 
@@ -382,7 +428,10 @@ async function start() {
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
   page.controls = new Controls(byId("controls"), keys, moved);
-  changed({ whole: fromFragment(location.hash) ?? "" });
+  page.whole = new Whole(page, { ask, say, notice, refused, settled, joined, open });
+  const asked = fromFragment(location.hash);
+  look(asked?.look ?? "belt");
+  changed({ whole: asked?.text ?? "" });
 }
 
 /** The least slip threshold of a belt without bending stiffness, mm/s: below, the solver finds nothing (docs/string.md). */

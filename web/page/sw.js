@@ -17,6 +17,9 @@ const FILES = [
   "controls.js",
   "readouts.js",
   "share.js",
+  "shift.js",
+  "whole.js",
+  "gx9.toml",
   "sheave.wasm",
 ];
 
