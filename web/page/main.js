@@ -4,25 +4,18 @@ import { Engine } from "./engine.js";
 import { Controls } from "./controls.js";
 import { DriveView, SLOWER } from "./drive.js";
 import { Chart, PROFILES } from "./chart.js";
-import { glance, Readouts, spoken } from "./readouts.js";
+import { Belt } from "./belt.js";
+import { Readouts } from "./readouts.js";
 import { download, fromFragment, LONGEST, standalone, toFragment } from "./share.js";
 import { Whole } from "./whole.js";
-import { fixed, number, words } from "./format.js";
-import { html, set } from "./dom.js";
+import { set } from "./dom.js";
 
-/** Tolerances while something moves, and once it rests. */
-const MOVING = 1e-3;
-const RESTING = 1e-6;
 /** Milliseconds without a change after which the drive is solved to the finer tolerance. */
 const REST = 150;
 /** Milliseconds after which a search that a change makes obsolete is ended, by what is searched. */
 const PATIENCE = { limit: 0, rest: 1500, move: 8000 };
 /** Milliseconds after which a button to stop is offered. */
 const LONG = 1200;
-/** Work of a start from nothing, Newton iterations times mesh intervals: a few seconds. */
-const WORK = 600_000;
-/** Steps on the way to where a slider was put. */
-const MOST_STEPS = 60;
 
 const byId = (id) => document.getElementById(id);
 
@@ -40,9 +33,7 @@ const page = {
   /** Whether the last answer has a solution, to the finer tolerance. */
   rested: false,
   frames: [],
-  /** The answer that waits for the next picture; how many have been shown. */
-  waiting: null,
-  scheduled: false,
+  /** How many answers have been shown. */
   drawn: 0,
   /** Whether a notice outlives the next solution. */
   sticky: false,
@@ -118,7 +109,7 @@ async function run() {
   running = true;
   try {
     while (true) {
-      const view = page.look === "belt" ? { move, rest } : page.whole;
+      const view = page.look === "belt" ? page.belt : page.whole;
       if (page.change) await guarded(() => view.move());
       else if (!page.rested && (await pause(REST))) await guarded(() => view.rest());
       else if (page.rested && !page.change) break;
@@ -148,72 +139,6 @@ async function guarded(task) {
   }
 }
 
-/** Follows the drive to where it was moved. */
-async function move() {
-  const { change } = page;
-  page.change = null;
-  const { set: keys = [], unset = [], whole } = change;
-  const from = whole ?? page.case;
-  const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
-  try {
-    for (let steps = 0; steps < MOST_STEPS; steps += 1) {
-      const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
-      if (answer.case === undefined) {
-        refused(answer.failure, whole !== undefined);
-        return;
-      }
-      page.case = answer.case;
-      draw(answer);
-      if (!answer.on_the_way || page.change) return;
-    }
-  } catch (error) {
-    // What a newer change interrupted is asked again together with it.
-    if (error.name === "AbortError" && page.change) page.change = joined(change, page.change);
-    throw error;
-  }
-}
-
-/** Shows an answer with the next picture, while the next question is being answered. */
-function draw(answer) {
-  page.answer = answer;
-  page.waiting = answer;
-  if (page.scheduled) return;
-  page.scheduled = true;
-  requestAnimationFrame(() => {
-    page.scheduled = false;
-    drawNow();
-  });
-}
-
-/** Shows the answer that waits for a picture. */
-function drawNow() {
-  const { waiting } = page;
-  page.waiting = null;
-  if (waiting) show(waiting);
-}
-
-/** Solves to the finer tolerance, or says what limits the drive. */
-async function rest() {
-  drawNow();
-  if (page.answer?.failure) {
-    // If the clamp does not carry the torque, no search from nothing is needed.
-    if ((await limit(page.answer)) || page.change) {
-      if (!page.change) settled();
-      return;
-    }
-  }
-  const answer = await ask("rest", { ask: "solve", case: page.case, tolerance: RESTING, work_limit: WORK });
-  if (page.change) return;
-  if (answer.case === undefined) {
-    page.rested = true;
-    refused(answer.failure);
-    return;
-  }
-  show(answer);
-  say("spoken", answer.failure ? byId("notice-message").textContent : spoken(answer));
-  settled();
-}
-
 /** Where this case is, in this view. */
 function address() {
   return `${location.pathname}${location.search}${toFragment(page.case, page.look)}`;
@@ -225,33 +150,6 @@ function settled() {
   page.rested = true;
   history.replaceState(null, "", address());
   document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
-}
-
-/** Names the torque that the clamp carries, and says whether it is less than what is asked. */
-async function limit(answer) {
-  const found = await ask("limit", { ask: "largest_torque", case: page.case, tolerance: MOVING });
-  if (!found.torque || page.change) return false;
-  const { value, words: meaning } = found.torque;
-  const clamp =
-    ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
-      answer.given.includes(`operating_point.${name}`),
-    ) ?? "slack_tension";
-  const at = page.controls.controls.get(`operating_point.${clamp}`);
-  const asked = answer.values["operating_point.primary_torque"];
-  const torque = `A ${words(clamp)} of ${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit} carries at most ${number(value)} N·m`;
-  const isTorque = !answer.given.some((key) => /secondary_torque|speed_ratio|secondary_speed/.test(key));
-  if (isTorque && asked > value) {
-    notice(
-      "slips",
-      `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`,
-      `${meaning} Less torque or more clamp brings it back.`,
-    );
-    page.readouts.stale("it slips");
-    say("spoken", byId("notice-message").textContent);
-    return true;
-  }
-  notice("slips", byId("notice-message").textContent, `${torque}. ${meaning}`);
-  return false;
 }
 
 /** A case that is not understood: it stays out, and the controls go back. */
@@ -266,50 +164,13 @@ function refused(failure, whole) {
   }
 }
 
-function show(answer) {
-  const { failure } = answer;
-  page.answer = answer;
-  page.drawn += 1;
-  page.controls.show(answer, page.active);
-  if (answer.scene) {
-    page.view.show(answer.scene, Boolean(failure));
-    for (const chart of page.charts) chart.show(answer.scene);
-  }
-  byId("drawing").dataset.state = failure ? "none" : "solved";
-  if (failure) {
-    const message = failure.message[0].toUpperCase() + failure.message.slice(1);
-    notice("slips", `${message}.`, failure.hint);
-    page.readouts.stale("no solution");
-    say("glance", "no solution");
-  } else {
-    if (!page.sticky) notice("none", "");
-    page.readouts.show(answer);
-    say("glance", glance(answer));
-    const notes = [...answer.result.warnings, ...answer.remarks];
-    byId("warnings").replaceChildren(...notes.map((text) => html("li", { text })));
-    byId("warnings-box").hidden = notes.length === 0;
-    const { solver } = answer.result;
-    const intervals = Object.values(solver.mesh_intervals).reduce((sum, count) => sum + count, 0);
-    say(
-      "solved",
-      `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`,
-    );
-  }
-  if (answer.scene) {
-    const [low, high] = page.view.range;
-    say("tension-low", `${number(low, 3)} N`);
-    say("tension-high", `${number(high, 3)} N`);
-  }
-  if (answer.result?.solver.tolerance === MOVING) measured();
-}
-
-/** Drawings in the last second. */
-function measured() {
+/** Drawings, or whole curves, in the last second. */
+function measured(what = "drawings") {
   const now = performance.now();
   page.frames = [...page.frames.filter((time) => now - time < 1000), now];
   const span = now - page.frames[0];
   if (page.frames.length > 3)
-    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} drawings a second while moving`);
+    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} ${what} a second while moving`);
 }
 
 function open(text) {
@@ -334,6 +195,8 @@ function look(at) {
   document.querySelector(`.stage[data-view="${at}"]`).prepend(byId("notice"));
   page.view.seen = at === "belt";
   page.controls.whole = at === "drive";
+  page.frames = [];
+  say("frames", "");
   notice("none", "");
 }
 
@@ -404,7 +267,7 @@ function wire() {
   });
   addEventListener("hashchange", () => {
     const asked = fromFragment(location.hash);
-    if (!asked || (asked.text === page.case && asked.look === page.look)) return;
+    if (!asked || !page.whole || (asked.text === page.case && asked.look === page.look)) return;
     if (asked.look !== page.look) look(asked.look);
     open(asked.text);
   });
@@ -428,9 +291,12 @@ async function start() {
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
   page.controls = new Controls(byId("controls"), keys, moved);
-  page.whole = new Whole(page, { ask, say, notice, refused, settled, joined, open });
+  const tools = { ask, say, notice, refused, settled, joined, measured, open };
+  page.belt = new Belt(page, tools);
+  page.whole = new Whole(page, tools);
   const asked = fromFragment(location.hash);
   look(asked?.look ?? "belt");
+  for (const view of ["belt", "drive"]) byId(`view-${view}`).disabled = false;
   changed({ whole: asked?.text ?? "" });
 }
 

@@ -17,6 +17,7 @@ const FILES = [
   "controls.js",
   "readouts.js",
   "share.js",
+  "belt.js",
   "shift.js",
   "whole.js",
   "gx9.toml",

@@ -15,9 +15,9 @@ const byId = (id) => document.getElementById(id);
 
 export class Whole {
   /** Of a page: its case, its changes, its controls; and how it asks, says and comes to rest. */
-  constructor(page, { ask, say, notice, refused, settled, joined, open }) {
+  constructor(page, { ask, say, notice, refused, settled, joined, open, measured }) {
     this.page = page;
-    Object.assign(this, { ask, say, notice, refused, settled, joined });
+    Object.assign(this, { ask, say, notice, refused, settled, joined, measured });
     this.view = new ShiftView({
       chart: byId("shift-chart"),
       charts: byId("shift-charts"),
@@ -51,7 +51,10 @@ export class Whole {
       }
       page.case = begun.case;
       this.#show(begun);
-      if (!begun.failure && (await this.#follow("move", begun))) page.drawn += 1;
+      if (!begun.failure && (await this.#follow("move", begun))) {
+        page.drawn += 1;
+        this.measured("curves");
+      }
     } catch (error) {
       // What a newer change interrupted is asked again together with it.
       if (error.name === "AbortError" && page.change) page.change = this.joined(change, page.change);
