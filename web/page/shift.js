@@ -166,11 +166,6 @@ export class ShiftView {
     return this.main.svg;
   }
 
-  /** Whether anything is shown. */
-  get known() {
-    return Object.values(this.branches).some((branch) => branch.shown().length > 0);
-  }
-
   /** A curve begins, in place of the one before in its direction. */
   begin(answer) {
     this.branches[answer.direction].begin(answer);
