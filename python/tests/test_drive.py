@@ -10,29 +10,14 @@ import sheave
 
 RPM = np.pi / 30
 PARTS = {
-    "flyweight": {
-        "1062": {
-            "primary.actuator.mass": "62 g",
-            "primary.actuator.coefficients": "42.4, 40.3, 38.21, 36.55, 34.1 mm",
-        },
-        "1072": {
-            "primary.actuator.mass": 0.072,
-            "primary.actuator.coefficients": "39.467, 39.32, 38.353, 37.442, 37.967 mm",
-        },
-    },
+    "mass": {"primary.actuator.mass": ["134 g", 0.160]},
     "primary_spring": {
-        "black": {"primary.spring.free_length": "101.5 mm", "primary.spring.rate": "4.3 N/mm"},
-        "long": {"primary.spring.free_length": "2 m", "primary.spring.rate": "4.3 N/mm"},
+        "soft": {"primary.spring.rate": "45 lbf/in", "primary.spring.preload": "60 lbf"},
+        "as built": {"primary.spring.rate": "60 lbf/in", "primary.spring.preload": "67.5 lbf"},
+        "far too strong": {"primary.spring.rate": "60 lbf/in", "primary.spring.preload": "20 kN"},
     },
-    "helix": {"secondary.actuator.helix_angle": ["34 deg", "38 deg", "42 deg"]},
-    "pretension": {"secondary.spring.pretension": ["22 deg", "44 deg"]},
-    "secondary_spring": {
-        "red": {
-            "secondary.spring.preload": "117 N",
-            "secondary.spring.rate": "4.27 N/mm",
-            "secondary.spring.torsion_rate": "4.55 N*m/rad",
-        },
-    },
+    "helix": {"secondary.actuator.helix_angle": ["31 deg", "34 deg"]},
+    "pretension": {"secondary.spring.pretension": ["45 deg", "75 deg"]},
 }
 
 
@@ -152,28 +137,19 @@ def test_a_shift_curve_has_a_table_and_landmarks(gx9: sheave.Case, tmp_path: Pat
 
 
 @pytest.fixture(scope="module")
-def tuning(root: Path) -> sheave.Tuning:
-    return sheave.tune(
-        root / "examples" / "tune" / "tuksbaja.toml",
-        parts=PARTS,
-        target="3400 rpm",
-        accuracy=5e-2,
-        max_points=300,
-        points=3,
-        best=1,
-        engine__throttle=0.4,
-    )
+def tuning(gx9: sheave.Case) -> sheave.Tuning:
+    return sheave.tune(gx9, parts=PARTS, target="3200 rpm", accuracy=5e-2, max_points=300, points=5, best=1)
 
 
 def test_a_box_of_parts_is_searched(tuning: sheave.Tuning) -> None:
     assert tuning.candidates == 24
     assert len(tuning.tunes) + sum(refused.count for refused in tuning.refused) == 24
-    assert any(refused.count == 12 for refused in tuning.refused), "a spring of two metres fits nowhere"
+    assert tuning.tunes and all(one.parts["primary_spring"] != "far too strong" for one in tuning.tunes)
     best = tuning.best
-    assert best.parts["primary_spring"] == "black" and set(best.parts) == set(PARTS)
+    assert set(best.parts) == set(PARTS)
     deviations = [one.merits.rms_deviation for one in tuning.tunes]
     assert deviations == sorted(deviations) and best.pareto and best in tuning.pareto
-    assert best.confirmed is not None and best.confirmed.points >= 2
+    assert best.confirmed is not None and best.confirmed.points == 5
     assert best.confirmed.merits is not None
     assert best.confirmed.largest_difference < 0.03 * tuning.target
     assert all(one.confirmed is None for one in tuning.tunes[1:])
@@ -186,44 +162,42 @@ def test_a_tune_is_a_case_that_settles(tuning: sheave.Tuning) -> None:
     assert case.given["secondary.actuator.helix_angle"] == pytest.approx(
         np.radians(float(best.parts["helix"].split()[0]))
     )
-    found = sheave.drive(case, speed=1700 * RPM, tolerance=1e-4)
+    found = sheave.drive(case, speed=2000 * RPM, tolerance=1e-4)
     assert found.phase == "shifting"
     assert abs(found.primary_speed - best.merits.mean_speed) < 0.15 * tuning.target
     with pytest.raises(ValueError, match="there are 24"):
         tuning.case(24)
 
 
-def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, root: Path) -> None:
+def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
     frame = tuning.to_pandas()
     assert len(frame) == len(tuning.tunes) and frame["rms_deviation"].is_monotonic_increasing
     html = tuning._repr_html_()
     assert "<svg" in html and "beaten by none" in html and "combinations shift" in repr(tuning)
-    assert "combinations of parts for 3400 rpm" in str(tuning) and "pareto" in tuning.figures()
+    assert "combinations of parts for 3200 rpm" in str(tuning) and "pareto" in tuning.figures()
     told: list[int] = []
-    drive = root / "examples" / "tune" / "tuksbaja.toml"
-    options: dict[str, Any] = {"target": "3400 rpm", "points": 3, "best": 0, "engine__throttle": 0.4}
-    again = sheave.tune(drive, parts=PARTS, map=tuning.map, progress=told.append, **options)
+    options: dict[str, Any] = {"target": 3200 * RPM, "points": 5, "best": 0}
+    again = sheave.tune(gx9, parts=PARTS, map=tuning.map, progress=told.append, **options)
     assert [one.candidate for one in again.tunes] == [one.candidate for one in tuning.tunes]
     assert told[-1] == 24, "combinations alone: there was no map to make"
     # A reserve that none keeps: nothing shifts, and the map is not lost.
-    none = sheave.tune(drive, parts=PARTS, map=tuning.map, least_reserve=0.99, **options)
+    none = sheave.tune(gx9, parts=PARTS, map=tuning.map, least_reserve=0.99, **options)
     assert not none.tunes and "slip reserve" in none._repr_html_()
     with pytest.raises(sheave.DesignError, match="slip reserve"):
         _ = none.best
 
 
-def test_wrong_boxes_are_refused(tuning: sheave.Tuning, root: Path, tmp_path: Path) -> None:
-    drive = root / "examples" / "tune" / "tuksbaja.toml"
+def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
     wrong = {"helix": {"secondary.actuator.helix_angel": ["34 deg"]}}
     with pytest.raises(sheave.CaseError, match=r"did you mean `secondary\.actuator\.helix_angle`"):
-        sheave.tune(drive, parts=wrong, target="3400 rpm")
+        sheave.tune(gx9, parts=wrong, target="3400 rpm")
     with pytest.raises(sheave.CaseError, match=r"nowhere\.toml"):
-        sheave.tune(drive, parts=tmp_path / "nowhere.toml", target="3400 rpm")
+        sheave.tune(gx9, parts=tmp_path / "nowhere.toml", target="3400 rpm")
     with pytest.raises(ValueError, match="target"):
-        sheave.tune(drive, parts=PARTS, target="-1 rpm")
+        sheave.tune(gx9, parts=PARTS, target="-1 rpm")
     with pytest.raises(ValueError, match="number of points"):
-        sheave.tune(drive, parts=PARTS, target="3400 rpm", points=1)
+        sheave.tune(gx9, parts=PARTS, target="3400 rpm", points=1)
     with pytest.raises(ValueError, match="jobs"):
-        sheave.tune(drive, parts=PARTS, target="3400 rpm", jobs=0)
-    with pytest.raises(sheave.CaseError, match="engine"):
+        sheave.tune(gx9, parts=PARTS, target="3400 rpm", jobs=0)
+    with pytest.raises(sheave.CaseError, match="actuators"):
         sheave.tune(parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")
