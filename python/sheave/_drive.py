@@ -327,7 +327,8 @@ def shift(
 
     Raises ``CaseError``, ``BenchError`` for the data; a point without an equilibrium says so in its row.
     """
-    with progress_bar(progress, points * (2 if direction == "both" else 1)) as tell:
+    # How many points the phases have is known when their ends are.
+    with progress_bar(progress, None) as tell:
         return ShiftCurve(
             _sheave.shift(
                 case,

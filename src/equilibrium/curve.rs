@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium, Phase, Stop};
-use super::question::{Given, Whole, equilibrium};
+use super::question::{Given, Whole, equilibrium, equilibrium_from};
 use super::report::DriveReport;
 use super::walk::ShiftWalk;
 use crate::actuator::PrimaryActuator;
@@ -99,6 +99,9 @@ pub struct ShiftBranch {
 const FIRST: usize = 24;
 /// Speed efficiency at take-off over that at shift-out, where a belt that sinks into small radii loses some as well.
 const TAKE_OFF: f64 = 0.95;
+/// Steps towards the end of a phase at most, and by what the secondary's speed changes with each.
+const APPROACHES: usize = 8;
+const APPROACH: f64 = 0.85;
 /// Share of the engine's last speed at which the curve ends.
 const LAST_SPEED: f64 = 0.995;
 
@@ -228,15 +231,29 @@ impl Search<'_> {
         Ok(None)
     }
 
+    /// An end of a phase; where it is out of reach at once, from states ever nearer to it.
     fn corner(&mut self, from: &Equilibrium, given: Given, what: &str) -> Option<Equilibrium> {
         let whole = Whole::new(self.case, given, self.direction).ok()?;
-        match whole.corner(from, &self.options.solve) {
-            Ok(found) => Some(found),
-            Err(error) => {
-                self.branch.remarks.push(format!("no {what}: {error}"));
-                None
+        let solve = &self.options.solve;
+        let error = match whole.corner(from, solve) {
+            Ok(found) => return Some(found),
+            Err(error) => error,
+        };
+        let toward = match given {
+            Given::Corner(Stop::PrimaryClosed | Stop::SecondaryOpen) => 1.0 / APPROACH,
+            Given::Corner(Stop::SecondaryClosed) | Given::SpeedEfficiency(_) | Given::SecondarySpeed(_) => APPROACH,
+        };
+        let mut here = from.clone();
+        for _ in 0..APPROACHES {
+            let Ok(speed) = here.output(Output::SecondarySpeed) else { break };
+            let Ok(next) = equilibrium_from(&here, self.case, toward * speed, self.direction, solve) else { break };
+            here = next;
+            if let Ok(found) = whole.corner(&here, solve) {
+                return Some(found);
             }
         }
+        self.branch.remarks.push(format!("no {what}: {error}"));
+        None
     }
 
     /// Speeds of the secondary between which a first equilibrium may lie.

@@ -108,7 +108,8 @@ export class Chart {
     this.profile = profile;
     const id = `chart-${profile.id}`;
     this.caption = html("figcaption", { id });
-    this.caption.append(profile.title, html("span", { class: "unit", text: ` (${profile.unit})` }));
+    this.caption.append(profile.title);
+    if (profile.unit) this.caption.append(html("span", { class: "unit", text: ` (${profile.unit})` }));
     this.svg = svg("svg", {
       class: profile.tall ? "chart tall" : "chart",
       role: "img",
@@ -150,13 +151,12 @@ export class Chart {
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}` });
     this.lines = profile.lines(scene);
     const guide = profile.guide?.(scene);
-    const drawn = this.lines.filter(({ name }) => name !== "guide");
-    const all = drawn
+    const all = this.lines
       .flatMap((line) => line.y)
       .filter((value) => Number.isFinite(value) && (!profile.log || value > 0));
     if (all.length === 0) return this.#empty();
     let [low, high] = [Math.min(...all, ...(guide ? [guide] : [])), Math.max(...all, ...(guide ? [guide] : []))];
-    const reach = Math.max(...drawn.map((line) => line.x.at(-1) ?? 0));
+    const reach = Math.max(...this.lines.map((line) => line.x.at(-1) ?? 0));
     if (profile.log) {
       low = Math.max(low, high * 1e-7);
       [low, high] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
@@ -177,8 +177,9 @@ export class Chart {
     this.#axes(reach, low, high, inner);
     for (const [kind, path] of Object.entries(this.paths)) {
       const line = this.lines.find(({ name }) => name === kind);
-      if (line || kind !== "guide") set(path, { d: line ? this.#path(line) : "" });
+      set(path, { d: line ? this.#path(line) : "" });
     }
+    this.#rays(profile.rays?.(scene) ?? [], low, high);
     this.#places(profile.places?.(scene) ?? []);
     if (guide) set(this.paths.guide, { d: `M${MARGIN.left} ${this.y(guide).toFixed(1)}H${width - MARGIN.right}` });
     this.#leave();
@@ -199,14 +200,24 @@ export class Chart {
     return y.map(at).join("");
   }
 
+  /** Lines through the origin, as far as they are in sight. */
+  #rays(rates, low, high) {
+    const ray = (rate) => {
+      const at = (x) => `${this.x(x).toFixed(1)} ${this.y(rate * x).toFixed(1)}`;
+      const end = Math.min(high / rate, this.reach);
+      return rate * end > low ? `M${at(low / rate)}L${at(end)}` : "";
+    };
+    set(this.paths.guide, { d: rates.map(ray).join("") });
+  }
+
   /** Points that mean something by themselves, with their names. */
   #places(places) {
-    const children = places.flatMap(({ x, y, text, name, side = "start" }) => {
+    const children = places.flatMap(({ x, y, text, name, side }) => {
       const [cx, cy] = [this.x(x).toFixed(1), this.y(y).toFixed(1)];
-      const gap = side === "start" ? 8 : -8;
+      const gap = side === "end" ? -9 : 9;
       return [
         svg("circle", { class: `place ${name}`, cx, cy, r: 4.5 }),
-        ...(text ? [svg("text", { x: Number(cx) + gap, y: Number(cy) + 15, "text-anchor": side, text })] : []),
+        ...(text ? [svg("text", { x: Number(cx) + gap, y: Number(cy) - 7, "text-anchor": side, text })] : []),
       ];
     });
     this.marks.replaceChildren(...children);
@@ -275,9 +286,9 @@ export class Chart {
     this.readout.textContent = `${Math.round(place)}${this.profile.over.unit}: ${this.#named.map(at).join(", ")} ${this.#unit}`;
   }
 
-  /** The lines that are read: not those that only guide the eye. */
+  /** The lines that say something. */
   get #named() {
-    return this.lines.filter(({ name, y }) => name !== "guide" && y.some(Number.isFinite));
+    return this.lines.filter(({ y }) => y.some(Number.isFinite));
   }
 
   #name(line) {

@@ -60,17 +60,12 @@ function lines(of) {
     });
 }
 
-/** Lines of constant ratio at both ends of the shift, as one path. */
-function ratios({ branches, over, top }) {
-  const line = { name: "guide", x: [], y: [] };
-  for (const name of ["shift_out", "full_shift"]) {
-    const place = branches.up.landmarks[name] ?? branches.back.landmarks[name];
-    if (!place) continue;
-    const rate = place.primary_speed / place.secondary_speed;
-    line.x.push(0, over(top.speed / rate), NaN);
-    line.y.push(0, top.speed * RPM, NaN);
-  }
-  return line.x.length > 0 ? [line] : [];
+/** Engine speed over what the axis shows, rpm, at low and at high ratio. */
+function rates({ branches, over }) {
+  const places = ["shift_out", "full_shift"].map(
+    (name) => branches.up.landmarks[name] ?? branches.back.landmarks[name],
+  );
+  return places.filter(Boolean).map((place) => (place.primary_speed * RPM) / over(place.secondary_speed));
 }
 
 const PROFILES = [
@@ -90,7 +85,7 @@ const PROFILES = [
   {
     id: "ratio",
     title: "Ratio, secondary over primary radius",
-    unit: "1",
+    unit: "",
     lines: lines((point) => point.ratio),
   },
   {
@@ -154,7 +149,8 @@ export class ShiftView {
       unit: "rpm",
       over,
       tall: true,
-      lines: (scene) => [...ratios(scene), ...lines((point) => point.primary_speed * RPM)(scene)],
+      lines: lines((point) => point.primary_speed * RPM),
+      rays: rates,
       places: (scene) => this.#places(scene),
     });
     this.charts = PROFILES.map((profile) => new Chart({ ...profile, id: `shift-${profile.id}`, over }));
@@ -179,6 +175,11 @@ export class ShiftView {
     this.draw();
   }
 
+  /** Only these directions are computed; nothing of the others is shown. */
+  only(directions) {
+    for (const name of Object.keys(this.branches)) if (!directions.includes(name)) this.branches[name] = new Branch();
+  }
+
   /** Another drive: nothing of the one before is shown. */
   forget() {
     this.branches = { up: new Branch(), back: new Branch() };
@@ -199,11 +200,9 @@ export class ShiftView {
     const onRoad = this.#road !== null;
     this.over.label = onRoad ? "road speed (km/h)" : "speed of the secondary (rpm)";
     this.over.unit = onRoad ? " km/h" : " rpm";
-    const speeds = Object.values(this.branches).flatMap((branch) => branch.shown().map((point) => point.primary_speed));
     const scene = {
       branches: this.branches,
       over: (speed) => speed * (onRoad ? this.#road * KMH : RPM),
-      top: { speed: Math.max(0, ...speeds.filter(Number.isFinite)) },
     };
     for (const chart of [this.main, ...this.charts]) chart.show(scene);
     this.#progress();
@@ -223,13 +222,15 @@ export class ShiftView {
   /** The ends of the phases, with the names of those of the first curve. */
   #places({ over }) {
     return Object.entries(this.branches).flatMap(([name, branch]) =>
-      Object.entries(branch.landmarks)
+      Object.entries(branch.shown().length > 0 ? branch.landmarks : {})
         .filter(([, place]) => place)
         .map(([kind, place]) => ({
           name,
           x: over(place.secondary_speed),
           y: place.primary_speed * RPM,
           text: name === "up" ? SHORT[kind] : "",
+          // Clear of the curve, and of each other.
+          side: kind === "shift_out" ? "start" : "end",
         })),
     );
   }

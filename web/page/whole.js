@@ -10,6 +10,12 @@ const RESTING = { tolerance: 1e-4, points: 24 };
 const PATIENCE = 400;
 /** Where a case begins that has everything. */
 const EXAMPLE = "gx9.toml";
+/** What makes shifting back another curve than shifting up. */
+const FRICTION = [
+  "primary.actuator.friction_angle",
+  "primary.actuator.friction_loss",
+  "secondary.actuator.friction_angle",
+];
 
 const byId = (id) => document.getElementById(id);
 
@@ -65,7 +71,11 @@ export class Whole {
   /** Computes both directions to the finer tolerance. */
   async rest() {
     const { page, view } = this;
-    for (const direction of ["up", "back"]) {
+    const directions = FRICTION.some((key) => page.answer?.values?.[key] > 0) ? ["up", "back"] : ["up"];
+    view.only(directions);
+    byId("shift-back").hidden = directions.length === 1;
+    byId("shift-same").hidden = directions.length > 1;
+    for (const direction of directions) {
       const begun = await this.ask("rest", { ask: "shift", case: page.case, direction, ...RESTING });
       if (page.change) return;
       this.#show(begun);

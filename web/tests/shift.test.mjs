@@ -6,9 +6,10 @@ import { answer, caseText, count, here, looked, open, rested, saved, setUp, shot
 
 setUp();
 
-/** The example drive in the second view. */
+/** The example drive in the second view, with friction in its actuators, so that both directions differ. */
 async function example(options = {}, url = undefined) {
-  const text = await readFile(here("../page/gx9.toml"), "utf8");
+  const smooth = await readFile(here("../page/gx9.toml"), "utf8");
+  const text = smooth.replace(/^type = "(arm|helix)"$/gm, '$&\nfriction_angle = "2 deg"');
   return open(`#shift=${encodeURIComponent(text)}`, options, url);
 }
 
@@ -42,6 +43,9 @@ test("a belt alone has no shift curve, and the example is one click away", async
   assert.match(await caseText(page), /\[primary\.actuator\]/);
   assert.match(page.url(), /#shift=/);
   assert.ok((await points(page, "up")).length > 20);
+  // Its actuators have no friction: one curve is both.
+  assert.equal((await points(page, "back")).length, 0);
+  assert.match(await page.locator("#shift-same").innerText(), /no friction/);
   // Back at the belt, it is the same case.
   const then = await count(page);
   await page.locator("#view-belt").click();
