@@ -225,3 +225,28 @@ fn a_belt_alone_has_no_shift_curve() {
     let wrong = ask(&mut live, json!({ "ask": "shift", "case": "", "direction": "sideways", "points": 4 }));
     assert_eq!(wrong["failure"]["kind"], "usage");
 }
+
+#[test]
+fn a_box_of_parts_is_searched_while_one_looks() {
+    let parts = "[mass]\nprimary.actuator.mass = [\"134 g\", \"160 g\"]\n\
+                 [helix]\nsecondary.actuator.helix_angle = [\"31 deg\", \"34 deg\"]\n";
+    let question = json!({ "ask": "tune", "case": GX9, "parts": parts, "target": "3200 rpm" });
+    let answer = ask(&mut Live::default(), question);
+    assert_eq!(answer["candidates"], 4, "{answer}");
+    let tunes = answer["tunes"].as_array().unwrap();
+    assert!(!tunes.is_empty(), "{answer}");
+    let deviation = |tune: &Value| tune["rms_deviation"].as_f64().unwrap();
+    assert!(tunes.windows(2).all(|pair| deviation(&pair[0]) <= deviation(&pair[1])));
+    assert!(tunes[0]["confirmed"]["rms_deviation"].as_f64().is_some(), "{}", tunes[0]);
+    // Each has its case, which is one.
+    let helix = text(&tunes[0]["parts"], "helix");
+    assert!(text(&tunes[0], "case").contains(&format!("helix_angle = \"{helix}\"")), "{}", tunes[0]);
+    let wrong = |parts: &str, target: &str| {
+        let question = json!({ "ask": "tune", "case": GX9, "parts": parts, "target": target });
+        let answer = ask(&mut Live::default(), question);
+        text(&answer["failure"], "message").to_owned()
+    };
+    assert!(wrong("[mass", "3200 rpm").contains("parts"));
+    assert!(wrong(parts, "3200 kg").contains("expected a speed"));
+    assert!(wrong("", "3200 rpm").contains("no parts"));
+}

@@ -45,7 +45,7 @@ struct File(&'static str, &'static str, &'static str);
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 
 /// The page. Its engine is the one that asks this program.
-const FILES: [File; 18] = [
+const FILES: [File; 19] = [
     File("/", "text/html; charset=utf-8", include_str!("../../web/page/index.html")),
     File("/index.html", "text/html; charset=utf-8", include_str!("../../web/page/index.html")),
     File("/style.css", "text/css; charset=utf-8", include_str!("../../web/page/style.css")),
@@ -63,6 +63,7 @@ const FILES: [File; 18] = [
     File("/belt.js", SCRIPT, include_str!("../../web/page/belt.js")),
     File("/shift.js", SCRIPT, include_str!("../../web/page/shift.js")),
     File("/whole.js", SCRIPT, include_str!("../../web/page/whole.js")),
+    File("/tune.js", SCRIPT, include_str!("../../web/page/tune.js")),
     File("/gx9.toml", "text/plain; charset=utf-8", include_str!("../../web/page/gx9.toml")),
 ];
 

@@ -23,6 +23,8 @@ pub(super) enum Ask {
     Shift(ShiftAsk),
     /// Its next point.
     ShiftNext(ShiftNextAsk),
+    /// The best combination of a box of parts.
+    Tune(TuneAsk),
 }
 
 /// A case to solve.
@@ -94,6 +96,18 @@ pub(super) struct ShiftAsk {
 pub(super) struct ShiftNextAsk {
     /// Which way the drive shifts.
     pub direction: Direction,
+}
+
+/// A box of parts that is searched.
+#[derive(Debug, Deserialize)]
+pub(super) struct TuneAsk {
+    /// The text of a case file.
+    #[serde(default)]
+    pub case: String,
+    /// The text of a file of parts.
+    pub parts: String,
+    /// Speed at which the engine is to be held, with its unit.
+    pub target: String,
 }
 
 /// A relative tolerance on the defect, from 1e-10 to 1e-1.

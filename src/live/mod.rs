@@ -14,6 +14,7 @@
 //! | `smallest_clamps` | the smallest clamps that carry the case's torque, or none |
 //! | `shift` | the landmarks of a whole drive's shift curve in one direction, and how many points it has |
 //! | `shift_next` | its next point, or none |
+//! | `tune` | the combinations of a box of parts that hold the engine at a speed best, each with its case |
 //! | `profile` | every state and derived field along the belt of the last solution, as CSV |
 //!
 //! ```
@@ -31,6 +32,7 @@ mod keys;
 mod limit;
 mod scene;
 mod shift;
+mod tune;
 mod values;
 
 use serde_json::{Value, json};
@@ -135,6 +137,7 @@ impl Live {
                 self.curves.begin(&case, &case.resolve()?, &ask)
             }
             Ask::ShiftNext(ask) => self.curves.next(ask.direction),
+            Ask::Tune(ask) => tune::tune(&ask),
         }
     }
 

@@ -13,7 +13,7 @@ import { set } from "./dom.js";
 /** Milliseconds without a change after which the drive is solved to the finer tolerance. */
 const REST = 150;
 /** Milliseconds after which a search that a change makes obsolete is ended, by what is searched. */
-const PATIENCE = { limit: 0, rest: 1500, move: 8000 };
+const PATIENCE = { limit: 0, tune: 0, rest: 1500, move: 8000 };
 /** Milliseconds after which a button to stop is offered. */
 const LONG = 1200;
 
@@ -25,8 +25,9 @@ const page = {
   look: "belt",
   /** The text of the case. */
   case: "",
-  /** Changes not yet asked for. */
+  /** Changes not yet asked for, and what is asked once there are none. */
   change: null,
+  task: null,
   active: null,
   busy: null,
   answer: null,
@@ -112,11 +113,19 @@ async function run() {
       const view = page.look === "belt" ? page.belt : page.whole;
       if (page.change) await guarded(() => view.move());
       else if (!page.rested && (await pause(REST))) await guarded(() => view.rest());
+      else if (page.rested && page.task) await guarded(taken());
       else if (page.rested && !page.change) break;
     }
   } finally {
     running = false;
   }
+}
+
+/** What else is to be asked, once. */
+function taken() {
+  const { task } = page;
+  page.task = null;
+  return task;
 }
 
 /** Whether so long nothing is changed. */
@@ -291,7 +300,7 @@ async function start() {
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
   page.controls = new Controls(byId("controls"), keys, moved);
-  const tools = { ask, say, notice, refused, settled, joined, measured, open };
+  const tools = { ask, say, notice, refused, settled, joined, measured, open, run };
   page.belt = new Belt(page, tools);
   page.whole = new Whole(page, tools);
   const asked = fromFragment(location.hash);

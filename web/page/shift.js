@@ -291,6 +291,12 @@ export class ShiftView {
     return `The engine runs at ${number(low)} to ${number(high)} rpm while the drive shifts up; ${fixed(percent(reserve), 1)} % of the friction is left at the least.`;
   }
 
+  /** The engine's mean speed while the drive shifts up, rad/s. */
+  get speed() {
+    const shifting = this.branches.up.points.filter((point) => point.phase === "shifting");
+    return shifting.reduce((sum, point) => sum + point.primary_speed, 0) / shifting.length;
+  }
+
   /** Whether the belt slips somewhere on the curves. */
   get slips() {
     return this.points.some((point) => point.slipping);

@@ -20,6 +20,7 @@ const FILES = [
   "belt.js",
   "shift.js",
   "whole.js",
+  "tune.js",
   "gx9.toml",
   "sheave.wasm",
 ];

@@ -1,6 +1,7 @@
 // The view of the whole drive: what is asked for its shift curve, point by point.
 
 import { ShiftView } from "./shift.js";
+import { TuneForm } from "./tune.js";
 import { html } from "./dom.js";
 
 /** Tolerances and points while something moves, and once it rests. */
@@ -21,9 +22,9 @@ const byId = (id) => document.getElementById(id);
 
 export class Whole {
   /** Of a page: its case, its changes, its controls; and how it asks, says and comes to rest. */
-  constructor(page, { ask, say, notice, refused, settled, joined, open, measured }) {
+  constructor(page, { ask, say, notice, refused, settled, joined, open, measured, run }) {
     this.page = page;
-    Object.assign(this, { ask, say, notice, refused, settled, joined, measured });
+    Object.assign(this, { ask, say, notice, refused, settled, joined, measured, run });
     this.view = new ShiftView({
       chart: byId("shift-chart"),
       charts: byId("shift-charts"),
@@ -31,6 +32,11 @@ export class Whole {
       table: byId("points"),
       progress: byId("shift-progress"),
       state: byId("shift-state"),
+    });
+    this.form = new TuneForm({
+      search: (question) => this.#search(question),
+      open,
+      said: (text) => say("spoken", text),
     });
     byId("example").addEventListener("click", async () => {
       const response = await fetch(new URL(EXAMPLE, import.meta.url));
@@ -46,6 +52,7 @@ export class Whole {
     const { set = [], unset = [], whole } = change;
     if (whole !== undefined) {
       this.view.forget();
+      this.form.forget();
       page.controls.forget();
     }
     try {
@@ -84,11 +91,20 @@ export class Whole {
     }
     view.settle();
     this.#remarks();
+    this.form.suggest(page.answer, (key) => page.controls.controls.get(key).key.unit, view.speed);
     this.say("shift-glance", view.glance);
     if (view.slips)
       this.notice("slips", "The belt slips on a part of the curve: the parts press with too little there.", "");
     this.say("spoken", byId("notice").hidden ? view.glance : byId("notice-message").textContent);
     this.settled();
+  }
+
+  /** Searches for a tune once nothing else is to be computed; a change ends the search. */
+  #search(question) {
+    return new Promise((resolve, reject) => {
+      this.page.task = () => this.ask("tune", { ...question, case: this.page.case }).then(resolve, reject);
+      this.run();
+    });
   }
 
   /** Asks for point after point; whether the curve is complete. */

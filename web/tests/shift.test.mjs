@@ -130,6 +130,43 @@ test("the curve is saved as CSV, JSON and SVG", async () => {
   assert.ok(!/class=|style=|script/.test(drawing.text));
 });
 
+test("a tune is found, confirmed and used", async () => {
+  const page = await example();
+  const box = page.locator("#tune-box");
+  assert.match(await box.inputValue(), /^\["mass"\]\nprimary\.actuator\.mass = \["113\.9 g", "134 g", "154\.1 g"\]\n/);
+  assert.match(await page.locator("#tune-target").inputValue(), /^3\d00 rpm$/);
+  const search = async (parts, target) => {
+    await box.fill(parts);
+    await page.locator("#tune-target").fill(target);
+    await page.locator("#tune-start").click();
+    await page.waitForFunction(() => !document.querySelector("#tune-start").disabled, null, { timeout: 120_000 });
+    return page.locator("#tune-state").textContent();
+  };
+  const attack = '<img src=x onerror="globalThis.taken=1">';
+  assert.match(await search(`["${attack.replaceAll('"', "'")}"]`, "3200 rpm"), /has no parts/);
+  assert.match(await search("[mass]", "3200 kg"), /expected a speed/);
+  const parts =
+    '[mass]\nprimary.actuator.mass = ["134 g", "160 g"]\n[helix]\nsecondary.actuator.helix_angle = ["31 deg", "34 deg"]\n';
+  assert.match(await search(parts, "3400 rpm"), /^\d of 4 combinations shift/);
+  const rows = page.locator("#tunes tbody tr");
+  assert.ok((await rows.count()) > 0);
+  const cells = await rows.first().locator("td").allTextContents();
+  assert.ok(Number(cells[2]) > 0 && Number(cells[3]) > 0, cells.join(" | "));
+  await page.screenshot({ path: new URL("tune-1600.png", shots).pathname, fullPage: true });
+  const before = await count(page);
+  await rows.first().locator("button").click();
+  await rested(page, before);
+  const { values } = await answer(page);
+  assert.equal(values["secondary.actuator.helix_angle"], Number.parseFloat(cells[0]));
+  assert.ok((await rows.count()) > 0, "the others can still be tried");
+  // A change ends a search.
+  await page.locator("#tune-start").click();
+  await page.waitForFunction(() => document.documentElement.dataset.busy === "tune");
+  await slide(page, "secondary.actuator.helix_angle", 33);
+  assert.equal(await page.locator("#tune-state").textContent(), "The search was ended.");
+  assert.equal((await answer(page)).values["secondary.actuator.helix_angle"], 33);
+});
+
 test("a keyboard reaches the curve and what is read of it", async () => {
   const page = await example();
   await page.locator("#view-belt").focus();
