@@ -167,17 +167,12 @@ fn a_shift_curve_with_friction_has_its_phases() {
     let case = friction.iter().fold(gx9(), |case, (key, angle)| case.with(key, angle).unwrap());
     let solve = SolveOptions { tolerance: 1e-4, ..options() };
     let options = ShiftOptions { points: 2, solve, ..ShiftOptions::default() };
-    let mut branches = Vec::new();
-    for direction in [UP, Direction::Back] {
-        let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());
-        let branch = shift_branch(&resolved(&case), direction, &options, go_on).unwrap();
-        assert!(branch.remarks.is_empty(), "{:?}", branch.remarks);
-        let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
-        assert!(out.ratio > 2.5 && full.ratio < 0.65 && branch.take_off.unwrap().ratio > out.ratio);
-        assert!(branch.points.iter().all(|point| point.report.is_ok()));
-        branches.push(out);
-    }
-    assert!(branches[0].primary_speed > 1.1 * branches[1].primary_speed, "{branches:?}");
+    let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());
+    let branch = shift_branch(&resolved(&case), UP, &options, go_on).unwrap();
+    assert!(branch.remarks.is_empty(), "{:?}", branch.remarks);
+    let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
+    assert!(out.ratio > 2.5 && full.ratio < 0.65 && branch.take_off.unwrap().ratio > out.ratio, "{branch:?}");
+    assert!(branch.points.iter().all(|point| point.report.is_ok()));
 }
 
 /// Beyond the travel the primary rests on its stop, which carries what the belt does not.
