@@ -1,7 +1,7 @@
 //! `sheave ramp` and `sheave helix`: the profiles that hold the engine at a speed.
 
 use super::case::CaseArguments;
-use super::drive::{Branch, quantity, unused};
+use super::drive::{Branch, quantity};
 use super::envelope;
 use super::output;
 use super::solve::tolerance;
@@ -10,11 +10,11 @@ use clap::Args;
 use serde::Serialize;
 use sheave::actuator::AngleFrom;
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::Direction;
 use sheave::equilibrium::inverse::{
     Check, Inverse, InverseError, InverseOptions, InversePoint, Made, Outline, Shape, dxf, inverse, inverse_figures,
     inverse_summary, inverse_table, surface,
 };
+use sheave::equilibrium::{Direction, unused_keys};
 use sheave::plot::Stack;
 use sheave::quantity::Dimension;
 use sheave::study::Format;
@@ -150,7 +150,7 @@ impl Common {
             ..defaults
         };
         let resolved = case.resolve()?;
-        let mut warnings = unused(&case);
+        let mut warnings = unused_keys(&case);
         if resolved.thermal.is_some() {
             warnings.push("The belt is as stiff as the case gives it: its temperature is left out.".to_owned());
         }

@@ -1,7 +1,7 @@
 //! `sheave launch`: a vehicle from standstill to its top speed.
 
 use super::case::CaseArguments;
-use super::drive::{beyond_engine, quantity, stop as no_equilibrium, unused};
+use super::drive::{quantity, stop as no_equilibrium};
 use super::envelope;
 use super::output;
 use super::solve::tolerance;
@@ -9,7 +9,7 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::{Direction, Landmark, ShiftOptions, shift_branch};
+use sheave::equilibrium::{Direction, Landmark, ShiftOptions, beyond_engine, shift_branch, unused_keys};
 use sheave::launch::{
     Launch, LaunchCurve, LaunchError, LaunchOptions, launch, launch_figures, launch_summary, launch_table,
 };
@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         shift_branch(&resolved, Direction::Up, &shift, &mut |_| ControlFlow::Continue(())).map_err(no_equilibrium)?;
     let curve = LaunchCurve::new(&branch).map_err(stop)?;
     let found = launch(&curve, &vehicle, &options).map_err(stop)?;
-    let mut warnings = unused(&case);
+    let mut warnings = unused_keys(&case);
     warnings.extend(branch.remarks.iter().cloned());
     let fastest = found.points.iter().map(|point| point.engine_speed).fold(0.0, f64::max);
     warnings.extend(beyond_engine(&resolved, fastest));
