@@ -25,6 +25,7 @@ export async function native() {
       if (!response.ok) throw new Error(`${response.status}: ${await response.text()}`);
       return response.json();
     },
+    pid: child.pid,
     close: () => child.kill(),
   };
 }
