@@ -126,8 +126,8 @@ const RUNS: [(&str, u64, f64); 10] = [
     ("8-6-24-tune4-5", 13_288, 3120.0),
 ];
 
-#[test]
-fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
+/// The folder of the car's logs, and how they are read: engine and wheel, 8.32 turns of the secondary for one of the wheel.
+fn terps() -> (PathBuf, Options) {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
     let options = Options {
         rate: 50.0,
@@ -136,6 +136,12 @@ fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
         runs: runs(&data.join("tunes.csv")).unwrap(),
         ..Options::default()
     };
+    (data, options)
+}
+
+#[test]
+fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
+    let (data, options) = terps();
     for (name, rows, line) in RUNS {
         let (_, reports) = read(&[data.join(format!("{name}.log.gz"))], &options);
         let file = &reports[0].files[0];
@@ -166,14 +172,7 @@ fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
 /// rates in one file.
 #[test]
 fn a_real_log_is_read_as_it_is() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
-    let options = Options {
-        rate: 50.0,
-        secondary_factor: 8.32,
-        names: Names { primary: Some("RPM3".into()), secondary: Some("RPM2".into()), torque: None },
-        runs: runs(&data.join("tunes.csv")).unwrap(),
-        ..Options::default()
-    };
+    let (data, options) = terps();
     let (_, reports) = read(&[data.join("8-6-24-tune4-2.log.gz")], &options);
     let [report] = reports.as_slice() else { panic!("{reports:?}") };
     let file = &report.files[0];

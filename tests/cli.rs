@@ -197,7 +197,7 @@ fn derivations_are_printed_in_three_formats() {
     assert_eq!(
         stdout(&sheave(&["derive", "--format", "markdown"])),
         page,
-        "mend it with: cargo run -p sheave-eqgen -- write"
+        "write it anew with: cargo run -p sheave-eqgen -- write"
     );
 }
 

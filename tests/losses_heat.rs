@@ -4,10 +4,11 @@
 use sheave::case::Case;
 use sheave::design::{LimitOptions, largest_torque, optimum};
 use sheave::drive::SolveOptions;
-use sheave::result::{DriveResult, Outcome, run};
+use sheave::result::{Outcome, run};
+use support::{Read, assert_derivatives};
 
-/// Reads a number of a result.
-type Read = fn(&DriveResult<sheave::case::Resolved>) -> f64;
+#[path = "support/derivatives.rs"]
+mod support;
 
 /// Stiffnesses as the thesis measured them (4.1), and a loss tangent that falls with the temperature.
 const MEASURED: &str = "[belt]
@@ -89,27 +90,14 @@ fn derivatives_follow_tables_and_surface() {
         ("belt.perimeter", 0.0773, 2e-3),
         ("operating_point.slack_tension", 100.0, 2e-3),
     ] {
-        let moved = |by: f64| {
-            let mut case = case.clone();
-            let unit = if key == "thermal.ambient" { " K" } else { "" };
-            case.set(key, &format!("{:e}{unit}", value * (1.0 + by))).unwrap();
-            solve(&case, &options()).result
-        };
-        let (plus, minus) = (moved(step), moved(-step));
-        let read: [(&str, Read); 5] = [
+        let read: &[(&str, Read)] = &[
             ("belt.temperature", |result| result.belt.temperature.unwrap()),
             ("primary.axial_force", |result| result.primary.axial_force),
             ("losses.bending", |result| result.losses.as_ref().unwrap().bending),
             ("losses.total", |result| result.losses.as_ref().unwrap().total),
             ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
         ];
-        for (name, read) in read {
-            let difference = (read(&plus) - read(&minus)) / (2.0 * step * value);
-            let found = sensitivities[name][key];
-            let size = difference.abs().max(0.01 * read(result).abs() / value);
-            println!("{name} by {key}: {found:.6e} and {difference:.6e}");
-            assert!((found - difference).abs() < 5e-3 * size, "{name} by {key}: {found} and {difference}");
-        }
+        assert_derivatives((&case, result), (key, value, step), |case| solve(case, &options()).result, read);
     }
 }
 
