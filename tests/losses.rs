@@ -197,7 +197,6 @@ fn the_belt_is_as_warm_as_what_it_loses_makes_it() {
         &options,
     );
     assert!((cold.result.primary.axial_force / result.primary.axial_force - 1.0).abs() < 1e-6);
-    let sensitivities = result.sensitivities.as_ref().unwrap();
     for (key, value, step) in [
         ("thermal.ambient", 298.15, 1e-3),
         ("thermal.heat_transfer", 12.0, 2e-3),
@@ -210,7 +209,12 @@ fn the_belt_is_as_warm_as_what_it_loses_makes_it() {
             ("losses.total", |result| result.losses.as_ref().unwrap().total),
             ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
         ];
-        assert_derivatives((&case, result), (key, value, step), |case| run(&case.resolve().unwrap(), &options).unwrap().result, read);
+        assert_derivatives(
+            (&case, result),
+            (key, value, step),
+            |case| run(&case.resolve().unwrap(), &options).unwrap().result,
+            read,
+        );
     }
 }
 

@@ -83,7 +83,6 @@ fn derivatives_follow_tables_and_surface() {
     let surface = 0.0773 * 0.8572;
     assert!((180.0 * surface * (temperature - 298.15) / heat.belt - 1.0).abs() < 1e-5, "{temperature} {heat:?}");
     assert!((310.0..360.0).contains(&temperature), "{temperature}");
-    let sensitivities = result.sensitivities.as_ref().unwrap();
     for (key, value, step) in [
         ("thermal.ambient", 298.15, 1e-3),
         ("thermal.heat_transfer_per_area", 180.0, 2e-3),

@@ -16,6 +16,7 @@ mod inputs;
 mod model;
 mod outputs;
 mod posedness;
+mod position;
 mod predict;
 mod question;
 mod region;
