@@ -41,8 +41,8 @@
 //!
 //! A [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a [`study`] does so over a grid,
 //! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models
-//! stand beside the full one, and [`actuator`]s press the sheaves together. What the page in the browser asks is answered
-//! by [`live`]. `bench` (a feature) leads from measurements
+//! stand beside the full one, and [`actuator`]s press the sheaves together. What the page in the browser asks is
+//! answered by [`live`]. `bench` (a feature) leads from measurements
 //! to what a case needs.
 
 pub mod actuator;

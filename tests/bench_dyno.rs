@@ -126,7 +126,8 @@ const RUNS: [(&str, u64, f64); 10] = [
     ("8-6-24-tune4-5", 13_288, 3120.0),
 ];
 
-/// The folder of the car's logs, and how they are read: engine and wheel, 8.32 turns of the secondary for one of the wheel.
+/// The folder of the car's logs, and how they are read: engine and wheel, 8.32 turns of the secondary for one of the
+/// wheel.
 fn terps() -> (PathBuf, Options) {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
     let options = Options {
@@ -508,7 +509,8 @@ proptest! {
 
     /// Descriptions near a good one: a key, a value or a section is something else.
     #[test]
-    fn no_description_panics(at in 0..60_usize, value in "[-+0-9.eE\" a-zA-Z/*\\[\\]]{0,20}", temperature in prop::option::of(1.0..1e4_f64)) {
+    fn no_description_panics(at in 0..60_usize, value in "[-+0-9.eE\" \
+        a-zA-Z/*\\[\\]]{0,20}", temperature in prop::option::of(1.0..1e4_f64)) {
         let text = include_str!("../examples/belts/cvtech.toml");
         let changed: Vec<String> = text.lines().enumerate().map(|(line, text)| match text.split_once('=') {
             Some((key, _)) if line == at => format!("{key}={value}"),

@@ -14,7 +14,8 @@ mod support;
 const MEASURED: &str = "[belt]
 bending_stiffness = { temperature = ['25 degC', '60 degC'], value = [0.40304, 0.2602] }
 radial_stiffness = { temperature = ['25 degC', '60 degC', '100 degC'], value = ['28.98 MPa', '18.71 MPa', '13 MPa'] }
-loss_tangent = { frequency = ['10 Hz', '1 kHz'], temperature = ['25 degC', '90 degC'], value = [[0.16, 0.1], [0.18, 0.12]] }
+loss_tangent = { frequency = ['10 Hz', '1 kHz'], temperature = ['25 degC', '90 degC'], value = [[0.16, 0.1], [0.18, \
+    0.12]] }
 cord_loss_tangent = 0.01
 [thermal]
 ambient = '25 degC'

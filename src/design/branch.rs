@@ -13,8 +13,8 @@ use crate::model::{Constant, InternalError, Output};
 /// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
 /// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
-/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which then
-/// grows beyond all bounds, changes torque and tension by less than a hundredth.
+/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which
+/// then grows beyond all bounds, changes torque and tension by less than a hundredth.
 const BRAKED: f64 = 0.1;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;

@@ -1,5 +1,5 @@
-//! The two solutions that a prescribed axial force may have: as the slack tension falls, an axial force falls to a least
-//! value and may rise again.
+//! The two solutions that a prescribed axial force may have: as the slack tension falls, an axial force falls to a
+//! least value and may rise again.
 
 use solver::Linearisation;
 

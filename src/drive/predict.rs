@@ -33,9 +33,9 @@ pub(super) struct PathPiece<'a> {
     pub unknowns: &'a [usize],
 }
 
-/// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the solution
-/// before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight,
-/// inextensible belt.
+/// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the
+/// solution before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the
+/// tight, inextensible belt.
 pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
     let (from, _) = path.from;
     let curve = Curve::new(belt, path)?;
@@ -253,8 +253,8 @@ fn slope(constant: Constant, value: f64, rate: f64) -> f64 {
     if constant == Constant::SpeedRatio { rate / value } else { rate }
 }
 
-/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path the
-/// kinks of friction move, and leave their fine meshes behind.
+/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path
+/// the kinks of friction move, and leave their fine meshes behind.
 fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
     let last = part.mesh().len().saturating_sub(1);
     let size = |state: usize| part.state(state).iter().fold(0.0, |size: f64, y| size.max(y.abs()));

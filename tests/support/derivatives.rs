@@ -6,7 +6,8 @@ use sheave::result::DriveResult;
 /// Reads a number of a result.
 pub type Read = fn(&DriveResult<Resolved>) -> f64;
 
-/// Holds the derivatives of `result`, the solution of `case`, by `key` against central differences. The key has the value
+/// Holds the derivatives of `result`, the solution of `case`, by `key` against central differences. The key has the
+/// value
 /// `value` in SI and is moved by the share `step` of it; `solve` solves the moved case, in which all else follows.
 pub fn assert_derivatives(
     (case, result): (&Case, &DriveResult<Resolved>),

@@ -14,7 +14,8 @@ use rig_logger::web::serve;
 mod support;
 
 fn status() -> Status {
-    let session = Session::new(SimulatedRig::new(false), Calibration::THESIS, OperatingLimits::RIG, support::recorder());
+    let session =
+        Session::new(SimulatedRig::new(false), Calibration::THESIS, OperatingLimits::RIG, support::recorder());
     session.status().clone()
 }
 
