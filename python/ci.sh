@@ -27,12 +27,12 @@ wheel=$(echo target/wheels/sheave-*.whl)
 (cd / && "$venv/python" -c 'import sheave; print(sheave.solve(tolerance=1e-3))')
 
 "$venv/pip" install --quiet "$wheel[test]"
-"$venv/ruff" check sheave tests notebooks
-"$venv/ruff" format --check sheave tests notebooks
+"$venv/ruff" check sheave tests notebooks measure.py
+"$venv/ruff" format --check sheave tests notebooks measure.py
 "$venv/mypy"
 # Away from the sources, so that what is installed is what is tested.
 (cd target && "$venv/python" -m mypy.stubtest sheave._sheave --allowlist ../tests/stubtest.txt)
 "$venv/pytest"
 MPLBACKEND=agg "$venv/pytest" --doctest-modules --pyargs sheave
-(cd target && "$venv/python" -m doctest ../../docs/python.md)
+(cd .. && "$venv/python" -m doctest docs/python.md)
 "$venv/pytest" --nbmake --nbmake-timeout=600 notebooks

@@ -41,7 +41,8 @@ pub(crate) fn current() -> Option<Cancel> {
 
 /// Whether the work of this thread is cancelled.
 pub(crate) fn is_cancelled() -> bool {
-    HANDLE.with_borrow(|handle| handle.as_ref().is_some_and(Cancel::is_cancelled))
+    // Of a clone: what a handle asks may itself do cancellable work.
+    current().is_some_and(|handle| handle.is_cancelled())
 }
 
 /// Has a handle hold on this thread.
@@ -62,6 +63,8 @@ mod tests {
             assert_eq!(current().as_ref(), Some(&outer));
         });
         assert_eq!(current(), None);
+        let nested = Cancel::asking(|| cancellable(&Cancel::new(), || false));
+        cancellable(&nested, || assert!(!is_cancelled()));
         let panicked = std::panic::catch_unwind(|| cancellable(&Cancel::new(), || panic!("on purpose")));
         assert!(panicked.is_err() && current().is_none());
     }

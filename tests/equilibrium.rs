@@ -160,6 +160,21 @@ fn a_shift_curve_has_its_phases() {
     assert_eq!(shift_table(std::slice::from_ref(&branch)).rows.len(), branch.points.len());
 }
 
+/// With friction in the actuators the ends of the phases are out of reach of one step from the middle of the shift.
+#[test]
+fn a_shift_curve_with_friction_has_its_phases() {
+    let friction = [("primary.actuator.friction_angle", "2 deg"), ("secondary.actuator.friction_angle", "3 deg")];
+    let case = friction.iter().fold(gx9(), |case, (key, angle)| case.with(key, angle).unwrap());
+    let solve = SolveOptions { tolerance: 1e-4, ..options() };
+    let options = ShiftOptions { points: 2, solve, ..ShiftOptions::default() };
+    let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());
+    let branch = shift_branch(&resolved(&case), UP, &options, go_on).unwrap();
+    assert!(branch.remarks.is_empty(), "{:?}", branch.remarks);
+    let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
+    assert!(out.ratio > 2.5 && full.ratio < 0.65 && branch.take_off.unwrap().ratio > out.ratio, "{branch:?}");
+    assert!(branch.points.iter().all(|point| point.report.is_ok()));
+}
+
 /// Beyond the travel the primary rests on its stop, which carries what the belt does not.
 #[test]
 fn a_stop_carries_what_is_too_much() {

@@ -142,3 +142,111 @@ fn every_edition_heat_and_a_margin_are_shown() {
     let margin = slide(&mut live, "", "operating_point.slip_reserve", "30 %");
     assert!((margin["result"]["slip_reserve"].as_f64().unwrap() - 0.3).abs() < 1e-3);
 }
+
+/// The example drive, whole, as the page has it.
+const GX9: &str = include_str!("../web/page/gx9.toml");
+
+#[test]
+fn the_pages_drive_is_the_example() {
+    let pages = Case::from_toml_alone("gx9.toml", GX9).unwrap();
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/drive/gx9.toml");
+    let example = Case::read(&path).unwrap();
+    assert_eq!(pages.resolve().unwrap().settings(), example.resolve().unwrap().settings());
+}
+
+/// A shift curve as the page asks for it: what it begins with, then point after point.
+fn curve(live: &mut Live, case: &str, set: &Value) -> (Value, Vec<Value>) {
+    let question =
+        json!({ "ask": "shift", "case": case, "set": set, "direction": "up", "points": 4, "tolerance": 1e-3 });
+    let begun = ask(live, question);
+    let mut points = Vec::new();
+    while let Some(left) = begun["left"].as_u64() {
+        let next = ask(live, json!({ "ask": "shift_next", "direction": "up" }));
+        assert_eq!(next["left"].as_u64(), Some((left as usize - 1 - points.len()) as u64), "{next}");
+        points.push(next["point"].clone());
+        if points.len() == left as usize {
+            break;
+        }
+    }
+    (begun, points)
+}
+
+#[test]
+fn a_shift_curve_comes_point_by_point() {
+    let mut live = Live::default();
+    let (begun, points) = curve(&mut live, GX9, &json!([]));
+    assert!(begun["failure"].is_null() && begun["missing"] == json!([]), "{begun}");
+    assert!(begun["given"].as_array().unwrap().contains(&json!("primary.actuator.mass")), "{begun}");
+    assert!(begun["values"]["primary.actuator.mass"].as_f64().is_some_and(|grams| (grams - 134.0).abs() < 1e-9));
+    // The same as the library has it at once.
+    let case = Case::from_toml_alone("gx9.toml", GX9).unwrap().resolve().unwrap();
+    let solve = SolveOptions { tolerance: 1e-3, uncertainty: false, ..SolveOptions::default() };
+    let options = sheave::equilibrium::ShiftOptions { points: 4, solve, ..Default::default() };
+    let mut go_on = |_: &_| std::ops::ControlFlow::Continue(());
+    let direction = sheave::equilibrium::Direction::Up;
+    let branch = sheave::equilibrium::shift_branch(&case, direction, &options, &mut go_on).unwrap();
+    assert_eq!(branch.points.len(), points.len());
+    assert_eq!(begun["shift_out"]["ratio"].as_f64(), branch.shift_out.map(|place| place.ratio));
+    for (point, shown) in branch.points.iter().zip(&points) {
+        let report = point.report.as_ref().unwrap();
+        assert_eq!(shown["primary_speed"].as_f64(), Some(report.primary_speed));
+        assert_eq!(shown["efficiency"].as_f64(), report.efficiency);
+    }
+    // Behind the last there is none.
+    let next = ask(&mut live, json!({ "ask": "shift_next", "direction": "up" }));
+    assert_eq!(next, json!({ "point": null, "left": 0 }));
+    let back = ask(&mut live, json!({ "ask": "shift_next", "direction": "back" }));
+    assert_eq!(back, json!({ "point": null, "left": 0 }));
+}
+
+#[test]
+fn a_curve_beside_another_is_the_same_as_from_nothing() {
+    let set = json!([["primary.actuator.mass", "140 g"]]);
+    let mut live = Live::default();
+    curve(&mut live, GX9, &json!([]));
+    let (begun, beside) = curve(&mut live, GX9, &set);
+    assert!(text(&begun, "case").contains("140 g"));
+    let (cold, alone) = curve(&mut Live::default(), GX9, &set);
+    let ratio = |answer: &Value| answer["full_shift"]["ratio"].as_f64().unwrap();
+    assert!((ratio(&begun) / ratio(&cold) - 1.0).abs() < 1e-3);
+    for (one, other) in beside.iter().zip(&alone) {
+        let speed = |point: &Value| point["primary_speed"].as_f64().unwrap_or_else(|| panic!("{point}"));
+        assert!((speed(one) / speed(other) - 1.0).abs() < 2e-3, "{one} {other}");
+    }
+}
+
+#[test]
+fn a_belt_alone_has_no_shift_curve() {
+    let mut live = Live::default();
+    let answer = ask(&mut live, json!({ "ask": "shift", "case": "", "direction": "up", "points": 4 }));
+    assert_eq!(answer["failure"]["kind"], "input");
+    assert!(text(&answer["failure"], "message").contains("actuators"), "{answer}");
+    assert_eq!(answer["case"], "", "the page shows the case nevertheless");
+    let wrong = ask(&mut live, json!({ "ask": "shift", "case": "", "direction": "sideways", "points": 4 }));
+    assert_eq!(wrong["failure"]["kind"], "usage");
+}
+
+#[test]
+fn a_box_of_parts_is_searched_while_one_looks() {
+    let parts = "[mass]\nprimary.actuator.mass = [\"134 g\", \"160 g\"]\n\
+                 [helix]\nsecondary.actuator.helix_angle = [\"31 deg\", \"34 deg\"]\n";
+    let question = json!({ "ask": "tune", "case": GX9, "parts": parts, "target": "3200 rpm" });
+    let answer = ask(&mut Live::default(), question);
+    assert_eq!(answer["candidates"], 4, "{answer}");
+    let tunes = answer["tunes"].as_array().unwrap();
+    assert!(!tunes.is_empty(), "{answer}");
+    let deviation = |tune: &Value| tune["rms_deviation"].as_f64().unwrap();
+    assert!(tunes.windows(2).all(|pair| deviation(&pair[0]) <= deviation(&pair[1])));
+    assert!(tunes[0]["confirmed"]["rms_deviation"].as_f64().is_some(), "{}", tunes[0]);
+    // Each has its case, which is one.
+    let helix = text(&tunes[0]["parts"], "helix");
+    assert!(text(&tunes[0], "case").contains(&format!("helix_angle = \"{helix}\"")), "{}", tunes[0]);
+    let wrong = |parts: &str, target: &str| {
+        let question = json!({ "ask": "tune", "case": GX9, "parts": parts, "target": target });
+        let answer = ask(&mut Live::default(), question);
+        text(&answer["failure"], "message").to_owned()
+    };
+    assert!(wrong("[mass", "3200 rpm").contains("parts"));
+    assert!(wrong(parts, "3200 kg").contains("expected a speed"));
+    assert!(wrong("", "3200 rpm").contains("no parts"));
+}

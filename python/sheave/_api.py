@@ -50,8 +50,8 @@ def in_notebook() -> bool:
     return shell is not None and "IPKernelApp" in shell.config
 
 
-def progress_bar(progress: Progress, points: int) -> AbstractContextManager[Optional[Callable[[int], Any]]]:
-    """What is told of points as they are solved: a bar of tqdm, or the function given.
+def progress_bar(progress: Progress, points: Optional[int]) -> AbstractContextManager[Optional[Callable[[int], Any]]]:
+    """What is told of points as they are solved: a bar of tqdm, without an end for None points, or the function given.
 
     Without a word (None), a bar is shown in notebooks where tqdm is installed, and nothing elsewhere.
     """

@@ -475,6 +475,46 @@ class BeltMap:
         """The table of the map as the library of a Functional Mock-up Unit reads it."""
 
 @final
+class ShiftBranches:
+    """The branches of a shift curve."""
+
+    @property
+    def edition(self) -> str:
+        """Name of the edition of the equations."""
+    @property
+    def warnings(self) -> list[str]:
+        """What is to be known before the curve is used."""
+    def table(self) -> Table:
+        """One row a point."""
+    def told(self) -> list[dict[str, Any]]:
+        """What is known of each branch, as dictionaries."""
+    def figures(self, other: Optional[ShiftBranches] = None, name: str = "other") -> dict[str, Any]:
+        """The panels of the figure as data."""
+    def svg(self, other: Optional[ShiftBranches] = None, name: str = "other") -> str:
+        """The figure as SVG."""
+
+@final
+class Ranked:
+    """What was found in a box of parts."""
+
+    def told(self) -> dict[str, Any]:
+        """All of it as dictionaries."""
+    def table(self, pareto: bool = False) -> Table:
+        """All tunes with their parts and merits, best first."""
+    @property
+    def map(self) -> BeltMap:
+        """The map on which combinations were screened."""
+    def case(self, candidate: int) -> Case:
+        """The case with the parts of a combination in it."""
+    @property
+    def summary(self) -> str:
+        """The best in words."""
+    def figures(self) -> dict[str, Any]:
+        """Deviation over slip reserve as data."""
+    def svg(self) -> str:
+        """Deviation over slip reserve as SVG."""
+
+@final
 class BvpSolution:
     """The solution of a boundary value problem."""
 
@@ -550,6 +590,47 @@ def map(
     progress: Optional[Callable[[int], Any]] = None,
     **keys: Any,
 ) -> BeltMap: ...
+def drive(
+    case: _CaseLike = None,
+    /,
+    *,
+    speed: Any = None,
+    vehicle_speed: Any = None,
+    direction: str = "up",
+    tolerance: float = 1e-6,
+    order: int = 4,
+    **keys: Any,
+) -> tuple[dict[str, Any], Result]: ...
+def shift(
+    case: _CaseLike = None,
+    /,
+    *,
+    points: int = 24,
+    direction: str = "both",
+    start: Any = None,
+    stop: Any = None,
+    data: Union[str, PathLike[str], None] = None,
+    tolerance: float = 1e-6,
+    progress: Optional[Callable[[int], Any]] = None,
+    **keys: Any,
+) -> ShiftBranches: ...
+def tune(
+    case: _CaseLike = None,
+    /,
+    *,
+    parts: str,
+    as_text: bool,
+    target: Any,
+    map: Optional[BeltMap] = None,
+    accuracy: float = 1e-2,
+    max_points: int = 20_000,
+    points: int = 11,
+    least_reserve: float = 0.0,
+    best: int = 10,
+    jobs: Optional[int] = None,
+    progress: Optional[Callable[[int], Any]] = None,
+    **keys: Any,
+) -> Ranked: ...
 def fmu_library() -> tuple[str, str, bytes]: ...
 def belt(file: Union[str, PathLike[str]], *, temperature: Any = None) -> dict[str, Any]: ...
 def dyno(

@@ -116,37 +116,47 @@ def _description(belt_map: BeltMap, name: str, guid: str) -> bytes:
         element = xml.SubElement(definitions, "Unit", name=unit)
         if unit in _UNITS:
             xml.SubElement(element, "BaseUnit", {base: str(power) for base, power in _UNITS[unit].items()})
+    _declare_variables(root, belt_map, outputs)
+    _declare_structure(root, len(inputs), len(outputs))
+    xml.indent(root)
+    text: bytes = xml.tostring(root, encoding="utf-8", xml_declaration=True)
+    return text
+
+
+def _declare_variables(root: xml.Element, belt_map: BeltMap, outputs: dict[str, tuple[str, str]]) -> None:
+    """The inputs, the outputs with their units and meanings, and the two truths."""
     variables = xml.SubElement(root, "ModelVariables")
-    reference = 0
-    for key, axis_unit in inputs.items():
+    inputs = belt_map.units
+
+    def declare(kind: str, of_kind: dict[str, str], /, **attributes: str) -> None:
+        xml.SubElement(xml.SubElement(variables, "ScalarVariable", attributes), kind, of_kind)
+
+    for reference, (key, unit) in enumerate(inputs.items()):
         places = belt_map.breakpoints[key]
-        variable = xml.SubElement(
-            variables,
-            "ScalarVariable",
+        least, start, most = (repr(float(places[at])) for at in (0, len(places) // 2, -1))
+        declare(
+            "Real",
+            {"unit": unit, "min": least, "max": most, "start": start},
             name=f"inputs.{key}",
             valueReference=str(reference),
             causality="input",
             variability="continuous",
         )
-        start = repr(float(places[len(places) // 2]))
-        least, most = repr(float(places[0])), repr(float(places[-1]))
-        xml.SubElement(variable, "Real", {"unit": axis_unit, "min": least, "max": most, "start": start})
-        reference += 1
-    for key, (unit, meaning) in outputs.items():
-        attributes = {
-            "name": key,
-            "valueReference": str(reference),
-            "causality": "output",
-            "variability": "continuous",
-            "initial": "calculated",
-        }
-        if meaning:
-            attributes["description"] = meaning
-        xml.SubElement(xml.SubElement(variables, "ScalarVariable", attributes), "Real", unit=unit)
-        reference += 1
-    hold = xml.SubElement(
-        variables,
-        "ScalarVariable",
+    for reference, (key, (unit, meaning)) in enumerate(outputs.items(), start=len(inputs)):
+        described = {"description": meaning} if meaning else {}
+        declare(
+            "Real",
+            {"unit": unit},
+            name=key,
+            valueReference=str(reference),
+            causality="output",
+            variability="continuous",
+            initial="calculated",
+            **described,
+        )
+    declare(
+        "Boolean",
+        {"start": "false"},
         name="hold",
         valueReference=str(_HOLD),
         description="Outside the map, give the outputs at the nearest point of its range",
@@ -154,10 +164,9 @@ def _description(belt_map: BeltMap, name: str, guid: str) -> bytes:
         variability="tunable",
         initial="exact",
     )
-    xml.SubElement(hold, "Boolean", start="false")
-    valid = xml.SubElement(
-        variables,
-        "ScalarVariable",
+    declare(
+        "Boolean",
+        {},
         name="valid",
         valueReference=str(_VALID),
         description="Whether the map has values for the inputs",
@@ -165,14 +174,14 @@ def _description(belt_map: BeltMap, name: str, guid: str) -> bytes:
         variability="discrete",
         initial="calculated",
     )
-    xml.SubElement(valid, "Boolean")
+
+
+def _declare_structure(root: xml.Element, inputs: int, outputs: int) -> None:
+    """What depends on what: every output and ``valid``, which stands behind ``hold``, on all inputs."""
     structure = xml.SubElement(root, "ModelStructure")
-    first, behind = len(inputs) + 1, len(inputs) + len(outputs) + 1
-    dependencies = " ".join(str(place) for place in range(1, len(inputs) + 1))
+    first, behind = inputs + 1, inputs + outputs + 1
+    dependencies = " ".join(str(place) for place in range(1, inputs + 1))
     for kind in ("Outputs", "InitialUnknowns"):
         unknowns = xml.SubElement(structure, kind)
         for place in [*range(first, behind), behind + 1]:
             xml.SubElement(unknowns, "Unknown", index=str(place), dependencies=dependencies)
-    xml.indent(root)
-    text: bytes = xml.tostring(root, encoding="utf-8", xml_declaration=True)
-    return text

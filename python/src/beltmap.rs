@@ -1,15 +1,15 @@
 //! Belt maps.
 
-use crate::{case, convert, error, interrupt, result};
+use crate::{case, convert, error, file, interrupt, result};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use sheave::Cancel;
 use sheave::beltmap::{self, Keep, MapAxis, MapError, MapFormat, MapOptions, MapPlan, Progress, Quantity};
 use sheave::study::Row;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -36,7 +36,7 @@ pub fn map(
     let axes: Result<Vec<_>, _> = over.iter().map(|text| MapAxis::parse(text)).collect();
     let plan = axes.and_then(|axes| MapPlan::new(case, axes, options)).map_err(|error| refused(py, &error))?;
     let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
-    let kept = Counting { cancel: cancel.clone(), solved: solved.clone() };
+    let kept = Counting::new(cancel.clone(), solved.clone());
     let tell = |_: Python<'_>| match progress {
         Some(progress) => progress.call1((solved.load(Ordering::Relaxed),)).map(|_| ()),
         None => Ok(()),
@@ -49,9 +49,16 @@ pub fn map(
 type Interpolated<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Keeps nothing but the number of points, and takes no more once it is cancelled.
-struct Counting {
+pub struct Counting {
     cancel: Cancel,
     solved: Arc<AtomicUsize>,
+}
+
+impl Counting {
+    /// Counts into `solved`.
+    pub fn new(cancel: Cancel, solved: Arc<AtomicUsize>) -> Self {
+        Self { cancel, solved }
+    }
 }
 
 impl Keep for Counting {
@@ -68,7 +75,8 @@ impl Keep for Counting {
     }
 }
 
-fn refused(py: Python<'_>, error: &MapError) -> PyErr {
+/// Why there is no map, as an exception.
+pub fn refused(py: Python<'_>, error: &MapError) -> PyErr {
     match error {
         MapError::Case(error) => error::case(py, error),
         MapError::Study(error) => error::study(py, error),
@@ -78,7 +86,7 @@ fn refused(py: Python<'_>, error: &MapError) -> PyErr {
 
 /// A table of what a belt does over two or more keys of its case, read between its nodes with a known error.
 #[pyclass(frozen, module = "sheave")]
-pub struct BeltMap(Arc<beltmap::BeltMap>);
+pub struct BeltMap(pub Arc<beltmap::BeltMap>);
 
 #[pymethods]
 impl BeltMap {
@@ -93,24 +101,7 @@ impl BeltMap {
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let format = MapFormat::of(&path)
             .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv or .parquet"))?;
-        let write = || -> io::Result<()> {
-            let mut name = path.clone().into_os_string();
-            name.push(format!(".{}.part", std::process::id()));
-            let beside = PathBuf::from(name);
-            let written = std::fs::File::create(&beside).and_then(|file| {
-                let mut writer = BufWriter::new(file);
-                format.write(&self.0, &mut writer)?;
-                writer.flush()?;
-                writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-                std::fs::rename(&beside, &path)
-            });
-            if written.is_err() {
-                // What is left of a file that nobody asked for.
-                let _ = std::fs::remove_file(&beside);
-            }
-            written
-        };
-        py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
+        file::write(py, &path, |to| format.write(&self.0, to))
     }
 
     /// What the map is over, in the order of coordinates: the keys of its axes.

@@ -5,6 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
+use sheave::Cancel;
 use sheave::bench::belt::Description;
 use sheave::bench::compare::{self as comparison, Actuator, Clamp, Radii};
 use sheave::bench::dyno::{self as logs, Names, calibration, runs};
@@ -116,7 +117,7 @@ pub fn dyno<'py>(
         warnings.append(&mut reduced.warnings);
         Ok((reduced, warnings))
     };
-    let (reduced, warnings) = interrupt::run(py, work)?.map_err(|error: BenchError| error::bench(&error))?;
+    let (reduced, warnings) = interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
     let (csv, _) = logs::points_csv(&reduced.points);
     let object = convert::object(py, &reduced)?;
     object.set_item("warnings", warnings)?;
@@ -158,7 +159,7 @@ pub fn compare<'py>(
         found.warnings.extend(unnamed(engine.as_ref()));
         Ok((comparison::summary(&found), found))
     };
-    let (summary, found) = interrupt::run(py, work)?.map_err(|error: BenchError| error::bench(&error))?;
+    let (summary, found) = interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
     let object = convert::object(py, &found)?;
     object.set_item("warnings", &found.warnings)?;
     object.set_item("summary", summary)?;

@@ -7,6 +7,7 @@ use sheave::bench::BenchError;
 use sheave::case::{CaseError, Place};
 use sheave::design::DesignError;
 use sheave::drive::Failure;
+use sheave::equilibrium::EquilibriumError;
 use sheave::model::InternalError;
 use sheave::study::StudyError;
 
@@ -65,6 +66,25 @@ pub fn solve(py: Python<'_>, failure: &Failure) -> PyErr {
         return python::CaseError::new_err((failure.to_string(), hint));
     }
     python::SolveError::new_err((failure.to_string(), hint))
+}
+
+/// Why a whole drive has no equilibrium.
+pub fn equilibrium(error: &EquilibriumError) -> PyErr {
+    let hint = error.hint().map(for_python);
+    if error.is_bad_input() {
+        return case_message(error.to_string(), hint);
+    }
+    python::SolveError::new_err((error.to_string(), hint))
+}
+
+/// What is wrong with a case, without a place.
+pub fn case_message(message: String, hint: Option<String>) -> PyErr {
+    python::CaseError::new_err((message, hint))
+}
+
+/// What is wrong with measurements, without a place.
+pub fn bench_message(message: String) -> PyErr {
+    python::BenchError::new_err((message, None::<String>))
 }
 
 /// What must not happen.

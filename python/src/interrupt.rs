@@ -2,12 +2,11 @@
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::sync::PyOnceLock;
 use sheave::{Cancel, cancellable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// How often signals are looked for, and progress is told.
 const TICK: Duration = Duration::from_millis(50);
@@ -46,16 +45,49 @@ fn worker() -> std::io::Result<Worker> {
     Ok(Worker { process, jobs })
 }
 
-/// Does `work` without holding the interpreter's lock; on the main thread, which alone receives signals, Ctrl-C ends it.
+/// Does `work` without holding the interpreter's lock, on the calling thread; on the main thread, which alone receives
+/// signals, Ctrl-C ends it: Newton's iterations ask for signals now and then. For work that starts no threads of its
+/// own, for these would be asked in its place.
 ///
 /// # Errors
 /// `KeyboardInterrupt`, or what a handler of signals raises.
-pub fn run<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
-    if is_main_thread(py)? { watched(py, &Cancel::new(), work, |_| Ok(())) } else { Ok(py.detach(work)) }
+pub fn run<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let asked = Arc::new(Mutex::new(Asked { last: Instant::now(), raised: None }));
+    let held = asked.clone();
+    let cancel = Cancel::asking(move || held.lock().unwrap_or_else(PoisonError::into_inner).signals());
+    let result = py.detach(|| catch_unwind(AssertUnwindSafe(|| cancellable(&cancel, work))));
+    let raised = asked.lock().unwrap_or_else(PoisonError::into_inner).raised.take();
+    match (raised, result) {
+        (Some(error), _) => Err(error),
+        (None, Ok(result)) => Ok(result),
+        (None, Err(_)) => Err(panicked()),
+    }
 }
 
-/// As [`run`], on any thread, telling `tick` that time goes by; what that raises ends the work, too. `cancel` is for
-/// work that looks at it itself.
+/// When signals were last looked for, and what their handler raised.
+struct Asked {
+    last: Instant,
+    raised: Option<PyErr>,
+}
+
+impl Asked {
+    /// Whether a signal ends the work.
+    fn signals(&mut self) -> bool {
+        if self.last.elapsed() < TICK {
+            return false;
+        }
+        self.raised = Python::attach(|py| py.check_signals()).err();
+        self.last = Instant::now();
+        self.raised.is_some()
+    }
+}
+
+fn panicked() -> PyErr {
+    PyRuntimeError::new_err("the computation panicked: a defect of sheave")
+}
+
+/// As [`run`], with the work on another thread and those that it starts, telling `tick` that time goes by; what that
+/// raises ends the work, too. `cancel` is for work that looks at it itself.
 ///
 /// # Errors
 /// As [`run`], and what `tick` raises.
@@ -99,17 +131,6 @@ pub fn watched<T: Send + 'static>(
     match (raised, result) {
         (Some(error), _) => Err(error),
         (None, Some(result)) => Ok(result),
-        (None, None) => Err(PyRuntimeError::new_err("the computation panicked: a defect of sheave")),
+        (None, None) => Err(panicked()),
     }
-}
-
-fn is_main_thread(py: Python<'_>) -> PyResult<bool> {
-    static FUNCTIONS: PyOnceLock<(Py<PyAny>, Py<PyAny>)> = PyOnceLock::new();
-    let (main_thread, get_ident) = FUNCTIONS.get_or_try_init(py, || {
-        let threading = py.import("threading")?;
-        Ok::<_, PyErr>((threading.getattr("main_thread")?.unbind(), threading.getattr("get_ident")?.unbind()))
-    })?;
-    let main: u64 = main_thread.call0(py)?.getattr(py, "ident")?.extract(py)?;
-    let here: u64 = get_ident.call0(py)?.extract(py)?;
-    Ok(main == here)
 }

@@ -8,14 +8,17 @@ mod bvp;
 mod case;
 mod convert;
 mod design;
+mod equilibrium;
 mod error;
 mod figure;
+mod file;
 mod fmu;
 mod interrupt;
 mod profile;
 mod result;
 mod study;
 mod table;
+mod tune;
 
 use pyo3::prelude::*;
 
@@ -33,6 +36,8 @@ mod _sheave {
     #[pymodule_export]
     use crate::design::{limit, optimum};
     #[pymodule_export]
+    use crate::equilibrium::{ShiftBranches, drive, shift};
+    #[pymodule_export]
     use crate::fmu::fmu_library;
     #[pymodule_export]
     use crate::profile::{Profile, Region};
@@ -44,6 +49,8 @@ mod _sheave {
     use crate::study::{Study, rebuild_study};
     #[pymodule_export]
     use crate::table::Table;
+    #[pymodule_export]
+    use crate::tune::{Ranked, tune};
     use pyo3::prelude::*;
 
     #[pymodule_init]

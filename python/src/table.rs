@@ -1,17 +1,16 @@
 //! Tables of studies, handed over without copies through the Arrow PyCapsule interface.
 
-use crate::convert;
+use crate::{convert, file};
 use arrow_array::builder::{BooleanBuilder, Int64Builder, StringBuilder};
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{Array, ArrayRef, Float64Array, RecordBatch, RecordBatchIterator};
 use arrow_schema::ffi::FFI_ArrowSchema;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
 use numpy::PyArray1;
-use pyo3::exceptions::{PyKeyError, PyOSError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use sheave::study::{self, Cell, Format};
-use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -93,24 +92,7 @@ impl Table {
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let format = Format::of(&path)
             .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv, .parquet or .json"))?;
-        let write = || -> io::Result<()> {
-            let mut name = path.clone().into_os_string();
-            name.push(format!(".{}.part", std::process::id()));
-            let beside = PathBuf::from(name);
-            let written = std::fs::File::create(&beside).and_then(|file| {
-                let mut writer = BufWriter::new(file);
-                format.write(&self.table, &mut writer)?;
-                writer.flush()?;
-                writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-                std::fs::rename(&beside, &path)
-            });
-            if written.is_err() {
-                // What is left of a file that nobody asked for.
-                let _ = std::fs::remove_file(&beside);
-            }
-            written
-        };
-        py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
+        file::write(py, &path, |to| format.write(&self.table, to))
     }
 
     /// The Arrow PyCapsule interface: the schema.
@@ -175,7 +157,7 @@ fn column(table: &study::Table, at: usize) -> (DataType, ArrayRef) {
     let cells = || table.rows.iter().map(move |row| row.get(at).unwrap_or(&Cell::Empty));
     let all = |of: fn(&Cell) -> bool| cells().all(|cell| matches!(cell, Cell::Empty) || of(cell));
     let some = cells().any(|cell| !matches!(cell, Cell::Empty));
-    let text = |name: &str| name == "failure" || name == "edition";
+    let text = |name: &str| matches!(name, "failure" | "edition" | "stop");
     if !some && table.columns.get(at).is_some_and(|name| text(name)) {
         let mut builder = StringBuilder::new();
         cells().for_each(|_| builder.append_null());

@@ -17,7 +17,3 @@ def root() -> Path:
 def base() -> sheave.Result:
     """The base case with its sensitivities."""
     return sheave.solve(tolerance=1e-4, sensitivities=True)
-
-
-def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--measure", action="store_true", help="measure time, too: without other load")

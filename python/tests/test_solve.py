@@ -238,6 +238,35 @@ def test_ctrl_c_ends_a_computation() -> None:
     assert sheave.solve(tolerance=1e-2).primary.torque == pytest.approx(18)
 
 
+class Enough(Exception):
+    """Raised by a handler of signals."""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_signals_are_handled_while_a_call_computes() -> None:
+    """Handlers run during a call and may compute themselves; what they raise ends the call."""
+    seen = 0
+
+    def handle(*_: object) -> None:
+        nonlocal seen
+        seen += 1
+        if seen == 3:
+            raise Enough
+        sheave.solve(tolerance=1e-1)
+
+    before = signal.signal(signal.SIGALRM, handle)
+    signal.setitimer(signal.ITIMER_REAL, 0.06, 0.06)
+    try:
+        # Handled behind the call, the signals of its whole time would be one.
+        with pytest.raises(Enough):
+            sheave.limit(tolerance=1e-9)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert seen == 3
+    assert sheave.solve(tolerance=1e-2).primary.torque == pytest.approx(18)
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_a_fork_computes_on_its_own() -> None:
     sheave.solve(tolerance=1e-2)

@@ -23,7 +23,7 @@ impl Rings {
             }
             region.state_pattern.extend([(n, 0), (n, 1), (n + 1, 1), (n + 1, 2)]);
             region.constant_pattern = (0..n).flat_map(|i| [(i, r), (i, 4 + r)]).collect();
-            region.usual_entries = 2 * n;
+            region.default_entries = 2 * n;
             regions.push(region);
         }
         let constants = ["c0", "c1", "c2", "c3", "d0", "d1", "d2", "d3"];

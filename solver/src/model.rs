@@ -70,7 +70,7 @@ pub trait Model {
 pub struct Differentiated<M> {
     model: M,
     layout: Layout,
-    /// For each region, its inputs in the order in which passes take them: states, usual constants, other constants.
+    /// For each region, its inputs in the order in which passes take them: states, default unknowns, other constants.
     regions: Vec<Vec<Column>>,
     boundary: Vec<Column>,
 }
@@ -100,18 +100,18 @@ impl<M: Model> Differentiated<M> {
         Self::assemble(model, layout)
     }
 
-    /// As [`new`](Self::new), with `names` for the constants that are usually unknown: the others' derivatives are then
+    /// As [`new`](Self::new), with the names of the default unknowns, the constants that are unknown in most questions: the others' derivatives are then
     /// computed only for sensitivities and tangents. Unknown names are ignored.
     ///
     /// # Errors
     /// A layout that contradicts itself.
-    pub fn with_usual(model: M, names: &[&str]) -> Result<Self, LayoutError> {
+    pub fn with_default_unknowns(model: M, names: &[&str]) -> Result<Self, LayoutError> {
         let mut layout = model.layout();
-        let usual: Vec<bool> = layout.constants.iter().map(|c| names.contains(&c.name.as_str())).collect();
-        let is_usual = |&(_, constant): &(usize, usize)| usual.get(constant).copied().unwrap_or(false);
+        let default: Vec<bool> = layout.constants.iter().map(|c| names.contains(&c.name.as_str())).collect();
+        let is_default = |&(_, constant): &(usize, usize)| default.get(constant).copied().unwrap_or(false);
         for region in &mut layout.regions {
-            let (first, rest): (Vec<_>, Vec<_>) = region.constant_pattern.iter().partition(|entry| is_usual(entry));
-            region.usual_entries = first.len();
+            let (first, rest): (Vec<_>, Vec<_>) = region.constant_pattern.iter().partition(|entry| is_default(entry));
+            region.default_entries = first.len();
             region.constant_pattern = [first, rest].concat();
         }
         Self::assemble(model, layout)
@@ -129,9 +129,9 @@ impl<M: Model> Differentiated<M> {
         for (index, region) in layout.regions.iter_mut().enumerate() {
             let (seen_state, seen_constant) = self.probe_region(index, samples);
             retain(&mut region.state_pattern, &seen_state);
-            let usual = seen_constant.iter().take(region.usual_entries).filter(|&&seen| seen).count();
+            let default = seen_constant.iter().take(region.default_entries).filter(|&&seen| seen).count();
             retain(&mut region.constant_pattern, &seen_constant);
-            region.usual_entries = usual;
+            region.default_entries = default;
         }
         let seen = self.probe_boundary(samples);
         retain(&mut layout.boundary_pattern, &seen);
@@ -150,9 +150,9 @@ impl<M: Model> Differentiated<M> {
             .iter()
             .map(|region| {
                 let mut columns = columns(&region.state_pattern, Input::State);
-                let (usual, rest) = region.constant_pattern.split_at(region.usual_entries);
-                columns.extend(self::columns(usual, Input::Constant));
-                let first = usual.len();
+                let (default, rest) = region.constant_pattern.split_at(region.default_entries);
+                columns.extend(self::columns(default, Input::Constant));
+                let first = default.len();
                 columns.extend(self::columns(rest, Input::Constant).into_iter().map(|mut column| {
                     column.entries.iter_mut().for_each(|(_, entry)| *entry += first);
                     column
@@ -303,11 +303,11 @@ impl<M: Model> Problem for Differentiated<M> {
         dy: &mut [f64],
         dc: &mut [f64],
     ) {
-        let usual = self.layout.regions[region].usual_entries;
+        let default = self.layout.regions[region].default_entries;
         let wanted = |column: &Column| {
             scope == Scope::All
                 || matches!(column.input, Input::State(_))
-                || column.entries.first().is_some_and(|&(_, entry)| entry < usual)
+                || column.entries.first().is_some_and(|&(_, entry)| entry < default)
         };
         let columns = &self.regions[region];
         let count = columns.iter().take_while(|column| wanted(column)).count();

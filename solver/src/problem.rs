@@ -46,8 +46,9 @@ pub struct Region {
     pub state_pattern: Vec<(usize, usize)>,
     /// Structurally nonzero derivatives `(row, constant)`, rows as in `state_pattern`.
     pub constant_pattern: Vec<(usize, usize)>,
-    /// How many leading entries of `constant_pattern` are written under [`Scope::Usual`].
-    pub usual_entries: usize,
+    /// How many leading entries of `constant_pattern` belong to the default unknowns: those constants that are unknown in
+    /// most questions. They are what is written under [`Scope::DefaultUnknowns`].
+    pub default_entries: usize,
 }
 
 impl Region {
@@ -63,7 +64,7 @@ impl Region {
             states: states.iter().map(|&name| State { name: name.to_owned(), scale: None }).collect(),
             integrals: integrals.iter().map(|&name| name.to_owned()).collect(),
             state_pattern,
-            usual_entries: constant_pattern.len(),
+            default_entries: constant_pattern.len(),
             constant_pattern,
         }
     }
@@ -181,8 +182,8 @@ impl Layout {
             if let Some((row, column)) = found {
                 return Err(LayoutError::RegionPattern { region: region.name.clone(), row, column });
             }
-            if region.usual_entries > region.constant_pattern.len() {
-                return Err(LayoutError::UsualEntries { region: region.name.clone() });
+            if region.default_entries > region.constant_pattern.len() {
+                return Err(LayoutError::DefaultEntries { region: region.name.clone() });
             }
         }
         let inputs = self.inputs();
@@ -224,9 +225,9 @@ pub enum LayoutError {
         /// Column of the entry.
         column: usize,
     },
-    /// More usual entries than entries.
-    #[error("region {region}: more usual entries than entries in the constants' pattern")]
-    UsualEntries {
+    /// More entries of default unknowns than entries.
+    #[error("region {region}: more entries of default unknowns than entries in the constants' pattern")]
+    DefaultEntries {
         /// Region.
         region: String,
     },
@@ -264,8 +265,8 @@ impl Points<'_> {
 /// Which derivatives with respect to constants are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// The leading `usual_entries` of the region's constant pattern.
-    Usual,
+    /// The leading `default_entries` of the region's constant pattern.
+    DefaultUnknowns,
     /// All of the pattern: tangents and sensitivities.
     All,
 }

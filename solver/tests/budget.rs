@@ -103,6 +103,26 @@ fn a_handle_cancels_at_the_next_step_and_stays_cancelled() {
 }
 
 #[test]
+fn a_handle_asks_on_the_computing_thread() {
+    let computing = std::thread::current().id();
+    let asked = std::sync::Arc::new(std::sync::atomic::AtomicUsize::new(0));
+    let count = asked.clone();
+    let cancel = Cancel::asking(move || {
+        assert_eq!(std::thread::current().id(), computing);
+        count.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 3
+    });
+    let options = Options { cancel: Some(cancel.clone()), ..Options::default() };
+    let (problem, guess) = bratu(4.0);
+    let stiffness = Some(Stiffness { constant: 0, easy: None });
+    let mut ignored = |_: &Event| ControlFlow::Continue(());
+    let error = solve_automatically_observed(&problem, &guess, &[], stiffness, &options, &mut ignored).unwrap_err();
+    assert_eq!(error, SolveError::Cancelled);
+    // What has said "stop" once is not asked again.
+    assert!(cancel.is_cancelled());
+    assert_eq!(asked.load(std::sync::atomic::Ordering::Relaxed), 4);
+}
+
+#[test]
 fn a_handle_cancels_from_another_thread() {
     let cancel = Cancel::new();
     let options = Options { cancel: Some(cancel.clone()), work_limit: Some(usize::MAX), ..Options::default() };

@@ -60,7 +60,7 @@ fn check_region(problem: &Differentiated<Pair>, scope: Scope) {
     problem.rhs_jacobian(0, &at, &c, scope, &mut f, &mut dy, &mut dc);
     let mut value = vec![f64::NAN; 4 * stride];
     problem.rhs(0, &at, &c, &mut value);
-    let written = if scope == Scope::All { region.constant_pattern.len() } else { region.usual_entries };
+    let written = if scope == Scope::All { region.constant_pattern.len() } else { region.default_entries };
     for j in 0..len {
         let expected = expected(s[j], [y[j], y[stride + j], y[2 * stride + j]], c);
         (0..4).for_each(|row| close(f[row * stride + j], value[row * stride + j]));
@@ -71,30 +71,33 @@ fn check_region(problem: &Differentiated<Pair>, scope: Scope) {
             close(dc[entry * stride + j], expected[row][3 + constant]);
         }
     }
-    assert!(dc.iter().skip(written * stride).all(|value| value.is_nan()), "an unusual constant was written");
+    assert!(
+        dc.iter().skip(written * stride).all(|value| value.is_nan()),
+        "a constant that is no default unknown was written"
+    );
 }
 
 #[test]
 fn derivatives_equal_the_formulas() {
     check_region(&Differentiated::new(Pair).unwrap(), Scope::All);
-    check_region(&Differentiated::new(Pair).unwrap(), Scope::Usual);
-    let usual = Differentiated::with_usual(Pair, &["lambda"]).unwrap();
-    assert_eq!(usual.layout().regions[0].usual_entries, 4);
-    check_region(&usual, Scope::Usual);
-    check_region(&usual, Scope::All);
+    check_region(&Differentiated::new(Pair).unwrap(), Scope::DefaultUnknowns);
+    let default = Differentiated::with_default_unknowns(Pair, &["lambda"]).unwrap();
+    assert_eq!(default.layout().regions[0].default_entries, 4);
+    check_region(&default, Scope::DefaultUnknowns);
+    check_region(&default, Scope::All);
 }
 
 #[test]
 fn narrowing_keeps_exactly_what_the_formulas_depend_on() {
-    let problem = Differentiated::with_usual(Pair, &["lambda"]).unwrap().narrowed(2).unwrap();
+    let problem = Differentiated::with_default_unknowns(Pair, &["lambda"]).unwrap().narrowed(2).unwrap();
     let region = &problem.layout().regions[0];
     assert_eq!(region.state_pattern, [(0, 1), (1, 0), (2, 0), (2, 2), (3, 2)]);
     assert_eq!(region.constant_pattern, [(1, 1), (1, 0)]);
-    assert_eq!(region.usual_entries, 1);
+    assert_eq!(region.default_entries, 1);
     assert_eq!(problem.layout().regions[1].state_pattern, [(0, 0)]);
     let boundary = [(0, 0), (0, 7), (1, 3), (1, 4), (2, 8), (2, 10), (3, 5), (4, 1), (4, 6), (4, 9)];
     assert_eq!(problem.layout().boundary_pattern, boundary);
-    check_region(&problem, Scope::Usual);
+    check_region(&problem, Scope::DefaultUnknowns);
     check_region(&problem, Scope::All);
 }
 

@@ -8,7 +8,7 @@ use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use sheave::case::{Case, Key, Resolved};
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::{Direction, DriveReport, EquilibriumError, equilibrium_outcome};
+use sheave::equilibrium::{Direction, DriveReport, EquilibriumError, beyond_engine, equilibrium_outcome, unused_keys};
 use sheave::quantity::{Dimension, parse};
 
 /// Which way friction in the actuators acts.
@@ -64,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.case.read()?;
     let resolved = case.resolve()?;
     let speed = arguments.secondary_speed(&case, &resolved)?;
-    let warnings = unused(&case);
+    let warnings = unused_keys(&case);
     let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
     let (found, outcome) =
         equilibrium_outcome(None, &resolved, speed, arguments.direction.into(), &options).map_err(stop)?;
@@ -114,31 +114,6 @@ pub(super) fn quantity(option: &str, text: &str, dimension: Dimension, example: 
         Ok(_) => Err(wrong("not positive".to_owned())),
         Err(error) => Err(wrong(error.to_string())),
     }
-}
-
-/// Keys of the case that an equilibrium does not use, lest they be thought to count.
-pub(super) fn unused(case: &Case) -> Vec<String> {
-    let found = |key: &Key| {
-        let section = key.entry().section();
-        let radii = [Key::PrimaryRadius, Key::SecondaryRadius, Key::Ratio, Key::Free];
-        (section == "operating_point" && *key != Key::SecondarySpeed) || radii.contains(key)
-    };
-    let told = |key: Key| format!("`{}` is not used: actuators, engine and belt determine it.", key.path());
-    case.keys().filter(found).map(told).collect()
-}
-
-/// An engine that would have to run where it is not known.
-pub(super) fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
-    let (low, high) = case.parts.engine.as_ref()?.range();
-    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
-    (speed < low || speed > high).then(|| {
-        format!(
-            "The engine would run at {:.0} rpm, outside of the {:.0} to {:.0} rpm for which its torque is given.",
-            rpm(speed),
-            rpm(low),
-            rpm(high)
-        )
-    })
 }
 
 /// Why there is no equilibrium.

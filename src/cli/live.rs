@@ -45,7 +45,7 @@ struct File(&'static str, &'static str, &'static str);
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 
 /// The page. Its engine is the one that asks this program.
-const FILES: [File; 14] = [
+const FILES: [File; 19] = [
     File("/", "text/html; charset=utf-8", include_str!("../../web/page/index.html")),
     File("/index.html", "text/html; charset=utf-8", include_str!("../../web/page/index.html")),
     File("/style.css", "text/css; charset=utf-8", include_str!("../../web/page/style.css")),
@@ -60,6 +60,11 @@ const FILES: [File; 14] = [
     File("/controls.js", SCRIPT, include_str!("../../web/page/controls.js")),
     File("/readouts.js", SCRIPT, include_str!("../../web/page/readouts.js")),
     File("/share.js", SCRIPT, include_str!("../../web/page/share.js")),
+    File("/belt.js", SCRIPT, include_str!("../../web/page/belt.js")),
+    File("/shift.js", SCRIPT, include_str!("../../web/page/shift.js")),
+    File("/whole.js", SCRIPT, include_str!("../../web/page/whole.js")),
+    File("/tune.js", SCRIPT, include_str!("../../web/page/tune.js")),
+    File("/gx9.toml", "text/plain; charset=utf-8", include_str!("../../web/page/gx9.toml")),
 ];
 
 /// What is kept between the questions of one page.

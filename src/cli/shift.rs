@@ -1,7 +1,7 @@
 //! `sheave shift`: the shift curve of a whole drive.
 
 use super::case::CaseArguments;
-use super::drive::{beyond_engine, quantity, stop, unused};
+use super::drive::{quantity, stop};
 use super::envelope;
 use super::output;
 use super::solve::tolerance;
@@ -11,8 +11,8 @@ use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, deviation, read_measured,
-    shift_branch, shift_figures, shift_table,
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, deviation,
+    read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::Dimension;
@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     if let Some(folder) = &arguments.out {
         output::create_folder(folder)?;
     }
-    let mut warnings = unused(&case);
+    let mut warnings = unused_keys(&case);
     let branches = arguments.branches(&resolved, &options, true)?;
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let last = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());

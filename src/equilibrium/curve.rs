@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::heat::equilibrium_outcome;
 use super::point::{Direction, Equilibrium, Phase, Stop};
-use super::question::{Given, Whole, equilibrium};
+use super::question::{Given, Whole, equilibrium, equilibrium_from};
 use super::report::DriveReport;
+use super::walk::ShiftWalk;
 use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;
 use crate::drive::{Constant, SolveOptions};
@@ -99,6 +99,9 @@ pub struct ShiftBranch {
 const FIRST: usize = 24;
 /// Speed efficiency at take-off over that at shift-out, where a belt that sinks into small radii loses some as well.
 const TAKE_OFF: f64 = 0.95;
+/// Steps towards the end of a phase at most, and by what the secondary's speed changes with each.
+const APPROACHES: usize = 8;
+const APPROACH: f64 = 0.85;
 /// Share of the engine's last speed at which the curve ends.
 const LAST_SPEED: f64 = 0.995;
 
@@ -128,47 +131,18 @@ pub fn shift_branch(
     options: &ShiftOptions,
     see: &mut dyn FnMut(&ShiftPoint) -> ControlFlow<()>,
 ) -> Result<ShiftBranch, EquilibriumError> {
-    // Says what the case lacks.
-    Whole::new(case, Given::SecondarySpeed(1.0), direction)?;
-    let engagement = engagement_speed(case, direction)?;
-    let mut branch = ShiftBranch {
-        direction,
-        engagement,
-        take_off: None,
-        shift_out: None,
-        full_shift: None,
-        points: Vec::new(),
-        remarks: Vec::new(),
-    };
-    let mut search = Search { case, direction, options, branch: &mut branch };
-    let corners = search.corners()?;
-    let starts = search.speeds(&corners);
-    let mut near = corners.begin();
-    for speed in starts {
-        let found = equilibrium_outcome(near.as_ref(), case, speed, direction, &options.solve);
-        let report = match found {
-            Ok((found, outcome)) => {
-                let report = DriveReport::new(case, &found, outcome, false).map(Box::new);
-                near = Some(found);
-                report.map_err(|error| error.to_string())
-            }
-            Err(error) if error.is_bad_input() => return Err(error),
-            Err(error) => Err(error.to_string()),
-        };
-        let point = ShiftPoint { direction, secondary_speed: speed, report };
-        let flow = see(&point);
-        branch.points.push(point);
-        if flow.is_break() {
-            branch.remarks.push("the search was ended before its last point".to_owned());
-            break;
+    let mut walk = ShiftWalk::begin(case, direction, options)?;
+    while let Some(point) = walk.step()? {
+        if see(point).is_break() {
+            walk.end();
         }
     }
-    Ok(branch)
+    Ok(walk.into_branch())
 }
 
 /// Equilibria at the ends of the phases.
-#[derive(Default)]
-struct Corners {
+#[derive(Debug, Clone, Default)]
+pub(super) struct Corners {
     take_off: Option<Equilibrium>,
     low: Option<Equilibrium>,
     first: Option<Equilibrium>,
@@ -177,22 +151,25 @@ struct Corners {
 
 impl Corners {
     /// From where the curve's first point is sought.
-    fn begin(&self) -> Option<Equilibrium> {
+    pub(super) fn begin(&self) -> Option<Equilibrium> {
         [&self.take_off, &self.low, &self.first, &self.high].into_iter().find_map(Clone::clone)
     }
 }
 
-struct Search<'a> {
-    case: &'a Resolved,
-    direction: Direction,
-    options: &'a ShiftOptions,
-    branch: &'a mut ShiftBranch,
+pub(super) struct Search<'a> {
+    pub case: &'a Resolved,
+    pub direction: Direction,
+    pub options: &'a ShiftOptions,
+    pub branch: &'a mut ShiftBranch,
 }
 
 impl Search<'_> {
-    /// Take-off, shift-out and full shift, from a first equilibrium wherever there is one.
-    fn corners(&mut self) -> Result<Corners, EquilibriumError> {
-        let mut corners = Corners { first: self.first()?, ..Corners::default() };
+    /// Take-off, shift-out and full shift, from a first equilibrium wherever there is one; or from those of a drive
+    /// nearby.
+    pub(super) fn corners(&mut self, near: Option<&Corners>) -> Result<Corners, EquilibriumError> {
+        let near = near.cloned().unwrap_or_default();
+        let first = if near.low.is_some() { near.low.clone() } else { self.first()? };
+        let mut corners = Corners { first, ..Corners::default() };
         let Some(first) = corners.first.clone() else { return Ok(corners) };
         if first.phase == Phase::Held {
             return Ok(corners);
@@ -200,7 +177,9 @@ impl Search<'_> {
         corners.low = self.corner(&first, Given::Corner(Stop::SecondaryClosed), "shift-out");
         let from = corners.low.as_ref().unwrap_or(&first).clone();
         let holding = from.output(Output::EfficiencySpeed)?;
-        corners.take_off = self.corner(&from, Given::SpeedEfficiency(TAKE_OFF * holding), "take-off");
+        let from = near.take_off.as_ref().unwrap_or(&from);
+        corners.take_off = self.corner(from, Given::SpeedEfficiency(TAKE_OFF * holding), "take-off");
+        let first = near.high.unwrap_or(first);
         let actuation = self.case.parts.actuation.as_ref();
         let stops = [
             actuation.and_then(|parts| parts.primary_travel).map(|_| Stop::PrimaryClosed),
@@ -252,15 +231,29 @@ impl Search<'_> {
         Ok(None)
     }
 
+    /// An end of a phase; where it is out of reach at once, from states ever nearer to it.
     fn corner(&mut self, from: &Equilibrium, given: Given, what: &str) -> Option<Equilibrium> {
         let whole = Whole::new(self.case, given, self.direction).ok()?;
-        match whole.corner(from, &self.options.solve) {
-            Ok(found) => Some(found),
-            Err(error) => {
-                self.branch.remarks.push(format!("no {what}: {error}"));
-                None
+        let solve = &self.options.solve;
+        let error = match whole.corner(from, solve) {
+            Ok(found) => return Some(found),
+            Err(error) => error,
+        };
+        let toward = match given {
+            Given::Corner(Stop::PrimaryClosed | Stop::SecondaryOpen) => 1.0 / APPROACH,
+            Given::Corner(Stop::SecondaryClosed) | Given::SpeedEfficiency(_) | Given::SecondarySpeed(_) => APPROACH,
+        };
+        let mut here = from.clone();
+        for _ in 0..APPROACHES {
+            let Ok(speed) = here.output(Output::SecondarySpeed) else { break };
+            let Ok(next) = equilibrium_from(&here, self.case, toward * speed, self.direction, solve) else { break };
+            here = next;
+            if let Ok(found) = whole.corner(&here, solve) {
+                return Some(found);
             }
         }
+        self.branch.remarks.push(format!("no {what}: {error}"));
+        None
     }
 
     /// Speeds of the secondary between which a first equilibrium may lie.
@@ -271,7 +264,7 @@ impl Search<'_> {
     }
 
     /// Speeds of the secondary at which points are computed.
-    fn speeds(&self, corners: &Corners) -> Vec<f64> {
+    pub(super) fn speeds(&self, corners: &Corners) -> Vec<f64> {
         let speed =
             |found: &Option<Equilibrium>| found.as_ref().and_then(|found| found.output(Output::SecondarySpeed).ok());
         let (slowest, fastest) = self.range();

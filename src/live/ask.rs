@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use crate::drive::SolveOptions;
+use crate::equilibrium::Direction;
 
 /// A question.
 #[derive(Debug, Deserialize)]
@@ -18,6 +19,12 @@ pub(super) enum Ask {
     SmallestClamps(LimitAsk),
     /// The last solution along the belt.
     Profile,
+    /// The shift curve of a whole drive, with something changed in its case: its landmarks.
+    Shift(ShiftAsk),
+    /// Its next point.
+    ShiftNext(ShiftNextAsk),
+    /// The best combination of a box of parts.
+    Tune(TuneAsk),
 }
 
 /// A case to solve.
@@ -60,6 +67,49 @@ pub(super) struct LimitAsk {
     pub tolerance: Tolerance,
 }
 
+/// A whole drive whose shift curve is wanted.
+#[derive(Debug, Deserialize)]
+pub(super) struct ShiftAsk {
+    /// The text of a case file.
+    #[serde(default)]
+    pub case: String,
+    /// Keys to set, each with its value as in a case file; they take the place of what they exclude.
+    #[serde(default)]
+    pub set: Vec<(String, String)>,
+    /// Keys to take out.
+    #[serde(default)]
+    pub unset: Vec<String>,
+    /// Which way the drive shifts.
+    pub direction: Direction,
+    /// Points, half of them between the stops.
+    pub points: usize,
+    /// Relative tolerance on the defect.
+    #[serde(default)]
+    pub tolerance: Tolerance,
+    /// Whether to forget the curve before.
+    #[serde(default)]
+    pub from_nothing: bool,
+}
+
+/// The curve whose next point is wanted.
+#[derive(Debug, Deserialize)]
+pub(super) struct ShiftNextAsk {
+    /// Which way the drive shifts.
+    pub direction: Direction,
+}
+
+/// A box of parts that is searched.
+#[derive(Debug, Deserialize)]
+pub(super) struct TuneAsk {
+    /// The text of a case file.
+    #[serde(default)]
+    pub case: String,
+    /// The text of a file of parts.
+    pub parts: String,
+    /// Speed at which the engine is to be held, with its unit.
+    pub target: String,
+}
+
 /// A relative tolerance on the defect, from 1e-10 to 1e-1.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(try_from = "f64")]
@@ -91,6 +141,12 @@ fn yes() -> bool {
 }
 
 impl LimitAsk {
+    pub(super) fn options(&self) -> SolveOptions {
+        SolveOptions { tolerance: self.tolerance.value(), uncertainty: false, ..SolveOptions::default() }
+    }
+}
+
+impl ShiftAsk {
     pub(super) fn options(&self) -> SolveOptions {
         SolveOptions { tolerance: self.tolerance.value(), uncertainty: false, ..SolveOptions::default() }
     }

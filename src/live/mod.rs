@@ -12,6 +12,9 @@
 //! | `solve` | the case with what is changed in it, its result, what to draw, or what the belt does instead |
 //! | `largest_torque` | the largest torque that the case's clamp carries, or none |
 //! | `smallest_clamps` | the smallest clamps that carry the case's torque, or none |
+//! | `shift` | the landmarks of a whole drive's shift curve in one direction, and how many points it has |
+//! | `shift_next` | its next point, or none |
+//! | `tune` | the combinations of a box of parts that hold the engine at a speed best, each with its case |
 //! | `profile` | every state and derived field along the belt of the last solution, as CSV |
 //!
 //! ```
@@ -28,6 +31,8 @@ mod follow;
 mod keys;
 mod limit;
 mod scene;
+mod shift;
+mod tune;
 mod values;
 
 use serde_json::{Value, json};
@@ -46,6 +51,7 @@ const LONGEST: usize = 1 << 20;
 #[derive(Debug, Default)]
 pub struct Live {
     follower: Follower,
+    curves: shift::Curves,
 }
 
 /// Why a question has no answer.
@@ -125,6 +131,13 @@ impl Live {
             Ask::LargestTorque(ask) => Ok(limit::largest_torque(&posed(&read(&ask.case)?)?, &ask.options())),
             Ask::SmallestClamps(ask) => Ok(limit::smallest_clamps(&posed(&read(&ask.case)?)?, &ask.options())),
             Ask::Profile => self.profile(),
+            Ask::Shift(ask) => {
+                let case = change::changed(&read(&ask.case)?, &ask.set, &ask.unset, None)?;
+                // Posed or not: a whole drive finds its own operating point.
+                self.curves.begin(&case, &case.resolve()?, &ask)
+            }
+            Ask::ShiftNext(ask) => self.curves.next(ask.direction),
+            Ask::Tune(ask) => tune::tune(&ask),
         }
     }
 

@@ -1,9 +1,11 @@
 // Profiles along the contacts, as small line charts.
 
-import { number, powerOfTen, tick, ticks } from "./format.js";
+import { number, powerOfTen, step, tick, ticks } from "./format.js";
 import { html, set, svg } from "./dom.js";
 
 const HEIGHT = 190;
+/** Kinds of lines, each with its look in the style sheet, the topmost last. */
+const KINDS = ["before", "guide", "primary", "secondary", "loop", "up", "back"];
 const MARGIN = { left: 52, right: 10, top: 8, bottom: 34 };
 const DEGREES = 180 / Math.PI;
 
@@ -101,21 +103,26 @@ function unjumped(angles) {
 }
 
 export class Chart {
+  /** Of a profile: what it is called, what its axes are, and how its lines are read from what is shown. */
   constructor(profile) {
     this.profile = profile;
     const id = `chart-${profile.id}`;
     this.caption = html("figcaption", { id });
-    this.caption.append(profile.title, html("span", { class: "unit", text: ` (${profile.unit})` }));
-    this.svg = svg("svg", { class: "chart", role: "img", "aria-labelledby": id, xmlns: "http://www.w3.org/2000/svg" });
+    this.caption.append(profile.title);
+    if (profile.unit) this.caption.append(html("span", { class: "unit", text: ` (${profile.unit})` }));
+    this.svg = svg("svg", {
+      class: profile.tall ? "chart tall" : "chart",
+      role: "img",
+      "aria-labelledby": id,
+      xmlns: "http://www.w3.org/2000/svg",
+    });
     this.grid = svg("g", { class: "grid" });
-    this.paths = {
-      guide: svg("path", { class: "guide" }),
-      primary: svg("path", { class: "line primary" }),
-      secondary: svg("path", { class: "line secondary" }),
-      loop: svg("path", { class: "line loop" }),
-    };
+    this.paths = Object.fromEntries(
+      KINDS.map((kind) => [kind, svg("path", { class: kind === "guide" ? kind : `line ${kind}` })]),
+    );
+    this.marks = svg("g", { class: "places" });
     this.cursor = svg("g", { class: "cursor", visibility: "hidden" }, svg("path", { class: "guide" }));
-    this.svg.append(this.grid, ...Object.values(this.paths), this.cursor);
+    this.svg.append(this.grid, ...Object.values(this.paths), this.marks, this.cursor);
     this.readout = html("p", { class: "readout" });
     this.figure = html("figure", {}, this.caption, this.svg, this.readout);
     this.svg.addEventListener("pointermove", (event) => this.#point(event));
@@ -140,14 +147,16 @@ export class Chart {
     const { profile } = this;
     const width = Math.max(220, this.svg.clientWidth || 320);
     this.width = width;
-    set(this.svg, { viewBox: `0 0 ${width} ${HEIGHT}` });
+    this.height = this.svg.clientHeight || HEIGHT;
+    set(this.svg, { viewBox: `0 0 ${width} ${this.height}` });
     this.lines = profile.lines(scene);
     const guide = profile.guide?.(scene);
     const all = this.lines
       .flatMap((line) => line.y)
       .filter((value) => Number.isFinite(value) && (!profile.log || value > 0));
+    if (all.length === 0) return this.#empty();
     let [low, high] = [Math.min(...all, ...(guide ? [guide] : [])), Math.max(...all, ...(guide ? [guide] : []))];
-    const reach = Math.max(...this.lines.map((line) => line.x.at(-1)));
+    const reach = Math.max(...this.lines.map((line) => line.x.at(-1) ?? 0));
     if (profile.log) {
       low = Math.max(low, high * 1e-7);
       [low, high] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
@@ -155,8 +164,9 @@ export class Chart {
     } else {
       const room = 0.05 * (high - low || Math.abs(high) || 1);
       [low, high] = [low >= 0 && low - room < 0 ? 0 : low - room, high + (this.lines[0].marks ? 4 * room : room)];
+      if (profile.from !== undefined) low = Math.min(low, profile.from);
     }
-    const inner = { width: width - MARGIN.left - MARGIN.right, height: HEIGHT - MARGIN.top - MARGIN.bottom };
+    const inner = { width: width - MARGIN.left - MARGIN.right, height: this.height - MARGIN.top - MARGIN.bottom };
     this.x = (angle) => MARGIN.left + (angle / reach) * inner.width;
     const place = (value) => (profile.log ? Math.log10(Math.max(value, 1e-300)) : value);
     this.y = (value) => {
@@ -165,16 +175,66 @@ export class Chart {
     };
     this.reach = reach;
     this.#axes(reach, low, high, inner);
-    for (const { name, x, y } of this.lines) {
-      const at = (value, i) => `${i ? "L" : "M"}${this.x(x[i]).toFixed(1)} ${this.y(value).toFixed(1)}`;
-      set(this.paths[name], { d: y.map(at).join("") });
+    for (const [kind, path] of Object.entries(this.paths)) {
+      const line = this.lines.find(({ name }) => name === kind);
+      set(path, { d: line ? this.#path(line) : "" });
     }
+    this.#rays(profile.rays?.(scene) ?? [], low, high);
+    this.#places(profile.places?.(scene) ?? []);
     if (guide) set(this.paths.guide, { d: `M${MARGIN.left} ${this.y(guide).toFixed(1)}H${width - MARGIN.right}` });
     this.#leave();
   }
 
+  /** A line, broken where a number is missing. */
+  #path({ x, y }) {
+    let pen = "M";
+    const at = (value, i) => {
+      if (!Number.isFinite(value)) {
+        pen = "M";
+        return "";
+      }
+      const text = `${pen}${this.x(x[i]).toFixed(1)} ${this.y(value).toFixed(1)}`;
+      pen = "L";
+      return text;
+    };
+    return y.map(at).join("");
+  }
+
+  /** Lines through the origin, as far as they are in sight. */
+  #rays(rates, low, high) {
+    const ray = (rate) => {
+      const at = (x) => `${this.x(x).toFixed(1)} ${this.y(rate * x).toFixed(1)}`;
+      const end = Math.min(high / rate, this.reach);
+      return rate * end > low ? `M${at(low / rate)}L${at(end)}` : "";
+    };
+    set(this.paths.guide, { d: rates.map(ray).join("") });
+  }
+
+  /** Points that mean something by themselves, with their names. */
+  #places(places) {
+    const children = places.flatMap(({ x, y, text, name, side }) => {
+      const [cx, cy] = [this.x(x).toFixed(1), this.y(y).toFixed(1)];
+      const gap = side === "end" ? -9 : 9;
+      return [
+        svg("circle", { class: `place ${name}`, cx, cy, r: 4.5 }),
+        ...(text ? [svg("text", { x: Number(cx) + gap, y: Number(cy) - 7, "text-anchor": side, text })] : []),
+      ];
+    });
+    this.marks.replaceChildren(...children);
+  }
+
+  /** Nothing is known. */
+  #empty() {
+    this.lines = null;
+    for (const path of Object.values(this.paths)) set(path, { d: "" });
+    this.grid.replaceChildren();
+    this.marks.replaceChildren();
+    this.readout.textContent = "";
+    set(this.cursor, { visibility: "hidden" });
+  }
+
   #axes(reach, low, high, inner) {
-    const bottom = HEIGHT - MARGIN.bottom;
+    const bottom = this.height - MARGIN.bottom;
     const right = MARGIN.left + inner.width;
     const children = [];
     const mark = (attributes) => children.push(svg("path", attributes));
@@ -183,10 +243,11 @@ export class Chart {
       const gap = Math.max(1, Math.ceil((high - low) / 5));
       for (let power = low; power <= high; power += gap) this.#rung(children, 10 ** power, powerOfTen(power), inner);
     } else {
-      const up = ticks(low, high, 4);
+      const up = ticks(low, high, this.profile.tall ? 6 : 4);
       for (const value of up) this.#rung(children, value, tick(value, up.length > 1 ? up[1] - up[0] : 1), inner);
     }
-    const gap = this.profile.over === WRAP ? (inner.width > 300 ? 30 : 60) : inner.width > 300 ? 200 : 400;
+    const many = inner.width > 300;
+    const gap = this.profile.over === WRAP ? (many ? 30 : 60) : step(reach, inner.width > 600 ? 9 : many ? 5 : 3);
     for (let place = 0; place <= reach; place += gap) {
       const x = this.x(place).toFixed(1);
       mark({ d: `M${x} ${bottom}v4` });
@@ -211,18 +272,27 @@ export class Chart {
 
   /** The values where the pointer is. */
   #point(event) {
-    if (!this.scene) return;
+    if (!this.lines) return;
     const box = this.svg.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * this.width;
     const place = ((x - MARGIN.left) / (this.width - MARGIN.left - MARGIN.right)) * this.reach;
     if (place < 0 || place > this.reach) return this.#leave();
     set(this.cursor, { visibility: "visible" });
-    set(this.cursor.firstChild, { d: `M${x.toFixed(1)} ${MARGIN.top}V${HEIGHT - MARGIN.bottom}` });
+    set(this.cursor.firstChild, { d: `M${x.toFixed(1)} ${MARGIN.top}V${this.height - MARGIN.bottom}` });
     const at = (line) => {
       const i = line.x.findIndex((value) => value >= place);
-      return `${line.name === "loop" ? "" : `${line.name} `}${i < 0 ? "–" : number(line.y[i], 3)}`;
+      return `${this.#name(line)}${i < 0 ? "–" : number(line.y[i], 3)}`;
     };
-    this.readout.textContent = `${Math.round(place)}${this.profile.over.unit}: ${this.lines.map(at).join(", ")} ${this.#unit}`;
+    this.readout.textContent = `${Math.round(place)}${this.profile.over.unit}: ${this.#named.map(at).join(", ")} ${this.#unit}`;
+  }
+
+  /** The lines that say something. */
+  get #named() {
+    return this.lines.filter(({ y }) => y.some(Number.isFinite));
+  }
+
+  #name(line) {
+    return line.name === "loop" ? "" : `${line.text ?? line.name} `;
   }
 
   get #unit() {
@@ -232,10 +302,10 @@ export class Chart {
   #leave() {
     set(this.cursor, { visibility: "hidden" });
     if (!this.lines) return;
-    const range = ({ name, y }) => {
-      const values = y.filter(Number.isFinite);
-      return `${name === "loop" ? "" : `${name} `}${number(Math.min(...values), 3)} to ${number(Math.max(...values), 3)}`;
+    const range = (line) => {
+      const values = line.y.filter(Number.isFinite);
+      return `${this.#name(line)}${number(Math.min(...values), 3)} to ${number(Math.max(...values), 3)}`;
     };
-    this.readout.textContent = `${this.lines.map(range).join(", ")} ${this.#unit}`;
+    this.readout.textContent = `${this.#named.map(range).join(", ")} ${this.#unit}`;
   }
 }

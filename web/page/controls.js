@@ -6,6 +6,14 @@ import { html, symbol } from "./dom.js";
 const SECTIONS = {
   "": "Edition",
   operating_point: "Operating point",
+  "primary.actuator": "Flyweights",
+  "primary.spring": "Spring of the primary",
+  "secondary.actuator": "Helix",
+  "secondary.spring": "Spring of the secondary",
+  engine: "Engine",
+  vehicle: "Vehicle",
+  primary: "Stops of the primary",
+  secondary: "Stops of the secondary",
   drive: "Drive",
   sheave: "Sheaves",
   belt: "Belt",
@@ -14,6 +22,11 @@ const SECTIONS = {
   model: "Finer choices of the model",
 };
 const OPEN = ["", "operating_point", "drive", "sheave"];
+const OPEN_PARTS = ["primary.actuator", "primary.spring", "secondary.actuator", "secondary.spring"];
+/** What stands around the belt, and shows only where a case gives it. */
+const isPart = (section) => /^(primary|secondary|engine|vehicle)/.test(section);
+/** What a whole drive finds by itself. */
+const FOUND = ["drive.ratio", "drive.primary_radius", "drive.secondary_radius", "drive.free"];
 /** Sliders whose ends are this many times apart go by factors. */
 const LOGARITHMIC = 100;
 const NOTES = {
@@ -28,7 +41,7 @@ class Quantity {
   constructor(key, changed) {
     this.key = key;
     this.changed = changed;
-    const id = `key-${key.path.replace(".", "-")}`;
+    const id = `key-${key.path.replaceAll(".", "-")}`;
     const unit = key.printed_unit;
     this.label = html("label", { for: id, title: key.doc });
     this.label.append(words(key.name));
@@ -59,16 +72,17 @@ class Quantity {
       this.range,
       this.doc,
     );
-    this.#reach(key.example);
+    if (key.slider) this.#reach(key.example);
     this.range.addEventListener("input", () => this.#slid());
     this.field.addEventListener("change", () => this.#typed());
     this.field.addEventListener("keydown", (event) => event.key === "Enter" && this.#typed());
     this.out.addEventListener("click", () => changed({ unset: [key.path] }));
   }
 
-  /** How far the slider goes: as the table says, farther where a value lies beyond. */
+  /** How far the slider goes: as the table says, farther where a value lies beyond; for a part, around its first value. */
   #reach(value) {
-    let [from, to] = this.key.slider;
+    this.ends ??= this.key.slider ?? this.#around(value);
+    let [from, to] = this.ends;
     if (value > to) to = this.#within(value * 1.25);
     if (value < from) from = this.#within(value > 0 ? value * 0.8 : value * 1.25);
     if (this.from === from && this.to === to) return;
@@ -79,6 +93,13 @@ class Quantity {
     this.range.max = high;
     this.step = this.log ? 0.01 : step(high - low, 250);
     this.range.step = this.step;
+  }
+
+  #around(value) {
+    const size = Math.abs(value) || Math.abs(this.key.example) || 1;
+    const [from, to] = value === 0 ? [-size, size] : [value - 0.5 * size, value + 0.5 * size];
+    const ends = [this.#within(from), this.#within(to)].map((end) => Number(end.toPrecision(3)));
+    return ends[0] < ends[1] ? ends : [this.#within(value - 1), this.#within(value + 1)];
   }
 
   #within(value) {
@@ -129,13 +150,18 @@ class Quantity {
     this.shown = this.field.value;
     this.#tell();
   }
+
+  /** The ends of a part's slider are those of another drive. */
+  forget() {
+    if (!this.key.slider) this.ends = null;
+  }
 }
 
 /** A key with a choice: a list. */
 class List {
   constructor(key, changed) {
     this.key = key;
-    const id = `key-${key.path.replace(".", "-")}`;
+    const id = `key-${key.path.replaceAll(".", "-")}`;
     this.select = html("select", { id, "data-key": key.path, "aria-describedby": `${id}-doc` });
     if (key.default === null)
       this.select.append(
@@ -168,14 +194,19 @@ class List {
 
 /** All controls, by sections. */
 export class Controls {
+  /** Whether the whole drive is looked at: its parts are shown then, in place of its operating point. */
+  whole = false;
+
   constructor(host, keys, changed) {
     this.controls = new Map();
+    this.boxes = new Map();
     for (const [section, title] of Object.entries(SECTIONS)) {
-      const own = keys.filter((key) => key.section === section);
+      // Lists, as those of an engine's curve, are for case files.
+      const own = keys.filter((key) => key.section === section && (key.choices || key.unit !== undefined));
       if (own.length === 0) continue;
       const box = html(
         "details",
-        { class: "section", open: OPEN.includes(section) },
+        { class: "section", open: [...OPEN, ...OPEN_PARTS].includes(section) },
         html("summary", {}, html("h3", { text: title })),
       );
       if (NOTES[section]) box.append(html("p", { class: "note", text: NOTES[section] }));
@@ -184,15 +215,33 @@ export class Controls {
         this.controls.set(key.path, control);
         box.append(control.row);
       }
+      this.boxes.set(section, { box, own });
       host.append(box);
     }
   }
 
+  /** Another drive is opened. */
+  forget() {
+    for (const control of this.controls.values()) control.forget?.();
+  }
+
+  /** Shows what the case gives and what the drive has. */
   show({ values, given, choices }, active) {
+    const { whole } = this;
     for (const [path, control] of this.controls) {
       const is = given.includes(path);
-      if (control instanceof List) control.show(choices[path], is);
+      if (isPart(control.key.section) && !is) continue;
+      if (control instanceof List) control.show(choices[path] ?? "", is);
       else control.show(values[path], is, active);
+    }
+    for (const [section, { box, own }] of this.boxes) {
+      let any = false;
+      for (const { path } of own) {
+        const shown = whole ? !FOUND.includes(path) && (!isPart(section) || given.includes(path)) : !isPart(section);
+        this.controls.get(path).row.hidden = !shown;
+        any ||= shown;
+      }
+      box.hidden = !any || (whole && section === "operating_point");
     }
   }
 }

@@ -80,8 +80,9 @@ export class DriveView {
   #slips = false;
   #scale = 1;
   #room = { left: 0, right: 0, above: 0, below: 0 };
-  /** Whether it moves. */
+  /** Whether it moves, and whether it is looked at. */
   moves = true;
+  seen = true;
 
   constructor(host) {
     this.svg = svg("svg", {
@@ -299,7 +300,7 @@ export class DriveView {
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
     this.#last = now;
     const scene = this.#scene;
-    if (!scene || !this.moves) return;
+    if (!scene || !this.moves || !this.seen) return;
     const held = this.#slips ? 0 : 1;
     this.#turned.primary += (seconds * scene.primary.speed) / SLOWER;
     this.#turned.secondary += (held * seconds * scene.secondary.speed) / SLOWER;

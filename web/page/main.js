@@ -4,42 +4,37 @@ import { Engine } from "./engine.js";
 import { Controls } from "./controls.js";
 import { DriveView, SLOWER } from "./drive.js";
 import { Chart, PROFILES } from "./chart.js";
-import { glance, Readouts, spoken } from "./readouts.js";
+import { Belt } from "./belt.js";
+import { Readouts } from "./readouts.js";
 import { download, fromFragment, LONGEST, standalone, toFragment } from "./share.js";
-import { fixed, number, words } from "./format.js";
-import { html, set } from "./dom.js";
+import { Whole } from "./whole.js";
+import { set } from "./dom.js";
 
-/** Tolerances while something moves, and once it rests. */
-const MOVING = 1e-3;
-const RESTING = 1e-6;
 /** Milliseconds without a change after which the drive is solved to the finer tolerance. */
 const REST = 150;
 /** Milliseconds after which a search that a change makes obsolete is ended, by what is searched. */
-const PATIENCE = { limit: 0, rest: 1500, move: 8000 };
+const PATIENCE = { limit: 0, tune: 0, rest: 1500, move: 8000 };
 /** Milliseconds after which a button to stop is offered. */
 const LONG = 1200;
-/** Work of a start from nothing, Newton iterations times mesh intervals: a few seconds. */
-const WORK = 600_000;
-/** Steps on the way to where a slider was put. */
-const MOST_STEPS = 60;
 
 const byId = (id) => document.getElementById(id);
 
 const page = {
   engine: new Engine(),
+  /** What is looked at: the belt at an operating point, or the drive and its shift curve. */
+  look: "belt",
   /** The text of the case. */
   case: "",
-  /** Changes not yet asked for. */
+  /** Changes not yet asked for, and what is asked once there are none. */
   change: null,
+  task: null,
   active: null,
   busy: null,
   answer: null,
   /** Whether the last answer has a solution, to the finer tolerance. */
   rested: false,
   frames: [],
-  /** The answer that waits for the next picture; how many have been shown. */
-  waiting: null,
-  scheduled: false,
+  /** How many answers have been shown. */
   drawn: 0,
   /** Whether a notice outlives the next solution. */
   sticky: false,
@@ -61,16 +56,20 @@ function notice(kind, message, hint) {
 /** Asks one question; while it is long, it can be stopped. */
 async function ask(kind, question) {
   page.busy = { kind, since: performance.now() };
-  const long = setTimeout(() => (byId("stop").hidden = false), LONG);
+  const long = setTimeout(() => stoppable(true), LONG);
   document.documentElement.dataset.busy = kind;
   try {
     return await page.engine.ask(question);
   } finally {
     clearTimeout(long);
-    byId("stop").hidden = true;
+    stoppable(false);
     delete document.documentElement.dataset.busy;
     page.busy = null;
   }
+}
+
+function stoppable(is) {
+  for (const button of document.querySelectorAll(".stop")) button.hidden = !is;
 }
 
 /** Notes a change and sees to it that it is asked for. */
@@ -111,13 +110,22 @@ async function run() {
   running = true;
   try {
     while (true) {
-      if (page.change) await guarded(move);
-      else if (!page.rested && (await pause(REST))) await guarded(rest);
+      const view = page.look === "belt" ? page.belt : page.whole;
+      if (page.change) await guarded(() => view.move());
+      else if (!page.rested && (await pause(REST))) await guarded(() => view.rest());
+      else if (page.rested && page.task) await guarded(taken());
       else if (page.rested && !page.change) break;
     }
   } finally {
     running = false;
   }
+}
+
+/** What else is to be asked, once. */
+function taken() {
+  const { task } = page;
+  page.task = null;
+  return task;
 }
 
 /** Whether so long nothing is changed. */
@@ -140,105 +148,17 @@ async function guarded(task) {
   }
 }
 
-/** Follows the drive to where it was moved. */
-async function move() {
-  const { change } = page;
-  page.change = null;
-  const { set: keys = [], unset = [], whole } = change;
-  const from = whole ?? page.case;
-  const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
-  try {
-    for (let steps = 0; steps < MOST_STEPS; steps += 1) {
-      const answer = await ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
-      if (answer.case === undefined) {
-        refused(answer.failure, whole !== undefined);
-        return;
-      }
-      page.case = answer.case;
-      draw(answer);
-      if (!answer.on_the_way || page.change) return;
-    }
-  } catch (error) {
-    // What a newer change interrupted is asked again together with it.
-    if (error.name === "AbortError" && page.change) page.change = joined(change, page.change);
-    throw error;
-  }
-}
-
-/** Shows an answer with the next picture, while the next question is being answered. */
-function draw(answer) {
-  page.answer = answer;
-  page.waiting = answer;
-  if (page.scheduled) return;
-  page.scheduled = true;
-  requestAnimationFrame(() => {
-    page.scheduled = false;
-    drawNow();
-  });
-}
-
-/** Shows the answer that waits for a picture. */
-function drawNow() {
-  const { waiting } = page;
-  page.waiting = null;
-  if (waiting) show(waiting);
-}
-
-/** Solves to the finer tolerance, or says what limits the drive. */
-async function rest() {
-  drawNow();
-  if (page.answer?.failure) {
-    // If the clamp does not carry the torque, no search from nothing is needed.
-    if ((await limit(page.answer)) || page.change) {
-      if (!page.change) settled();
-      return;
-    }
-  }
-  const answer = await ask("rest", { ask: "solve", case: page.case, tolerance: RESTING, work_limit: WORK });
-  if (page.change) return;
-  if (answer.case === undefined) {
-    page.rested = true;
-    refused(answer.failure);
-    return;
-  }
-  show(answer);
-  say("spoken", answer.failure ? byId("notice-message").textContent : spoken(answer));
-  settled();
+/** Where this case is, in this view. */
+function address() {
+  return `${location.pathname}${location.search}${toFragment(page.case, page.look)}`;
 }
 
 /** Nothing is left to ask: the case goes into the address bar. */
 function settled() {
   page.active = null;
   page.rested = true;
-  history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+  history.replaceState(null, "", address());
   document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
-}
-
-/** Names the torque that the clamp carries, and says whether it is less than what is asked. */
-async function limit(answer) {
-  const found = await ask("limit", { ask: "largest_torque", case: page.case, tolerance: MOVING });
-  if (!found.torque || page.change) return false;
-  const { value, words: meaning } = found.torque;
-  const clamp =
-    ["slack_tension", "tight_tension", "primary_axial_force", "secondary_axial_force"].find((name) =>
-      answer.given.includes(`operating_point.${name}`),
-    ) ?? "slack_tension";
-  const at = page.controls.controls.get(`operating_point.${clamp}`);
-  const asked = answer.values["operating_point.primary_torque"];
-  const torque = `A ${words(clamp)} of ${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit} carries at most ${number(value)} N·m`;
-  const isTorque = !answer.given.some((key) => /secondary_torque|speed_ratio|secondary_speed/.test(key));
-  if (isTorque && asked > value) {
-    notice(
-      "slips",
-      `The belt slips: ${torque[0].toLowerCase()}${torque.slice(1)}, and ${number(asked)} N·m are asked.`,
-      `${meaning} Less torque or more clamp brings it back.`,
-    );
-    page.readouts.stale("it slips");
-    say("spoken", byId("notice-message").textContent);
-    return true;
-  }
-  notice("slips", byId("notice-message").textContent, `${torque}. ${meaning}`);
-  return false;
 }
 
 /** A case that is not understood: it stays out, and the controls go back. */
@@ -253,50 +173,13 @@ function refused(failure, whole) {
   }
 }
 
-function show(answer) {
-  const { failure } = answer;
-  page.answer = answer;
-  page.drawn += 1;
-  page.controls.show(answer, page.active);
-  if (answer.scene) {
-    page.view.show(answer.scene, Boolean(failure));
-    for (const chart of page.charts) chart.show(answer.scene);
-  }
-  byId("drawing").dataset.state = failure ? "none" : "solved";
-  if (failure) {
-    const message = failure.message[0].toUpperCase() + failure.message.slice(1);
-    notice("slips", `${message}.`, failure.hint);
-    page.readouts.stale("no solution");
-    say("glance", "no solution");
-  } else {
-    if (!page.sticky) notice("none", "");
-    page.readouts.show(answer);
-    say("glance", glance(answer));
-    const notes = [...answer.result.warnings, ...answer.remarks];
-    byId("warnings").replaceChildren(...notes.map((text) => html("li", { text })));
-    byId("warnings-box").hidden = notes.length === 0;
-    const { solver } = answer.result;
-    const intervals = Object.values(solver.mesh_intervals).reduce((sum, count) => sum + count, 0);
-    say(
-      "solved",
-      `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`,
-    );
-  }
-  if (answer.scene) {
-    const [low, high] = page.view.range;
-    say("tension-low", `${number(low, 3)} N`);
-    say("tension-high", `${number(high, 3)} N`);
-  }
-  if (answer.result?.solver.tolerance === MOVING) measured();
-}
-
-/** Drawings in the last second. */
-function measured() {
+/** Drawings, or whole curves, in the last second. */
+function measured(what = "drawings") {
   const now = performance.now();
   page.frames = [...page.frames.filter((time) => now - time < 1000), now];
   const span = now - page.frames[0];
   if (page.frames.length > 3)
-    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} drawings a second while moving`);
+    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} ${what} a second while moving`);
 }
 
 function open(text) {
@@ -310,19 +193,44 @@ async function openFile(file) {
   else open(await file.text());
 }
 
+/** Looks at the belt, or at the whole drive. */
+function look(at) {
+  page.look = at;
+  for (const element of document.querySelectorAll("[data-view]")) element.hidden = element.dataset.view !== at;
+  for (const view of ["belt", "drive"]) {
+    if (view === at) byId(`view-${view}`).setAttribute("aria-current", "page");
+    else byId(`view-${view}`).removeAttribute("aria-current");
+  }
+  document.querySelector(`.stage[data-view="${at}"]`).prepend(byId("notice"));
+  page.view.seen = at === "belt";
+  page.controls.whole = at === "drive";
+  page.frames = [];
+  say("frames", "");
+  notice("none", "");
+}
+
 function wire() {
-  byId("stop").addEventListener("click", () => {
-    page.rested = true;
-    end();
-  });
+  for (const button of document.querySelectorAll(".stop")) {
+    button.addEventListener("click", () => {
+      page.rested = true;
+      end();
+    });
+  }
+  for (const view of ["belt", "drive"]) {
+    byId(`view-${view}`).addEventListener("click", () => {
+      if (page.look === view) return;
+      look(view);
+      changed({});
+    });
+  }
   byId("pause").addEventListener("click", (event) => {
     page.view.moves = !page.view.moves;
     event.currentTarget.setAttribute("aria-pressed", String(!page.view.moves));
   });
   byId("base").addEventListener("click", () => open(""));
   byId("share").addEventListener("click", async () => {
-    const url = `${location.origin}${location.pathname}${toFragment(page.case)}`;
-    history.replaceState(null, "", `${location.pathname}${location.search}${toFragment(page.case)}`);
+    const url = `${location.origin}${address()}`;
+    history.replaceState(null, "", address());
     try {
       await navigator.clipboard.writeText(url);
       say("spoken", "The link to this case is on the clipboard.");
@@ -333,13 +241,21 @@ function wire() {
     setTimeout(() => say("share", "Copy link"), 2500);
   });
   byId("save-case").addEventListener("click", () => download("case.toml", "application/toml", page.case));
-  byId("save-svg").addEventListener("click", () => download("drive.svg", "image/svg+xml", standalone(page.view.svg)));
+  const isWhole = () => page.look === "drive";
+  byId("save-svg").addEventListener("click", () => {
+    const [name, text] = isWhole()
+      ? ["shift.svg", standalone(page.whole.view.svg, "px")]
+      : ["drive.svg", standalone(page.view.svg, "mm")];
+    download(name, "image/svg+xml", text);
+  });
   byId("save-csv").addEventListener("click", async () => {
+    if (isWhole()) return download("shift.csv", "text/csv", page.whole.view.csv);
     if (page.busy) return;
     const { csv } = await ask("rest", { ask: "profile" });
     download("profile.csv", "text/csv", csv);
   });
   byId("save-json").addEventListener("click", () => {
+    if (isWhole()) return download("shift.json", "application/json", page.whole.view.json);
     download("result.json", "application/json", `${JSON.stringify(page.answer?.result ?? {}, null, 2)}\n`);
   });
   const input = byId("file");
@@ -359,8 +275,10 @@ function wire() {
     openFile(event.dataTransfer.files[0]);
   });
   addEventListener("hashchange", () => {
-    const text = fromFragment(location.hash);
-    if (text !== null && text !== page.case) open(text);
+    const asked = fromFragment(location.hash);
+    if (!asked || !page.whole || (asked.text === page.case && asked.look === page.look)) return;
+    if (asked.look !== page.look) look(asked.look);
+    open(asked.text);
   });
 }
 
@@ -382,7 +300,13 @@ async function start() {
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
   page.controls = new Controls(byId("controls"), keys, moved);
-  changed({ whole: fromFragment(location.hash) ?? "" });
+  const tools = { ask, say, notice, refused, settled, joined, measured, open, run };
+  page.belt = new Belt(page, tools);
+  page.whole = new Whole(page, tools);
+  const asked = fromFragment(location.hash);
+  look(asked?.look ?? "belt");
+  for (const view of ["belt", "drive"]) byId(`view-${view}`).disabled = false;
+  changed({ whole: asked?.text ?? "" });
 }
 
 /** The least slip threshold of a belt without bending stiffness, mm/s: below, the solver finds nothing (docs/string.md). */

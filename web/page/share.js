@@ -3,20 +3,25 @@
 /** Longest case that is read from a URL or a file, characters. */
 export const LONGEST = 200_000;
 
-/** The case in a URL's fragment, or null. */
+/** What a fragment begins with where it is for the belt, and for the whole drive. */
+const VIEWS = { belt: "#case=", drive: "#shift=" };
+
+/** The case in a URL's fragment with what to look at, or null. */
 export function fromFragment(fragment) {
-  if (!fragment.startsWith("#case=")) return null;
+  const view = Object.entries(VIEWS).find(([, start]) => fragment.startsWith(start));
+  if (!view) return null;
   try {
-    const text = decodeURIComponent(fragment.slice("#case=".length));
-    return text.length <= LONGEST ? text : null;
+    const [look, start] = view;
+    const text = decodeURIComponent(fragment.slice(start.length));
+    return text.length <= LONGEST ? { text, look } : null;
   } catch {
     return null;
   }
 }
 
-/** The fragment of a case; empty for the base case. */
-export function toFragment(text) {
-  return text === "" ? "" : `#case=${encodeURIComponent(text)}`;
+/** The fragment of a case; empty for the belt of the base case. */
+export function toFragment(text, look) {
+  return text === "" && look === "belt" ? "" : `${VIEWS[look]}${encodeURIComponent(text)}`;
 }
 
 /** Hands a text to the browser as a file. */
@@ -34,8 +39,8 @@ const TEXT = ["fill", "font-family", "font-size", "font-weight", "text-anchor"];
 const GROUP = ["opacity"];
 const STYLED = { path: SHAPE, circle: SHAPE, text: TEXT, g: GROUP };
 
-/** A drawing as a file of its own: what the page's style sheet says is written into it. */
-export function standalone(drawing) {
+/** A drawing as a file of its own, its unit of length `unit`: what the page's style sheet says is written into it. */
+export function standalone(drawing, unit) {
   const copy = drawing.cloneNode(true);
   const inline = (from, to) => {
     const style = getComputedStyle(from);
@@ -49,8 +54,8 @@ export function standalone(drawing) {
   inline(drawing, copy);
   copy.removeAttribute("style");
   const [x, y, width, height] = copy.getAttribute("viewBox").split(" ");
-  copy.setAttribute("width", `${width}mm`);
-  copy.setAttribute("height", `${height}mm`);
+  copy.setAttribute("width", `${width}${unit}`);
+  copy.setAttribute("height", `${height}${unit}`);
   const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
   const color = getComputedStyle(document.body).backgroundColor;
   for (const [name, value] of Object.entries({ x, y, width, height, fill: color })) ground.setAttribute(name, value);

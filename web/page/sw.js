@@ -17,6 +17,11 @@ const FILES = [
   "controls.js",
   "readouts.js",
   "share.js",
+  "belt.js",
+  "shift.js",
+  "whole.js",
+  "tune.js",
+  "gx9.toml",
   "sheave.wasm",
 ];
 

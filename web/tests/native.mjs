@@ -71,7 +71,7 @@ export function differences(a, b) {
   return found;
 }
 
-/** Whether both were found on the same path: rounding may change a step of a long search, and with it the meshes. */
+/** Whether both were found on the same path: the smallest difference may change a step of a long search, and with it the meshes. */
 export function sameWay(a, b) {
   const { newton_iterations: p, continuation_steps: q } = a.solver;
   return p === b.solver.newton_iterations && q === b.solver.continuation_steps;

@@ -1,93 +1,26 @@
 // The page in Chromium: what is moved, shown, opened, saved and refused.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import { mkdir, readFile, writeFile } from "node:fs/promises";
-import { after, afterEach, before, test } from "node:test";
+import { readFile, writeFile } from "node:fs/promises";
+import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { chromium } from "playwright-core";
-import { differences, native } from "./native.mjs";
-import { serve } from "./serve.mjs";
+import {
+  answer,
+  caseText,
+  count,
+  here,
+  looked,
+  open,
+  rested,
+  saved,
+  setUp,
+  shots,
+  slide,
+  state,
+  type,
+} from "./browser.mjs";
+import { differences } from "./native.mjs";
 
-const shots = new URL("../shots/", import.meta.url);
-const here = (path) => new URL(path, import.meta.url).pathname;
-const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/google-chrome"].find(existsSync);
-let browser;
-let site;
-let program;
-/** Everything that went wrong in the pages of a test. */
-let problems = [];
-let requests = [];
-const contexts = [];
-
-before(async () => {
-  await mkdir(shots, { recursive: true });
-  site = await serve(here("../dist"));
-  program = await native();
-  browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-});
-after(async () => {
-  await browser?.close();
-  site?.close();
-  program?.close();
-});
-afterEach(async () => {
-  while (contexts.length) await contexts.pop().close();
-  const found = problems;
-  problems = [];
-  requests = [];
-  assert.deepEqual(found, []);
-});
-
-async function open(fragment = "", options = {}, url = site.url) {
-  const context = await browser.newContext({
-    viewport: { width: 1600, height: 1000 },
-    reducedMotion: "no-preference",
-    ...options,
-  });
-  contexts.push(context);
-  const page = await context.newPage();
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("request", (request) => requests.push(request.url()));
-  await page.goto(url + fragment);
-  await rested(page, 0);
-  return page;
-}
-
-const count = (page) => page.evaluate(() => Number(document.documentElement.dataset.rested ?? 0));
-
-/** Waits until the page has come to rest more often than `before`. */
-async function rested(page, before) {
-  await page.waitForFunction((before) => Number(document.documentElement.dataset.rested ?? 0) > before, before, {
-    timeout: 60_000,
-  });
-}
-
-/** Moves a slider to a value and waits until the drive has followed. */
-async function slide(page, key, value) {
-  const before = await count(page);
-  await page.evaluate(
-    ([key, value]) => {
-      const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
-      slider.value = String(value);
-      slider.dispatchEvent(new Event("input", { bubbles: true }));
-    },
-    [key, value],
-  );
-  await rested(page, before);
-}
-
-/** Types a value into the field of a key. */
-async function type(page, key, value) {
-  const before = await count(page);
-  const field = page.locator(`input[data-field="${key}"]`);
-  await field.fill(String(value));
-  await field.press("Enter");
-  await rested(page, before);
-}
-
-const answer = (page) => page.evaluate(() => globalThis.sheave.answer);
-const caseText = (page) => page.evaluate(() => globalThis.sheave.case);
+setUp();
 
 test("the module keeps to its budget of 2 MB compressed", async () => {
   const size = gzipSync(await readFile(here("../dist/sheave.wasm"))).length;
@@ -114,7 +47,7 @@ test("sliders give the native program's numbers", async () => {
   await slide(page, "sheave.friction_coefficient", 0.35);
   const asked = await page.evaluate(() => globalThis.asked);
   let last;
-  for (const question of asked) last = await program.ask(question, "sliders");
+  for (const question of asked) last = await state.program.ask(question, "sliders");
   const shown = await answer(page);
   const { solved, sampled } = differences(shown.result, last.result);
   console.log(`sliders: ${asked.length} questions, largest relative difference ${solved.largest.toExponential(1)}`);
@@ -132,9 +65,9 @@ test("sliders give the native program's numbers", async () => {
 
 test("everything comes from the page's own place, and works without a network", async () => {
   const page = await open();
-  assert.ok(requests.length > 10);
+  assert.ok(state.requests.length > 10);
   assert.deepEqual(
-    requests.filter((url) => !url.startsWith(site.url)),
+    state.requests.filter((url) => !url.startsWith(state.site.url)),
     [],
   );
   await page.evaluate(() => navigator.serviceWorker.ready);
@@ -202,20 +135,16 @@ test("a case goes through URL, file and drop and comes back the same", async () 
   const force = async (page) => (await answer(page)).result.primary.axial_force;
   assert.ok(Math.abs((await force(again)) / (await force(page)) - 1) < 1e-5);
 
-  const saved = async (button) => {
-    const [file] = await Promise.all([page.waitForEvent("download"), page.locator(button).click()]);
-    return { name: file.suggestedFilename(), text: await readFile(await file.path(), "utf8") };
-  };
-  const file = await saved("#save-case");
+  const file = await saved(page, "#save-case");
   assert.deepEqual(file, { name: "case.toml", text });
-  const csv = await saved("#save-csv");
+  const csv = await saved(page, "#save-csv");
   assert.match(csv.text, /^region,position,T \[N\]/);
   assert.ok(csv.text.split("\n").length > 300);
-  const drawing = await saved("#save-svg");
+  const drawing = await saved(page, "#save-svg");
   await writeFile(new URL("drive.svg", shots), drawing.text);
   assert.match(drawing.text, /^<\?xml[^>]*>\n<svg [^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
   assert.ok(!/class=|style=|script/.test(drawing.text));
-  const json = await saved("#save-json");
+  const json = await saved(page, "#save-json");
   assert.equal(JSON.parse(json.text).edition, "thesis");
 
   const other = await open();
@@ -245,11 +174,11 @@ test("what a file or a URL says is text, never markup", async () => {
     `[drive]\nratio = "1.1 ${attack.replaceAll('"', "'")}"`,
   ];
   for (const text of texts) {
-    const context = await browser.newContext();
-    contexts.push(context);
+    const context = await state.browser.newContext();
+    state.contexts.push(context);
     const page = await context.newPage();
-    page.on("pageerror", (error) => problems.push(String(error)));
-    await page.goto(`${site.url}#case=${encodeURIComponent(text)}`);
+    page.on("pageerror", (error) => state.problems.push(String(error)));
+    await page.goto(`${state.site.url}#case=${encodeURIComponent(text)}`);
     await page.waitForFunction(
       () => document.querySelector("#notice-message").textContent !== "" || document.documentElement.dataset.rested,
     );
@@ -274,10 +203,10 @@ test("what a file or a URL says is text, never markup", async () => {
   assert.deepEqual(refused, { taken: undefined, color: "" });
   // The browser said so, as it should.
   assert.ok(
-    problems.length >= 2 && problems.every((text) => text.includes("Content Security Policy")),
-    problems.join("\n"),
+    state.problems.length >= 2 && state.problems.every((text) => text.includes("Content Security Policy")),
+    state.problems.join("\n"),
   );
-  problems = [];
+  state.problems = [];
 });
 
 test("the keyboard moves everything", async () => {
@@ -307,20 +236,7 @@ for (const [width, height] of [
     test(`at ${width} px, ${colorScheme}: accessible, and nothing beyond the edge`, async () => {
       const page = await open("", { viewport: { width, height }, colorScheme });
       for (const details of await page.locator("details").all()) await details.evaluate((box) => (box.open = true));
-      await page.evaluate(await readFile(here("../node_modules/axe-core/axe.min.js"), "utf8"));
-      const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
-      const said = found.violations.map(
-        ({ id, nodes }) =>
-          `${id}: ${nodes
-            .slice(0, 3)
-            .map((node) => node.html + node.failureSummary)
-            .join("; ")}`,
-      );
-      assert.deepEqual(said, []);
-      const wide = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-      assert.equal(wide, 0);
+      await looked(page);
       for (const details of await page.locator("details").all())
         await details.evaluate((box, i) => (box.open = i < 4), 0);
       await page.reload();
@@ -333,7 +249,7 @@ for (const [width, height] of [
 }
 
 test("the page that the program serves asks the program", async () => {
-  const page = await open("", {}, program.url);
+  const page = await open("", {}, state.program.url);
   assert.match(await page.locator("#engine").textContent(), /natively/);
   await slide(page, "operating_point.primary_torque", 27);
   const shown = await answer(page);

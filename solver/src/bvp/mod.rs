@@ -30,7 +30,7 @@ pub use singular::SingularTermError;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::options::Options;
-use crate::problem::{Constant, Layout, Points, Problem, Region, Scope};
+use crate::problem::{Layout, Points, Problem, Region, Scope};
 use crate::solution::Solution;
 use crate::solve::solve;
 use singular::SingularTerm;
@@ -171,10 +171,8 @@ fn layout(states: &[&str], interval: (f64, f64), parameters: &[&str], unknowns: 
     let region = Region::dense("interval", interval, states, &[], parameters.len());
     let equations: Vec<String> = (1..=states.len() + unknowns).map(|number| format!("condition {number}")).collect();
     let equations: Vec<&str> = equations.iter().map(String::as_str).collect();
-    let mut layout = Layout::dense(vec![region], &[], &equations);
-    layout.constants = parameters.iter().map(|&name| Constant { name: name.to_owned(), scale: None }).collect();
-    let inputs = layout.inputs();
-    layout.boundary_pattern = (0..inputs).flat_map(|input| (0..equations.len()).map(move |row| (row, input))).collect();
+    let mut layout = Layout::dense(vec![region], parameters, &equations);
+    layout.boundary_pattern.sort_by_key(|&(row, input)| (input, row));
     // By columns, as the formulas write them.
     let region = &mut layout.regions[0];
     region.state_pattern.sort_by_key(|&(row, state)| (state, row));

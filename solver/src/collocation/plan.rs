@@ -83,8 +83,8 @@ impl Plan {
             let state_entries = entries(&region.state_pattern, &Some);
             let constant_entries: Vec<(usize, usize, usize)> =
                 entries(&region.constant_pattern, &|c| columns.iter().position(|&u| unknowns[u] == c));
-            let usual = constant_entries.iter().all(|&(entry, ..)| entry < region.usual_entries);
-            let scope = if usual { Scope::Usual } else { Scope::All };
+            let default = constant_entries.iter().all(|&(entry, ..)| entry < region.default_entries);
+            let scope = if default { Scope::DefaultUnknowns } else { Scope::All };
             regions.push(RegionPlan {
                 n,
                 rows: n + k,

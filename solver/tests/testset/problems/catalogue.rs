@@ -39,7 +39,7 @@ impl Case {
     /// A problem whose unknown constants are these, with their guesses. The guess of all states is zero.
     pub fn new<M: Model + Sync + Send + 'static>(id: &'static str, model: M, unknowns: &[(&str, f64)]) -> Self {
         let names: Vec<&str> = unknowns.iter().map(|&(name, _)| name).collect();
-        let problem = Differentiated::with_usual(model, &names).unwrap();
+        let problem = Differentiated::with_default_unknowns(model, &names).unwrap();
         let layout = problem.layout();
         let mut constants = vec![0.0; layout.constants.len()];
         let indices: Vec<usize> = names.iter().map(|name| layout.constant(name).unwrap()).collect();

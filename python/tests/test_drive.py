@@ -1,0 +1,203 @@
+"""Whole drives: equilibria, shift curves, the search for a tune."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sheave
+
+RPM = np.pi / 30
+PARTS = {
+    "mass": {"primary.actuator.mass": ["134 g", 0.160]},
+    "primary_spring": {
+        "soft": {"primary.spring.rate": "45 lbf/in", "primary.spring.preload": "60 lbf"},
+        "as built": {"primary.spring.rate": "60 lbf/in", "primary.spring.preload": "67.5 lbf"},
+        "far too strong": {"primary.spring.rate": "60 lbf/in", "primary.spring.preload": "20 kN"},
+    },
+    "helix": {"secondary.actuator.helix_angle": ["31 deg", "34 deg"]},
+    "pretension": {"secondary.spring.pretension": ["45 deg", "75 deg"]},
+}
+
+
+@pytest.fixture(scope="module")
+def gx9(root: Path) -> sheave.Case:
+    return sheave.Case(root / "examples" / "drive" / "gx9.toml")
+
+
+@pytest.fixture(scope="module")
+def settled(gx9: sheave.Case) -> sheave.Equilibrium:
+    return sheave.drive(gx9, speed="2000 rpm", tolerance=1e-4)
+
+
+def test_a_drive_settles_where_its_forces_balance(settled: sheave.Equilibrium) -> None:
+    assert settled.secondary_speed == pytest.approx(2000 * RPM)
+    assert settled.phase in {"low", "shifting", "high"}
+    assert abs(settled.force_residual) < 1e-6
+    assert settled.flyweight_force is not None and settled.primary_spring_force is not None
+    presses = settled.flyweight_force + settled.primary_spring_force
+    # A stop carries what is left over.
+    if settled.phase == "shifting":
+        assert presses == pytest.approx(settled.primary_axial_force, rel=1e-6)
+    assert settled.belt.primary.axial_force == settled.primary_axial_force
+    assert settled.belt.secondary.speed == settled.secondary_speed
+    assert settled.ratio == pytest.approx(settled.belt.secondary.radius / settled.belt.primary.radius)
+
+
+def test_an_equilibrium_is_shown(settled: sheave.Equilibrium) -> None:
+    assert "does it slip?" in str(settled) and settled.slip in settled.summary
+    html = settled._repr_html_()
+    assert "<svg" in html and "engine and primary" in html
+    told = settled.to_dict()
+    assert told["primary_speed"] == settled.primary_speed and "belt" not in told
+    parts = settled.to_pandas()
+    assert len(parts) == len(settled.parts) > 0
+    assert np.isfinite(parts["primary_speed"]).all()
+
+
+def test_what_a_part_does_is_its_derivative(gx9: sheave.Case) -> None:
+    """Heavier flyweights pull the engine down, as much as the exact derivative says."""
+
+    def speed(mass: float) -> sheave.Equilibrium:
+        return sheave.drive(gx9.with_({"primary.actuator.mass": mass}), speed="2000 rpm", tolerance=1e-8)
+
+    mass = gx9.given["primary.actuator.mass"]
+    assert isinstance(mass, float)
+    step = 1e-3 * mass
+    here = speed(mass)
+    (effect,) = (part for part in here.parts if part.key == "primary.actuator.mass")
+    difference = (speed(mass + step).primary_speed - speed(mass - step).primary_speed) / (2 * step)
+    assert effect.primary_speed == pytest.approx(difference, rel=1e-3)
+
+
+def test_a_drive_is_told_its_speed_in_one_way(gx9: sheave.Case, settled: sheave.Equilibrium) -> None:
+    by_vehicle = sheave.drive(gx9, vehicle_speed=settled.vehicle_speed, tolerance=1e-4)
+    assert by_vehicle.primary_speed == pytest.approx(settled.primary_speed, rel=1e-3)
+    by_case = sheave.drive(gx9, secondary_speed="2000 rpm", tolerance=1e-4)
+    assert by_case.primary_speed == pytest.approx(settled.primary_speed, rel=1e-3)
+    unused = sheave.drive(gx9, speed=2000 * RPM, slack_tension="120 N", tolerance=1e-3)
+    assert any("slack_tension" in warning for warning in unused.warnings)
+
+
+@pytest.mark.parametrize(
+    ("keys", "reason"),
+    [
+        ({"speed": "2000 rpm", "direction": "down"}, "direction"),
+        ({}, "at which speed"),
+        ({"speed": "2000 rpm", "vehicle_speed": "30 km/h"}, "not both"),
+        ({"speed": "-3 rad/s"}, "positive"),
+        ({"speed": float("nan")}, "positive"),
+        ({"speed": "3 kg"}, "speed"),
+        ({"speed": "2000 rpm", "tolerance": 2.0}, "tolerance"),
+    ],
+)
+def test_wrong_questions_are_refused(gx9: sheave.Case, keys: dict[str, Any], reason: str) -> None:
+    with pytest.raises(ValueError, match=reason):
+        sheave.drive(gx9, **keys)
+
+
+def test_a_case_without_actuators_has_no_equilibrium() -> None:
+    with pytest.raises(sheave.CaseError, match="actuators"):
+        sheave.drive(speed="2000 rpm")
+    with pytest.raises(sheave.CaseError, match="actuators"):
+        sheave.shift()
+
+
+def test_a_shift_curve_has_a_table_and_landmarks(gx9: sheave.Case, tmp_path: Path) -> None:
+    told: list[int] = []
+    curve = sheave.shift(gx9, points=6, direction="up", tolerance=1e-3, progress=told.append)
+    assert told[-1] == len(curve.table) >= 5
+    speeds = curve.table["secondary_speed"]
+    assert np.all(np.diff(speeds) > 0)
+    branch = curve.branch("up")
+    assert branch.engagement_speed is not None and branch.shift_out is not None and branch.full_shift is not None
+    assert branch.shift_out.ratio > branch.full_shift.ratio
+    assert branch.deviation is None
+    with pytest.raises(KeyError):
+        curve.branch("back")
+    frame = curve.to_pandas()
+    assert set(frame["direction"]) == {"up"} and frame["converged"].all()
+    assert set(frame["phase"]) <= {"low", "shifting", "high"}
+    html = curve._repr_html_()
+    assert "<svg" in html and "it leaves the low stop" in html
+    assert "shift" in curve.figures() and "points, up" in repr(curve)
+    # Points of the curve itself deviate from it by nothing.
+    data = tmp_path / "measured.csv"
+    rows = zip(speeds, curve.table["primary_speed"], strict=True)
+    data.write_text("secondary_speed,primary_speed\n" + "".join(f"{one},{other}\n" for one, other in rows))
+    same = sheave.shift(gx9, points=6, direction="up", tolerance=1e-3, data=data)
+    deviation = same.branch("up").deviation
+    assert deviation is not None and deviation.points >= 4 and deviation.rms < 1e-6
+    assert "that one" in curve.svg(beside=same, name="that one")
+    with pytest.raises(sheave.BenchError, match="cannot be read"):
+        sheave.shift(gx9, data=tmp_path / "nowhere.csv")
+    with pytest.raises(ValueError, match="points"):
+        sheave.shift(gx9, points=1)
+
+
+@pytest.fixture(scope="module")
+def tuning(gx9: sheave.Case) -> sheave.Tuning:
+    return sheave.tune(gx9, parts=PARTS, target="3200 rpm", accuracy=5e-2, max_points=300, points=5, best=1)
+
+
+def test_a_box_of_parts_is_searched(tuning: sheave.Tuning) -> None:
+    assert tuning.candidates == 24
+    assert len(tuning.tunes) + sum(refused.count for refused in tuning.refused) == 24
+    assert tuning.tunes and all(one.parts["primary_spring"] != "far too strong" for one in tuning.tunes)
+    best = tuning.best
+    assert set(best.parts) == set(PARTS)
+    deviations = [one.merits.rms_deviation for one in tuning.tunes]
+    assert deviations == sorted(deviations) and best.pareto and best in tuning.pareto
+    assert best.confirmed is not None and best.confirmed.points == 5
+    assert best.confirmed.merits is not None
+    assert best.confirmed.largest_difference < 0.03 * tuning.target
+    assert all(one.confirmed is None for one in tuning.tunes[1:])
+
+
+def test_a_tune_is_a_case_that_settles(tuning: sheave.Tuning) -> None:
+    """The full solution of the best holds the engine where the search says that it does."""
+    best = tuning.best
+    case = tuning.case(best)
+    assert case.given["secondary.actuator.helix_angle"] == pytest.approx(
+        np.radians(float(best.parts["helix"].split()[0]))
+    )
+    found = sheave.drive(case, speed=2000 * RPM, tolerance=1e-4)
+    assert found.phase == "shifting"
+    assert abs(found.primary_speed - best.merits.mean_speed) < 0.15 * tuning.target
+    with pytest.raises(ValueError, match="there are 24"):
+        tuning.case(24)
+
+
+def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
+    frame = tuning.to_pandas()
+    assert len(frame) == len(tuning.tunes) and frame["rms_deviation"].is_monotonic_increasing
+    html = tuning._repr_html_()
+    assert "<svg" in html and "beaten by none" in html and "combinations shift" in repr(tuning)
+    assert "combinations of parts for 3200 rpm" in str(tuning) and "pareto" in tuning.figures()
+    told: list[int] = []
+    options: dict[str, Any] = {"target": 3200 * RPM, "points": 5, "best": 0}
+    again = sheave.tune(gx9, parts=PARTS, map=tuning.map, progress=told.append, **options)
+    assert [one.candidate for one in again.tunes] == [one.candidate for one in tuning.tunes]
+    assert told[-1] == 24, "combinations alone: there was no map to make"
+    # A reserve that none keeps: nothing shifts, and the map is not lost.
+    none = sheave.tune(gx9, parts=PARTS, map=tuning.map, least_reserve=0.99, **options)
+    assert not none.tunes and "slip reserve" in none._repr_html_()
+    with pytest.raises(sheave.DesignError, match="slip reserve"):
+        _ = none.best
+
+
+def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
+    wrong = {"helix": {"secondary.actuator.helix_angel": ["34 deg"]}}
+    with pytest.raises(sheave.CaseError, match=r"did you mean `secondary\.actuator\.helix_angle`"):
+        sheave.tune(gx9, parts=wrong, target="3400 rpm")
+    with pytest.raises(sheave.CaseError, match=r"nowhere\.toml"):
+        sheave.tune(gx9, parts=tmp_path / "nowhere.toml", target="3400 rpm")
+    with pytest.raises(ValueError, match="target"):
+        sheave.tune(gx9, parts=PARTS, target="-1 rpm")
+    with pytest.raises(ValueError, match="number of points"):
+        sheave.tune(gx9, parts=PARTS, target="3400 rpm", points=1)
+    with pytest.raises(ValueError, match="jobs"):
+        sheave.tune(gx9, parts=PARTS, target="3400 rpm", jobs=0)
+    with pytest.raises(sheave.CaseError, match="actuators"):
+        sheave.tune(parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")

@@ -1,0 +1,28 @@
+//! What is worth knowing of a whole drive beside its numbers.
+
+use crate::case::{Case, Key, Resolved};
+
+/// A sentence for each key of a case that its equilibrium does not use, lest it be thought to count.
+pub fn unused_keys(case: &Case) -> Vec<String> {
+    let found = |key: &Key| {
+        let section = key.entry().section();
+        let radii = [Key::PrimaryRadius, Key::SecondaryRadius, Key::Ratio, Key::Free];
+        (section == "operating_point" && *key != Key::SecondarySpeed) || radii.contains(key)
+    };
+    let told = |key: Key| format!("`{}` is not used: actuators, engine and belt determine it.", key.path());
+    case.keys().filter(found).map(told).collect()
+}
+
+/// A sentence where an engine would have to run at a speed in rad/s for which its torque is not given.
+pub fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
+    let (low, high) = case.parts.engine.as_ref()?.range();
+    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+    (speed < low || speed > high).then(|| {
+        format!(
+            "The engine would run at {:.0} rpm, outside of the {:.0} to {:.0} rpm for which its torque is given.",
+            rpm(speed),
+            rpm(low),
+            rpm(high)
+        )
+    })
+}

@@ -1,0 +1,147 @@
+//! A shift curve as it is computed: one point after the other, whenever the next is wanted.
+
+use super::curve::{Corners, Search, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed};
+use super::error::EquilibriumError;
+use super::heat::equilibrium_outcome;
+use super::point::{Direction, Equilibrium};
+use super::question::{Given, Whole};
+use super::report::DriveReport;
+use crate::case::Resolved;
+
+/// The shift curve in one direction while it is computed.
+#[derive(Debug, Clone)]
+pub struct ShiftWalk {
+    case: Resolved,
+    options: ShiftOptions,
+    branch: ShiftBranch,
+    corners: Corners,
+    /// Speeds of the secondary of all points, rad/s.
+    speeds: Vec<f64>,
+    ended: bool,
+    /// The last equilibrium of a point.
+    last: Option<Equilibrium>,
+    /// Whether the equilibrium of each point is kept, and these.
+    keeps: bool,
+    found: Vec<Option<Equilibrium>>,
+    /// Those of the curve of a drive nearby.
+    beside: Vec<Option<Equilibrium>>,
+}
+
+impl ShiftWalk {
+    /// Finds the ends of the curve's phases; its points are not yet computed.
+    ///
+    /// # Errors
+    /// A case that lacks a part.
+    pub fn begin(case: &Resolved, direction: Direction, options: &ShiftOptions) -> Result<Self, EquilibriumError> {
+        Self::begun(case, direction, options, None)
+    }
+
+    /// The same, keeping the equilibrium of every point for [`ShiftWalk::begin_near`].
+    #[must_use]
+    pub fn keeping(mut self) -> Self {
+        self.keeps = true;
+        self
+    }
+
+    /// As [`ShiftWalk::begin`], from the curve of a drive nearby that keeps its equilibria, as this one does then: each point is sought from the one in its place there.
+    /// Where the ends of the phases are not found from those, they are from nothing.
+    ///
+    /// # Errors
+    /// As [`ShiftWalk::begin`].
+    pub fn begin_near(&self, case: &Resolved, options: &ShiftOptions) -> Result<Self, EquilibriumError> {
+        if self.case.model != case.model {
+            return Self::begin(case, self.branch.direction, options).map(Self::keeping);
+        }
+        let begun = Self::begun(case, self.branch.direction, options, Some(self))?;
+        if begun.branch.remarks.len() > self.branch.remarks.len() {
+            return Self::begin(case, self.branch.direction, options).map(Self::keeping);
+        }
+        Ok(begun)
+    }
+
+    fn begun(
+        case: &Resolved,
+        direction: Direction,
+        options: &ShiftOptions,
+        near: Option<&Self>,
+    ) -> Result<Self, EquilibriumError> {
+        // Says what the case lacks.
+        Whole::new(case, Given::SecondarySpeed(1.0), direction)?;
+        let mut branch = ShiftBranch {
+            direction,
+            engagement: engagement_speed(case, direction)?,
+            take_off: None,
+            shift_out: None,
+            full_shift: None,
+            points: Vec::new(),
+            remarks: Vec::new(),
+        };
+        let mut search = Search { case, direction, options, branch: &mut branch };
+        let corners = search.corners(near.map(|near| &near.corners))?;
+        let speeds = search.speeds(&corners);
+        // What is found in another place of the curve is farther away than the point before.
+        let beside = near.filter(|near| near.speeds.len() == speeds.len()).map(|near| near.found.clone());
+        Ok(Self {
+            case: case.clone(),
+            options: options.clone(),
+            branch,
+            corners,
+            speeds,
+            ended: false,
+            last: None,
+            keeps: near.is_some(),
+            found: Vec::new(),
+            beside: beside.unwrap_or_default(),
+        })
+    }
+
+    /// The next point, which may have no equilibrium; nothing behind the last.
+    ///
+    /// # Errors
+    /// What is wrong with the case.
+    pub fn step(&mut self) -> Result<Option<&ShiftPoint>, EquilibriumError> {
+        let at = self.branch.points.len();
+        let Some(speed) = self.speeds.get(at).copied().filter(|_| !self.ended) else { return Ok(None) };
+        let before = self.last.clone().or_else(|| self.corners.begin());
+        let near = self.beside.get(at).cloned().flatten().or(before);
+        let direction = self.branch.direction;
+        let found = equilibrium_outcome(near.as_ref(), &self.case, speed, direction, &self.options.solve);
+        let (report, found) = match found {
+            Ok((found, outcome)) => {
+                let report = DriveReport::new(&self.case, &found, outcome, false).map(Box::new);
+                (report.map_err(|error| error.to_string()), Some(found))
+            }
+            Err(error) if error.is_bad_input() => return Err(error),
+            Err(error) => (Err(error.to_string()), None),
+        };
+        if self.keeps {
+            self.found.push(found.clone());
+        }
+        self.last = found.or(self.last.take());
+        self.branch.points.push(ShiftPoint { direction, secondary_speed: speed, report });
+        Ok(self.branch.points.last())
+    }
+
+    /// Ends the curve before its last point; what there is stays.
+    pub fn end(&mut self) {
+        if self.remaining() > 0 {
+            self.branch.remarks.push("the search was ended before its last point".to_owned());
+        }
+        self.ended = true;
+    }
+
+    /// How many points are still to be computed.
+    pub fn remaining(&self) -> usize {
+        if self.ended { 0 } else { self.speeds.len() - self.branch.points.len() }
+    }
+
+    /// What is known so far.
+    pub fn branch(&self) -> &ShiftBranch {
+        &self.branch
+    }
+
+    /// The same, when no more points are wanted.
+    pub fn into_branch(self) -> ShiftBranch {
+        self.branch
+    }
+}
