@@ -18,6 +18,8 @@ const DIFFERENCE: f64 = 1e-3;
 const DEPTH: f64 = 1e-6;
 /// Share of the tolerance that a node may cost which is left out.
 const THINNING: f64 = 0.1;
+/// Change of the speed ratio, as a share of it, up to which it is predicted by its logarithm.
+const LARGEST_CHANGE: f64 = 0.5;
 /// Nodes in a row that may be left out.
 const LONGEST_GAP: usize = 7;
 
@@ -136,12 +138,14 @@ impl<'a> Curve<'a> {
             if !self.unknowns.contains(&at) {
                 return self.to.drive[constant];
             }
-            let rate = |tangent: &Tangent| slope(constant, value, tangent.constants.get(at).copied().unwrap_or(0.0));
+            let rate = |tangent: &Tangent| tangent.constants.get(at).copied().unwrap_or(0.0);
+            let scale = Scale::of(constant, value, rate(&self.ahead));
             let second = back.as_ref().map_or(0.0, |(bend, tight)| {
-                let rest = scaled(constant, bend.constants[constant]) - scaled(constant, value) - rate(&bend.back);
-                (rest - tight.bend(constant)) / bend.square
+                let rest = scale.to(bend.constants[constant]) - scale.to(value) - scale.rate(value, rate(&bend.back));
+                (rest - tight.bend(constant, scale)) / bend.square
             });
-            unscaled(constant, scaled(constant, value) + rate(&self.ahead) + ahead.bend(constant) + second)
+            let moved = scale.to(value) + scale.rate(value, rate(&self.ahead));
+            scale.from(moved + ahead.bend(constant, scale) + second)
         };
         Constant::ALL.into_iter().map(constant).chain(self.to.targets.iter().copied()).collect()
     }
@@ -232,25 +236,49 @@ impl Tight {
     }
 
     /// What a tangent leaves out along the whole path.
-    fn bend(&self, constant: Constant) -> f64 {
-        let value = |drive: &Constants| scaled(constant, drive[constant]);
+    fn bend(&self, constant: Constant, scale: Scale) -> f64 {
+        let value = |drive: &Constants| scale.to(drive[constant]);
         let [before, after] = &self.around;
         value(&self.end) - value(&self.begin) - (value(after) - value(before)) / (2.0 * DIFFERENCE)
     }
 }
 
-/// A constant on the scale on which it is predicted: the speed ratio by its logarithm.
-fn scaled(constant: Constant, value: f64) -> f64 {
-    if constant == Constant::SpeedRatio { value.ln() } else { value }
+/// The scale on which a constant is predicted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Scale {
+    Linear,
+    Logarithmic,
 }
 
-fn unscaled(constant: Constant, value: f64) -> f64 {
-    if constant == Constant::SpeedRatio { value.exp() } else { value }
-}
+impl Scale {
+    /// The speed ratio is predicted by its logarithm; unless it goes to nothing, as where the secondary comes to rest,
+    /// or begins there.
+    fn of(constant: Constant, value: f64, change: f64) -> Self {
+        let proportional = constant == Constant::SpeedRatio && change.abs() < LARGEST_CHANGE * value;
+        if proportional { Self::Logarithmic } else { Self::Linear }
+    }
 
-/// A rate of change on that scale.
-fn slope(constant: Constant, value: f64, rate: f64) -> f64 {
-    if constant == Constant::SpeedRatio { rate / value } else { rate }
+    fn to(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Logarithmic => value.ln(),
+        }
+    }
+
+    fn from(self, scaled: f64) -> f64 {
+        match self {
+            Self::Linear => scaled,
+            Self::Logarithmic => scaled.exp(),
+        }
+    }
+
+    /// A rate of change on this scale.
+    fn rate(self, value: f64, rate: f64) -> f64 {
+        match self {
+            Self::Linear => rate,
+            Self::Logarithmic => rate / value,
+        }
+    }
 }
 
 /// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path

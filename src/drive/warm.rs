@@ -1,8 +1,9 @@
 //! From solutions of cases nearby to that of a case.
 
+use solver::continuation::PathOptions;
 use solver::{Options, Solution, SolveError, Stats};
 
-use super::approach::posed;
+use super::approach::{approach, posed};
 use super::belt::BeltProblem;
 use super::budget::Budget;
 use super::correct::{corrected, relaxed};
@@ -19,6 +20,7 @@ use crate::model::Constant;
 // What a warm start may cost; beyond it, a cold start is the cheaper one.
 const SMALLEST_STEP: f64 = 0.25;
 const MAX_ITERATIONS: usize = 15;
+const MAX_STEPS: usize = 3;
 const MAX_MESHES: usize = 12;
 const MAX_INTERVALS: usize = 2000;
 
@@ -54,7 +56,34 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    along(None, from, model, question.clone(), options)
+    match along(None, from, model, question.clone(), options) {
+        Err(Failure::Cancelled) => Err(Failure::Cancelled),
+        Err(_) => stepwise(from, model, question, options),
+        solved => solved,
+    }
+}
+
+/// In a few steps along a straight path, each predicted by no more than the tangent.
+fn stepwise(
+    from: &Solved,
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    let path = PathOptions {
+        solve: within(options),
+        tolerance: ROUGH_TOLERANCE,
+        first_step: 1.0,
+        smallest_step: SMALLEST_STEP,
+        max_steps: MAX_STEPS,
+        ..PathOptions::default()
+    };
+    let mut budget = Budget::new(options.work_limit);
+    let mut solved = approach(model, from, question, &path, &mut budget)?;
+    // The work from here on, not that of the solution nearby.
+    solved.stats = *solved.solution.stats();
+    solved.continuation_steps -= from.continuation_steps;
+    Ok(solved)
 }
 
 /// What the solver may spend.
