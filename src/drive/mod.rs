@@ -44,4 +44,4 @@ pub use route::Route;
 pub use solve::{SolveOptions, WORK_LIMIT, approach_question, solve, solve_question};
 pub use solved::Solved;
 pub use trouble::Trouble;
-pub use warm::{remoteness, solve_along, solve_from, solve_question_from};
+pub use warm::{remoteness, solve_along, solve_from, solve_question_from, step_to_question};

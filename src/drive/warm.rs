@@ -56,20 +56,21 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    match along(None, from, model, question.clone(), options) {
-        Err(Failure::Cancelled) => Err(Failure::Cancelled),
-        Err(_) => stepwise(from, model, question, options),
-        solved => solved,
-    }
+    along(None, from, model, question.clone(), options)
 }
 
-/// In a few steps along a straight path, each predicted by no more than the tangent.
-fn stepwise(
+/// As [`solve_question_from`], in at most three steps along a straight path, each predicted by no more than the tangent.
+/// Curves of solutions that turn are followed with it: it leaves them less easily for a branch beside them.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn step_to_question(
     from: &Solved,
     model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
+    question.check(model)?;
     let path = PathOptions {
         solve: within(options),
         tolerance: ROUGH_TOLERANCE,
