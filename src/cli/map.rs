@@ -37,8 +37,8 @@ pub struct Arguments {
     /// Points to solve at most, nodes and check points; a map that would need more is written as it is
     #[arg(long, value_name = "N", default_value_t = MapOptions::default().max_points)]
     max_points: usize,
-    /// Count the drive as slipping below this speed efficiency, from 0 to 1; sunk into its groove at a ratio of 3, a
-    /// belt that does not slip has 0.94
+    /// Count the drive as slipping below this speed efficiency, from 0 to 1, unless a fifth of the friction at hand is
+    /// left: sunk into its groove at a ratio of 3, a belt that does not slip has 0.94
     #[arg(long, value_name = "S", default_value_t = MapOptions::default().least_speed_efficiency)]
     least_speed_efficiency: f64,
     /// Threads, no more of which are started than there are cores [default: all cores]
