@@ -73,7 +73,8 @@ impl EquilibriumError {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Failure { .. } => Some(
-                "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary spring or a \
+                "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
+                spring or a \
                  smaller helix angle clamp it tighter",
             ),
             Self::Disengaged { .. } => {

@@ -156,7 +156,8 @@ fn energy(html: &mut String, outcome: &Outcome, split: &LossSplit) {
         &watt(energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work),
         "",
     );
-    *html += "</table><h2>Friction loss</h2><table><tr><th>W</th><th class=\"n\">primary</th><th class=\"n\">secondary</th><th class=\"n\">both</th><th></th></tr>";
+    *html += "</table><h2>Friction loss</h2><table><tr><th>W</th><th class=\"n\">primary</th><th \
+        class=\"n\">secondary</th><th class=\"n\">both</th><th></th></tr>";
     type Part = (&'static str, fn(&Mechanisms) -> f64);
     let parts: [Part; 6] = [
         ("at entry", |m| m.entry),
