@@ -99,8 +99,8 @@ impl Ratios {
         let within = self.all.iter().filter(|(ratio, _)| *ratio <= 2.0).count();
         format!(
             "- {}: geometric mean {mean:.2} of its time over {} problems, at most twice its time on {within} of them; \
-            worst \
-             {worst:.2} ({at}), best {best:.2} ({with}). It fails on {} more. Problems that it alone solves: {lost}.\n",
+             worst {worst:.2} ({at}), best {best:.2} ({with}). It fails on {} more. Problems that it alone solves: \
+             {lost}.\n",
             self.name,
             self.all.len(),
             self.failed
@@ -111,8 +111,8 @@ impl Ratios {
 fn table(accuracy: f64, names: &[String]) -> String {
     let mut out = format!(
         "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | how | intervals (error) | COLNEW, ms \
-        | how | \
-         intervals (error) | TWPBVPC, ms | how | intervals (error) |\n|---|---|---|---|---|---|---|---|---|---|\n"
+         | how | intervals (error) | TWPBVPC, ms | how | intervals (error) \
+         |\n|---|---|---|---|---|---|---|---|---|---|\n"
     );
     let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
         .map(|(name, at)| (Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() }, at));

@@ -149,8 +149,7 @@ fn scipy_cell(record: Option<&Value>) -> String {
 fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     let mut out = String::from(
         "| problem | parameter | κ | order 4 | error | intervals | Newton | ms | order 6 | error | intervals | Newton \
-        | ms \
-         | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+         | ms | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let kappa = row.orders[1].solved.as_ref().map_or_else(String::new, |solved| format!("{:.0e}", solved.kappa));

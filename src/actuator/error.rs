@@ -30,8 +30,7 @@ pub enum ActuatorError {
     /// A mechanism that locks, or pulls where it should press.
     #[error(
         "at a travel of {:.3} mm the flyweights press with {force:.1} N: expected a force from 0; the ramp is steeper \
-        than \
-         its friction allows, or slopes the wrong way", travel * 1e3
+         than its friction allows, or slopes the wrong way", travel * 1e3
     )]
     NoForce {
         /// Travel, m.
@@ -55,8 +54,7 @@ pub enum ActuatorError {
     /// A helix whose flank carries no torque.
     #[error(
         "at a travel of {:.3} mm the helix carries a torque of {torque:.2} N·m: its flank has no contact; wind the \
-        spring up \
-         further, or give the angle of the other flank", travel * 1e3
+         spring up further, or give the angle of the other flank", travel * 1e3
     )]
     HelixContact {
         /// Travel, m.

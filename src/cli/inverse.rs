@@ -241,8 +241,7 @@ fn outlines(found: &Inverse, roller: Option<f64>) -> Result<Vec<(&'static str, V
                 let surface = surface(path, radius).map_err(|place| {
                     Stop::NoSolution(format!(
                         "the ramp of a roller of {:.2} mm crosses itself at {:.2} mm: the path of the roller's centre \
-                        is bent more \
-                         tightly than the roller; give a smaller --roller-radius",
+                         is bent more tightly than the roller; give a smaller --roller-radius",
                         1e3 * radius,
                         1e3 * place
                     ))

@@ -74,8 +74,7 @@ impl EquilibriumError {
         match self {
             Self::Failure { .. } => Some(
                 "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
-                spring or a \
-                 smaller helix angle clamp it tighter",
+                 spring or a smaller helix angle clamp it tighter",
             ),
             Self::Disengaged { .. } => {
                 Some("try a higher speed of the secondary, heavier flyweights or a softer spring")

@@ -67,8 +67,7 @@ pub enum DataError {
     /// A column is missing.
     #[error(
         "has no column `{0}_rpm` or `{0}_speed`: expected a header with secondary_rpm and primary_rpm, or \
-        secondary_speed and \
-         primary_speed in rad/s, and if there are both ways a column `direction` with up and back"
+         secondary_speed and primary_speed in rad/s, and if there are both ways a column `direction` with up and back"
     )]
     Column(&'static str),
     /// A number is none.

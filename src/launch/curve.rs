@@ -34,8 +34,7 @@ pub enum LaunchError {
     /// The vehicle does not start.
     #[error(
         "the vehicle does not start: the secondary delivers {torque:.1} N·m at take-off, and rolling resistance and \
-        grade take \
-         {load:.1} N·m"
+         grade take {load:.1} N·m"
     )]
     Stalls {
         /// Torque of the secondary at take-off, N·m.

@@ -64,8 +64,7 @@ pub enum Unfit {
     /// What presses on the secondary is below the slip limit.
     #[error(
         "at ratio {ratio:.2}, the belt slips: at {:.0} rpm helix and spring press the secondary with {presses:.0} N, \
-        and a belt that \
-         hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
+         and a belt that hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
     )]
     Slips {
         /// Nominal ratio.
@@ -82,8 +81,7 @@ pub enum Unfit {
     /// The flyweights do not hold the belt at any speed of the map.
     #[error(
         "at ratio {ratio:.2}, the engine would have to turn faster than {:.0} rpm: there the flyweights less their \
-        spring press \
-         with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+         spring press with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
     )]
     TooLight {
         /// Nominal ratio.

@@ -45,8 +45,7 @@ pub fn pareto_figure(ranking: &Ranking) -> Figure {
         "pareto",
         format!(
             "Deviation from {:.0} rpm over the shift, and the smallest slip reserve; beaten by none in these two and \
-            the \
-             mean efficiency",
+             the mean efficiency",
             rpm(ranking.target)
         ),
         Axis::new("smallest slip reserve (%)"),

@@ -22,8 +22,7 @@ pub enum SingularTermError {
     /// It has the eigenvalue 1: the slope at the singular end is not determined.
     #[error(
         "the matrix of the singular term has the eigenvalue 1, so that nothing determines the slope at the singular \
-        end: \
-         solutions are not smooth there, or another variable suits the problem better"
+         end: solutions are not smooth there, or another variable suits the problem better"
     )]
     EigenvalueOne,
 }

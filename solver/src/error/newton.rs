@@ -174,21 +174,18 @@ impl NewtonError {
         match self {
             Self::NonFinite(_) => {
                 "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or \
-                rewrite the \
-                 right-hand side so that it is defined nearby; at a singular end give the limit."
+                 rewrite the right-hand side so that it is defined nearby; at a singular end give the limit."
             }
             Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
                 "A boundary equation depends on no unknown: correct it."
             }
             Self::Singular { .. } => {
                 "The boundary equations do not determine the components named. A phase or scale may be free (add a \
-                condition), a \
-                 condition may be stated twice, or the branch turns round here: trace it by arclength."
+                 condition), a condition may be stated twice, or the branch turns round here: trace it by arclength."
             }
             Self::Stalled { .. } => {
                 "There may be no solution near the guess, or the equations may have a kink. Improve the guess, \
-                continue from an \
-                 easier parameter, or use solve_automatically."
+                 continue from an easier parameter, or use solve_automatically."
             }
             Self::IterationLimit { .. } => {
                 "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier \

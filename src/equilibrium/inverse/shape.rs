@@ -149,8 +149,7 @@ impl Wanted<'_> {
         let turn = |travel: f64, angle: f64| {
             let force = |steep: f64| state(angle, steep.tan()).force;
             let reason = "the arm stands too steep, or the flyweights are too light: give heavier or more flyweights, \
-                or a \
-                          stiffer spring where they are too heavy";
+                or a stiffer spring where they are too heavy";
             let found = steepness(self.forces.at(travel).value, level, force).ok_or((travel, reason))?;
             Ok(state(angle, found.tan()).turn)
         };
@@ -188,8 +187,7 @@ impl Wanted<'_> {
             angles.reverse();
         }
         let reason = "the roller comes nearer to the pivot and goes away again, so that one place of the cam would \
-            have to \
-                      press twice: move the roller, or the pivot, along the shaft";
+            have to press twice: move the roller, or the pivot, along the shaft";
         increasing(NAME, travels, &distances, reason)?;
         Ok(Shape::Cam(profile(distances, angles)?))
     }
