@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! git clone https://github.com/cran/bvpSolve                                    the peers' sources, in Fortran
-//! SHEAVE_PEERS=bvpSolve/src cargo bench -p sheave-solver --bench peers          prints the tables
+//! BVP_PEERS=bvpSolve/src cargo bench -p sheave-solver --bench peers          prints the tables
 //! ... -- --write                                                                and puts them into docs/peers.md
 //! ... -- Bratu                                                                  only problems whose names have this
 //! ```
@@ -30,7 +30,7 @@ use std::path::PathBuf;
 const ACCURACIES: [f64; 2] = [1e-6, 1e-8];
 const ROUNDS: usize = 9;
 /// Names the folder with the peers' sources.
-const VARIABLE: &str = "SHEAVE_PEERS";
+const VARIABLE: &str = "BVP_PEERS";
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/peers.md");
 const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
 
