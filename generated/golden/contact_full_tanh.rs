@@ -108,7 +108,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         Field::TangentialLossPerLength,
         Field::LossPerWrap,
     ],
-    usual: 3,
+    default_unknowns: 3,
     state_pattern: &[
         (0, 0),
         (0, 1),
@@ -228,7 +228,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (11, 11),
         (11, 12),
     ],
-    usual_entries: 21,
+    default_entries: 21,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -410,7 +410,7 @@ impl Sweep for Value {
         at.write_f(11, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;

@@ -98,7 +98,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         Field::TangentialLossPerLength,
         Field::LossPerWrap,
     ],
-    usual: 3,
+    default_unknowns: 3,
     state_pattern: &[
         (0, 0),
         (0, 1),
@@ -207,7 +207,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (9, 11),
         (9, 12),
     ],
-    usual_entries: 21,
+    default_entries: 21,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -348,7 +348,7 @@ impl Sweep for Value {
         at.write_f(9, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 3;

@@ -98,7 +98,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         Field::TangentialLossPerLength,
         Field::LossPerWrap,
     ],
-    usual: 3,
+    default_unknowns: 3,
     state_pattern: &[
         (0, 0),
         (0, 1),
@@ -207,7 +207,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (9, 11),
         (9, 12),
     ],
-    usual_entries: 21,
+    default_entries: 21,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -349,7 +349,7 @@ impl Sweep for Value {
         at.write_f(9, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 3;

@@ -48,7 +48,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         Integral::StrainEnergyFlux,
     ],
     fields: &[Field::BeltTension, Field::BeltSpeed, Field::BendingMoment, Field::Shear],
-    usual: 2,
+    default_unknowns: 2,
     state_pattern: &[
         (0, 2),
         (0, 3),
@@ -81,7 +81,7 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         (7, 5),
         (7, 6),
     ],
-    usual_entries: 6,
+    default_entries: 6,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -152,7 +152,7 @@ impl Sweep for Value {
         at.write_f(7, E_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (17 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 58 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (17 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 58 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 4;

@@ -41,10 +41,10 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
         Integral::StrainEnergyFlux,
     ],
     fields: &[Field::BeltTension, Field::BeltSpeed, Field::BendingMoment, Field::Shear],
-    usual: 2,
+    default_unknowns: 2,
     state_pattern: &[(2, 1), (3, 1), (4, 0)],
     constant_pattern: &[(4, 0), (4, 1), (4, 2), (4, 4), (4, 5), (4, 6)],
-    usual_entries: 2,
+    default_entries: 2,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -95,7 +95,7 @@ impl Sweep for Value {
         at.write_f(5, Real::splat(0.0));
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 2;

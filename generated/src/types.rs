@@ -70,23 +70,23 @@ pub struct RegionKernel {
     pub name: &'static str,
     /// The `n` states.
     pub states: &'static [State],
-    /// Constants, the usual unknowns first.
+    /// Constants, the default unknowns first.
     pub constants: &'static [RegionConstant],
     /// The `k` integrals.
     pub integrals: &'static [Integral],
     /// Derived fields.
     pub fields: &'static [Field],
-    /// The first `usual` constants are usually unknown.
-    pub usual: usize,
+    /// How many leading constants are the default unknowns.
+    pub default_unknowns: usize,
     /// Structurally nonzero derivatives `(row, state)`; rows `0..n` are the right-hand side, `n..n+k` the integrands.
     pub state_pattern: &'static [(usize, usize)],
-    /// Structurally nonzero derivatives `(row, constant)`; those of the usual constants stand first.
+    /// Structurally nonzero derivatives `(row, constant)`; those of the default unknowns stand first.
     pub constant_pattern: &'static [(usize, usize)],
-    /// How many leading entries of `constant_pattern` belong to usual constants.
-    pub usual_entries: usize,
+    /// How many leading entries of `constant_pattern` belong to default unknowns.
+    pub default_entries: usize,
     /// Writes `f`.
     pub value: RegionFn,
-    /// Writes `f`, `dy` and the leading `usual_entries` rows of `dc`.
+    /// Writes `f`, `dy` and the leading `default_entries` rows of `dc`.
     pub jacobian: RegionFn,
     /// Writes `f`, `dy` and all of `dc`.
     pub full: RegionFn,

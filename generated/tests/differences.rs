@@ -137,12 +137,12 @@ fn value_and_jacobian_agree_to_the_bit() {
         for _ in 0..POINTS {
             let point = point(kernel, &mut random, Slip::Beyond);
             let value = at(kernel, kernel.value, &point).f;
-            let usual = at(kernel, kernel.jacobian, &point);
+            let default = at(kernel, kernel.jacobian, &point);
             let full = at(kernel, kernel.full, &point);
-            assert_eq!(value, usual.f, "{}", kernel.name);
+            assert_eq!(value, default.f, "{}", kernel.name);
             assert_eq!(value, full.f, "{}", kernel.name);
             // The order of elimination differs between the two, and with it the rounding.
-            for (entry, (a, b)) in usual.dc.iter().zip(&full.dc).take(kernel.usual_entries).enumerate() {
+            for (entry, (a, b)) in default.dc.iter().zip(&full.dc).take(kernel.default_entries).enumerate() {
                 assert!((a - b).abs() <= 1e-8 * b.abs().max(1e-3), "{}: entry {entry}: {a} and {b}", kernel.name);
             }
         }
@@ -153,9 +153,9 @@ fn value_and_jacobian_agree_to_the_bit() {
 fn patterns_are_ordered() {
     for kernel in REGIONS {
         assert!(kernel.state_pattern.is_sorted(), "{}", kernel.name);
-        let (usual, rest) = kernel.constant_pattern.split_at(kernel.usual_entries);
-        assert!(usual.is_sorted() && rest.is_sorted(), "{}", kernel.name);
-        assert!(usual.iter().all(|&(_, constant)| constant < kernel.usual), "{}", kernel.name);
-        assert!(rest.iter().all(|&(_, constant)| constant >= kernel.usual), "{}", kernel.name);
+        let (default, rest) = kernel.constant_pattern.split_at(kernel.default_entries);
+        assert!(default.is_sorted() && rest.is_sorted(), "{}", kernel.name);
+        assert!(default.iter().all(|&(_, constant)| constant < kernel.default_unknowns), "{}", kernel.name);
+        assert!(rest.iter().all(|&(_, constant)| constant >= kernel.default_unknowns), "{}", kernel.name);
     }
 }

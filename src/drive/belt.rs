@@ -215,7 +215,7 @@ fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Con
         integrals: bound.kernel.integrals.iter().map(|integral| integral.name().to_owned()).collect(),
         state_pattern: bound.kernel.state_pattern.to_vec(),
         constant_pattern: bound.pattern.clone(),
-        default_entries: bound.usual_entries,
+        default_entries: bound.default_entries,
     };
     Layout {
         regions: RegionId::ALL.into_iter().zip(regions).map(region).collect(),
@@ -301,7 +301,7 @@ impl Problem for BeltProblem {
         let bound = &self.regions[region];
         let local = bound.local(constants);
         let (function, kernel_entries, entries) = match scope {
-            Scope::DefaultUnknowns => (bound.kernel.jacobian, bound.kernel.usual_entries, bound.usual_entries),
+            Scope::DefaultUnknowns => (bound.kernel.jacobian, bound.kernel.default_entries, bound.default_entries),
             Scope::All => (bound.kernel.full, bound.kernel.constant_pattern.len(), bound.pattern.len()),
         };
         if scope == Scope::DefaultUnknowns && bound.direct() {

@@ -25,14 +25,14 @@ impl Question {
     /// # Errors
     /// [`IllPosed`] names the keys. What depends on the numbers shows only in solving, as a singular system.
     pub fn check(&self, model: &ModelChoices) -> Result<(), IllPosed> {
-        let usual = |constant: Constant| constant.index() < Constant::UNKNOWN;
+        let default = |constant: Constant| constant.index() < Constant::UNKNOWN;
         for (at, swap) in self.swaps.iter().enumerate() {
             let before = self.swaps.get(..at).unwrap_or_default();
-            if usual(swap.free) || before.iter().any(|other| other.free == swap.free) {
+            if default(swap.free) || before.iter().any(|other| other.free == swap.free) {
                 return Err(IllPosed::Unknown { constant: constant_label(swap.free).to_owned() });
             }
             if let Known::Constant(constant) = swap.known
-                && (!usual(constant) || before.iter().any(|other| other.known == swap.known))
+                && (!default(constant) || before.iter().any(|other| other.known == swap.known))
             {
                 return Err(IllPosed::Given { constant: constant_label(constant).to_owned() });
             }
@@ -44,7 +44,7 @@ impl Question {
             let before = self.closings.get(..at).unwrap_or_default();
             let twice = before.iter().any(|other| other.free == closing.free)
                 || self.swaps.iter().any(|swap| swap.free == closing.free);
-            if usual(closing.free) || twice {
+            if default(closing.free) || twice {
                 return Err(IllPosed::Unknown { constant: constant_label(closing.free).to_owned() });
             }
         }

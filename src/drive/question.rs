@@ -61,7 +61,7 @@ pub struct Question {
 }
 
 impl Question {
-    /// The ordinary question: everything given but the eight usual unknowns.
+    /// The ordinary question: everything given but the eight default unknowns.
     pub fn new(constants: Constants) -> Self {
         Self { constants, swaps: Vec::new(), closings: Vec::new() }
     }
@@ -95,8 +95,8 @@ impl Question {
     /// The constants that are found, in order.
     pub fn unknowns(&self) -> Vec<Constant> {
         let fixed = |constant: &Constant| !self.swaps.iter().any(|swap| swap.known == Known::Constant(*constant));
-        let usual = Constant::ALL.into_iter().take(Constant::UNKNOWN).filter(fixed);
-        let mut unknowns: Vec<Constant> = usual.chain(self.freed()).collect();
+        let default = Constant::ALL.into_iter().take(Constant::UNKNOWN).filter(fixed);
+        let mut unknowns: Vec<Constant> = default.chain(self.freed()).collect();
         unknowns.sort();
         unknowns
     }

@@ -91,9 +91,9 @@ pub(super) struct BoundRegion {
     gather: Vec<[Option<usize>; 2]>,
     /// Derivatives `(row, constant)` in the drive's constants.
     pub pattern: Vec<(usize, usize)>,
-    /// Leading entries of `pattern` that come of usual constants alone.
-    pub usual_entries: usize,
-    /// The kernel's entries are the region's, one for one, so far as the usual ones go.
+    /// Leading entries of `pattern` that come of default unknowns alone.
+    pub default_entries: usize,
+    /// The kernel's entries are the region's, one for one, so far as those of default unknowns go.
     direct: bool,
 }
 
@@ -102,7 +102,7 @@ impl BoundRegion {
     pub fn new(region: RegionId, kernel: &'static RegionKernel) -> Option<Self> {
         let sources = kernel.constants.iter().map(|local| region.source(*local)).collect::<Option<Vec<_>>>()?;
         let (mut pattern, mut gather) = (Vec::new(), Vec::<[Option<usize>; 2]>::new());
-        let mut usual_entries = 0;
+        let mut default_entries = 0;
         for (entry, &(row, local)) in kernel.constant_pattern.iter().enumerate() {
             if let Source::Constant(constant) = sources[local] {
                 match pattern.iter().position(|&seen| seen == (row, constant)) {
@@ -113,13 +113,13 @@ impl BoundRegion {
                     }
                 }
             }
-            if entry + 1 == kernel.usual_entries {
-                usual_entries = pattern.len();
+            if entry + 1 == kernel.default_entries {
+                default_entries = pattern.len();
             }
         }
-        let direct = gather[..usual_entries].iter().enumerate().all(|(at, entries)| entries[0] == Some(at))
-            && gather[..usual_entries].len() == kernel.usual_entries;
-        Some(Self { kernel, sources, gather, pattern, usual_entries, direct })
+        let direct = gather[..default_entries].iter().enumerate().all(|(at, entries)| entries[0] == Some(at))
+            && gather[..default_entries].len() == kernel.default_entries;
+        Some(Self { kernel, sources, gather, pattern, default_entries, direct })
     }
 
     /// The kernel's local constants.
@@ -131,7 +131,7 @@ impl BoundRegion {
         self.sources.iter().map(value).collect()
     }
 
-    /// Whether the usual derivatives can be written by the kernel straight into the region's.
+    /// Whether the derivatives in default unknowns can be written by the kernel straight into the region's.
     pub fn direct(&self) -> bool {
         self.direct
     }

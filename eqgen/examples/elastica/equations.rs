@@ -64,7 +64,7 @@ fn strut() -> Result<RegionModel, Error> {
         plan,
         states: &["theta", "theta1"],
         constants: &["P", "L", "EI"],
-        usual: 1,
+        default_unknowns: 1,
         integrals: &["X", "Y"],
         rows: &["theta1", "theta_hat_2", "X_hat_1", "Y_hat_1"],
         fields: &["M"],

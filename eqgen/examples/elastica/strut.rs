@@ -24,10 +24,10 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     ],
     integrals: &[Integral::DistanceAlong, Integral::DistanceAcross],
     fields: &[Field::BendingMoment],
-    usual: 1,
+    default_unknowns: 1,
     state_pattern: &[(0, 1), (1, 0), (2, 0), (3, 0)],
     constant_pattern: &[(1, 0), (1, 1), (1, 2)],
-    usual_entries: 1,
+    default_entries: 1,
     value: sweep::<Value>,
     jacobian: sweep::<Derivatives>,
     full: sweep::<AllDerivatives>,
@@ -65,7 +65,7 @@ impl Sweep for Value {
         at.write_f(3, sin_theta);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and usual constants. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once)
+///Right-hand side, integrands, and their derivatives in states and default unknowns. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once)
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 2;

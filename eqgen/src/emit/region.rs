@@ -19,17 +19,17 @@ pub fn emit(model: &RegionModel) -> Result<Emitted, Error> {
     let first_constant = 1 + model.states.len();
     let base = Import::new(&model.plan, first_constant)?;
     let places = |constants: usize| (1..first_constant + constants).collect::<Vec<_>>();
-    let mut usual = base.clone();
-    let usual_entries = Entries::split(jacobian(&mut usual, model.rows, &places(model.usual))?, model);
+    let mut default = base.clone();
+    let default_entries = Entries::split(jacobian(&mut default, model.rows, &places(model.default_unknowns))?, model);
     let mut full = base.clone();
     let full_entries = Entries::split(jacobian(&mut full, model.rows, &places(model.constants.len()))?, model);
 
     let nothing = Entries::default();
     let (value, value_count) = function(model, "Value", &base, model.rows, &nothing, &[]);
-    let (short, short_count) = function(model, "Derivatives", &usual, model.rows, &usual_entries, &[]);
+    let (short, short_count) = function(model, "Derivatives", &default, model.rows, &default_entries, &[]);
     let (long, long_count) = function(model, "AllDerivatives", &full, model.rows, &full_entries, &[]);
     let (fields, fields_count) = function(model, "Fields", &base, &[], &nothing, model.fields);
-    let kernel = kernel(model, &full_entries, usual_entries.constants.len())?;
+    let kernel = kernel(model, &full_entries, default_entries.constants.len())?;
     let counts = vec![
         ("value".to_owned(), value_count),
         ("jacobian".to_owned(), short_count),
@@ -45,7 +45,7 @@ pub fn emit(model: &RegionModel) -> Result<Emitted, Error> {
 struct Entries {
     /// ((row, state), node), row by row.
     states: Vec<((usize, usize), super::graph::Node)>,
-    /// ((row, constant), node): usual constants first, row by row in both groups.
+    /// ((row, constant), node): default unknowns first, row by row in both groups.
     constants: Vec<((usize, usize), super::graph::Node)>,
 }
 
@@ -59,7 +59,7 @@ impl Entries {
                 Some(constant) => entries.constants.push(((row, constant), node)),
             }
         }
-        entries.constants.sort_by_key(|((row, constant), _)| (*constant >= model.usual, *row, *constant));
+        entries.constants.sort_by_key(|((row, constant), _)| (*constant >= model.default_unknowns, *row, *constant));
         entries
     }
 }
@@ -130,7 +130,7 @@ fn function(
 fn summary(name: &str) -> &'static str {
     match name {
         "Value" => "Right-hand side and integrands.",
-        "Derivatives" => "Right-hand side, integrands, and their derivatives in states and usual constants.",
+        "Derivatives" => "Right-hand side, integrands, and their derivatives in states and default unknowns.",
         "AllDerivatives" => "Right-hand side, integrands, and their derivatives in states and all constants.",
         _ => "Derived fields.",
     }
@@ -152,17 +152,17 @@ fn sizes(model: &RegionModel, rows: &[&str], entries: &Entries, fields: &[&str])
     quote!(#(#all)*)
 }
 
-fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> Result<TokenStream, Error> {
+fn kernel(model: &RegionModel, entries: &Entries, default_entries: usize) -> Result<TokenStream, Error> {
     let table = |vocabulary: &str, names: &[&str]| {
         let rows: Vec<notation::Symbol> = names.iter().filter_map(|name| model.plan.symbol(name)).collect();
         vocabulary::list(vocabulary, &rows)
     };
     let (states, constants) = (table("State", model.states)?, table("RegionConstant", model.constants)?);
     let (integrals, fields) = (table("Integral", model.integrals)?, table("Field", model.fields)?);
-    let (name, usual) = (&model.name, Literal::usize_unsuffixed(model.usual));
+    let (name, default_unknowns) = (&model.name, Literal::usize_unsuffixed(model.default_unknowns));
     let state_pattern = pairs(entries.states.iter().map(|(pair, _)| *pair));
     let constant_pattern = pairs(entries.constants.iter().map(|(pair, _)| *pair));
-    let usual_entries = Literal::usize_unsuffixed(usual_entries);
+    let default_entries = Literal::usize_unsuffixed(default_entries);
     let doc = &model.doc;
     Ok(quote! {
         #[doc = #doc]
@@ -172,10 +172,10 @@ fn kernel(model: &RegionModel, entries: &Entries, usual_entries: usize) -> Resul
             constants: #constants,
             integrals: #integrals,
             fields: #fields,
-            usual: #usual,
+            default_unknowns: #default_unknowns,
             state_pattern: #state_pattern,
             constant_pattern: #constant_pattern,
-            usual_entries: #usual_entries,
+            default_entries: #default_entries,
             value: sweep::<Value>,
             jacobian: sweep::<Derivatives>,
             full: sweep::<AllDerivatives>,

@@ -25,7 +25,7 @@ pub enum Ends {
     AsPrinted,
 }
 
-/// Constants of the drive, in order; the first eight are usually unknown.
+/// Constants of the drive, in order; the first eight are the default unknowns.
 pub const CONSTANTS: [&str; 21] = [
     "speed_ratio",
     "flow",

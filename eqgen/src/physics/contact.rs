@@ -15,7 +15,7 @@ use crate::plan::{Function, Plan, read};
 pub const STATES: [&str; 5] = ["T", "theta", "theta1", "theta2", "x"];
 /// Integrals, in order.
 pub const INTEGRALS: [&str; 7] = ["M", "A", "L_o", "W", "A_x", "A_y", "E"];
-/// Constants, in order; the first three are usually unknown.
+/// Constants, in order; the first three are the default unknowns.
 pub const CONSTANTS: [&str; 13] =
     ["Phi", "sigma", "flow", "EA", "EI", "k", "m_o", "R", "R_P", "beta", "mu_k", "v_thr", "omega_P"];
 const ROWS: [&str; 12] = [
@@ -82,7 +82,7 @@ pub fn model(shear: Shear, law: Law) -> Result<RegionModel, Error> {
         plan,
         states: &STATES,
         constants: &CONSTANTS,
-        usual: 3,
+        default_unknowns: 3,
         integrals: &INTEGRALS,
         rows: &ROWS,
         fields: &FIELDS,

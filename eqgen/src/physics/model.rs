@@ -17,8 +17,8 @@ pub struct RegionModel {
     pub states: &'static [&'static str],
     /// Constants.
     pub constants: &'static [&'static str],
-    /// How many leading constants are usually unknown.
-    pub usual: usize,
+    /// How many leading constants are the default unknowns.
+    pub default_unknowns: usize,
     /// Integrals.
     pub integrals: &'static [&'static str],
     /// Symbols of the plan that are the right-hand side and the integrands.

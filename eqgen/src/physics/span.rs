@@ -13,7 +13,7 @@ use crate::plan::{Plan, read};
 pub const STATES: [&str; 4] = ["tau", "vartheta", "vartheta1", "vartheta2"];
 /// Integrals, in order.
 pub const INTEGRALS: [&str; 4] = ["X", "Y", "L_o", "E"];
-/// Constants, in order; the first two are usually unknown.
+/// Constants, in order; the first two are the default unknowns.
 pub const CONSTANTS: [&str; 7] = ["L", "flow", "EA", "EI", "m_o", "R_P", "omega_P"];
 const ROWS: [&str; 8] =
     ["tau_hat_1", "vartheta1", "vartheta2", "vartheta_hat_3", "X_hat_1", "Y_hat_1", "L_o_hat_1", "E_hat_1"];
@@ -71,7 +71,7 @@ pub fn model(equations: Equations) -> Result<RegionModel, Error> {
         plan,
         states: &STATES,
         constants: &CONSTANTS,
-        usual: 2,
+        default_unknowns: 2,
         integrals: &INTEGRALS,
         rows: &ROWS,
         fields: &FIELDS,
