@@ -3,8 +3,8 @@
 
 use proptest::prelude::*;
 use sheave::bench::dyno::{
-    Fault, Lines, Names, Options, Point, RecordReport, Row, Sample, Stream, Uniform, by_header, calibration, process,
-    records, runs,
+    Fault, Lines, Names, Options, RecordReport, Row, Sample, SteadyPoint, Stream, Uniform, by_header, calibration,
+    process, records, runs,
 };
 use sheave::bench::made::{Disturbance, Known, Step, files};
 use sheave::random::Random;
@@ -38,7 +38,7 @@ fn write(folder: &Path, files: &[(String, String)]) {
     }
 }
 
-fn read(paths: &[PathBuf], options: &Options) -> (Vec<Point>, Vec<RecordReport>) {
+fn read(paths: &[PathBuf], options: &Options) -> (Vec<SteadyPoint>, Vec<RecordReport>) {
     let (mut points, mut reports) = (Vec::new(), Vec::new());
     for record in records(paths).unwrap() {
         reports.push(process(&record, options, |point| points.push(point), |_| ()));
@@ -389,7 +389,7 @@ fn read_by_all(bytes: &[u8]) {
     for format in [
         by_header(b"timestamp_ms,primary_rpm,secondary_rpm,torque", &Names::default()).unwrap(),
         by_header(bytes.split(|byte| *byte == b'\n').next().unwrap_or_default(), &Names::default())
-            .unwrap_or_else(|_| sheave::bench::dyno::Kind::Primary.format()),
+            .unwrap_or_else(|_| sheave::bench::dyno::StepChannel::Primary.format()),
     ] {
         let Ok(lines) = Lines::new(Cursor::new(bytes.clone())) else { continue };
         let mut stream = Stream::new(lines, format, (f64::NEG_INFINITY, f64::INFINITY));

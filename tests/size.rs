@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use serde_json::Value;
-use sheave::small::size::{BeltDrive, IDLER, Idler, Problem, TABLE, size};
+use sheave::small::size::{BeltDrive, IDLER, Idler, SizeProblem, TABLE, size};
 use std::process::{Command, Output};
 
 const FILE: &str = r#"
@@ -123,9 +123,9 @@ fn what_is_wrong_is_said() {
         assert!(given.contains(at), "{text}: {given}");
     }
     let error = BeltDrive::read(None, &["linear.mass".into()], &[]).unwrap_err();
-    assert!(matches!(error.problem(), Problem::Assignment { .. }));
+    assert!(matches!(error.problem(), SizeProblem::Assignment { .. }));
     let error = BeltDrive::read(None, &["input.diameter=1 m".into()], &["1".into()]).unwrap_err();
-    assert!(matches!(error.problem(), Problem::IdlerText { .. }));
+    assert!(matches!(error.problem(), SizeProblem::IdlerText { .. }));
     let error = BeltDrive::read(None, &["input.diameter=1 m".into()], &["1,-2 mm".into()]).unwrap_err();
     assert!(error.to_string().contains("`idler.diameter` = -2 mm is out of range"), "{error}");
     let error = size(&BeltDrive { input_inertia: f64::NAN, ..BeltDrive::new(0.1) }).unwrap_err();

@@ -1,6 +1,6 @@
 //! The engine's curve: torque and power over speed, from a table.
 
-use super::error::{BenchError, Problem};
+use super::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -51,7 +51,7 @@ impl EngineCurve {
         let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
         let mut points: Vec<(f64, f64)> = Vec::new();
         for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
-            let bad = |reason: String| BenchError::from(Problem::Line { path: name.into(), line, reason });
+            let bad = |reason: String| BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
             let text = std::str::from_utf8(text).map_err(|_| bad("this is no text".into()))?;
             let text = text.trim_start_matches('\u{feff}').trim();
             if text.is_empty() || text.starts_with('#') {
@@ -81,11 +81,11 @@ impl EngineCurve {
         match (points.len(), same) {
             (_, Some(pair)) => {
                 let reason = format!("two rows have the speed {:.2} rpm", pair[0].0 * 60.0 / TAU);
-                Err(Problem::Unusable { path: name.into(), reason }.into())
+                Err(BenchProblem::Unusable { path: name.into(), reason }.into())
             }
             (0 | 1, None) => {
                 let reason = "a curve needs at least two rows of speed and power or torque".into();
-                Err(Problem::NoData { path: name.into(), reason }.into())
+                Err(BenchProblem::NoData { path: name.into(), reason }.into())
             }
             (_, None) => Ok(Self { tabulated, points, named }),
         }

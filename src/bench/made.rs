@@ -2,7 +2,7 @@
 //! knows what should come out.
 
 use super::engine::EngineCurve;
-use super::error::{BenchError, Problem};
+use super::error::{BenchError, BenchProblem};
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Case, Free, Key};
 use crate::drive::{Constant, SolveOptions};
@@ -100,7 +100,7 @@ pub fn truth(
         let ratio = high + share * (low - high);
         let primary_speed = (3250.0 - 450.0 * share) * TAU / 60.0;
         let fails = |reason: String| {
-            BenchError::from(Problem::Unusable { path: format!("step {at}, ratio {ratio:.3}"), reason })
+            BenchError::from(BenchProblem::Unusable { path: format!("step {at}, ratio {ratio:.3}"), reason })
         };
         let power = engine.power(primary_speed).map(|(power, _)| engine_scale * power).filter(|power| *power > 0.0);
         let power = power.ok_or_else(|| fails("the engine's curve has no power at its speed".into()))?;

@@ -15,7 +15,7 @@ pub mod radii;
 mod sheet;
 mod statistics;
 
-pub use error::{BenchError, Problem};
+pub use error::{BenchError, BenchProblem};
 pub use page::{PageTable, page};
-pub use sheet::{Entry, Kind, celsius, keys, temperature};
+pub use sheet::{Entry, QuantityKind, celsius, keys, temperature};
 pub use statistics::{Average, CONFIDENCE, Line, student};

@@ -9,7 +9,7 @@
 //! # Ok::<(), sheave::bench::BenchError>(())
 //! ```
 
-use super::error::{BenchError, Problem};
+use super::error::{BenchError, BenchProblem};
 use crate::case::geometry::{NoRadii, pitch_length, radii_of_ratio, radius_beside, wrap_angles};
 use serde::Serialize;
 
@@ -75,7 +75,7 @@ impl Geometry {
         let reason = format!(
             "a belt of pitch length {length:.2} mm around pulleys {center:.2} mm apart does not close: {reason}"
         );
-        BenchError::from(Problem::Unusable { path: given.into(), reason })
+        BenchError::from(BenchProblem::Unusable { path: given.into(), reason })
             .advise("check the belt's length and the distance between the centres")
     }
 
@@ -91,7 +91,7 @@ impl Geometry {
     /// Radii from the ratio R_S/R_P (`radii_given_ratio` of Appendix B).
     ///
     /// # Errors
-    /// [`Problem::Unusable`] for a belt that does not close, or a ratio that is not positive and finite.
+    /// [`BenchProblem::Unusable`] for a belt that does not close, or a ratio that is not positive and finite.
     pub fn at_ratio(&self, ratio: f64) -> Result<Radii, BenchError> {
         positive("ratio", ratio)?;
         let radii = radii_of_ratio(ratio, self.pitch_length, self.center_distance);
@@ -131,7 +131,7 @@ impl Geometry {
                 self.half_angle.to_degrees(),
                 -1e3 * self.travel(from, 0.0)
             );
-            return Err(Problem::Unusable { path: "travel".into(), reason }.into());
+            return Err(BenchProblem::Unusable { path: "travel".into(), reason }.into());
         }
         self.at_primary(radius)
     }
@@ -150,7 +150,7 @@ impl Geometry {
                 1e3 * radius,
                 1e3 * self.center_distance
             );
-            return Err(Problem::Unusable { path: given.into(), reason }.into());
+            return Err(BenchProblem::Unusable { path: given.into(), reason }.into());
         }
         radius_beside(radius, self.pitch_length, self.center_distance).map_err(|none| self.none(given, none))
     }
@@ -165,7 +165,7 @@ impl Geometry {
             positive(name, smallest)?;
             if !(smallest <= largest && largest.is_finite()) {
                 let reason = format!("{smallest} m to {largest} m is no range: expected the smaller radius first");
-                return Err(Problem::Unusable { path: name.into(), reason }.into());
+                return Err(BenchProblem::Unusable { path: name.into(), reason }.into());
             }
         }
         // The one radius falls as the other grows: an end is where the first of the two meets its limit.
@@ -190,7 +190,7 @@ impl Geometry {
                     1e3 * radii.secondary_radius,
                     1e3 * radii.primary_radius
                 );
-                return Err(Problem::Unusable { path: "limits".into(), reason }.into());
+                return Err(BenchProblem::Unusable { path: "limits".into(), reason }.into());
             }
         }
         Ok(ShiftRange {
@@ -213,5 +213,5 @@ fn positive(name: &str, value: f64) -> Result<(), BenchError> {
         return Ok(());
     }
     let reason = format!("{value} is out of range: expected a finite number above zero");
-    Err(Problem::Unusable { path: name.into(), reason }.into())
+    Err(BenchProblem::Unusable { path: name.into(), reason }.into())
 }

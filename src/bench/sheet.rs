@@ -1,6 +1,6 @@
 //! Reading a TOML file of measured quantities against a table of its keys.
 
-use super::error::{BenchError, Problem};
+use super::error::{BenchError, BenchProblem};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Range, Source};
 use crate::quantity::{self, Dimension, QuantityError, Unit};
@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 /// What values a key takes.
 #[derive(Debug, Clone, Copy)]
-pub enum Kind {
+pub enum QuantityKind {
     /// A number with a unit, or a bare number in SI; range and example in that unit.
     Quantity {
         /// Unit in which people read it.
@@ -37,7 +37,7 @@ pub struct Entry {
     /// Its name with its section: `bending.radius`.
     pub path: &'static str,
     /// What values it takes.
-    pub kind: Kind,
+    pub kind: QuantityKind,
     /// A value that could be written.
     pub example: &'static str,
     /// What it means, in one line.
@@ -68,23 +68,25 @@ impl Entry {
     /// What is expected as a value, in words.
     pub fn expected(&self) -> String {
         let what = match self.kind {
-            Kind::Quantity { unit, range } => {
+            QuantityKind::Quantity { unit, range } => {
                 let words = range.words(unit.symbol).to_string();
                 format!("{} {words}", unit.scale.dimension).trim_end().to_owned()
             }
-            Kind::SpecificModulus => "a force per linear density, or a length that gravity turns into one".into(),
-            Kind::Temperature => "a temperature above 0 K".into(),
-            Kind::Text => "a text".into(),
-            Kind::Outline => "a list of pairs of lengths".into(),
+            QuantityKind::SpecificModulus => {
+                "a force per linear density, or a length that gravity turns into one".into()
+            }
+            QuantityKind::Temperature => "a temperature above 0 K".into(),
+            QuantityKind::Text => "a text".into(),
+            QuantityKind::Outline => "a list of pairs of lengths".into(),
         };
         format!("{what}, such as {}", self.example)
     }
 
-    fn read(&self, path: &str, value: &DeValue<'_>, given: &str) -> Result<Value, Problem> {
+    fn read(&self, path: &str, value: &DeValue<'_>, given: &str) -> Result<Value, BenchProblem> {
         match (self.kind, value) {
-            (Kind::Text, DeValue::String(text)) => Ok(Value::Text(text.to_string())),
-            (Kind::Text, other) => Err(self.wrong_type(path, kind(other))),
-            (Kind::Outline, DeValue::Array(pairs)) => {
+            (QuantityKind::Text, DeValue::String(text)) => Ok(Value::Text(text.to_string())),
+            (QuantityKind::Text, other) => Err(self.wrong_type(path, kind(other))),
+            (QuantityKind::Outline, DeValue::Array(pairs)) => {
                 let length = |value: &DeValue<'_>| match number(raw(value), Dimension::LENGTH) {
                     Some(Ok(si)) => Ok(si),
                     Some(Err(reason)) => Err(self.invalid(path, given, reason)),
@@ -99,16 +101,16 @@ impl Entry {
                 };
                 pairs.iter().map(|item| pair(item.get_ref())).collect::<Result<_, _>>().map(Value::Outline)
             }
-            (Kind::Outline, other) => Err(self.wrong_type(path, kind(other))),
-            (Kind::Temperature, value) => match raw(value) {
+            (QuantityKind::Outline, other) => Err(self.wrong_type(path, kind(other))),
+            (QuantityKind::Temperature, value) => match raw(value) {
                 Raw::Text(text) => temperature(&text).map_err(|reason| self.unusable(path, &reason)),
                 Raw::Number(number) => temperature(&number.to_string()).map_err(|reason| self.unusable(path, &reason)),
                 Raw::List(_) => Err(self.wrong_type(path, "an array")),
                 Raw::Other(kind) => Err(self.wrong_type(path, kind)),
             }
             .map(|si| Value::Number(si, Dimension::NONE)),
-            (Kind::SpecificModulus, value) => self.specific_modulus(path, value, given),
-            (Kind::Quantity { unit, range }, value) => match number(raw(value), unit.scale.dimension) {
+            (QuantityKind::SpecificModulus, value) => self.specific_modulus(path, value, given),
+            (QuantityKind::Quantity { unit, range }, value) => match number(raw(value), unit.scale.dimension) {
                 Some(Ok(si)) if range.contains(si, |bound| unit.to_si(bound)) => {
                     Ok(Value::Number(si, unit.scale.dimension))
                 }
@@ -119,7 +121,7 @@ impl Entry {
         }
     }
 
-    fn specific_modulus(&self, path: &str, value: &DeValue<'_>, given: &str) -> Result<Value, Problem> {
+    fn specific_modulus(&self, path: &str, value: &DeValue<'_>, given: &str) -> Result<Value, BenchProblem> {
         let specific = Dimension::new(2, 0, -2, 0);
         let DeValue::String(text) = value else {
             return Err(self.wrong_type(path, kind(value)));
@@ -136,20 +138,20 @@ impl Entry {
         }
     }
 
-    fn wrong_type(&self, path: &str, given: &'static str) -> Problem {
-        Problem::Type { path: path.into(), given, expected: self.expected() }
+    fn wrong_type(&self, path: &str, given: &'static str) -> BenchProblem {
+        BenchProblem::Type { path: path.into(), given, expected: self.expected() }
     }
 
-    fn invalid(&self, path: &str, given: &str, reason: QuantityError) -> Problem {
-        Problem::Quantity { path: path.into(), given: given.into(), reason, expected: self.expected() }
+    fn invalid(&self, path: &str, given: &str, reason: QuantityError) -> BenchProblem {
+        BenchProblem::Quantity { path: path.into(), given: given.into(), reason, expected: self.expected() }
     }
 
-    fn unusable(&self, path: &str, reason: &str) -> Problem {
-        Problem::Unusable { path: path.into(), reason: format!("{reason}; expected {}", self.expected()) }
+    fn unusable(&self, path: &str, reason: &str) -> BenchProblem {
+        BenchProblem::Unusable { path: path.into(), reason: format!("{reason}; expected {}", self.expected()) }
     }
 
-    fn out_of_range(&self, path: &str, given: &str) -> Problem {
-        Problem::OutOfRange { path: path.into(), given: given.into(), expected: self.expected() }
+    fn out_of_range(&self, path: &str, given: &str) -> BenchProblem {
+        BenchProblem::OutOfRange { path: path.into(), given: given.into(), expected: self.expected() }
     }
 }
 
@@ -200,7 +202,7 @@ impl Sheet {
     /// Reads a file.
     ///
     /// # Errors
-    /// [`Problem::Read`], else as [`Sheet::parse`].
+    /// [`BenchProblem::Read`], else as [`Sheet::parse`].
     pub fn read(path: &Path, table: &'static [Entry]) -> Result<Self, BenchError> {
         let text = std::fs::read_to_string(path).map_err(|error| BenchError::read(path, &error))?;
         Self::parse(&path.display().to_string(), &text, table)
@@ -209,14 +211,14 @@ impl Sheet {
     /// Reads the text of a file; `name` is shown in errors.
     ///
     /// # Errors
-    /// The first thing that is wrong: see [`Problem`].
+    /// The first thing that is wrong: see [`BenchProblem`].
     pub fn parse(name: &str, text: &str, table: &'static [Entry]) -> Result<Self, BenchError> {
         let source = Arc::new(Source::new(name, text));
         let document = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
             let place = Place { source: source.clone(), key: span.clone(), value: span };
-            BenchError::new(Problem::Syntax { message }, Some(place))
+            BenchError::new(BenchProblem::Syntax { message }, Some(place))
         })?;
         let mut sheet = Self { table, source, given: BTreeMap::new() };
         sheet.add(document.get_ref(), "", "")?;
@@ -237,7 +239,7 @@ impl Sheet {
                 DeValue::Array(array) if inside && array.iter().all(|item| item.get_ref().is_table()) => {
                     if array.len() > TABLES {
                         let reason = format!("{} tables, and no more than {TABLES} are expected", array.len());
-                        return Err(BenchError::new(Problem::Unusable { path, reason }, Some(place)));
+                        return Err(BenchError::new(BenchProblem::Unusable { path, reason }, Some(place)));
                     }
                     for (at, item) in array.iter().enumerate() {
                         if let Some(table) = item.get_ref().as_table() {
@@ -246,7 +248,7 @@ impl Sheet {
                     }
                 }
                 other if inside => {
-                    let problem = Problem::Type { path, given: kind(other), expected: "a table of keys".into() };
+                    let problem = BenchProblem::Type { path, given: kind(other), expected: "a table of keys".into() };
                     return Err(BenchError::new(problem, Some(place)));
                 }
                 other => self.insert(&path, full, other, place)?,
@@ -259,7 +261,7 @@ impl Sheet {
         let Some(entry) = self.table.iter().find(|entry| entry.path == path) else {
             let place = Place { value: place.key.clone(), ..place };
             return Err(BenchError::new(
-                Problem::UnknownKey { path: quoted(path).into_owned(), known: self.near(path) },
+                BenchProblem::UnknownKey { path: quoted(path).into_owned(), known: self.near(path) },
                 Some(place),
             ));
         };
@@ -335,7 +337,7 @@ impl Sheet {
     /// A quantity that must be given, in SI.
     ///
     /// # Errors
-    /// [`Problem::Missing`].
+    /// [`BenchProblem::Missing`].
     pub fn need(&self, path: &str) -> Result<f64, BenchError> {
         self.get(path).ok_or_else(|| self.missing(path))
     }
@@ -346,13 +348,13 @@ impl Sheet {
         let plain = plain.join(".");
         let entry = self.table.iter().find(|entry| entry.path == plain);
         let expected = entry.map_or_else(|| "a value".to_owned(), Entry::expected);
-        Problem::Missing { path: path.into(), expected }.into()
+        BenchProblem::Missing { path: path.into(), expected }.into()
     }
 
     /// That a value cannot be used.
     pub fn unusable(&self, path: &str, reason: impl Into<String>) -> BenchError {
         let place = self.given.get(path).map(|(_, place)| place.clone());
-        BenchError::new(Problem::Unusable { path: path.into(), reason: reason.into() }, place)
+        BenchError::new(BenchProblem::Unusable { path: path.into(), reason: reason.into() }, place)
     }
 
     /// All numbers that were given, in SI, by their keys with dots.

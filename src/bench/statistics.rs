@@ -1,6 +1,6 @@
 //! Straight lines through measurements, quantiles, means of samples that depend on each other.
 
-use super::error::{BenchError, Problem};
+use super::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -33,9 +33,9 @@ impl Line {
     /// Fits a line.
     ///
     /// # Errors
-    /// [`Problem::Unusable`] for fewer than three points, or points that have one x in common.
+    /// [`BenchProblem::Unusable`] for fewer than three points, or points that have one x in common.
     pub fn fit(name: &str, points: &[(f64, f64)]) -> Result<Self, BenchError> {
-        let bad = |reason: &str| BenchError::from(Problem::Unusable { path: name.into(), reason: reason.into() });
+        let bad = |reason: &str| BenchError::from(BenchProblem::Unusable { path: name.into(), reason: reason.into() });
         let n = points.len() as f64;
         if points.len() < 3 {
             return Err(bad("a line with its uncertainty needs at least three points"));

@@ -1,6 +1,7 @@
-//! What is wrong with a case, shown as a diagnostic: the place underlined, and what to do about it.
+//! What is wrong with a text that was given, shown as a diagnostic: the place underlined, and what to do about it.
 
-use super::error::{CaseError, Place, Source};
+use super::error::CaseError;
+use super::place::{Place, Placed, Source};
 use crate::text::printable;
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 use std::fmt;
@@ -25,6 +26,23 @@ impl Diagnostic for CaseError {
             let span = place.source.shown(self.span(place))?;
             Some(LabeledSpan::new_with_span(Some(self.label(index).into()), (span.start, span.len())))
         })))
+    }
+}
+
+impl<P: fmt::Debug + fmt::Display> Diagnostic for Placed<P> {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.advice()?))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        Some(self.place()?.source.as_ref() as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let place = self.place()?;
+        let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
+        let span = place.source.shown(span)?;
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), (span.start, span.len())))))
     }
 }
 

@@ -2,90 +2,12 @@
 
 use super::geometry::NoRadii;
 use super::keys::Key;
+use super::place::Place;
 use crate::model::IllPosed;
 use crate::quantity::{Dimension, QuantityError};
-use crate::text::{printable, printable_in_place};
+use crate::text::printable;
 use std::fmt;
 use std::ops::Range;
-use std::sync::Arc;
-
-/// A text that says something about a case: a file, or an argument.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Source {
-    /// The file's name, or the option's.
-    pub name: String,
-    /// The whole text.
-    pub text: String,
-    /// The same, with nothing in it that a terminal would act on.
-    shown: String,
-}
-
-/// Bytes of a line that are shown whole.
-const WHOLE_LINE: usize = 400;
-/// Bytes that are shown of a longer one, before and from the place that is meant.
-const EXCERPT: (usize, usize) = (60, 180);
-
-impl Source {
-    /// A text with its name.
-    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        let text = text.into();
-        Self { name: name.into(), shown: printable_in_place(&text).into_owned(), text }
-    }
-
-    /// The whole text with nothing in it that a terminal would act on, each byte in its place.
-    pub fn shown_text(&self) -> &str {
-        &self.shown
-    }
-
-    /// What is shown around a place: nothing else than the part of its line, if that line or one beside it is too long.
-    pub fn excerpt(&self, place: usize) -> Option<Range<usize>> {
-        let start = self.text.get(..place)?.rfind('\n').map_or(0, |at| at + 1);
-        let end = self.text.get(place..)?.find('\n').map_or(self.text.len(), |at| place + at);
-        let before = self.text.get(..start)?.lines().next_back().map_or(0, str::len);
-        let after = self.text.get(end..)?.lines().nth(1).map_or(0, str::len);
-        if before.max(after).max(end - start) <= WHOLE_LINE {
-            return None;
-        }
-        let boundary = |at: usize, up: bool| {
-            let mut at = at.clamp(start, end);
-            while !self.text.is_char_boundary(at) {
-                at = if up { at + 1 } else { at - 1 };
-            }
-            at
-        };
-        Some(boundary(place.saturating_sub(EXCERPT.0), true)..boundary(place.saturating_add(EXCERPT.1), false))
-    }
-
-    /// The part of `span` that is shown; nothing if none of it is.
-    pub fn shown(&self, span: Range<usize>) -> Option<Range<usize>> {
-        let Some(excerpt) = self.excerpt(span.start) else { return Some(span) };
-        let (start, end) = (span.start.max(excerpt.start), span.end.min(excerpt.end));
-        (start <= end).then_some(start..end)
-    }
-}
-
-/// Where something was said: byte ranges in a source.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
-    /// The text.
-    pub source: Arc<Source>,
-    /// The key.
-    pub key: Range<usize>,
-    /// The value, or what is wrong if there is none.
-    pub value: Range<usize>,
-}
-
-impl Place {
-    /// The value as written.
-    pub fn given(&self) -> &str {
-        self.source.text.get(self.value.clone()).unwrap_or_default()
-    }
-
-    /// From the key to the end of the value.
-    fn whole(&self) -> Range<usize> {
-        self.key.start.min(self.value.start)..self.value.end.max(self.key.end)
-    }
-}
 
 /// What is wrong with a case.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

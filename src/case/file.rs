@@ -1,8 +1,9 @@
 //! A case as it was written: sparse, with the places where things stand.
 
-use super::error::{CaseError, CaseProblem, Place, Source};
+use super::error::{CaseError, CaseProblem};
 use super::grid::Grid;
 use super::keys::{Key, ValueKind};
+use super::place::{Place, Source};
 use super::raw::{Raw, in_order, kind, raw};
 use super::resolve::Setting;
 use super::swap::{self, GivenSwap};

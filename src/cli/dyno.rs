@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use sheave::bench::dyno::{
-    Fault, LogFile, Names, Options, Point, Record, Reduced, calibration, figures, points_csv, records, reduce, runs,
-    spectrum_figures,
+    Fault, LogFile, Names, Options, Record, Reduced, SteadyPoint, calibration, figures, points_csv, records, reduce,
+    runs, spectrum_figures,
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, PageTable, page};
@@ -190,7 +190,7 @@ fn cell(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| format!("{value:.digits$}"))
 }
 
-fn row(point: &Point) -> [String; 8] {
+fn row(point: &SteadyPoint) -> [String; 8] {
     let rpm = 60.0 / TAU;
     [
         point.record.rsplit('/').next().unwrap_or_default().to_owned(),

@@ -4,7 +4,7 @@ use super::envelope;
 use super::stop::Stop;
 use serde::Serialize;
 use serde_json::Value;
-use sheave::bench::{BenchError, Problem};
+use sheave::bench::{BenchError, BenchProblem};
 use sheave::result::{FailureKind, FailureReport};
 
 /// The object of a command that has a result.
@@ -22,8 +22,8 @@ pub fn warn(warnings: &[String]) {
 /// Bad input: whoever asked for JSON gets an object, too.
 pub fn refused(command: &str, json: bool, error: BenchError) -> Stop {
     let kind = match error.problem() {
-        Problem::Read { .. } => FailureKind::Unreadable,
-        Problem::NoData { .. } => FailureKind::NoData,
+        BenchProblem::Read { .. } => FailureKind::Unreadable,
+        BenchProblem::NoData { .. } => FailureKind::NoData,
         _ => FailureKind::Input,
     };
     let hint = error.advice().map(str::to_owned);

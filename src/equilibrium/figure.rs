@@ -11,6 +11,8 @@ use crate::powertrain::Vehicle;
 
 /// Ratios whose lines may be drawn.
 const RATIOS: [f64; 9] = [0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0];
+/// Least distance of a ratio's name from the curve, in widths and heights of the figure.
+const CLEAR: f64 = 0.05;
 
 /// A shift curve that is drawn.
 #[derive(Debug, Clone)]
@@ -142,12 +144,20 @@ impl View<'_> {
         let per_rpm = self.x(PI / 30.0);
         let top = 1.06 * highest;
         figure.y.range = Some((0.0, top));
-        for ratio in RATIOS {
+        let curve: Vec<(f64, f64)> = figure.series.iter().flat_map(|series| series.points.clone()).collect();
+        // How far a place is from the curve, in widths and heights of the figure.
+        let clear = |place: (f64, f64)| {
+            let far = curve.iter().map(|point| ((point.0 - place.0) / last).hypot((point.1 - place.1) / top));
+            far.fold(f64::INFINITY, f64::min)
+        };
+        for (number, ratio) in RATIOS.into_iter().enumerate() {
             let (x, y) = (last, last / per_rpm * ratio);
             let end = if y > top { (top * per_rpm / ratio, top) } else { (x, y) };
-            figure.series.push(Series::line("", vec![(0.0, 0.0), end]).look(Look::Guide));
-            let share = if y > top { 0.93 } else { 0.965 };
-            figure.marks.push(Mark { at: (share * end.0, share * end.1), text: format!("{ratio}") });
+            let label = if number == 0 { "ratio R_{S}/R_{P}" } else { "" };
+            figure.series.push(Series::line(label, vec![(0.0, 0.0), end]).look(Look::Guide));
+            let places = [0.93, 0.84, 0.75, 0.66].map(|share| (share * end.0, share * end.1));
+            let at = places.into_iter().find(|place| clear(*place) > CLEAR).unwrap_or(places[0]);
+            figure.marks.push(Mark { at, text: format!("{ratio}") });
         }
         let engagement = self.curves.first().and_then(|curve| curve.branches.first()?.engagement);
         if let Some(speed) = engagement {

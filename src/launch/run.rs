@@ -211,26 +211,32 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     // How long it takes, and then at even times.
     let whole = integrate(&motion, None)?;
     let mut moments = whole.0.iter().zip(&whole.1);
-    let Some((&end, &state)) = moments.find(|(time, state)| motion.event(**time, state) > -ENDED) else {
+    let Some((&end, _)) = moments.find(|(time, state)| motion.event(**time, state) > -ENDED) else {
         return Err(LaunchError::Endless(LONGEST));
     };
-    let times: Vec<f64> = (0..=ROWS).map(|i| end * i as f64 / ROWS as f64).collect();
-    let (times, states) = integrate(&motion, Some(&times))?;
-    let points: Vec<LaunchPoint> =
-        times.iter().zip(&states).map(|(time, state)| point(&motion, *time, state)).collect();
+    let lost = || LaunchError::Integration("the end of a phase was not found".into());
+    let table = |end: f64| -> Result<(Vec<LaunchPoint>, Option<State>), LaunchError> {
+        let times: Vec<f64> = (0..=ROWS).map(|i| end * i as f64 / ROWS as f64).collect();
+        let (times, states) = integrate(&motion, Some(&times))?;
+        let points = times.iter().zip(&states).map(|(time, state)| point(&motion, *time, state)).collect();
+        Ok((points, states.last().copied()))
+    };
+    // The integrator ends a part of a step behind what ended it: the table ends there.
+    let beyond = table(end)?.0;
+    let reached = crossing(&beyond, |point| (point.speed, point.acceleration), goal).ok_or_else(lost)?;
+    let covered = crossing(&beyond, |point| (point.distance, point.speed), far).map_or(0.0, |mark| mark.time);
+    let (points, state) = table(reached.time.max(covered).min(end))?;
     let speeds = |wanted: f64| crossing(&points, |point| (point.speed, point.acceleration), wanted);
     let marks = options.distances.iter().map(|wanted| {
         crossing(&points, |point| (point.distance, point.speed), *wanted).ok_or(LaunchError::Endless(LONGEST))
     });
-    let lost = || LaunchError::Integration("the end of a phase was not found".into());
-    let done = speeds(goal).ok_or_else(lost)?;
     Ok(Launch {
         top_speed,
         limited_by_curve,
         lock_up: speeds(take_off).ok_or_else(lost)?,
-        done,
+        done: reached,
         marks: marks.collect::<Result<_, _>>()?,
-        energy: energy(vehicle, states.last().unwrap_or(&state)),
+        energy: energy(vehicle, &state.ok_or_else(lost)?),
         points,
     })
 }

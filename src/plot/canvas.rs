@@ -5,10 +5,10 @@ use super::path::{clipped, dashed, thinned};
 use super::ticks::{Tick, decades, linear, multiples};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind as Error};
-use plotters::element::{Circle, PathElement, Text};
+use plotters::element::{Circle, PathElement, Rectangle, Text};
 use plotters::prelude::{DrawingBackend, IntoFont, RGBColor};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontTransform, TextStyle};
+use plotters::style::{Color, FontTransform, TextStyle, WHITE};
 
 /// Colours that people of any colour vision tell apart (M. Okabe, K. Ito, "Color Universal Design", 2008).
 const PALETTE: [RGBColor; 7] = [
@@ -160,10 +160,14 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         }
         self.names()?;
         self.draw_legend()?;
-        for mark in &self.figure.marks {
-            self.write(&mark.text, self.at(mark.at), TEXT, HPos::Center, VPos::Center)?;
-        }
-        Ok(())
+        self.figure.marks.iter().try_for_each(|mark| self.mark(&mark.text, self.at(mark.at)))
+    }
+
+    /// A text around a point, on the colour of the paper: what it covers does not strike it through.
+    fn mark(&self, text: &str, (x, y): (i32, i32)) -> Drawn<B> {
+        let (across, up) = (self.width(text, TEXT) / 2 + self.scale, TEXT * self.scale / 2);
+        self.area.draw(&Rectangle::new([(x - across, y - up), (x + across, y + up)], WHITE.filled()))?;
+        self.write(text, (x, y), TEXT, HPos::Center, VPos::Center)
     }
 
     fn color(&self, series: &Series, next: &mut usize) -> RGBColor {

@@ -1,6 +1,6 @@
 //! The keys of a description of a belt's tests.
 
-use crate::bench::sheet::{Entry, Kind};
+use crate::bench::sheet::{Entry, QuantityKind};
 use crate::case::{Range, RangeEnd};
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::PI;
@@ -9,30 +9,30 @@ const STIFFNESS: Dimension = Dimension::new(0, 1, -2, 0);
 const ANGULAR_STIFFNESS: Dimension = Dimension::new(2, 1, -2, -1);
 const ACCELERATION: Dimension = Dimension::new(1, 0, -2, 0);
 
-const fn kind(unit: Unit, range: Range) -> Kind {
-    Kind::Quantity { unit, range }
+const fn kind(unit: Unit, range: Range) -> QuantityKind {
+    QuantityKind::Quantity { unit, range }
 }
 
 const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
-const MM: Kind = kind(Unit::decimal("mm", -3, Dimension::LENGTH), Range::positive_to(1e5));
-const MPA: Kind = kind(Unit::decimal("MPa", 6, Dimension::PRESSURE), Range::POSITIVE);
+const MM: QuantityKind = kind(Unit::decimal("mm", -3, Dimension::LENGTH), Range::positive_to(1e5));
+const MPA: QuantityKind = kind(Unit::decimal("MPa", 6, Dimension::PRESSURE), Range::POSITIVE);
 const DEG: Unit = Unit::new("deg", 0, PI, 180.0, Dimension::ANGLE);
-const PLAIN: Kind = kind(NUMBER, Range::POSITIVE);
+const PLAIN: QuantityKind = kind(NUMBER, Range::POSITIVE);
 
-const fn entry(path: &'static str, kind: Kind, example: &'static str, doc: &'static str) -> Entry {
+const fn entry(path: &'static str, kind: QuantityKind, example: &'static str, doc: &'static str) -> Entry {
     Entry { path, kind, example, doc }
 }
 
 /// Every key, by sections.
 #[rustfmt::skip]
 pub static TABLE: [Entry; 43] = [
-    entry("name", Kind::Text, "\"CVTech\"", "what the belt is called"),
-    entry("source", Kind::Text, "\"...\"", "where the numbers come from"),
-    entry("temperature", Kind::Temperature, "\"60 degC\"", "temperature of the belt in use; --temperature goes before \
+    entry("name", QuantityKind::Text, "\"CVTech\"", "what the belt is called"),
+    entry("source", QuantityKind::Text, "\"...\"", "where the numbers come from"),
+    entry("temperature", QuantityKind::Temperature, "\"60 degC\"", "temperature of the belt in use; --temperature goes before \
         it"),
     entry("rubber.poisson_ratio", kind(NUMBER, Range { low: RangeEnd::Open(-1.0), high: RangeEnd::Closed(0.5) }), "0.5",
         "ν of the rubber (4.3); 0.5 if it is not given"),
-    entry("rubber.test.temperature", Kind::Temperature, "\"25 degC\"", "one [[rubber.test]] for each temperature \
+    entry("rubber.test.temperature", QuantityKind::Temperature, "\"25 degC\"", "one [[rubber.test]] for each temperature \
         tested"),
     entry("rubber.test.storage_modulus", MPA, "\"46.71 MPa\"", "G' in shear"),
     entry("rubber.test.loss_modulus", MPA, "\"5.7 MPa\"", "G'' in shear"),
@@ -47,21 +47,21 @@ pub static TABLE: [Entry; 43] = [
         "yarns across the belt"),
     entry("yarns.linear_density", kind(Unit::new("den", -3, 1.0, 9000.0, Dimension::MASS_PER_LENGTH),
         Range::POSITIVE), "\"1500 den\"", "of one yarn"),
-    entry("yarns.specific_modulus", Kind::SpecificModulus, "\"555 g/den\"", "tensile modulus over linear density; \"49 \
+    entry("yarns.specific_modulus", QuantityKind::SpecificModulus, "\"555 g/den\"", "tensile modulus over linear density; \"49 \
         N/tex\" as well"),
     entry("yarns.gravity", kind(Unit::decimal("m/s^2", 0, ACCELERATION), Range::positive_to(100.0)),
         "\"9.80665 m/s^2\"",
         "that makes grams of a data sheet forces; standard gravity if it is not given"),
-    entry("tension.temperature", Kind::Temperature, "\"60 degC\"", "of the tension test or simulation"),
+    entry("tension.temperature", QuantityKind::Temperature, "\"60 degC\"", "of the tension test or simulation"),
     entry("tension.force", kind(Unit::decimal("N", 0, Dimension::FORCE), Range::POSITIVE), "\"100 N\"",
         "F on the rubber alone if there is a section [yarns], else on the whole belt"),
     entry("tension.elongation", MM, "\"0.6651 mm\"", "ΔL"),
     entry("tension.length", MM, "\"152.66 mm\"", "L of the unloaded sample, or of a segment"),
     entry("tension.stiffness", kind(Unit::decimal("kN/m", 3, STIFFNESS), Range::POSITIVE), "\"54690 kN/m\"",
         "of a sample or segment of that length, in place of force and elongation"),
-    entry("tension.csv", Kind::Text, "\"tension.csv\"", "elongation, force with a header such as `mm,N`, in place of \
+    entry("tension.csv", QuantityKind::Text, "\"tension.csv\"", "elongation, force with a header such as `mm,N`, in place of \
         both"),
-    entry("bending.temperature", Kind::Temperature, "\"60 degC\"", "of the bending test or simulation"),
+    entry("bending.temperature", QuantityKind::Temperature, "\"60 degC\"", "of the bending test or simulation"),
     entry("bending.moment", kind(Unit::decimal("N*m", 0, Dimension::TORQUE), Range::POSITIVE), "\"0.05 N*m\"",
         "M on the rubber alone if there is a section [section], else on the whole belt"),
     entry("bending.radius", MM, "\"3653 mm\"", "ρ that the moment causes"),
@@ -74,12 +74,12 @@ pub static TABLE: [Entry; 43] = [
     entry("section.half_angle", kind(DEG, Range { low: RangeEnd::Closed(0.0), high: RangeEnd::Open(60.0) }),
         "\"12 deg\"",
         "half the wedge angle of the trapezoid"),
-    entry("section.outline", Kind::Outline, "[[\"0 mm\", \"2.85 mm\"], [\"3 mm\", \"14 mm\"]]",
+    entry("section.outline", QuantityKind::Outline, "[[\"0 mm\", \"2.85 mm\"], [\"3 mm\", \"14 mm\"]]",
         "the real section for the figure: across, and from the outside surface"),
-    entry("lateral.temperature", Kind::Temperature, "\"25 degC\"", "of the test of the lateral stiffness"),
+    entry("lateral.temperature", QuantityKind::Temperature, "\"25 degC\"", "of the test of the lateral stiffness"),
     entry("lateral.slope", kind(Unit::decimal("N/mm", 3, STIFFNESS), Range::POSITIVE), "\"1747 N/mm\"",
         "m, load per displacement between the two wedges"),
-    entry("lateral.csv", Kind::Text, "\"lateral.csv\"", "displacement, load with a header such as `mm,N`, in place of \
+    entry("lateral.csv", QuantityKind::Text, "\"lateral.csv\"", "displacement, load with a header such as `mm,N`, in place of \
         the slope"),
     entry("lateral.from", kind(Unit::decimal("N", 0, Dimension::FORCE), Range { low: RangeEnd::Closed(0.0),
         high: RangeEnd::None }),

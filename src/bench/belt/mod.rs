@@ -49,7 +49,7 @@ pub struct Description {
 /// The belt as a case has it, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Belt {
+pub struct BeltTable {
     /// L_p, m.
     pub length: f64,
     /// m_o, kg/m.
@@ -72,7 +72,7 @@ pub struct Properties {
     /// K; `None` where nothing depends on it.
     pub temperature: Option<f64>,
     /// The table for a case.
-    pub belt: Belt,
+    pub belt: BeltTable,
     /// The rubber at that temperature.
     pub rubber: Option<AtTemperature>,
     /// Tests of the rubber.
@@ -177,7 +177,7 @@ impl Description {
     /// Reads a description; files it names are looked for beside it.
     ///
     /// # Errors
-    /// What is wrong with the file: see [`super::Problem`].
+    /// What is wrong with the file: see [`super::BenchProblem`].
     pub fn read(path: &Path) -> Result<Self, BenchError> {
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
         Ok(Self { sheet: Sheet::read(path, &TABLE)?, folder })
@@ -215,7 +215,7 @@ impl Description {
         let (bending, section) = bending(&thermal, &mut warnings)?;
         let lateral = self.lateral(&thermal, &mut warnings)?;
         let length = length(sheet)?;
-        let belt = Belt {
+        let belt = BeltTable {
             length: length.pitch_length,
             mass_per_length: length.mass / length.pitch_length,
             longitudinal_stiffness: tension.stiffness + yarns.map_or(0.0, |yarns| yarns.all),
@@ -338,7 +338,7 @@ impl Description {
     }
 
     /// The table must be one that a case takes.
-    fn check(&self, belt: &Belt) -> Result<(), BenchError> {
+    fn check(&self, belt: &BeltTable) -> Result<(), BenchError> {
         let case = crate::case::Case::from_toml("belt", &belt.toml());
         case.map(|_| ()).map_err(|error| {
             let reason = format!("these tests give a belt that no case takes: {error}");

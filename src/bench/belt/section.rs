@@ -1,7 +1,7 @@
 //! The equivalent cross-section of Appendix A: a rectangle outside the cords and a trapezoid inside them, whose height
 //! is such that the section has the second moment of area that a bending test found.
 
-use crate::bench::error::{BenchError, Problem};
+use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 
 /// The equivalent section; SI. Heights are counted from the outside surface of the belt inwards.
@@ -54,7 +54,7 @@ impl Section {
     /// The section with a second moment of area about its centroid, m⁴; lengths in m, the half angle in rad.
     ///
     /// # Errors
-    /// [`Problem::Unusable`] where no trapezoid has it: less than the rectangle alone has, or more than the wedge that
+    /// [`BenchProblem::Unusable`] where no trapezoid has it: less than the rectangle alone has, or more than the wedge that
     /// ends in an edge.
     pub fn equivalent(width: f64, cord_depth: f64, half_angle: f64, about_centroid: f64) -> Result<Self, BenchError> {
         let of = |height| Self::of_height(width, cord_depth, half_angle, height);
@@ -68,7 +68,7 @@ impl Section {
                  and cord depth have {least:.4e} (no rubber inside the cords) to {most:.4e} m⁴; check the units of \
                  moment, radius and modulus, and the width"
             );
-            return Err(Problem::Unusable { path: "section".into(), reason }.into());
+            return Err(BenchProblem::Unusable { path: "section".into(), reason }.into());
         }
         for _ in 0..STEPS {
             let middle = 0.5 * (low + high);

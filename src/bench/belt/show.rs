@@ -1,11 +1,11 @@
 //! A belt's properties for people: a case file with everything else as comments, and figures.
 
-use super::{Belt, Properties};
+use super::{BeltTable, Properties};
 use crate::bench::sheet::celsius;
 use crate::plot::{Axis, Figure, Look, Series};
 use std::fmt::Write;
 
-impl Belt {
+impl BeltTable {
     /// The `[belt]` table of a case file, in engineering units.
     pub fn toml(&self) -> String {
         format!(

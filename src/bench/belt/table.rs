@@ -1,6 +1,6 @@
 //! Tables of two measured columns, such as those of a testing machine.
 
-use crate::bench::error::{BenchError, Problem};
+use crate::bench::error::{BenchError, BenchProblem};
 use crate::quantity::{self, Dimension};
 use std::path::Path;
 
@@ -59,13 +59,13 @@ pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Col
     }
     if rows.is_empty() {
         let reason = "no row has two numbers below a header with units such as `mm,N`".into();
-        return Err(Problem::NoData { path: name.into(), reason }.into());
+        return Err(BenchProblem::NoData { path: name.into(), reason }.into());
     }
     Ok(Columns { rows, bad })
 }
 
 fn unreadable(name: &str, error: &csv::Error) -> BenchError {
-    Problem::Read { path: name.into(), reason: error.to_string() }.into()
+    BenchProblem::Read { path: name.into(), reason: error.to_string() }.into()
 }
 
 /// How many SI units the units of a header are.
@@ -83,7 +83,7 @@ fn header(name: &str, line: u64, cells: [Option<&str>; 2], dimensions: [Dimensio
                 "expected a header with the units of {} and {}, such as `mm,N` or `extension (mm),load (N)`",
                 dimensions[0], dimensions[1]
             );
-            Err(Problem::Line { path: name.into(), line, reason }.into())
+            Err(BenchProblem::Line { path: name.into(), line, reason }.into())
         }
     }
 }

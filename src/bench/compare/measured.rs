@@ -1,7 +1,7 @@
 //! Measured operating points: the table that `sheave dyno` writes, or one like it.
 
 use crate::bench::engine::EngineCurve;
-use crate::bench::error::{BenchError, Problem};
+use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -117,7 +117,7 @@ pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<T
             Some(BadRow { line, reason }) => format!("no row is an operating point; line {line}: {reason}"),
             None => "it has no rows".into(),
         };
-        return Err(Problem::NoData { path: name.into(), reason }.into());
+        return Err(BenchProblem::NoData { path: name.into(), reason }.into());
     }
     Ok(Table { points, bad })
 }
@@ -129,14 +129,14 @@ fn header(name: &str, line: u64, cells: &[&str], engine: bool) -> Result<[Option
         let at = COLUMNS.iter().position(|(known, _)| *known == required);
         if at.and_then(|at| places.get(at).copied().flatten()).is_none() {
             let reason = format!("there is no column `{required}`: the header has {}", cells.join(", "));
-            return Err(Problem::Line { path: name.into(), line, reason }.into());
+            return Err(BenchProblem::Line { path: name.into(), line, reason }.into());
         }
     }
     let own = COLUMNS.iter().position(|(known, _)| *known == "primary_torque_Nm");
     if !engine && own.and_then(|at| places.get(at).copied().flatten()).is_none() {
         let reason =
             "nothing says what the engine gives: neither a column `primary_torque_Nm` nor an engine's curve".into();
-        let error = BenchError::from(Problem::Line { path: name.into(), line, reason });
+        let error = BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
         return Err(error.advise("give the engine's curve with --engine"));
     }
     Ok(places)

@@ -4,7 +4,7 @@ use super::ENGINE_SCALE;
 use super::actuator::Actuator;
 use super::fit::{self, Linearised, Scale};
 use super::measured::{BadRow, Measured, Table};
-use crate::bench::error::{BenchError, Problem};
+use crate::bench::error::{BenchError, BenchProblem};
 use crate::case::{Case, Free, Include, Key, Resolved, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
@@ -239,7 +239,7 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
         let first = points.iter().find_map(|point| point.reason.clone()).unwrap_or_default();
         let reason =
             format!("{} points are left, too few to compare and fit with; the first that is not: {first}", ways.len());
-        return Err(Problem::NoData { path: "the table of points".into(), reason }.into());
+        return Err(BenchProblem::NoData { path: "the table of points".into(), reason }.into());
     }
     let fit = if options.fit.is_empty() {
         None
@@ -291,8 +291,8 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
     Ok(keys)
 }
 
-fn unusable(path: &str, reason: String) -> Problem {
-    Problem::Unusable { path: path.into(), reason }
+fn unusable(path: &str, reason: String) -> BenchProblem {
+    BenchProblem::Unusable { path: path.into(), reason }
 }
 
 fn compared(measured: &Measured) -> Compared {

@@ -1,6 +1,6 @@
 //! The calibration of the torque sensor: ADC = m T + b (9.1).
 
-use crate::bench::error::{BenchError, Problem};
+use crate::bench::error::{BenchError, BenchProblem};
 use crate::bench::statistics::Line;
 use std::path::Path;
 
@@ -24,7 +24,8 @@ pub fn read(path: &Path) -> Result<Line, BenchError> {
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
     let (mut points, mut stored) = (Vec::new(), None);
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
-        let bad = |reason: &str| BenchError::from(Problem::Line { path: name.into(), line, reason: reason.into() });
+        let bad =
+            |reason: &str| BenchError::from(BenchProblem::Line { path: name.into(), line, reason: reason.into() });
         let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?.trim();
         if text.is_empty() || text.starts_with('#') {
             continue;
@@ -47,7 +48,7 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
     };
     if line.slope == 0.0 {
         let reason = "the slope is zero: the sensor does not answer to torque".into();
-        return Err(Problem::Unusable { path: name.into(), reason }.into());
+        return Err(BenchProblem::Unusable { path: name.into(), reason }.into());
     }
     Ok(line)
 }

@@ -55,14 +55,14 @@ const TORQUES: (f64, f64) = (-1000.0, 1000.0);
 const CONVERTER: (f64, f64) = (1.0, 65_534.0);
 
 /// The kind and the number of a file of one channel: `P_12.csv`, `ADC_0.csv.gz`.
-pub fn step_file(name: &str) -> Option<(Kind, u64)> {
+pub fn step_file(name: &str) -> Option<(StepChannel, u64)> {
     let stem = name.strip_suffix(".gz").unwrap_or(name).strip_suffix(".csv")?;
     let (kind, number) = stem.rsplit_once('_')?;
     let kind = match kind {
-        "P" => Kind::Primary,
-        "S" => Kind::Secondary,
-        "ADC" => Kind::Converter,
-        "TORQUE" => Kind::Torque,
+        "P" => StepChannel::Primary,
+        "S" => StepChannel::Secondary,
+        "ADC" => StepChannel::Converter,
+        "TORQUE" => StepChannel::Torque,
         _ => return None,
     };
     number.parse().ok().filter(|_| number.bytes().all(|byte| byte.is_ascii_digit())).map(|number| (kind, number))
@@ -70,7 +70,7 @@ pub fn step_file(name: &str) -> Option<(Kind, u64)> {
 
 /// What a file of one channel has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum StepChannel {
     /// Speed of the primary.
     Primary,
     /// Speed of the secondary.
@@ -81,7 +81,7 @@ pub enum Kind {
     Torque,
 }
 
-impl Kind {
+impl StepChannel {
     /// How such a file is read: time in µs, value.
     pub fn format(self) -> Format {
         let (channel, range, raw) = match self {

@@ -20,9 +20,9 @@ mod uniform;
 
 pub use clock::{Clock, Stamp};
 pub use faults::{Count, Fault, Faults};
-pub use format::{Channel, Column, Format, Kind, Names, by_header, step_file};
+pub use format::{Channel, Column, Format, Names, StepChannel, by_header, step_file};
 pub use lines::{LONGEST, Line, Lines};
-pub use point::{Criteria, Estimate, Point};
+pub use point::{Criteria, Estimate, SteadyPoint};
 pub use read::{FileReport, LogFile, Record, RecordReport, Run, process, records, runs};
 pub use reduce::{MOST_POINTS, Reduced, reduce};
 pub(crate) use show::aired;

@@ -38,7 +38,7 @@ pub struct Estimate {
 /// One operating point, SI.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Point {
+pub struct SteadyPoint {
     /// Which record it is from.
     pub record: String,
     /// Number of the step, for a record that is one step of a test.
@@ -101,7 +101,7 @@ fn unsteady(name: &str, samples: &[f64], average: &Average, trend_limit: f64, de
         .then(|| format!("{name} has a standard deviation of {:.1} % of its mean", 100.0 * deviation / size))
 }
 
-impl Point {
+impl SteadyPoint {
     /// A point from uniform samples by channel: speeds in rpm, torque in N·m as measured.
     pub fn of(record: &str, step: Option<u64>, start: f64, samples: &[Vec<f64>; CHANNELS], options: &Options) -> Self {
         let [primary, secondary, torque] = samples;

@@ -1,11 +1,11 @@
 //! Which files belong together, and how they become points.
 
-use super::format::{Kind, by_header, step_file};
+use super::format::{StepChannel, by_header, step_file};
 use super::lines::{Line, Lines};
 use super::stream::Stream;
 use super::uniform::{Row, Uniform};
-use super::{CHANNELS, Channel, Faults, Format, Options, Point, Sample};
-use crate::bench::error::{BenchError, Problem};
+use super::{CHANNELS, Channel, Faults, Format, Options, Sample, SteadyPoint};
+use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ pub struct Record {
 }
 
 /// A file, and what it has if its name says so.
-pub type LogFile = (PathBuf, Option<Kind>);
+pub type LogFile = (PathBuf, Option<StepChannel>);
 
 /// A folder and the number of a step.
 type Step = (PathBuf, u64);
@@ -127,7 +127,7 @@ pub fn records(paths: &[PathBuf]) -> Result<Vec<Record>, BenchError> {
             "it has neither files such as P_0.csv, S_0.csv, ADC_0.csv, TORQUE_0.csv nor logs (.csv, .log, with or \
                       without .gz)"
                 .into();
-        return Err(Problem::NoData { path: names.join(", "), reason }.into());
+        return Err(BenchProblem::NoData { path: names.join(", "), reason }.into());
     }
     Ok(records)
 }
@@ -161,7 +161,8 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
     let mut places: Option<[usize; 3]> = None;
     let mut runs = Vec::new();
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')).take(FILES) {
-        let bad = |reason: &str| BenchError::from(Problem::Line { path: path.into(), line, reason: reason.into() });
+        let bad =
+            |reason: &str| BenchError::from(BenchProblem::Line { path: path.into(), line, reason: reason.into() });
         let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?.trim();
         if text.is_empty() {
             continue;
@@ -193,7 +194,7 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
 pub fn process(
     record: &Record,
     options: &Options,
-    mut take: impl FnMut(Point),
+    mut take: impl FnMut(SteadyPoint),
     mut progress: impl FnMut(u64),
 ) -> RecordReport {
     let mut report = RecordReport {
@@ -211,11 +212,12 @@ pub fn process(
     for (path, kind) in &record.files {
         let skip = match kind {
             // One of the two torques: the raw one with a calibration, the converted one without.
-            Some(Kind::Converter) => options.calibration.is_none(),
-            Some(Kind::Torque) => {
-                options.calibration.is_some() && record.files.iter().any(|(_, kind)| *kind == Some(Kind::Converter))
+            Some(StepChannel::Converter) => options.calibration.is_none(),
+            Some(StepChannel::Torque) => {
+                options.calibration.is_some()
+                    && record.files.iter().any(|(_, kind)| *kind == Some(StepChannel::Converter))
             }
-            Some(Kind::Primary | Kind::Secondary) | None => false,
+            Some(StepChannel::Primary | StepChannel::Secondary) | None => false,
         };
         if skip {
             continue;
@@ -242,7 +244,7 @@ pub fn process(
     report
 }
 
-fn open(path: &Path, kind: Option<Kind>, options: &Options) -> Result<Stream, String> {
+fn open(path: &Path, kind: Option<StepChannel>, options: &Options) -> Result<Stream, String> {
     let said = |error: std::io::Error| error.to_string();
     let mut lines = Lines::open(path).map_err(said)?;
     let format: Format = match kind {
@@ -272,7 +274,7 @@ fn merge(
     streams: &mut [(String, Stream)],
     options: &Options,
     report: &mut RecordReport,
-    take: &mut impl FnMut(Point),
+    take: &mut impl FnMut(SteadyPoint),
     progress: &mut impl FnMut(u64),
 ) {
     let mut heads: Vec<Option<Sample>> = streams.iter_mut().map(|(_, stream)| stream.next_sample()).collect();
@@ -362,7 +364,7 @@ impl<'a> Windows<'a> {
         self.samples.iter().map(Vec::len).sum()
     }
 
-    fn push(&mut self, row: Row, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+    fn push(&mut self, row: Row, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         match row {
             Row::Values(time, values) => {
                 if self.count() == 0 {
@@ -399,11 +401,11 @@ impl<'a> Windows<'a> {
         }
     }
 
-    fn point(&self) -> Point {
-        Point::of(&self.record.name, self.record.step, self.start, &self.samples, self.options)
+    fn point(&self) -> SteadyPoint {
+        SteadyPoint::of(&self.record.name, self.record.step, self.start, &self.samples, self.options)
     }
 
-    fn full(&mut self, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+    fn full(&mut self, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         let point = self.point();
         if point.steady || self.record.step.is_some() {
             self.hand_on(point, report, take);
@@ -417,14 +419,14 @@ impl<'a> Windows<'a> {
         self.start += hop as f64 / self.options.rate;
     }
 
-    fn hand_on(&mut self, point: Point, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+    fn hand_on(&mut self, point: SteadyPoint, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         *(if point.steady { &mut report.steady } else { &mut report.unsteady }) += 1;
         take(point);
         self.samples.iter_mut().for_each(Vec::clear);
     }
 
     /// What is left at a gap, or at the end.
-    fn end(&mut self, report: &mut RecordReport, take: &mut impl FnMut(Point)) {
+    fn end(&mut self, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         let enough = self.count() as f64 >= SHORTEST * self.length as f64 && self.count() >= 20;
         if enough {
             let point = self.point();

@@ -1,7 +1,7 @@
 //! All logs that are named, reduced to points.
 
-use super::{Fault, Options, Point, RecordReport, process, records};
-use crate::bench::error::{BenchError, Problem};
+use super::{Fault, Options, RecordReport, SteadyPoint, process, records};
+use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -13,12 +13,12 @@ pub const MOST_POINTS: usize = 100_000;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Reduced {
     /// The averaged windows, without their samples; the first [`MOST_POINTS`] of them.
-    pub points: Vec<Point>,
+    pub points: Vec<SteadyPoint>,
     /// What was read, record by record.
     pub records: Vec<RecordReport>,
     /// The point whose samples are kept, for its spectrum.
     #[serde(skip)]
-    pub chosen: Option<Point>,
+    pub chosen: Option<SteadyPoint>,
     /// Files that could not be read, and each kind of fault once.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -28,7 +28,7 @@ pub struct Reduced {
 /// one it is the first steady point that has a spectrum. `read` is told of the bytes as they are read.
 ///
 /// # Errors
-/// [`Problem::Read`], and [`Problem::NoData`] where no sample comes out.
+/// [`BenchProblem::Read`], and [`BenchProblem::NoData`] where no sample comes out.
 pub fn reduce(
     paths: &[PathBuf],
     options: &Options,
@@ -39,7 +39,7 @@ pub fn reduce(
     let (mut points, mut reports, mut chosen) = (Vec::new(), Vec::new(), None);
     let mut beyond = 0_u64;
     for record in &files {
-        let take = |mut point: Point| {
+        let take = |mut point: SteadyPoint| {
             let wanted = match spectrum {
                 Some(number) => number == points.len(),
                 None => chosen.is_none() && point.steady && point.spectrum.is_some(),
@@ -68,7 +68,7 @@ pub fn reduce(
             Some(first) => format!("no sample came out; {first}"),
             None => "no sample came out".into(),
         };
-        return Err(BenchError::from(Problem::NoData { path: names.join(", "), reason }));
+        return Err(BenchError::from(BenchProblem::NoData { path: names.join(", "), reason }));
     }
     Ok(Reduced { points, records: reports, chosen, warnings })
 }

@@ -1,6 +1,6 @@
 //! Operating points as a table and as figures.
 
-use super::point::Point;
+use super::point::SteadyPoint;
 use super::read::RecordReport;
 use crate::plot::{Axis, Figure, Look, Mark, Series};
 use std::f64::consts::TAU;
@@ -13,7 +13,7 @@ const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondar
 
 /// The table of operating points that `sheave compare` reads; points without both speeds and torque are left out, and
 /// counted.
-pub fn points_csv(points: &[Point]) -> (String, usize) {
+pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
     let (mut text, mut left_out) = (format!("{HEADER}\n"), 0);
     for (at, point) in points.iter().enumerate() {
         let (Some(primary), Some(secondary), Some(torque)) =
@@ -52,10 +52,10 @@ fn csv_text(text: &str) -> String {
 const MOST_DOTS: usize = 3000;
 
 /// Figures of all points, and of the records' speeds.
-pub fn figures(points: &[Point], records: &[RecordReport]) -> Vec<Figure> {
+pub fn figures(points: &[SteadyPoint], records: &[RecordReport]) -> Vec<Figure> {
     let count = points.iter().filter(|point| point.steady).count();
     let every = count.div_ceil(MOST_DOTS).max(1);
-    let steady: Vec<&Point> = points.iter().filter(|point| point.steady).step_by(every).collect();
+    let steady: Vec<&SteadyPoint> = points.iter().filter(|point| point.steady).step_by(every).collect();
     let thinned = if every > 1 { format!(", one in {every} of them") } else { String::new() };
     let mut figures = Vec::new();
     let traces: Vec<Series> = records
@@ -72,7 +72,7 @@ pub fn figures(points: &[Point], records: &[RecordReport]) -> Vec<Figure> {
         let caption = "Primary over secondary speed along each record";
         figures.push(Figure::new("shift", caption, secondary(), Axis::new("primary speed (rpm)"), traces));
     }
-    let mut over = |name: &str, caption: &str, axis: &str, value: &dyn Fn(&Point) -> Option<(f64, f64)>| {
+    let mut over = |name: &str, caption: &str, axis: &str, value: &dyn Fn(&SteadyPoint) -> Option<(f64, f64)>| {
         let values: Vec<(f64, (f64, f64))> =
             steady.iter().filter_map(|point| Some((point.secondary_speed?.mean * RPM, value(point)?))).collect();
         if values.is_empty() {
@@ -114,7 +114,7 @@ pub(crate) fn aired(axis: Axis, values: impl Iterator<Item = f64>) -> Axis {
 }
 
 /// Torque over time and its spectrum with the lines of the shafts, as Figures 9.7 and 9.8; nothing without torque.
-pub fn spectrum_figures(point: &Point, rate: f64) -> Vec<Figure> {
+pub fn spectrum_figures(point: &SteadyPoint, rate: f64) -> Vec<Figure> {
     let Some(spectrum) = &point.spectrum else { return Vec::new() };
     let time = |at: usize| at as f64 / rate;
     let samples = point.torque_samples.iter().enumerate().map(|(at, torque)| (time(at), *torque)).collect();

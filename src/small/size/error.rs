@@ -1,14 +1,12 @@
 //! What can be wrong with a drive that is to be sized, and where.
 
-use crate::case::Place;
+use crate::case::Placed;
 use crate::quantity::QuantityError;
-use crate::text::printable;
-use std::fmt;
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Problem {
+pub enum SizeProblem {
     /// The file cannot be read.
     #[error("cannot read the file `{path}`: {reason}")]
     Read {
@@ -91,50 +89,5 @@ pub enum Problem {
     },
 }
 
-/// A [`Problem`] with its place in the file or the argument. Displays as one line; with the feature `cli` it is a
-/// `miette::Diagnostic`, which underlines the place.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SizeError(Box<(Problem, Option<Place>)>);
-
-impl SizeError {
-    pub(super) fn new(problem: Problem, place: Option<Place>) -> Self {
-        Self(Box::new((problem, place)))
-    }
-
-    /// What is wrong.
-    pub fn problem(&self) -> &Problem {
-        &self.0.0
-    }
-
-    /// Where, if a text says it.
-    pub fn place(&self) -> Option<&Place> {
-        self.0.1.as_ref()
-    }
-}
-
-impl fmt::Display for SizeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.problem().to_string()))
-    }
-}
-
-impl std::error::Error for SizeError {}
-
-#[cfg(feature = "cli")]
-mod diagnostic {
-    use super::SizeError;
-    use miette::{Diagnostic, LabeledSpan, SourceCode};
-
-    impl Diagnostic for SizeError {
-        fn source_code(&self) -> Option<&dyn SourceCode> {
-            self.place().map(|place| place.source.as_ref() as &dyn SourceCode)
-        }
-
-        fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-            let place = self.place()?;
-            let span = if place.value.is_empty() { place.key.clone() } else { place.value.clone() };
-            let span = place.source.shown(span)?;
-            Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some("here".into()), span))))
-        }
-    }
-}
+/// A [`SizeProblem`] with its place in the file or the argument.
+pub type SizeError = Placed<SizeProblem>;

@@ -1,6 +1,6 @@
 //! Reading a drive from a file and from arguments; quantities are written as in a case file.
 
-use super::error::{Problem, SizeError};
+use super::error::{SizeError, SizeProblem};
 use super::keys::{Entry, IDLER, TABLE};
 use super::{BeltDrive, Idler};
 use crate::case::raw::{Raw, in_order, kind, raw};
@@ -28,14 +28,14 @@ impl BeltDrive {
     /// `INERTIA,DIAMETER` beside its idlers.
     ///
     /// # Errors
-    /// See [`Problem`].
+    /// See [`SizeProblem`].
     pub fn read(file: Option<&Path>, settings: &[String], idlers: &[String]) -> Result<Self, SizeError> {
         let mut draft = Draft { drive: Self::new(f64::NAN), given: Vec::new() };
         if let Some(path) = file {
             let name = path.display().to_string();
             let text = std::fs::read_to_string(path);
             let text = text.map_err(|error| {
-                SizeError::new(Problem::Read { path: name.clone(), reason: error.to_string() }, None)
+                SizeError::new(SizeProblem::Read { path: name.clone(), reason: error.to_string() }, None)
             })?;
             draft.add_toml(&name, &text)?;
         }
@@ -47,7 +47,7 @@ impl BeltDrive {
     /// Reads a drive from the text of a file; `name` is shown in errors.
     ///
     /// # Errors
-    /// See [`Problem`].
+    /// See [`SizeProblem`].
     pub fn from_toml(name: &str, text: &str) -> Result<Self, SizeError> {
         let mut draft = Draft { drive: Self::new(f64::NAN), given: Vec::new() };
         draft.add_toml(name, text)?;
@@ -59,7 +59,7 @@ impl Draft {
     fn finish(self) -> Result<BeltDrive, SizeError> {
         let Self { mut drive, given } = self;
         if let Some(entry) = TABLE.iter().find(|entry| entry.path == INPUT_DIAMETER && !given.contains(&entry.path)) {
-            let problem = Problem::Missing { path: entry.path, expected: entry.expected() };
+            let problem = SizeProblem::Missing { path: entry.path, expected: entry.expected() };
             return Err(SizeError::new(problem, None));
         }
         if !given.contains(&OUTPUT_DIAMETER) {
@@ -74,7 +74,7 @@ impl Draft {
             let span = error.span().unwrap_or(0..0);
             let message = error.message().trim().replace('\n', ", ");
             let place = Place { source: source.clone(), key: span.clone(), value: span };
-            SizeError::new(Problem::Syntax { message }, Some(place))
+            SizeError::new(SizeProblem::Syntax { message }, Some(place))
         })?;
         for (key, value) in in_order(table.get_ref()) {
             let section = key.get_ref();
@@ -87,7 +87,7 @@ impl Draft {
                 other if section == "idler" || TABLE.iter().any(|entry| entry.section() == section) => {
                     let (path, given) = (section.to_string(), kind(other));
                     let expected = "a table of keys".to_owned();
-                    return Err(SizeError::new(Problem::Type { path, given, expected }, Some(place)));
+                    return Err(SizeError::new(SizeProblem::Type { path, given, expected }, Some(place)));
                 }
                 _ => return Err(unknown(section, place)),
             };
@@ -116,7 +116,7 @@ impl Draft {
 
     fn push(&mut self, idler: Idler, place: Option<Place>) -> Result<(), SizeError> {
         if let (true, [_, entry]) = (idler.diameter.is_nan(), &IDLER) {
-            return Err(SizeError::new(Problem::Missing { path: entry.path, expected: entry.expected() }, place));
+            return Err(SizeError::new(SizeProblem::Missing { path: entry.path, expected: entry.expected() }, place));
         }
         self.drive.idlers.push(idler);
         Ok(())
@@ -127,7 +127,7 @@ impl Draft {
         let (whole, text) = (0..setting.len(), setting.to_owned());
         let Some((key, value)) = setting.split_once('=').filter(|(key, _)| !key.trim().is_empty()) else {
             let place = Place { source, key: whole.clone(), value: whole };
-            return Err(SizeError::new(Problem::Assignment { text }, Some(place)));
+            return Err(SizeError::new(SizeProblem::Assignment { text }, Some(place)));
         };
         let place = Place { source, key: 0..key.len(), value: key.len() + 1..setting.len() };
         let value = Raw::Text(unquoted(value.trim()).into());
@@ -140,7 +140,7 @@ impl Draft {
         let place = |value: Range<usize>| Place { source: source.clone(), key: 0..text.len(), value };
         let Some((inertia, diameter)) = text.split_once(',') else {
             return Err(SizeError::new(
-                Problem::IdlerText { text: quoted(text).into_owned() },
+                SizeProblem::IdlerText { text: quoted(text).into_owned() },
                 Some(place(0..text.len())),
             ));
         };
@@ -162,7 +162,7 @@ fn read_into<T>(
 ) -> Result<&'static str, SizeError> {
     let Some(entry) = table.iter().find(|entry| entry.path == path) else { return Err(unknown(path, place)) };
     let (given, expected) = (quoted(place.given().trim()).into_owned(), entry.expected());
-    let invalid = |reason, given: &str, expected: &str| Problem::Quantity {
+    let invalid = |reason, given: &str, expected: &str| SizeProblem::Quantity {
         path: entry.path,
         given: given.into(),
         reason,
@@ -172,8 +172,8 @@ fn read_into<T>(
         Raw::Text(text) => quantity::parse(&text).map_err(|reason| invalid(reason, &given, &expected)),
         Raw::Number(si) if si.is_finite() => Ok(Quantity { si, dimension: Dimension::NONE, bare: true }),
         Raw::Number(_) => Err(invalid(QuantityError::NotFinite, &given, &expected)),
-        Raw::List(_) => Err(Problem::Type { path: path.into(), given: "an array", expected: expected.clone() }),
-        Raw::Other(kind) => Err(Problem::Type { path: path.into(), given: kind, expected: expected.clone() }),
+        Raw::List(_) => Err(SizeProblem::Type { path: path.into(), given: "an array", expected: expected.clone() }),
+        Raw::Other(kind) => Err(SizeProblem::Type { path: path.into(), given: kind, expected: expected.clone() }),
     };
     let si = read.and_then(|quantity| {
         quantity.expect(entry.unit.scale.dimension).map_err(|reason| invalid(reason, &given, &expected))
@@ -183,7 +183,7 @@ fn read_into<T>(
             *(entry.field)(to) = si;
             Ok(entry.path)
         }
-        Ok(_) => Err(SizeError::new(Problem::OutOfRange { path: entry.path, given, expected }, Some(place))),
+        Ok(_) => Err(SizeError::new(SizeProblem::OutOfRange { path: entry.path, given, expected }, Some(place))),
         Err(problem) => Err(SizeError::new(problem, Some(place))),
     }
 }
@@ -194,7 +194,7 @@ fn unknown(path: &str, place: Place) -> SizeError {
     let near: Vec<&str> = all().filter(|known| known.split('.').next() == Some(section)).collect();
     let known = if near.is_empty() { all().collect::<Vec<_>>().join(", ") } else { near.join(", ") };
     let place = Place { value: place.key.clone(), ..place };
-    SizeError::new(Problem::UnknownKey { path: quoted(path).into_owned(), known }, Some(place))
+    SizeError::new(SizeProblem::UnknownKey { path: quoted(path).into_owned(), known }, Some(place))
 }
 
 /// The text without one pair of quotes around it.

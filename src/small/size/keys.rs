@@ -1,6 +1,6 @@
 //! The one table of the keys: reading, ranges, messages, help and the inputs of a result come from it.
 
-use super::error::{Problem, SizeError};
+use super::error::{SizeError, SizeProblem};
 use super::{BeltDrive, Idler};
 use crate::case::{Range, RangeEnd};
 use crate::quantity::{Dimension, Unit};
@@ -112,7 +112,7 @@ fn check_table<T: Clone>(table: &[Entry<T>], of: &T) -> Result<(), SizeError> {
         let value = *(entry.field)(&mut of);
         if !entry.allows(value) {
             let (path, given, expected) = (entry.path, format!("{value} in SI units"), entry.expected());
-            return Err(SizeError::new(Problem::OutOfRange { path, given, expected }, None));
+            return Err(SizeError::new(SizeProblem::OutOfRange { path, given, expected }, None));
         }
     }
     Ok(())

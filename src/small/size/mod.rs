@@ -15,7 +15,7 @@ mod error;
 mod file;
 mod keys;
 
-pub use error::{Problem, SizeError};
+pub use error::{SizeError, SizeProblem};
 pub use keys::{Entry, IDLER, TABLE};
 
 use crate::formula::Inputs;
@@ -141,7 +141,7 @@ impl BeltDrive {
 /// Sizes a drive.
 ///
 /// # Errors
-/// [`Problem::OutOfRange`] names the first quantity that is out of its range.
+/// [`SizeProblem::OutOfRange`] names the first quantity that is out of its range.
 pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
     keys::check(drive)?;
     let idlers = drive.idlers_at_input();
@@ -180,5 +180,9 @@ pub fn size(drive: &BeltDrive) -> Result<Sizing, SizeError> {
     };
     let (inertia, torque) = (&sizing.inertia, &sizing.torque);
     let all = [inertia.rotating, inertia.total, torque.steady, torque.drive, sizing.ratio];
-    if all.iter().all(|value| value.is_finite()) { Ok(sizing) } else { Err(SizeError::new(Problem::Overflow, None)) }
+    if all.iter().all(|value| value.is_finite()) {
+        Ok(sizing)
+    } else {
+        Err(SizeError::new(SizeProblem::Overflow, None))
+    }
 }
