@@ -309,7 +309,9 @@ fn cases_stand_side_by_side_and_tables_are_drawn() {
     assert_eq!(status(&sheave(&[&["sweep", "--tol", "1e-2", "--out", table], &grid[..]].concat())), 0);
     assert_eq!(status(&sheave(&["plot", table, "--out", figures])), 0);
     let svg = std::fs::read_to_string(folder.path().join("figures/efficiency_overall.svg")).unwrap();
-    assert!(svg.contains("= 18 N·m") && svg.contains("ratio"), "{svg}");
+    assert!(svg.contains("= 18 N·m") && svg.contains("ratio") && svg.contains("overall efficiency"), "{svg}");
+    let svg = std::fs::read_to_string(folder.path().join("figures/primary_axial_force.svg")).unwrap();
+    assert!(svg.contains("primary axial force") && svg.contains("(N)"), "{svg}");
     let refused = sheave(&["plot", table, "--y", "no.such", "--out", figures]);
     assert_eq!(status(&refused), 2);
     assert!(stderr(&refused).contains("no column `no.such`"));

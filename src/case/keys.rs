@@ -498,13 +498,7 @@ impl Entry {
 
     /// Its symbol with every index as `_{..}`, as figures are labelled: `R_{S}/R_{P}`.
     pub fn marked_symbol(&self) -> String {
-        let mut parts = self.symbol.split('_');
-        let mut marked = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            let (index, rest) = part.split_at(part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len()));
-            marked += &format!("_{{{index}}}{rest}");
-        }
-        marked
+        super::names::marked(self.symbol)
     }
 
     /// A value in SI as people read it: the number, and its unit as it is printed.

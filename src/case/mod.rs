@@ -62,7 +62,7 @@ pub use grid::{Grid, GridError, Rated};
 pub use keys::{Entry, Key, TABLE, ValueKind, sections};
 pub use loss_tangent::LossTangent;
 pub use losses::Losses;
-pub use names::{constant_label, output_label};
+pub use names::{constant_label, output_axis_label, output_label};
 pub use operating::{Clamp, Fourth, Load, Margin, OperatingPoint, Speed};
 pub use parts::{Actuation, Parts};
 pub use place::{Place, Placed, Source};

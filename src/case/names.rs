@@ -59,3 +59,23 @@ pub fn constant_label(constant: Constant) -> &'static str {
 pub fn output_label(output: Output) -> &'static str {
     Key::of_output(output).map_or(output.name(), Key::path)
 }
+
+/// What an axis of a figure over an output says: name, symbol, unit, as `primary axial force A_{P} (N)`.
+pub fn output_axis_label(output: Output) -> String {
+    let symbol = output.symbol();
+    let place = ["primary.", "secondary.", "tight_span.", "slack_span."].iter().any(|of| symbol.name.starts_with(of));
+    let what = if place { symbol.name.replace(['.', '_'], " ") } else { symbol.doc.to_owned() };
+    let unit = if symbol.unit.is_empty() { String::new() } else { format!(" ({})", symbol.unit) };
+    format!("{what} {}{unit}", marked(symbol.symbol))
+}
+
+/// A symbol with every index as `_{..}`, as texts of figures have it.
+pub(super) fn marked(symbol: &str) -> String {
+    let mut parts = symbol.split('_');
+    let mut marked = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (index, rest) = part.split_at(part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len()));
+        marked += &format!("_{{{index}}}{rest}");
+    }
+    marked
+}

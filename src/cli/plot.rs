@@ -3,7 +3,7 @@
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use sheave::case::Key;
+use sheave::case::{Key, output_axis_label};
 use sheave::drive::Output;
 use sheave::plot::{Axis, Figure, Series};
 use std::path::PathBuf;
@@ -88,8 +88,13 @@ impl Table {
     /// A number in the unit of its axis; NaN where there is none, as in the row of a point without a solution.
     fn number(&self, row: usize, column: usize) -> f64 {
         let value = self.text(row, column).parse().unwrap_or(f64::NAN);
-        let key = self.columns.get(column).and_then(|name| Key::from_path(name));
-        key.map_or(value, |key| key.entry().readable(value).0)
+        self.key(column).map_or(value, |key| key.entry().readable(value).0)
+    }
+
+    /// The key of a column that was varied, or of one of the inputs.
+    fn key(&self, column: usize) -> Option<Key> {
+        let name = self.columns.get(column)?;
+        Key::from_path(name.strip_prefix("inputs.").unwrap_or(name))
     }
 
     /// A column over another: rows with the same values in `others` make a curve.
@@ -126,15 +131,10 @@ impl Table {
         columns.iter().zip(of).map(one).collect::<Vec<_>>().join(", ")
     }
 
-    /// A key's name, symbol and unit; an output's name and unit; else the column's name.
+    /// A key's or an output's name, symbol and unit; else the column's name.
     fn axis(&self, column: usize) -> String {
         let name = self.columns.get(column).map_or("", String::as_str);
-        if let Some(key) = Key::from_path(name) {
-            return key.entry().axis_label();
-        }
-        match name.parse::<Output>() {
-            Ok(output) if !output.symbol().unit.is_empty() => format!("{name} ({})", output.symbol().unit),
-            _ => name.to_owned(),
-        }
+        let output = || name.parse::<Output>().map_or_else(|_| name.to_owned(), output_axis_label);
+        self.key(column).map_or_else(output, |key| key.entry().axis_label())
     }
 }

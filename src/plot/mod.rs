@@ -7,7 +7,7 @@
 //! ```
 //! use sheave::plot::{Axis, Figure, Series};
 //! let line = Series::line("η", vec![(0.7, 0.95), (1.7, 0.97)]);
-//! let figure = Figure::new("efficiency", "Overall efficiency", Axis::new("R_S/R_P"), Axis::new("η"), vec![line]);
+//! let figure = Figure::new("efficiency", "Overall efficiency", Axis::new("R_{S}/R_{P}"), Axis::new("η"), vec![line]);
 //! # #[cfg(feature = "figures")]
 //! assert!(figure.svg().is_ok_and(|text| text.starts_with("<svg")));
 //! ```

@@ -127,7 +127,7 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
     figures.push(Figure::new(
         "check",
         "The drive solved forward with the profile: engine speed less the target",
-        Axis::new("ratio R_S/R_P"),
+        Axis::new("ratio R_{S}/R_{P}"),
         Axis::new("deviation (rpm)"),
         vec![
             Series::line("", vec![(low, 0.0), (high, 0.0)]).look(Look::Guide),
