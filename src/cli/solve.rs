@@ -168,7 +168,7 @@ pub(super) fn units(text: &str) -> Result<Units, String> {
 
 pub(super) fn work_limit(text: &str) -> Result<usize, String> {
     let positive = |limit: &usize| *limit > 0;
-    text.parse().ok().filter(positive).ok_or_else(|| "expected a whole number above 0, such as 2000000".into())
+    text.parse().ok().filter(positive).ok_or_else(|| "expected a whole number above 0, such as 2250000".into())
 }
 
 fn order(text: &str) -> Result<Order, String> {
