@@ -242,6 +242,10 @@ for (const [width, height] of [
       await rested(page, 0);
       await page.waitForTimeout(300);
       await page.screenshot({ path: new URL(`${width}-${colorScheme}.png`, shots).pathname });
+      // Charts are drawn where they come into sight.
+      for (const chart of await page.locator("#charts .chart").all()) await chart.scrollIntoViewIfNeeded();
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.waitForTimeout(200);
       await page.screenshot({ path: new URL(`${width}-${colorScheme}-whole.png`, shots).pathname, fullPage: true });
     });
   }
