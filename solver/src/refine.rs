@@ -92,7 +92,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let length = mesh[intervals] - mesh[0];
     let length_of = |j: usize| {
         let excess = (measure.defects[j] / (SAFETY * tolerance)).max(1e-12);
-        (mesh[j + 1] - mesh[j]) * excess.powf(-1.0 / order).min(LONGER)
+        (mesh[j + 1] - mesh[j]) * libm::pow(excess, -1.0 / order).min(LONGER)
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
@@ -108,7 +108,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         if defect <= tolerance {
             1
         } else {
-            (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, 4.0) as usize
+            libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, 4.0) as usize
         }
     };
     let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();
