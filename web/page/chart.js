@@ -6,6 +6,8 @@ import { html, set, svg } from "./dom.js";
 const HEIGHT = 190;
 /** Kinds of lines, each with its look in the style sheet, the topmost last. */
 const KINDS = ["before", "guide", "primary", "secondary", "loop", "up", "back"];
+/** Width of a letter of a name, about, px. */
+const LETTER = 7;
 const MARGIN = { left: 52, right: 10, top: 8, bottom: 34 };
 const DEGREES = 180 / Math.PI;
 
@@ -223,8 +225,11 @@ export class Chart {
 
   /** Points that mean something by themselves, with their names. */
   #places(places) {
-    const children = places.flatMap(({ x, y, text, name, side }) => {
+    const children = places.flatMap(({ x, y, text, name, side: wanted }) => {
       const [cx, cy] = [this.x(x).toFixed(1), this.y(y).toFixed(1)];
+      // A name that would run over the numbers of the axis stands on the other side.
+      const fits = Number(cx) - 9 - LETTER * (text ?? "").length > MARGIN.left;
+      const side = wanted === "end" && !fits ? "start" : wanted;
       const gap = side === "end" ? -9 : 9;
       return [
         svg("circle", { class: `place ${name}`, cx, cy, r: 4.5 }),
