@@ -1,0 +1,172 @@
+//! This crate beside COLNEW and TWPBVPC, each at its best configuration for the same accuracy reached.
+//!
+//! ```text
+//! git clone https://github.com/cran/bvpSolve                                    the peers' sources, in Fortran
+//! SHEAVE_PEERS=bvpSolve/src cargo bench -p sheave-solver --bench peers          prints the tables
+//! ... -- --write                                                                and puts them into docs/peers.md
+//! ... -- Bratu                                                                  only problems whose names have this
+//! ```
+//!
+//! The sources are compiled here (`gfortran -O2 -march=native`) and loaded; nothing of them is kept. Every code is given
+//! the same functions for right-hand sides and derivatives. For every problem and accuracy all configurations of each
+//! code are tried: tolerances 1e-3 to 1e-11; order 4 and 6 from 5, 10 and 20 intervals here; 3 to 7 collocation points
+//! from 5, 10 and 20 intervals in COLNEW; with and without conditioning in TWPBVPC. The fastest that reaches the accuracy
+//! counts, and those three are then timed in turn, the least of nine rounds each. COLNEW solves equations of second order
+//! as they are, the others a system of twice as many.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
+
+#[path = "peers/cases.rs"]
+mod cases;
+#[path = "peers/codes.rs"]
+mod codes;
+#[path = "peers/fortran.rs"]
+mod fortran;
+
+use cases::{CASES, Case};
+use codes::{Code, Configuration, Run};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+const ACCURACIES: [f64; 2] = [1e-6, 1e-8];
+const ROUNDS: usize = 9;
+/// Names the folder with the peers' sources.
+const VARIABLE: &str = "SHEAVE_PEERS";
+const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/peers.md");
+const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
+
+/// The fastest configuration of one code that reaches the accuracy.
+struct Best {
+    configuration: Configuration,
+    run: Run,
+}
+
+fn best(code: Code, case: &'static Case, accuracy: f64) -> Option<Best> {
+    let tried = code.configurations().into_iter().filter_map(|configuration| {
+        let run = code.solve(case, &configuration)?;
+        (run.error <= accuracy).then_some(Best { configuration, run })
+    });
+    let mut fit: Vec<Best> = tried.collect();
+    fit.sort_by(|a, b| a.run.seconds.total_cmp(&b.run.seconds));
+    // The first time of each is rough: the three fastest are timed again.
+    fit.truncate(3);
+    for best in &mut fit {
+        for _ in 0..3 {
+            let again = code.solve(case, &best.configuration).map_or(f64::INFINITY, |run| run.seconds);
+            best.run.seconds = best.run.seconds.min(again);
+        }
+    }
+    fit.into_iter().min_by(|a, b| a.run.seconds.total_cmp(&b.run.seconds))
+}
+
+/// In turn, so that all meet the same machine.
+fn time(case: &'static Case, all: &mut [(Code, Option<Best>)]) {
+    for _ in 0..ROUNDS {
+        for (code, best) in all.iter_mut() {
+            let Some(best) = best else { continue };
+            if let Some(run) = code.solve(case, &best.configuration) {
+                best.run.seconds = best.run.seconds.min(run.seconds);
+            }
+        }
+    }
+}
+
+fn cell(best: Option<&Best>) -> String {
+    best.map_or_else(
+        || "fails | |".to_owned(),
+        |best| {
+            let Run { seconds, error, intervals } = best.run;
+            format!("{:.3} | {} | {intervals} ({error:.0e})", 1e3 * seconds, best.configuration)
+        },
+    )
+}
+
+/// Ratios of this crate's times to a peer's.
+struct Ratios {
+    name: &'static str,
+    all: Vec<(f64, &'static str)>,
+    failed: usize,
+    /// Problems that the peer alone solves.
+    lost: Vec<&'static str>,
+}
+
+impl Ratios {
+    fn summary(&self) -> String {
+        let mean = (self.all.iter().map(|(ratio, _)| ratio.ln()).sum::<f64>() / self.all.len() as f64).exp();
+        let worst = self.all.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        let best = self.all.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let (Some((worst, at)), Some((best, with))) = (worst, best) else { return String::new() };
+        let lost = if self.lost.is_empty() { "none".to_owned() } else { self.lost.join(", ") };
+        let within = self.all.iter().filter(|(ratio, _)| *ratio <= 2.0).count();
+        format!(
+            "- {}: geometric mean {mean:.2} of its time over {} problems, at most twice its time on {within} of them; worst \
+             {worst:.2} ({at}), best {best:.2} ({with}). It fails on {} more. Problems that it alone solves: {lost}.\n",
+            self.name,
+            self.all.len(),
+            self.failed
+        )
+    }
+}
+
+fn table(accuracy: f64, names: &[String]) -> String {
+    let mut out = format!(
+        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | how | intervals (error) | COLNEW, ms | how | \
+         intervals (error) | TWPBVPC, ms | how | intervals (error) |\n|---|---|---|---|---|---|---|---|---|---|\n"
+    );
+    let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
+        .map(|(name, at)| (Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() }, at));
+    for case in CASES.iter().filter(|case| names.is_empty() || names.iter().any(|name| case.name.contains(name))) {
+        let mut all = Code::ALL.map(|code| (code, best(code, case, accuracy)));
+        time(case, &mut all);
+        let [here, colnew, twpbvpc] = &all;
+        let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
+        let _ = writeln!(out, "| {} | {} |", case.name, cells.join(" | "));
+        eprintln!("{} | {}", case.name, cells.join(" | "));
+        for (ratios, at) in &mut ratios {
+            match (&here.1, &all[*at].1) {
+                (Some(here), Some(peer)) => ratios.all.push((here.run.seconds / peer.run.seconds, case.name)),
+                (_, None) => ratios.failed += 1,
+                (None, Some(_)) => ratios.lost.push(case.name),
+            }
+        }
+    }
+    out.push('\n');
+    ratios.iter().for_each(|(ratios, _)| out.push_str(&ratios.summary()));
+    out
+}
+
+fn main() -> std::io::Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let (flags, names): (Vec<_>, Vec<_>) = arguments.into_iter().partition(|argument| argument.starts_with("--"));
+    let Some(folder) = std::env::var_os(VARIABLE).map(PathBuf::from) else {
+        eprintln!("not run: {VARIABLE} is not set to the folder with the peers' sources (see the head of {})", file!());
+        return Ok(());
+    };
+    fortran::load(&folder).map_err(std::io::Error::other)?;
+    let tables = ACCURACIES.map(|accuracy| table(accuracy, &names)).join("\n");
+    let text = format!("Measured on: {}.\n\n{tables}", processor());
+    println!("{text}");
+    if flags.iter().any(|flag| flag == "--write") { write(&text) } else { Ok(()) }
+}
+
+/// The machine, as Linux names it.
+fn processor() -> String {
+    let all = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let field = |name: &str| {
+        let line = all.lines().find(|line| line.starts_with(name))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    };
+    let fields = ["model name", "cpu family", "model"].map(|name| field(name).unwrap_or_else(|| "unknown".to_owned()));
+    let [name, family, model] = fields;
+    let avx512 = if all.contains("avx512f") { ", with AVX-512" } else { "" };
+    format!("{name}, family {family}, model {model}{avx512}, one core")
+}
+
+fn write(text: &str) -> std::io::Result<()> {
+    let old = std::fs::read_to_string(DOCUMENT)?;
+    let [begin, end] = MARKERS.map(|marker| old.find(marker));
+    let (Some(begin), Some(end)) = (begin, end) else {
+        return Err(std::io::Error::other(format!("{DOCUMENT} has no markers {MARKERS:?}")));
+    };
+    let head = &old[..begin + MARKERS[0].len()];
+    std::fs::write(DOCUMENT, format!("{head}\n\n{text}\n{}", &old[end..]))
+}
