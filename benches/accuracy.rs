@@ -1,5 +1,5 @@
-//! What outputs are worth: their errors against a solution to 1e-10 at order 6, over random designs, at three tolerances
-//! and both orders. `cargo bench --bench accuracy -- SEED DESIGNS`.
+//! What outputs are worth: their errors against a solution to 1e-10 at order 6, over random designs, at three
+//! tolerances and both orders. `cargo bench --bench accuracy -- SEED DESIGNS`.
 //!
 //! An output is missed where its relative error exceeds the tolerance. Its uncertainty holds where the error is at most
 //! twice what the result says.

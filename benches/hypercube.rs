@@ -122,7 +122,8 @@ fn main() {
         let quantile = |q: f64| time.get(((time.len() as f64 - 1.0) * q) as usize).copied().unwrap_or(f64::NAN) * 1e3;
         let (solved, solvable) = (time.len(), designs - beyond);
         println!(
-            "{edition}: {solved} of {designs} solved, {beyond} beyond their slip limit, {} failed: {:.2} % of the others; \
+            "{edition}: {solved} of {designs} solved, {beyond} beyond their slip limit, {} failed: {:.2} % of the \
+            others; \
              time median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms",
             solvable - solved,
             100.0 * solved as f64 / solvable as f64,

@@ -111,7 +111,8 @@ fn main() {
         let quantile = |q: f64| work.get(((work.len() as f64 - 1.0) * q) as usize).map_or(0, |(work, _)| *work);
         let solvable = work.len() + failed.len();
         println!(
-            "| {edition} | seed {seed} | {all} designs | {} solved | {} beyond the slip limit | {} pressed through | {} refused | {} failed | \
+            "| {edition} | seed {seed} | {all} designs | {} solved | {} beyond the slip limit | {} pressed through | \
+            {} refused | {} failed | \
              {:.2} % | Newton iterations {} median, {} 99 %, {} worst (design {}) |",
             work.len(),
             beyond.len(),

@@ -77,7 +77,8 @@ fn main() {
         let rate = points as f64 / cost.seconds;
         let each = 1e3 * cost.processor / points as f64;
         println!(
-            "{points} points, {jobs} jobs: {:.1} s, {rate:.0} points/s; {:.1} processor seconds, {each:.2} ms a point; {:.0} MiB",
+            "{points} points, {jobs} jobs: {:.1} s, {rate:.0} points/s; {:.1} processor seconds, {each:.2} ms a point; \
+            {:.0} MiB",
             cost.seconds, cost.processor, cost.memory
         );
         rates.push((rate, cost.processor));

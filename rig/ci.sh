@@ -33,5 +33,11 @@ fi
 avr-size "$firmware"
 cargo test --locked -p rig-simulator
 cat target/simavr-speed.md target/simavr-latency.md target/simavr-step.md target/faults.md
-sheave="${SHEAVE:-$(dirname "$PWD")/target/debug/sheave}"
-if [ -x "$sheave" ]; then ./closed-loop.sh "$sheave"; else echo "not run: closed-loop.sh, because $sheave is not built"; fi
+# A program that is named must be there; one that merely happens not to be built yet is said to be missing.
+if [ -n "${SHEAVE:-}" ]; then
+  ./closed-loop.sh "$SHEAVE"
+elif [ -x ../target/debug/sheave ]; then
+  ./closed-loop.sh "$(dirname "$PWD")/target/debug/sheave"
+else
+  echo "not run: closed-loop.sh, because ../target/debug/sheave is not built and SHEAVE names no other" >&2
+fi

@@ -16,9 +16,9 @@ thread_local! {
     static HANDLE: RefCell<Option<Cancel>> = const { RefCell::new(None) };
 }
 
-/// Does `work`, which ends with a failure at its next step once `cancel` is cancelled: every solution that it looks for,
-/// on the threads that it starts, too. A study keeps the rows that it has by then and gives the others a reason; who
-/// wants none of them refuses the rows (see [`study::run`](crate::study::run)).
+/// Does `work`, which ends with a failure at its next step once `cancel` is cancelled: every solution that it looks
+/// for, on the threads that it starts, too. A study keeps the rows that it has by then and gives the others a reason;
+/// who wants none of them refuses the rows (see [`study::run`](crate::study::run)).
 pub fn cancellable<T>(cancel: &Cancel, work: impl FnOnce() -> T) -> T {
     /// Puts back what held before, even where `work` panics.
     struct Restored(Option<Cancel>);

@@ -41,7 +41,8 @@
 //!
 //! A [`case`] is solved by the [`drive`], and its [`result`] says what the belt does; a [`study`] does so over a grid,
 //! [`design`] finds limits and the best clamp; [`plot`] and `report` (feature `figures`) show it. [`small`] models
-//! stand beside the full one, and [`actuator`]s press the sheaves together. What the page in the browser asks is answered
+//! stand beside the full one, and [`actuator`]s press the sheaves together. [`equilibrium`] finds where a whole drive
+//! settles, and `launch` (feature `ode`) drives a vehicle with it. What the page in the browser asks is answered
 //! by [`live`]. `bench` (a feature) leads from measurements
 //! to what a case needs.
 
@@ -57,6 +58,8 @@ pub mod drive;
 pub mod equilibrium;
 mod facade;
 mod formula;
+#[cfg(feature = "ode")]
+pub mod launch;
 pub mod live;
 pub mod losses;
 pub mod model;

@@ -180,7 +180,8 @@ fn coverage(seeds: std::ops::Range<u64>) -> [usize; 2] {
         let scale = compared(&table, &true_case(), &engine, &[]);
         let [least, most] = scale.scale_interval;
         println!(
-            "seed {seed}: EI {:.4} in {low:.4} .. {high:.4} of {TRUE_EI}; scale {:.4} in {least:.4} .. {most:.4} of {TRUE_SCALE}",
+            "seed {seed}: EI {:.4} in {low:.4} .. {high:.4} of {TRUE_EI}; scale {:.4} in {least:.4} .. {most:.4} of \
+            {TRUE_SCALE}",
             fit.constants[0].value, scale.scale
         );
         hits[0] += usize::from(low <= TRUE_EI && TRUE_EI <= high);
@@ -215,7 +216,8 @@ fn what_the_data_cannot_tell_is_said() {
 #[test]
 fn bad_rows_and_bad_questions_are_named() {
     let engine = made_engine();
-    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3000,3000,16\n3000,x,16\n3000,2000\n3000,1700,-4\n9000,3000,5\n\
+    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3000,3000,16\n3000,x,16\n3000,2000\n\
+        3000,1700,-4\n9000,3000,5\n\
                 2900,2000,24\n";
     let table = parse("p.csv", text.as_bytes(), Some(&engine)).unwrap();
     assert_eq!((table.points.len(), table.bad.len()), (4, 2));

@@ -126,8 +126,9 @@ const RUNS: [(&str, u64, f64); 10] = [
     ("8-6-24-tune4-5", 13_288, 3120.0),
 ];
 
-#[test]
-fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
+/// The folder of the car's logs, and how they are read: engine and wheel, 8.32 turns of the secondary for one of the
+/// wheel.
+fn terps() -> (PathBuf, Options) {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
     let options = Options {
         rate: 50.0,
@@ -136,6 +137,12 @@ fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
         runs: runs(&data.join("tunes.csv")).unwrap(),
         ..Options::default()
     };
+    (data, options)
+}
+
+#[test]
+fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
+    let (data, options) = terps();
     for (name, rows, line) in RUNS {
         let (_, reports) = read(&[data.join(format!("{name}.log.gz"))], &options);
         let file = &reports[0].files[0];
@@ -166,14 +173,7 @@ fn the_shift_lines_of_three_tunes_come_out_of_ten_logs() {
 /// rates in one file.
 #[test]
 fn a_real_log_is_read_as_it_is() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terps");
-    let options = Options {
-        rate: 50.0,
-        secondary_factor: 8.32,
-        names: Names { primary: Some("RPM3".into()), secondary: Some("RPM2".into()), torque: None },
-        runs: runs(&data.join("tunes.csv")).unwrap(),
-        ..Options::default()
-    };
+    let (data, options) = terps();
     let (_, reports) = read(&[data.join("8-6-24-tune4-2.log.gz")], &options);
     let [report] = reports.as_slice() else { panic!("{reports:?}") };
     let file = &report.files[0];
@@ -509,7 +509,8 @@ proptest! {
 
     /// Descriptions near a good one: a key, a value or a section is something else.
     #[test]
-    fn no_description_panics(at in 0..60_usize, value in "[-+0-9.eE\" a-zA-Z/*\\[\\]]{0,20}", temperature in prop::option::of(1.0..1e4_f64)) {
+    fn no_description_panics(at in 0..60_usize, value in "[-+0-9.eE\" \
+        a-zA-Z/*\\[\\]]{0,20}", temperature in prop::option::of(1.0..1e4_f64)) {
         let text = include_str!("../examples/belts/cvtech.toml");
         let changed: Vec<String> = text.lines().enumerate().map(|(line, text)| match text.split_once('=') {
             Some((key, _)) if line == at => format!("{key}={value}"),

@@ -161,7 +161,8 @@ fn rewritten(resolved: &Resolved) -> Case {
 
 /// Every quantity that may be a table.
 const TABLES: &str = "[belt]
-loss_tangent = { frequency = ['10 Hz', '0.1 kHz'], temperature = ['25 degC', '140 degF'], value = [[0.15, 0.12], [0.16, '13 %']] }
+loss_tangent = { frequency = ['10 Hz', '0.1 kHz'], temperature = ['25 degC', '140 degF'], value = [[0.15, 0.12], \
+    [0.16, '13 %']] }
 cord_loss_tangent = { frequency = [10, 100], value = [0.01, 0.02] }
 bending_stiffness = { temperature = ['25 degC', '60 degC'], value = ['0.4031 N*m^2', 0.2602] }
 [belt.radial_stiffness]
@@ -287,7 +288,8 @@ const MISTAKES: &[(&str, &str)] = &[
     ("free without a fourth key", "[drive]\nfree = \"both\""),
     (
         "free with a fifth key",
-        "drive.free = \"both\"\n[operating_point]\ntight_tension = 1\nslack_tension = 2\nprimary_torque = 1\nsecondary_torque = 2",
+        "drive.free = \"both\"\n[operating_point]\ntight_tension = 1\nslack_tension = 2\nprimary_torque = \
+        1\nsecondary_torque = 2",
     ),
     (
         "free with a third clamp",

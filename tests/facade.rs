@@ -117,4 +117,13 @@ fn a_study_is_computed_in_parts() {
     for row in rows {
         assert_eq!(row.cells, whole.rows[row.index], "point {}", row.index);
     }
+    // A part is done before the next is begun, so that whoever stops has the rows that the time has paid for.
+    let order = Mutex::new(Vec::new());
+    let keep = |row: Row| {
+        order.lock().unwrap().push(row.index);
+        Ok(())
+    };
+    run(&study, Some(1), |_| true, keep).unwrap();
+    let order = order.into_inner().unwrap();
+    assert!(order.len() == 40 && order[..32].iter().all(|index| parts[0].contains(index)), "{order:?}");
 }

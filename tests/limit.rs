@@ -6,7 +6,7 @@ use sheave::design::{
     DesignError, LimitKind, LimitOptions, OptimumPlace, largest_torque, limit_figures, limit_map, optimum,
     optimum_figures, optimum_map, smallest_clamps,
 };
-use sheave::drive::{Constant, Question, SolveOptions, solve, solve_question_from};
+use sheave::drive::{Constant, Question, SolveOptions, solve, step_to_question};
 use sheave::model::Output;
 use sheave::result::run;
 use sheave::study::{Axis, Study};
@@ -264,7 +264,7 @@ fn a_belt_comes_to_rest_in_two_ways() {
     for step in 1..=4 {
         let case = at(1.53 - 0.0025 * f64::from(step));
         let question = Question::of(&case).swap(Constant::SlackTension, Output::EfficiencySpeed, 0.0);
-        solved = solve_question_from(&solved, &case.model, &question, &to(1e-4)).unwrap();
+        solved = step_to_question(&solved, &case.model, &question, &to(1e-4)).unwrap();
     }
     let force = solved.belt.output_values(&solved.solution).unwrap().get(Output::PrimaryAxialForce).unwrap();
     assert!((force - above).abs() < 5.0 && force < below - 30.0, "{force}");

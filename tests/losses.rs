@@ -5,9 +5,10 @@ use sheave::case::Case;
 use sheave::drive::SolveOptions;
 use sheave::losses::Losses;
 use sheave::result::{Outcome, run};
+use support::{Read, assert_derivatives};
 
-/// Reads a number of a result.
-type Read = fn(&sheave::result::DriveResult<sheave::case::Resolved>) -> f64;
+#[path = "support/derivatives.rs"]
+mod support;
 
 const TOLERANCE: f64 = 1e-6;
 
@@ -196,33 +197,24 @@ fn the_belt_is_as_warm_as_what_it_loses_makes_it() {
         &options,
     );
     assert!((cold.result.primary.axial_force / result.primary.axial_force - 1.0).abs() < 1e-6);
-    let sensitivities = result.sensitivities.as_ref().unwrap();
     for (key, value, step) in [
         ("thermal.ambient", 298.15, 1e-3),
         ("thermal.heat_transfer", 12.0, 2e-3),
         ("belt.bending_stiffness", 0.2602, 2e-3),
         ("operating_point.slack_tension", 100.0, 2e-3),
     ] {
-        let moved = |by: f64| {
-            let mut case = case.clone();
-            let unit = if key == "thermal.ambient" { " K" } else { "" };
-            case.set(key, &format!("{:e}{unit}", value * (1.0 + by))).unwrap();
-            run(&case.resolve().unwrap(), &options).unwrap().result
-        };
-        let (plus, minus) = (moved(step), moved(-step));
-        let read: [(&str, Read); 4] = [
+        let read: &[(&str, Read)] = &[
             ("belt.temperature", |result| result.belt.temperature.unwrap()),
             ("primary.axial_force", |result| result.primary.axial_force),
             ("losses.total", |result| result.losses.as_ref().unwrap().total),
             ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
         ];
-        for (name, read) in read {
-            let difference = (read(&plus) - read(&minus)) / (2.0 * step * value);
-            let found = sensitivities[name][key];
-            let size = difference.abs().max(0.01 * read(result).abs() / value);
-            println!("{name} by {key}: {found:.6e} and {difference:.6e}");
-            assert!((found - difference).abs() < 5e-3 * size, "{name} by {key}: {found} and {difference}");
-        }
+        assert_derivatives(
+            (&case, result),
+            (key, value, step),
+            |case| run(&case.resolve().unwrap(), &options).unwrap().result,
+            read,
+        );
     }
 }
 

@@ -4,16 +4,18 @@
 use sheave::case::Case;
 use sheave::design::{LimitOptions, largest_torque, optimum};
 use sheave::drive::SolveOptions;
-use sheave::result::{DriveResult, Outcome, run};
+use sheave::result::{Outcome, run};
+use support::{Read, assert_derivatives};
 
-/// Reads a number of a result.
-type Read = fn(&DriveResult<sheave::case::Resolved>) -> f64;
+#[path = "support/derivatives.rs"]
+mod support;
 
 /// Stiffnesses as the thesis measured them (4.1), and a loss tangent that falls with the temperature.
 const MEASURED: &str = "[belt]
 bending_stiffness = { temperature = ['25 degC', '60 degC'], value = [0.40304, 0.2602] }
 radial_stiffness = { temperature = ['25 degC', '60 degC', '100 degC'], value = ['28.98 MPa', '18.71 MPa', '13 MPa'] }
-loss_tangent = { frequency = ['10 Hz', '1 kHz'], temperature = ['25 degC', '90 degC'], value = [[0.16, 0.1], [0.18, 0.12]] }
+loss_tangent = { frequency = ['10 Hz', '1 kHz'], temperature = ['25 degC', '90 degC'], value = [[0.16, 0.1], [0.18, \
+    0.12]] }
 cord_loss_tangent = 0.01
 [thermal]
 ambient = '25 degC'
@@ -82,34 +84,20 @@ fn derivatives_follow_tables_and_surface() {
     let surface = 0.0773 * 0.8572;
     assert!((180.0 * surface * (temperature - 298.15) / heat.belt - 1.0).abs() < 1e-5, "{temperature} {heat:?}");
     assert!((310.0..360.0).contains(&temperature), "{temperature}");
-    let sensitivities = result.sensitivities.as_ref().unwrap();
     for (key, value, step) in [
         ("thermal.ambient", 298.15, 1e-3),
         ("thermal.heat_transfer_per_area", 180.0, 2e-3),
         ("belt.perimeter", 0.0773, 2e-3),
         ("operating_point.slack_tension", 100.0, 2e-3),
     ] {
-        let moved = |by: f64| {
-            let mut case = case.clone();
-            let unit = if key == "thermal.ambient" { " K" } else { "" };
-            case.set(key, &format!("{:e}{unit}", value * (1.0 + by))).unwrap();
-            solve(&case, &options()).result
-        };
-        let (plus, minus) = (moved(step), moved(-step));
-        let read: [(&str, Read); 5] = [
+        let read: &[(&str, Read)] = &[
             ("belt.temperature", |result| result.belt.temperature.unwrap()),
             ("primary.axial_force", |result| result.primary.axial_force),
             ("losses.bending", |result| result.losses.as_ref().unwrap().bending),
             ("losses.total", |result| result.losses.as_ref().unwrap().total),
             ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
         ];
-        for (name, read) in read {
-            let difference = (read(&plus) - read(&minus)) / (2.0 * step * value);
-            let found = sensitivities[name][key];
-            let size = difference.abs().max(0.01 * read(result).abs() / value);
-            println!("{name} by {key}: {found:.6e} and {difference:.6e}");
-            assert!((found - difference).abs() < 5e-3 * size, "{name} by {key}: {found} and {difference}");
-        }
+        assert_derivatives((&case, result), (key, value, step), |case| solve(case, &options()).result, read);
     }
 }
 

@@ -45,7 +45,12 @@ fn committed_schemas_are_those_that_the_program_prints() {
 
 #[test]
 fn what_commands_print_fits_their_schemas() {
-    let commands: [&[&str]; 11] = [
+    let gx9 = "examples/drive/gx9.toml";
+    let few = ["--target", "3300 rpm", "--points", "9", "--check", "1", "--tol", "1e-4", "--json"];
+    let ramp = [&["ramp", gx9][..], &few].concat();
+    // The example's own flyweights are too light for a helix at this speed.
+    let helix = [&["helix", gx9, "--set", "primary.actuator.mass=175 g"][..], &few].concat();
+    let commands: [&[&str]; 15] = [
         &["solve", "--json", "--sensitivities"],
         &["solve", "--json", "--edition", "published", "--set", "operating_point.primary_torque=-5 N*m"],
         &["solve", "--json", "--set", "operating_point.primary_torque=0"],
@@ -57,6 +62,10 @@ fn what_commands_print_fits_their_schemas() {
         &["belt", "examples/belts/cvtech.toml", "--json"],
         &["size", "examples/size/conveyor.toml", "--json"],
         &["radii", "--json", "--ratio", "1.2"],
+        &["drive", gx9, "--speed", "2500 rpm", "--tol", "1e-4", "--json"],
+        &["launch", gx9, "--points", "8", "--tol", "1e-4", "--json"],
+        &ramp,
+        &helix,
     ];
     for arguments in commands {
         let object = object(arguments);
@@ -67,7 +76,9 @@ fn what_commands_print_fits_their_schemas() {
 
 #[test]
 fn failures_fit_the_schemas_too() {
-    let commands: [&[&str]; 4] = [
+    let commands: [&[&str]; 6] = [
+        &["ramp", "examples/drive/gx9.toml", "--target", "9000 rpm", "--json"],
+        &["launch", "--json"],
         &["solve", "--json", "--set", "belt.length=3 kg"],
         &["solve", "--json", "--set", "operating_point.primary_torque=900 N*m"],
         &["limit", "--json", "--edition", "none"],

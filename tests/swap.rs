@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use sheave::case::{Case, Resolved};
-use sheave::drive::{Constant, Failure, IllPosed, Output, Question, SolveOptions, Solved, solve, solve_question};
+use sheave::drive::{
+    Constant, Failure, IllPosed, Output, Question, SolveOptions, Solved, solve, solve_along, solve_question,
+};
 use sheave::result::{Outcome, run};
 use solver::Order;
 
@@ -377,4 +379,51 @@ fn swaps_that_mean_nothing_are_bad_input() {
     assert_eq!(command(&[twice, "belt.bending_stiffness for primary.axial_force = 900"]).0, Some(2));
     let (status, text) = command(&[twice]);
     assert_eq!(status, Some(0), "{text}");
+}
+
+/// Questions nearby are one predicted step apart, whatever is prescribed in place of what: a chain of them takes a
+/// fraction of the work of as many cold starts, and ends at the same drives.
+#[test]
+fn a_neighbour_of_a_prescribed_drive_is_one_step_away() {
+    let known = outcome(&[set("drive.ratio", 1.3), ("drive.free", "primary_radius".into())], &rough()).result;
+    let forces = [known.primary.axial_force, known.secondary.axial_force];
+    type Settings = Vec<(&'static str, String)>;
+    let chains: [(&str, &dyn Fn(f64) -> Settings); 3] = [
+        ("ratio of a closed belt", &|share| {
+            vec![set("drive.ratio", 1.3 * share), ("drive.free", "primary_radius".into())]
+        }),
+        ("axial force", &|share| vec![set("operating_point.primary_axial_force", forces[0] * share)]),
+        ("both axial forces of a closed belt", &|share| {
+            vec![
+                ("drive.free", "both".into()),
+                set("operating_point.primary_axial_force", forces[0] * share),
+                set("operating_point.secondary_axial_force", forces[1]),
+            ]
+        }),
+    ];
+    for (name, settings) in chains {
+        let [mut warm, mut cold] = [0, 0];
+        let mut trail: Vec<Solved> = Vec::new();
+        for step in 0..6 {
+            let case = case(&settings(1.0 - 0.01 * f64::from(step)));
+            let from_nothing = solve(&case, &rough()).unwrap_or_else(|failure| panic!("{name} {step}: {failure}"));
+            if step == 0 {
+                trail.push(from_nothing);
+                continue;
+            }
+            let near: Vec<&Solved> = trail.iter().skip(trail.len().saturating_sub(2)).collect();
+            let solved =
+                solve_along(&near, &case, &rough()).unwrap_or_else(|failure| panic!("{name} {step}: {failure}"));
+            assert_eq!(solved.continuation_steps, 1, "{name}, step {step}");
+            for constant in Constant::ALL {
+                let (a, b) = (solved.constant(constant), from_nothing.constant(constant));
+                assert!((a - b).abs() <= 1e-3 * b.abs(), "{name}, step {step}, {constant:?}: {a} and {b}");
+            }
+            warm += solved.stats.newton_iterations;
+            cold += from_nothing.stats.newton_iterations;
+            trail.push(solved);
+        }
+        println!("{name}: {warm} Newton iterations from neighbours, {cold} from nothing");
+        assert!(4 * warm <= cold, "{name}: {warm} from neighbours, {cold} from nothing");
+    }
 }

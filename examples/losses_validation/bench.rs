@@ -151,7 +151,8 @@ fn solve(step: &Step, edition: &str, threshold: Option<&str>, tension: &str) -> 
     told(&case)
 }
 
-/// The primary's speed and the torque out prescribed; the radii are those of the speeds' ratio, and the secondary slips.
+/// The primary's speed and the torque out prescribed; the radii are those of the speeds' ratio, and the secondary
+/// slips.
 fn solve_by_ratio(step: &Step) -> Result<Option<Said>, Box<dyn Error>> {
     let mut case = Case::base();
     case.set("drive.ratio", &(step.primary / step.secondary).to_string())?;

@@ -33,7 +33,8 @@ fn line(text: &mut String, cells: &[String]) {
 
 fn rms_table(bench: &Bench) -> String {
     let mut text = String::from(
-        "| edition | losses | steps | mean error, points | rms, points | scale of the engine's curve | rms after the fit, points |\n\
+        "| edition | losses | steps | mean error, points | rms, points | scale of the engine's curve | rms after the \
+        fit, points |\n\
          |---|---|---|---|---|---|---|\n",
     );
     for (name, kind, fit) in rows(bench) {
@@ -60,7 +61,8 @@ pub fn summary(bench: &Bench) -> String {
 
 fn point_table(bench: &Bench, model: &Model, scale: f64) -> String {
     let mut text = String::from(
-        "| step | ω_P / rpm | ω_S / rpm | M_S / N·m | R_S/R_P | friction / W | bending / W | groove / W | model, friction alone | model, \
+        "| step | ω_P / rpm | ω_S / rpm | M_S / N·m | R_S/R_P | friction / W | bending / W | groove / W | model, \
+        friction alone | model, \
          with hysteresis | measured, scaled | standard error | residual, points |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
@@ -114,7 +116,8 @@ fn figures(bench: &Bench, trends: &Trends) -> Option<Vec<Figure>> {
     let measured = steps.iter().map(|step| (step.primary / step.secondary, 100.0 * step.measured / scale)).collect();
     let efficiency = Figure::new(
         "validation_efficiency",
-        "Overall efficiency over the ratio of speeds: the dynamometer's, with the engine's curve scaled once, beside edition consistent.",
+        "Overall efficiency over the ratio of speeds: the dynamometer's, with the engine's curve scaled once, beside \
+        edition consistent.",
         Axis::new("ratio of speeds ω_{P}/ω_{S}").over(0.5, 2.5),
         Axis::new("overall efficiency (%)").over(74.0, 98.0),
         vec![
@@ -138,7 +141,8 @@ fn figures(bench: &Bench, trends: &Trends) -> Option<Vec<Figure>> {
         .push(Series::line(format!("{SHOWN}, friction alone"), residual(shown, ELASTIC)?).color(6).look(Look::Dashed));
     let residuals = Figure::new(
         "validation_residual",
-        "What is left of the efficiency, model less measured, over the ratio of speeds; each model with its own scale of the engine's curve.",
+        "What is left of the efficiency, model less measured, over the ratio of speeds; each model with its own scale \
+        of the engine's curve.",
         Axis::new("ratio of speeds ω_{P}/ω_{S}").over(0.5, 2.5),
         Axis::new("model less measured (points)"),
         series,

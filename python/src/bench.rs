@@ -117,7 +117,8 @@ pub fn dyno<'py>(
         warnings.append(&mut reduced.warnings);
         Ok((reduced, warnings))
     };
-    let (reduced, warnings) = interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
+    let (reduced, warnings) =
+        interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
     let (csv, _) = logs::points_csv(&reduced.points);
     let object = convert::object(py, &reduced)?;
     object.set_item("warnings", warnings)?;
@@ -159,7 +160,8 @@ pub fn compare<'py>(
         found.warnings.extend(unnamed(engine.as_ref()));
         Ok((comparison::summary(&found), found))
     };
-    let (summary, found) = interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
+    let (summary, found) =
+        interrupt::watched(py, &Cancel::new(), work, |_| Ok(()))?.map_err(|error: BenchError| error::bench(&error))?;
     let object = convert::object(py, &found)?;
     object.set_item("warnings", &found.warnings)?;
     object.set_item("summary", summary)?;

@@ -41,7 +41,9 @@ pub fn drive<'py>(
         (Some(speed), None) => of_secondary("speed", speed)?,
         (None, Some(speed)) => of_vehicle(&case, speed)?,
         (None, None) => of_case(&given).ok_or_else(|| {
-            PyValueError::new_err("at which speed of the secondary? Give speed=\"2000 rpm\" or vehicle_speed=\"30 km/h\"")
+            PyValueError::new_err(
+                "at which speed of the secondary? Give speed=\"2000 rpm\" or vehicle_speed=\"30 km/h\"",
+            )
         })?,
     };
     let options = result::options(tolerance, order)?;

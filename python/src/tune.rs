@@ -10,9 +10,7 @@ use pyo3::types::PyDict;
 use sheave::Cancel;
 use sheave::beltmap::MapOptions;
 use sheave::quantity::Dimension;
-use sheave::tune::{
-    PartsBox, Ranking, TuneError, TuneOptions, TunePlan, pareto_figure, summary, table as tune_table,
-};
+use sheave::tune::{PartsBox, Ranking, TuneError, TuneOptions, TunePlan, pareto_figure, summary, table as tune_table};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -11,6 +11,7 @@ use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Error, intervals};
+use crate::options::Order;
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::solve::check;
@@ -74,28 +75,42 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     /// # Errors
     /// The solution is not one of this problem's, or its Newton matrix is singular (as at a fold).
     pub fn new(problem: &'p P, solution: &Solution) -> Result<Self, SolveError> {
-        let (system, x) = Self::system_at(problem, solution)?;
+        Self::near(problem, &Guess::from(solution), solution.unknowns(), solution.order())
+    }
+
+    /// As [`new`](Self::new), at states and constants that solve the equations with the constants `unknowns` unknown,
+    /// whatever problem they were found for: one with fewer equations, or with others unknown.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn near(problem: &'p P, at: &Guess, unknowns: &[usize], order: Order) -> Result<Self, SolveError> {
+        let (system, x) = Self::system_at(problem, at, unknowns, order)?;
         Self::at(system, x, Stats::default())
     }
 
     /// The direction that the equations determine least, at a solution where they may be singular: the right singular
     /// vector of the smallest singular value. Given constants stay.
     pub(crate) fn least_determined(problem: &'p P, solution: &Solution) -> Result<(Tangent, Stats), SolveError> {
-        let (system, x) = Self::system_at(problem, solution)?;
+        let at = Guess::from(solution);
+        let (system, x) = Self::system_at(problem, &at, solution.unknowns(), solution.order())?;
         let found = Self::perhaps_singular(system, x, Stats::default())?;
         let direction = found.factorisation.null_correction(&found.system);
         Ok((found.unscaled(&direction, vec![0.0; found.x.constants.len()]), found.stats))
     }
 
-    fn system_at(problem: &'p P, solution: &Solution) -> Result<(System<'p, P>, Iterate), SolveError> {
+    fn system_at(
+        problem: &'p P,
+        at: &Guess,
+        unknowns: &[usize],
+        order: Order,
+    ) -> Result<(System<'p, P>, Iterate), SolveError> {
         let layout = problem.layout();
-        let guess = Guess::from(solution);
-        check(layout, &guess, solution.unknowns(), &Default::default())?;
-        let grids = guess.grids();
-        let x = guess.iterate(&grids);
-        let plan = Arc::new(Plan::new(layout, solution.unknowns()));
+        check(layout, at, unknowns, &Default::default())?;
+        let grids = at.grids();
+        let x = at.iterate(&grids);
+        let plan = Arc::new(Plan::new(layout, unknowns));
         let magnitudes = Magnitudes::stated(layout);
-        let system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
+        let system = System { problem, layout, plan, tableau: order.tableau(), magnitudes, grids };
         Ok((system, x))
     }
 

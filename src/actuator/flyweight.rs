@@ -7,7 +7,7 @@ use generated::{
 };
 
 use super::error::ActuatorError;
-use super::profile::Profile;
+use super::profile::{Jet, Profile};
 use super::shift::Shift;
 use crate::formula::Inputs;
 
@@ -102,6 +102,155 @@ pub struct FlyweightForce {
     pub by_friction: f64,
 }
 
+/// A roller arm at an angle that is given, on a ramp of a slope that is given: what a ramp is designed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollerState {
+    /// Axial force of all arms, N.
+    pub force: f64,
+    /// dθ/ds: turn of the arm over the travel, rad/m.
+    pub turn: f64,
+    /// From the pivot to the roller's centre along the shaft, m.
+    pub along: f64,
+}
+
+/// A cam arm whose pitch curve has an angle and a slope that are given: what a cam is designed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CamState {
+    /// Axial force of all arms, N.
+    pub force: f64,
+    /// From the pivot to the roller's centre, m.
+    pub distance: f64,
+    /// Its slope over the travel.
+    pub distance_slope: f64,
+}
+
+impl RollerArm {
+    /// `flyweights` of this arm at a speed in rad/s, the arms at `angle` in rad on a ramp of slope dh/dx.
+    pub fn state(&self, flyweights: &Flyweights, speed: f64, shift: Shift, angle: f64, slope: f64) -> RollerState {
+        use FlyweightRollerInput as Input;
+        use FlyweightRollerOutput as Output;
+        let mut formulae = self.formulae(flyweights, speed, shift);
+        formulae.set(Input::ArmAngle, angle);
+        formulae.set(Input::RampRadius, self.radius(angle));
+        formulae.set(Input::RampSlope, slope);
+        let found = formulae.outputs();
+        let (force, turn) = (found.get(Output::Force), found.get(Output::AngleSlope));
+        RollerState { force, turn, along: found.get(Output::Along) }
+    }
+
+    /// Radius of the roller's centre from the shaft in m, the arm at `angle` in rad.
+    pub fn radius(&self, angle: f64) -> f64 {
+        self.pivot_radius + self.arm_length * angle.sin()
+    }
+
+    /// Angle of the arm in rad at which the roller bears on its ramp at a travel in m.
+    ///
+    /// # Errors
+    /// [`ActuatorError::OffRamp`].
+    pub fn angle(&self, travel: f64) -> Result<f64, ActuatorError> {
+        let any = Flyweights { count: 1, mass: 1.0, mechanism: Mechanism::RollerArm(self.clone()) };
+        let (formulae, _) = self.contact(self.formulae(&any, 1.0, Shift::Frictionless), travel)?;
+        Ok(formulae.get(FlyweightRollerInput::ArmAngle))
+    }
+
+    /// All that does not depend on where the roller stands.
+    fn formulae(
+        &self,
+        flyweights: &Flyweights,
+        speed: f64,
+        shift: Shift,
+    ) -> Inputs<FlyweightRollerInput, FlyweightRollerOutput> {
+        use FlyweightRollerInput as Input;
+        Inputs::new(&FLYWEIGHT_ROLLER).with(&[
+            (Input::Count, f64::from(flyweights.count)),
+            (Input::Mass, flyweights.mass),
+            (Input::Speed, speed),
+            (Input::PivotRadius, self.pivot_radius),
+            (Input::ArmLength, self.arm_length),
+            (Input::MassDistance, self.mass_distance),
+            (Input::MassAngle, self.mass_angle),
+            (Input::FrictionAngle, shift.sign() * self.friction_angle),
+            (Input::ArmAngle, 0.0),
+            (Input::RampRadius, 0.0),
+            (Input::RampSlope, 0.0),
+        ])
+    }
+
+    /// Newton's method for the arm's angle at which the roller bears on the ramp; with the ramp there.
+    fn contact(
+        &self,
+        mut formulae: Inputs<FlyweightRollerInput, FlyweightRollerOutput>,
+        travel: f64,
+    ) -> Result<(Inputs<FlyweightRollerInput, FlyweightRollerOutput>, Jet), ActuatorError> {
+        use FlyweightRollerInput as Input;
+        use FlyweightRollerOutput as Output;
+        for _ in 0..CONTACT_STEPS {
+            let along = formulae.outputs().get(Output::Along);
+            let jet = self.ramp.at(self.ramp_start + travel - along);
+            formulae.set(Input::RampRadius, jet.value);
+            formulae.set(Input::RampSlope, jet.slope);
+            let found = formulae.linearised();
+            let gap = found.get(Output::Gap);
+            if gap.abs() <= CONTACT_GAP {
+                return Ok((formulae, jet));
+            }
+            let by_angle = found.derivative(Output::Gap, Input::ArmAngle)
+                - jet.slope * -found.derivative(Output::Along, Input::ArmAngle);
+            let next = formulae.get(Input::ArmAngle) - gap / by_angle;
+            if !next.is_finite() || next.abs() > std::f64::consts::FRAC_PI_2 {
+                break;
+            }
+            formulae.set(Input::ArmAngle, next);
+        }
+        Err(ActuatorError::OffRamp { travel })
+    }
+}
+
+impl CamArm {
+    /// `flyweights` of this arm at a speed in rad/s and a travel in m, where the pitch curve has the angle ξ in rad and
+    /// the slope dξ/dd in rad/m.
+    pub fn state(
+        &self,
+        flyweights: &Flyweights,
+        (speed, travel): (f64, f64),
+        shift: Shift,
+        (angle, slope): (f64, f64),
+    ) -> CamState {
+        use FlyweightArmInput as Input;
+        use FlyweightArmOutput as Output;
+        let mut formulae = self.formulae(flyweights, speed, travel, shift);
+        formulae.set(Input::PitchAngle, angle);
+        formulae.set(Input::PitchSlope, slope);
+        let found = formulae.outputs();
+        let (distance, distance_slope) = (found.get(Output::Distance), found.get(Output::DistanceSlope));
+        CamState { force: found.get(Output::Force), distance, distance_slope }
+    }
+
+    fn formulae(
+        &self,
+        flyweights: &Flyweights,
+        speed: f64,
+        travel: f64,
+        shift: Shift,
+    ) -> Inputs<FlyweightArmInput, FlyweightArmOutput> {
+        use FlyweightArmInput as Input;
+        Inputs::new(&FLYWEIGHT_ARM).with(&[
+            (Input::Count, f64::from(flyweights.count)),
+            (Input::Mass, flyweights.mass),
+            (Input::Speed, speed),
+            (Input::Travel, travel),
+            (Input::Start, self.start),
+            (Input::PivotRadius, self.pivot_radius),
+            (Input::RollerRadius, self.roller_radius),
+            (Input::MassDistance, self.mass_distance),
+            (Input::MassAngle, self.mass_angle),
+            (Input::FrictionAngle, shift.sign() * self.friction_angle),
+            (Input::PitchAngle, 0.0),
+            (Input::PitchSlope, 0.0),
+        ])
+    }
+}
+
 impl Flyweights {
     /// The axial force at a speed in rad/s and a travel in m.
     ///
@@ -174,20 +323,7 @@ impl Flyweights {
     fn with_cam(&self, arm: &CamArm, speed: f64, travel: f64, shift: Shift) -> FlyweightForce {
         use FlyweightArmInput as Input;
         use FlyweightArmOutput as Output;
-        let mut formulae = Inputs::new(&FLYWEIGHT_ARM).with(&[
-            (Input::Count, f64::from(self.count)),
-            (Input::Mass, self.mass),
-            (Input::Speed, speed),
-            (Input::Travel, travel),
-            (Input::Start, arm.start),
-            (Input::PivotRadius, arm.pivot_radius),
-            (Input::RollerRadius, arm.roller_radius),
-            (Input::MassDistance, arm.mass_distance),
-            (Input::MassAngle, arm.mass_angle),
-            (Input::FrictionAngle, shift.sign() * arm.friction_angle),
-            (Input::PitchAngle, 0.0),
-            (Input::PitchSlope, 0.0),
-        ]);
+        let mut formulae = arm.formulae(self, speed, travel, shift);
         // The distance follows from the travel alone; the cam is read there.
         let jet = arm.pitch_curve.at(formulae.outputs().get(Output::Distance));
         formulae.set(Input::PitchAngle, jet.value);
@@ -213,49 +349,18 @@ impl Flyweights {
     ) -> Result<FlyweightForce, ActuatorError> {
         use FlyweightRollerInput as Input;
         use FlyweightRollerOutput as Output;
-        let mut formulae = Inputs::new(&FLYWEIGHT_ROLLER).with(&[
-            (Input::Count, f64::from(self.count)),
-            (Input::Mass, self.mass),
-            (Input::Speed, speed),
-            (Input::PivotRadius, arm.pivot_radius),
-            (Input::ArmLength, arm.arm_length),
-            (Input::MassDistance, arm.mass_distance),
-            (Input::MassAngle, arm.mass_angle),
-            (Input::FrictionAngle, shift.sign() * arm.friction_angle),
-            (Input::ArmAngle, 0.0),
-            (Input::RampRadius, 0.0),
-            (Input::RampSlope, 0.0),
-        ]);
-        // Newton's method for the arm's angle at which the roller bears on the ramp.
-        for _ in 0..CONTACT_STEPS {
-            let along = formulae.outputs().get(Output::Along);
-            let jet = arm.ramp.at(arm.ramp_start + travel - along);
-            formulae.set(Input::RampRadius, jet.value);
-            formulae.set(Input::RampSlope, jet.slope);
-            let found = formulae.linearised();
-            let gap = found.get(Output::Gap);
-            let by_angle = found.derivative(Output::Gap, Input::ArmAngle)
-                - jet.slope * -found.derivative(Output::Along, Input::ArmAngle);
-            let angle = formulae.get(Input::ArmAngle);
-            if gap.abs() <= CONTACT_GAP {
-                let turn = found.get(Output::AngleSlope);
-                let by = |input| found.derivative(Output::Force, input);
-                let on_ramp = 1.0 - found.derivative(Output::Along, Input::ArmAngle) * turn;
-                let ramp = by(Input::RampRadius) * jet.slope + by(Input::RampSlope) * jet.curvature;
-                return Ok(FlyweightForce {
-                    value: found.get(Output::Force),
-                    by_speed: by(Input::Speed),
-                    by_travel: by(Input::ArmAngle) * turn + ramp * on_ramp,
-                    by_mass: by(Input::Mass),
-                    by_friction: shift.sign() * by(Input::FrictionAngle),
-                });
-            }
-            let next = angle - gap / by_angle;
-            if !next.is_finite() || next.abs() > std::f64::consts::FRAC_PI_2 {
-                break;
-            }
-            formulae.set(Input::ArmAngle, next);
-        }
-        Err(ActuatorError::OffRamp { travel })
+        let (formulae, jet) = arm.contact(arm.formulae(self, speed, shift), travel)?;
+        let found = formulae.linearised();
+        let turn = found.get(Output::AngleSlope);
+        let by = |input| found.derivative(Output::Force, input);
+        let on_ramp = 1.0 - found.derivative(Output::Along, Input::ArmAngle) * turn;
+        let ramp = by(Input::RampRadius) * jet.slope + by(Input::RampSlope) * jet.curvature;
+        Ok(FlyweightForce {
+            value: found.get(Output::Force),
+            by_speed: by(Input::Speed),
+            by_travel: by(Input::ArmAngle) * turn + ramp * on_ramp,
+            by_mass: by(Input::Mass),
+            by_friction: shift.sign() * by(Input::FrictionAngle),
+        })
     }
 }

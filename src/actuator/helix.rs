@@ -126,6 +126,28 @@ impl Helix {
         (0..PIECES).map(piece).sum()
     }
 
+    /// The axial force in N at the belt's torque on the secondary in N·m, where the sheave has turned by `turn` in rad
+    /// and the helix has an angle of this tangent, whatever the helix is elsewhere; and the torque in N·m that it
+    /// carries. A helix is designed from it.
+    pub fn state(&self, torque: f64, turn: f64, tangent: f64, shift: Shift) -> (f64, f64) {
+        let found = self.formulae(torque, turn, tangent, shift).outputs();
+        (found.get(HelixOutput::Force), found.get(HelixOutput::Torque))
+    }
+
+    fn formulae(&self, torque: f64, turn: f64, tangent: f64, shift: Shift) -> Inputs<HelixInput, HelixOutput> {
+        use HelixInput as Input;
+        Inputs::new(&HELIX).with(&[
+            (Input::TorsionRate, self.torsion_rate),
+            (Input::Pretension, self.pretension),
+            (Input::Turn, turn),
+            (Input::Radius, self.radius),
+            (Input::Tangent, tangent),
+            (Input::Share, self.torque_share),
+            (Input::Torque, torque),
+            (Input::FrictionAngle, shift.sign() * self.friction_angle),
+        ])
+    }
+
     /// The axial force at the belt's torque on the secondary in N·m, where the sheave has opened by `opening` in m.
     ///
     /// # Errors
@@ -135,18 +157,7 @@ impl Helix {
         use HelixOutput as Output;
         let jet = self.turn.at(opening);
         let tangent = 1.0 / (self.radius * jet.slope);
-        let found = Inputs::new(&HELIX)
-            .with(&[
-                (Input::TorsionRate, self.torsion_rate),
-                (Input::Pretension, self.pretension),
-                (Input::Turn, jet.value),
-                (Input::Radius, self.radius),
-                (Input::Tangent, tangent),
-                (Input::Share, self.torque_share),
-                (Input::Torque, torque),
-                (Input::FrictionAngle, shift.sign() * self.friction_angle),
-            ])
-            .linearised();
+        let found = self.formulae(torque, jet.value, tangent, shift).linearised();
         let carried = found.get(Output::Torque);
         if carried < 0.0 || !found.get(Output::Force).is_finite() {
             return Err(ActuatorError::HelixContact { travel: opening, torque: carried });

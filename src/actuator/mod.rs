@@ -30,7 +30,7 @@ mod shift;
 mod spring;
 
 pub use error::ActuatorError;
-pub use flyweight::{CamArm, FlyweightForce, Flyweights, Mechanism, RollerArm};
+pub use flyweight::{CamArm, CamState, FlyweightForce, Flyweights, Mechanism, RollerArm, RollerState};
 pub use helix::{AngleFrom, Helix, HelixForce};
 pub use profile::{Jet, Profile, ProfileError};
 pub use pulley::{ActuatorForce, PrimaryActuator, SecondaryActuator};

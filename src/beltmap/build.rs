@@ -16,7 +16,7 @@ use super::report::{ErrorReport, Report};
 use super::utilization::utilization_slopes;
 use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
-use crate::result::Outcome;
+use crate::result::{Outcome, WANTED_RESERVE};
 use crate::study::{Axis, Journaled, Row, Study, visit};
 
 /// Share of the accuracy that an estimated error may have before check points are solved.
@@ -37,8 +37,8 @@ pub struct MapOptions {
     pub solve: SolveOptions,
     /// Nodes and check points at most.
     pub max_points: usize,
-    /// Speed efficiency below which a drive counts as slipping. A belt that sinks into its groove has 0.94 at a ratio of
-    /// 3 without slipping.
+    /// Speed efficiency below which a drive counts as slipping, unless [`WANTED_RESERVE`] of the friction at hand is left:
+    /// a belt that sinks into its groove has 0.94 at a ratio of 3 and less than 0.9 at 3.8 without slipping.
     pub least_speed_efficiency: f64,
     /// Threads; all cores if not given.
     pub jobs: Option<usize>,
@@ -514,7 +514,13 @@ fn read(case: &Resolved, outcome: &Outcome, quantities: &[Quantity], axes: &[Key
             let loss = quantities.iter().position(|quantity| *quantity == Quantity::SpeedLoss);
             let kept = 1.0 - loss.and_then(|at| sample.values.get(at)).copied().unwrap_or(f64::NAN);
             let kept = kept.min(1.0 / kept);
-            if kept >= options.least_speed_efficiency { Node::Solved(sample) } else { Node::Slipping }
+            let used = |quantity: Quantity| {
+                let at = quantities.iter().position(|other| *other == quantity);
+                at.and_then(|at| sample.values.get(at)).map_or(f64::NAN, |used| used.abs())
+            };
+            let reserve = 1.0 - used(Quantity::PrimaryUtilization).max(used(Quantity::SecondaryUtilization));
+            let holds = kept >= options.least_speed_efficiency || reserve >= WANTED_RESERVE;
+            if holds { Node::Solved(sample) } else { Node::Slipping }
         }
     }
 }

@@ -123,7 +123,8 @@ impl Geometry {
         let radius = from + travel / (2.0 * self.half_angle.tan());
         if !(radius > 0.0 && radius.is_finite()) {
             let reason = format!(
-                "{:.3} mm from a radius of {:.3} mm leads to one of {:.3} mm; with a half angle of {:.2} deg the sheave opens \
+                "{:.3} mm from a radius of {:.3} mm leads to one of {:.3} mm; with a half angle of {:.2} deg the \
+                sheave opens \
                  by no more than {:.3} mm",
                 1e3 * travel,
                 1e3 * from,
@@ -185,7 +186,8 @@ impl Geometry {
         for radii in [low, high] {
             if !(within(radii.primary_radius, limits.primary) && within(radii.secondary_radius, limits.secondary)) {
                 let reason = format!(
-                    "the belt fits nowhere between these limits: with {:.3} mm on the secondary it runs at {:.3} mm on the \
+                    "the belt fits nowhere between these limits: with {:.3} mm on the secondary it runs at {:.3} mm on \
+                    the \
                      primary",
                     1e3 * radii.secondary_radius,
                     1e3 * radii.primary_radius

@@ -111,7 +111,8 @@ pub enum CaseProblem {
         text: String,
     },
     /// A key that does not exist.
-    #[error("unknown key `{path}`{}", nearest.map(|key| format!(": expected a key such as `{}`", key.path())).unwrap_or_default())]
+    #[error("unknown key `{path}`{}", nearest.map(|key| format!(": expected a key such as \
+        `{}`", key.path())).unwrap_or_default())]
     UnknownKey {
         /// As given, with dots.
         path: String,
@@ -159,7 +160,8 @@ pub enum CaseProblem {
         unit_missing: Option<&'static str>,
     },
     /// A bare number for a speed that is surely in rpm.
-    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected {}", key.path(), key.entry().expected())]
+    #[error("`{}` = {given} is a bare number, in SI units {given} rad/s: more than any belt drive's speed; expected \
+        {}", key.path(), key.entry().expected())]
     BareSpeed {
         /// The key.
         key: Key,
@@ -195,7 +197,10 @@ pub enum CaseProblem {
         missing: &'static str,
     },
     /// Another key is missing that a key calls for.
-    #[error("{} needs `{}` as well: {}; expected {}", told(*key, given.as_deref()), needs.path(), needs.entry().doc, needs.entry().expected())]
+    #[error(
+        "{} needs `{}` as well: {}; expected {}",
+        told(*key, given.as_deref()), needs.path(), needs.entry().doc, needs.entry().expected()
+    )]
     Needs {
         /// The key that calls for it.
         key: Key,
@@ -214,7 +219,8 @@ pub enum CaseProblem {
     },
     /// The pulleys overlap.
     #[error(
-        "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; expected \
+        "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; \
+        expected \
          a sum below `drive.center_distance` = {center_distance} m"
     )]
     Overlap {
@@ -226,7 +232,8 @@ pub enum CaseProblem {
         center_distance: f64,
     },
     /// No radii satisfy (6.12).
-    #[error("`{}` = {given}: with `belt.length` = {length} m and `drive.center_distance` = {center_distance} m {reason}", key.path())]
+    #[error("`{}` = {given}: with `belt.length` = {length} m and `drive.center_distance` = {center_distance} m \
+        {reason}", key.path())]
     NoRadii {
         /// The key from which the radii follow.
         key: Key,

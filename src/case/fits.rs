@@ -21,8 +21,10 @@ impl Case {
         // Written so that no number, of pulleys that overlap, is none.
         ((length - pitch).abs() > PITCH_TOLERANCE * pitch).then(|| {
             format!(
-                "`belt.length` = {:.1} mm contradicts the radii, around which a belt is {:.1} mm long (6.12). The radii hold, \
-                 and the length is only compared with; to hold the length, give `drive.free` in place of one radius, or \
+                "`belt.length` = {:.1} mm contradicts the radii, around which a belt is {:.1} mm long (6.12). The \
+                radii hold, \
+                 and the length is only compared with; to hold the length, give `drive.free` in place of one radius, \
+                or \
                  `drive.ratio` in place of both.",
                 1e3 * length,
                 1e3 * pitch
@@ -38,7 +40,8 @@ impl Case {
             let alone = self.has(given) && !self.has(other) && !self.has(Key::Ratio) && free != Some(free_other);
             alone.then(|| {
                 format!(
-                    "Only `{}` is given: `{}` stays at the base case's {}. With `drive.free` = \"{}\" it follows from the \
+                    "Only `{}` is given: `{}` stays at the base case's {}. With `drive.free` = \"{}\" it follows from \
+                    the \
                      belt's length, with `drive.ratio` both radii do.",
                     given.path(),
                     other.path(),

@@ -36,7 +36,8 @@ pub struct Losses {
 pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError> {
     let include = case.choice(Key::Losses).and_then(Include::from_name);
     if include == Some(Include::On) && edition.model().bending.is_none() {
-        let reason = "without bending stiffness the belt's curvature jumps where it meets a pulley, and what its hysteresis \
+        let reason = "without bending stiffness the belt's curvature jumps where it meets a pulley, and what its \
+            hysteresis \
                       dissipates diverges";
         return Err(case.conflict(Key::Edition, Key::Losses, reason));
     }

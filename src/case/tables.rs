@@ -28,7 +28,8 @@ impl Over {
             Self::Nothing => None,
             Self::Temperature => Some("or a table over the temperature, { temperature = [..], value = [..] }"),
             Self::FrequencyAndTemperature => Some(
-                "or a table over frequency, temperature or both, { frequency = [..], temperature = [..], value = [[..]] }",
+                "or a table over frequency, temperature or both, { frequency = [..], temperature = [..], value = \
+                [[..]] }",
             ),
         }
     }

@@ -43,12 +43,23 @@ impl Case {
         text
     }
 
+    /// The keys of one section as the text of a part in a file of its own, which a case names under that section with
+    /// `file`.
+    pub fn part_toml(&self, section: &str) -> String {
+        let keys = self.keys().filter(|key| key.entry().section() == section);
+        keys.map(|key| format!("{} = {}\n", key.entry().name(), self.value_text(key))).collect()
+    }
+
     fn value_text(&self, key: Key) -> String {
         let Some(given) = self.given(key) else { return String::new() };
         match &given.value {
             Value::Choice(name) => format!("\"{name}\""),
             Value::Table(grid) => grid.to_string(),
             Value::List(values) => {
+                let written = unquoted(given.place.given().trim());
+                if is_plain(written) && reads_as_list(key, written).as_ref() == Some(values) {
+                    return format!("\"{written}\"");
+                }
                 let texts: Vec<String> = values.iter().map(|si| format!("\"{}\"", in_si(key.entry(), *si))).collect();
                 format!("[{}]", texts.join(", "))
             }
@@ -99,6 +110,13 @@ fn reads_as(key: Key, text: &str) -> Option<f64> {
     let mut case = Case::base();
     case.set(key.path(), text).ok()?;
     case.quantity(key)
+}
+
+/// What a text gives a key with a list, SI.
+fn reads_as_list(key: Key, text: &str) -> Option<Vec<f64>> {
+    let mut case = Case::base();
+    case.set(key.path(), text).ok()?;
+    case.list(key).map(<[f64]>::to_vec)
 }
 
 #[cfg(test)]

@@ -60,8 +60,8 @@ impl Stiffnesses {
         tables.into_iter().filter_map(|(key, grid)| Some((key, grid.as_ref()?)))
     }
 
-    /// A stiffness at a temperature in K: along its table, or falling by a share per kelvin. Both are exponentials, which
-    /// are positive at all temperatures.
+    /// A stiffness at a temperature in K: along its table, or falling by a share per kelvin. Both are exponentials,
+    /// which are positive at all temperatures.
     fn softened(&self, table: Option<&Grid>, softening: f64, temperature: f64) -> Softened {
         match table {
             Some(grid) => {

@@ -34,7 +34,8 @@ pub struct Arguments {
 
 fn help() -> String {
     format!(
-        "Keys of the file; a quantity is a string with a unit or a bare number in SI units. Without [yarns], [section] and\n\
+        "Keys of the file; a quantity is a string with a unit or a bare number in SI units. Without [yarns], [section] \
+        and\n\
          [[rubber.test]] the tests are those of the whole belt.\n{}",
         keys(&TABLE)
     )

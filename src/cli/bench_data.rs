@@ -42,7 +42,8 @@ const RANGE: (f64, f64) = (1.7, 0.75);
 const MADE: &str = "\
 # Made data
 
-No test stand wrote these files: `sheave bench-data` made them from the model, with the constants in `known.json`, and disturbed
+No test stand wrote these files: `sheave bench-data` made them from the model, with the constants in `known.json`, and \
+    disturbed
 them. They are for trying out and testing `sheave dyno` and `sheave compare`, and say nothing about any real drive.
 ";
 

@@ -24,8 +24,8 @@ use std::path::{Path, PathBuf};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// An axis of the map: KEY=FROM..TO, or KEY=FROM..TO:N and KEY=A,B,C for its first breakpoints. ratio, torque, speed
-    /// and clamp stand for drive.ratio, operating_point.primary_torque, .primary_speed and .secondary_axial_force
+    /// An axis of the map: KEY=FROM..TO, or KEY=FROM..TO:N and KEY=A,B,C for its first breakpoints. ratio, torque,
+    /// speed and clamp stand for drive.ratio, operating_point.primary_torque, .primary_speed and .secondary_axial_force
     #[arg(long, value_name = "KEY=FROM..TO", required = true)]
     over: Vec<String>,
     /// Largest error of interpolation: of forces, torques and radii over their size, of shares as they are
@@ -37,15 +37,15 @@ pub struct Arguments {
     /// Points to solve at most, nodes and check points; a map that would need more is written as it is
     #[arg(long, value_name = "N", default_value_t = MapOptions::default().max_points)]
     max_points: usize,
-    /// Count the drive as slipping below this speed efficiency, from 0 to 1; sunk into its groove at a ratio of 3, a
-    /// belt that does not slip has 0.94
+    /// Count the drive as slipping below this speed efficiency, from 0 to 1, unless a fifth of the friction at hand is
+    /// left: sunk into its groove at a ratio of 3, a belt that does not slip has 0.94
     #[arg(long, value_name = "S", default_value_t = MapOptions::default().least_speed_efficiency)]
     least_speed_efficiency: f64,
     /// Threads, no more of which are started than there are cores [default: all cores]
     #[arg(long, value_name = "N")]
     jobs: Option<NonZeroUsize>,
-    /// Write the map into this file: .csv, .parquet or .nc (NetCDF). Points are kept as they come in FILE.journal beside
-    /// it until the map is whole. Without it, CSV goes to standard output
+    /// Write the map into this file: .csv, .parquet or .nc (NetCDF). Points are kept as they come in FILE.journal
+    /// beside it until the map is whole. Without it, CSV goes to standard output
     #[arg(long, value_name = "FILE", value_parser = map_path)]
     out: Option<PathBuf>,
     /// Go on with a map that was ended: points in FILE.journal are not solved again
@@ -109,7 +109,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 fn unreached(report: &Report) -> Option<Stop> {
     let message = || {
         format!(
-            "the map is written, and its error is {:.2e}, above {:.2e}: {} points did not suffice; give a larger --accuracy \
+            "the map is written, and its error is {:.2e}, above {:.2e}: {} points did not suffice; give a larger \
+            --accuracy \
              or --max-points, or a smaller range",
             report.error.largest,
             report.accuracy,
@@ -125,7 +126,8 @@ fn warnings(report: &Report) -> Vec<String> {
     let without = report.cells - report.usable_cells;
     if without > 0 {
         warnings.push(format!(
-            "{without} of {} cells have no values: the belt slips at a corner ({} of {} nodes), has no solution there ({}) \
+            "{without} of {} cells have no values: the belt slips at a corner ({} of {} nodes), has no solution there \
+            ({}) \
              or no drive ({})",
             report.cells, report.slipping, report.nodes, report.unsolved, report.no_drive
         ));

@@ -12,8 +12,10 @@ mod drive;
 mod dyno;
 mod envelope;
 mod init;
+mod inverse;
 mod keeping;
 mod keys;
+mod launch;
 mod limit;
 #[cfg(feature = "live")]
 mod live;
@@ -58,12 +60,15 @@ enum Command {
     Beside(beside::Arguments),
     Drive(drive::Arguments),
     Shift(shift::Arguments),
+    Launch(launch::Arguments),
     Sweep(sweep::Arguments),
     Plot(plot::Arguments),
     Limit(limit::Arguments),
     Optimum(optimum::Arguments),
     Map(map::Arguments),
     Tune(tune::Arguments),
+    Ramp(inverse::RampArguments),
+    Helix(inverse::HelixArguments),
     Reproduce(reproduce::Arguments),
     Derive(derive::Arguments),
     Init(init::Arguments),
@@ -107,6 +112,7 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => in_order(|| solve::run(arguments)),
         Command::Drive(arguments) => in_order(|| drive::run(arguments)),
         Command::Shift(arguments) => shift::run(arguments),
+        Command::Launch(arguments) => in_order(|| launch::run(arguments)),
         Command::Beside(arguments) => in_order(|| beside::run(arguments)),
         Command::Sweep(arguments) => in_order(|| sweep::run(arguments)),
         Command::Plot(arguments) => plot::run(arguments),
@@ -114,6 +120,8 @@ pub fn run() -> ExitCode {
         Command::Optimum(arguments) => in_order(|| optimum::run(arguments)),
         Command::Map(arguments) => in_order(|| map::run(arguments)),
         Command::Tune(arguments) => in_order(|| tune::run(arguments)),
+        Command::Ramp(arguments) => in_order(|| inverse::ramp(arguments)),
+        Command::Helix(arguments) => in_order(|| inverse::helix(arguments)),
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),

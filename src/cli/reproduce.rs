@@ -25,7 +25,8 @@ pub struct Arguments {
     #[arg(long, value_name = "N")]
     jobs: Option<NonZeroUsize>,
     /// Points over the operating range
-    #[arg(long, value_name = "N", default_value_t = RATIOS as u64, value_parser = clap::value_parser!(u64).range(2..=1000))]
+    #[arg(long, value_name = "N", default_value_t = RATIOS as u64,
+        value_parser = clap::value_parser!(u64).range(2..=1000))]
     points: u64,
 }
 

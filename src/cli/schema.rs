@@ -1,7 +1,7 @@
 //! The JSON Schema of what each command prints with `--json`.
 
 use super::stop::Stop;
-use super::{beside, init, keys, limit, map, optimum, output, pulley, radii, shift, tune};
+use super::{beside, init, inverse, keys, launch, limit, map, optimum, output, pulley, radii, shift, tune};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -28,7 +28,7 @@ pub struct Arguments {
 type Describe = fn(&str) -> Value;
 
 /// Commands that print an object, and its schema.
-const COMMANDS: [(&str, Describe); 16] = [
+const COMMANDS: [(&str, Describe); 19] = [
     ("solve", schema::<Resolved, DriveResult<Resolved>>),
     ("limit", schema::<Resolved, limit::Found<'static>>),
     ("optimum", schema::<Resolved, optimum::Found>),
@@ -40,8 +40,11 @@ const COMMANDS: [(&str, Describe); 16] = [
     ("dyno", schema::<Value, sheave::bench::dyno::Reduced>),
     ("drive", schema::<Resolved, sheave::equilibrium::DriveReport>),
     ("shift", schema::<Resolved, shift::Told<'static>>),
+    ("launch", schema::<Resolved, launch::Told<'static>>),
     ("map", schema::<Resolved, map::Told<'static>>),
     ("tune", schema::<Resolved, tune::Told<'static>>),
+    ("ramp", schema::<Resolved, inverse::Told<'static>>),
+    ("helix", schema::<Resolved, inverse::Told<'static>>),
     ("beside", schema::<Resolved, beside::Both<'static>>),
     ("keys", schema::<(), keys::Keys>),
     ("compare", schema::<Value, sheave::bench::compare::Comparison>),

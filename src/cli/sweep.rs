@@ -122,7 +122,8 @@ impl Arguments {
                 if let Some(old) = aside {
                     let (path, old) = (path.display(), old.display());
                     tracing::warn!(
-                        "{path} of a sweep that was ended before is now {old}; with --resume it would have been completed"
+                        "{path} of a sweep that was ended before is now {old}; with --resume it would have been \
+                        completed"
                     );
                 }
                 journal

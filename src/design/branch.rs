@@ -6,15 +6,15 @@ use solver::continuation::PointKind;
 use super::error::DesignError;
 use super::state::DriveState;
 use crate::case::ModelChoices;
-use crate::drive::{Curve, End, Failure, SolveOptions, Solved, solve_question_from, trace};
+use crate::drive::{Curve, End, Failure, SolveOptions, Solved, step_to_question, trace};
 use crate::model::{Constant, InternalError, Output};
 
 /// Speed efficiency down to which a curve is followed in arclength. Below it the belt comes to rest: states change
 /// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
 /// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
-/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which then
-/// grows beyond all bounds, changes torque and tension by less than a hundredth.
+/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which
+/// then grows beyond all bounds, changes torque and tension by less than a hundredth.
 const BRAKED: f64 = 0.1;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;
@@ -153,7 +153,7 @@ impl Branch {
     pub(super) fn at(&self, place: f64, from: &Solved) -> Result<BranchPoint, Failure> {
         let value = if self.braking { 1.0 / place } else { place };
         let question = self.start.question.clone().swap(self.free, self.efficiency, value);
-        let solved = solve_question_from(from, &self.model, &question, &self.options)?;
+        let solved = step_to_question(from, &self.model, &question, &self.options)?;
         Ok(BranchPoint::new(solved, Parameter::SpeedEfficiency, place, false)?)
     }
 

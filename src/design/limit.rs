@@ -206,8 +206,8 @@ const BALANCED: f64 = 1e-3;
 /// Largest change of temperature from one to the next, K.
 const LARGEST_STEP: f64 = 40.0;
 
-/// Finds a limit; where the belt's temperature is to be found, that at which the heat at the limit is in balance, by the
-/// secant method.
+/// Finds a limit; where the belt's temperature is to be found, that at which the heat at the limit is in balance, by
+/// the secant method.
 fn in_balance(
     case: &Resolved,
     options: &LimitOptions,
@@ -291,7 +291,8 @@ fn primary_speed(case: &Resolved) -> Result<(), DesignError> {
         Speed::Primary(_) => Ok(()),
         Speed::Secondary(_) => Err(DesignError::Given {
             key: Key::SecondarySpeed,
-            expected: "a limit is sought down to the stall of the secondary, at a given `operating_point.primary_speed`",
+            expected: "a limit is sought down to the stall of the secondary, at a given \
+                `operating_point.primary_speed`",
         }),
     }
 }

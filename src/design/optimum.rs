@@ -3,9 +3,9 @@
 //! A tight belt sinks deep and wastes power on its way in and out of the grooves; a loose one wastes it by slipping.
 //! The efficiency has one maximum between, where its derivative with respect to the slack tension is zero. That
 //! derivative comes of the factorisation that Newton's method holds, by one transposed solve. A case that asks for
-//! losses besides friction (`losses.include = "on"`) has the efficiency with these maximised. Where the belt's temperature
-//! is to be found, every belt that is tried is as warm as its losses make it, and the derivative has the temperature
-//! follow.
+//! losses besides friction (`losses.include = "on"`) has the efficiency with these maximised. Where the belt's
+//! temperature is to be found, every belt that is tried is as warm as its losses make it, and the derivative has the
+//! temperature follow.
 
 use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};

@@ -20,8 +20,8 @@ const SUNK: f64 = 1.0 / 3.0;
 pub enum Verdict {
     /// A strand would be pushed: no equations are needed to see it.
     Pushed,
-    /// The belt sinks into a groove by more than a third of the radius before it has the case's torque and tension: it is
-    /// pressed through, and the equations, which hold for small penetrations, are not asked any further.
+    /// The belt sinks into a groove by more than a third of the radius before it has the case's torque and tension: it
+    /// is pressed through, and the equations, which hold for small penetrations, are not asked any further.
     Sunk {
         /// Penetration over radius where the last solution was found.
         share: f64,
@@ -53,8 +53,8 @@ impl Verdict {
     }
 }
 
-/// Looks for the limit beyond which a case lies that `failure` has left without a solution. Only a case whose torque and
-/// slack tension are given has one to look for.
+/// Looks for the limit beyond which a case lies that `failure` has left without a solution. Only a case whose torque
+/// and slack tension are given has one to look for.
 pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Verdict {
     if matches!(failure.trouble(), Some(Trouble::Pushed { .. })) {
         return Verdict::Pushed;
@@ -97,7 +97,8 @@ impl Display for Verdict {
         match self {
             Self::Sunk { share } => write!(
                 to,
-                "the belt is pressed through its groove: before it has this torque and tension it lies {:.0} % of the radius \
+                "the belt is pressed through its groove: before it has this torque and tension it lies {:.0} % of the \
+                radius \
                  deep, more than the model or a belt bears",
                 100.0 * share
             ),

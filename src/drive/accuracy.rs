@@ -29,9 +29,9 @@ const HELD: [Output; 7] = [
 /// Estimated errors of outputs; nothing where the equations are singular.
 pub type OutputErrors = Option<Vec<(Output, f64)>>;
 
-/// Estimated error of every output, SI, in order: found less true, to first order. The defects and boundary residuals of
-/// the solution are carried through the linearised equations to its ends, integrals and constants, and from there by the
-/// outputs' gradients; that costs one factorisation and one linear solve for all outputs.
+/// Estimated error of every output, SI, in order: found less true, to first order. The defects and boundary residuals
+/// of the solution are carried through the linearised equations to its ends, integrals and constants, and from there by
+/// the outputs' gradients; that costs one factorisation and one linear solve for all outputs.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`] if the equations are singular at the solution, as at a limit; [`Failure::Internal`].
@@ -79,8 +79,8 @@ pub fn refined(mut solved: Solved, options: &SolveOptions) -> Result<(Solved, Ou
     Ok((solved, Some(errors)))
 }
 
-/// The largest error of the outputs that are held to the tolerance, relative to their values. Efficiencies are ratios of
-/// torques that may be zero.
+/// The largest error of the outputs that are held to the tolerance, relative to their values. Efficiencies are ratios
+/// of torques that may be zero.
 fn excess(solved: &Solved, errors: &[(Output, f64)]) -> Result<f64, Failure> {
     let values = solved.belt.output_values(&solved.solution)?;
     let powers = [values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?];

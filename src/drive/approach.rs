@@ -5,9 +5,9 @@ use solver::continuation::{Path, PathOptions, Ramp, follow_observed};
 
 use super::belt::BeltProblem;
 use super::budget::Budget;
-use super::closing;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
+use super::position::Position;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
 use crate::cancel::is_cancelled;
@@ -23,7 +23,7 @@ pub(super) fn approach(
     options: &PathOptions,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    let (belt, start) = posed(model, from, question)?;
+    let (belt, start) = (posed(model, question)?, start(from, question)?);
     let mut path = Ramp::new();
     for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
         let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
@@ -64,20 +64,15 @@ pub(super) fn approach(
     }
 }
 
-/// The problem of a question, and a solution as its start: every prescribed output at the value that it has there.
-pub(super) fn posed(model: &ModelChoices, from: &Solved, question: &Question) -> Result<(BeltProblem, Guess), Failure> {
-    let values = from.belt.output_values(&from.solution)?;
+/// The problem that a question poses.
+pub(super) fn posed(model: &ModelChoices, question: &Question) -> Result<BeltProblem, Failure> {
     let prescribed: Vec<_> = question.conditions().collect();
-    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?.closed(&question.closings)?;
-    let mut start = Guess::from(&from.solution);
-    start.constants.truncate(Constant::ALL.len());
-    for (output, _) in &prescribed {
-        start.constants.push(values.get(*output)?);
-    }
-    for closing in &question.closings {
-        start.constants.push(closing::residual(&*closing.law, &values, from.solution.constants())?);
-    }
-    Ok((belt, start))
+    BeltProblem::prescribing(model, &question.constants, &prescribed)?.closed(&question.closings)
+}
+
+/// A solution as the start of a question's problem: every prescribed output at the value that it has there.
+pub(super) fn start(from: &Solved, question: &Question) -> Result<Guess, Failure> {
+    Ok(Guess { constants: Position::of(from, question)?.vector(), ..Guess::from(&from.solution) })
 }
 
 /// The value of a given constant: as the question has it, or prescribed.

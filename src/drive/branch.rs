@@ -1,5 +1,5 @@
-//! The two solutions that a prescribed axial force may have: as the slack tension falls, an axial force falls to a least
-//! value and may rise again.
+//! The two solutions that a prescribed axial force may have: as the slack tension falls, an axial force falls to a
+//! least value and may rise again.
 
 use solver::Linearisation;
 
@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::question::Known;
 use super::solve::SolveOptions;
 use super::solved::Solved;
-use super::warm::solve_question_from;
+use super::warm::step_to_question;
 use crate::case::ModelChoices;
 use crate::model::{Constant, Output};
 
@@ -83,7 +83,7 @@ pub fn other_solution(
     match (curve.lost, curve.points.last()) {
         (Some(Failure::Cancelled), _) => Err(Failure::Cancelled),
         (None, Some((_, near))) => {
-            let Ok(other) = solve_question_from(near, model, &solved.question, options) else { return Ok(None) };
+            let Ok(other) = step_to_question(near, model, &solved.question, options) else { return Ok(None) };
             let [here, there] = [solved, &other].map(|solved| solved.constant(Constant::SlackTension));
             Ok(((there - here).abs() > DISTINCT * here.abs()).then_some(other))
         }

@@ -151,7 +151,8 @@ impl Climb<'_> {
             };
             let here = Constants::of(&solution);
             tracing::info!(
-                "stage {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} intervals",
+                "stage {} of {count} in {} steps: {:.3} N·m, {:.2} N of slack tension, slip threshold {:.1e} m/s, {} \
+                intervals",
                 index + 1,
                 steps,
                 here[Constant::PrimaryTorque],

@@ -33,8 +33,8 @@ pub trait Law: Debug + Send + Sync {
     /// A typical magnitude of its terms, by which its residual is measured.
     fn scale(&self) -> f64;
 
-    /// Its value at the arguments' values in SI, and its derivatives in their order; not a number where it has none, and
-    /// the solver steps back.
+    /// Its value at the arguments' values in SI, and its derivatives in their order; not a number where it has none,
+    /// and the solver steps back.
     fn residual(&self, at: &[f64], partials: &mut [f64]) -> f64;
 }
 

@@ -3,6 +3,7 @@
 use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent};
 
 use super::belt::BeltProblem;
+use super::position::Position;
 use super::region::RegionId;
 use super::start;
 use crate::model::{Constant, Constants, Field, State};
@@ -17,22 +18,31 @@ const DIFFERENCE: f64 = 1e-3;
 const DEPTH: f64 = 1e-6;
 /// Share of the tolerance that a node may cost which is left out.
 const THINNING: f64 = 0.1;
+/// Change of the speed ratio, as a share of it, up to which it is predicted by its logarithm.
+const LARGEST_CHANGE: f64 = 0.5;
 /// Nodes in a row that may be left out.
 const LONGEST_GAP: usize = 7;
 
-/// The guess for the given constants `to`: the solution `from` and its tangent, bent as the path from the solution
-/// before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the tight,
-/// inextensible belt.
-pub(super) fn predicted(
-    belt: &BeltProblem,
-    before: Option<&Solution>,
-    from: &Solution,
-    to: &Constants,
-    tolerance: f64,
-) -> Result<Guess, SolveError> {
-    let curve = Curve::new(belt, before, from, to)?;
+/// A piece of the path from one solution to another.
+pub(super) struct PathPiece<'a> {
+    /// The solution before, if there is one, and where it stands.
+    pub before: Option<&'a (Solution, Position)>,
+    /// The solution that is left, and where it stands.
+    pub from: &'a (Solution, Position),
+    /// Where it is to go; unknown constants are not read.
+    pub to: &'a Position,
+    /// Indices of the unknown constants.
+    pub unknowns: &'a [usize],
+}
+
+/// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the
+/// solution before it bends, on as many of its nodes as `tolerance` asks for. The unknown constants follow those of the
+/// tight, inextensible belt.
+pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
+    let (from, _) = path.from;
+    let curve = Curve::new(belt, path)?;
     let mut guess = Guess::from(from);
-    guess.constants = curve.constants(to);
+    guess.constants = curve.constants();
     for (index, region) in guess.regions.iter_mut().enumerate() {
         region.states = curve.states(index);
     }
@@ -49,11 +59,14 @@ pub(super) fn predicted(
     Ok(guess)
 }
 
-/// The way through a solution: its first and, where the solution before lies on it, second derivatives.
+/// The path through a solution: its first and, where the solution before lies on it, second derivatives.
 struct Curve<'a> {
     belt: &'a BeltProblem,
     from: &'a Solution,
-    here: Constants,
+    unknowns: &'a [usize],
+    here: &'a Constants,
+    /// Where the piece ends; of unknown constants that are given by default, as the tangent has them there.
+    to: Position,
     ahead: Tangent,
     bend: Option<Bend<'a>>,
 }
@@ -61,31 +74,35 @@ struct Curve<'a> {
 /// Where the path came from.
 struct Bend<'a> {
     before: &'a Solution,
-    constants: Constants,
+    constants: &'a Constants,
     back: Tangent,
     /// Square of the length of the step back, in steps ahead.
     square: f64,
 }
 
 impl<'a> Curve<'a> {
-    fn new(
-        belt: &'a BeltProblem,
-        before: Option<&'a Solution>,
-        from: &'a Solution,
-        to: &Constants,
-    ) -> Result<Self, SolveError> {
-        let here = Constants::of(from);
-        let linearisation = Linearisation::new(belt, from)?;
-        let tangent = |to: &Constants| {
-            let direction: Vec<f64> = here.0.iter().zip(&to.0).map(|(here, to)| to - here).collect();
+    fn new(belt: &'a BeltProblem, path: &PathPiece<'a>) -> Result<Self, SolveError> {
+        let (from, here) = path.from;
+        let origin = here.vector();
+        let at = Guess { constants: origin.clone(), ..Guess::from(from) };
+        let linearisation = Linearisation::near(belt, &at, path.unknowns, from.order())?;
+        let tangent = |to: &Position| {
+            let direction: Vec<f64> = origin.iter().zip(to.vector()).map(|(here, to)| to - here).collect();
             linearisation.tangent(&direction)
         };
-        let bend = before.and_then(|before| {
-            let constants = Constants::of(before);
-            let square = square_back(&here, &constants, to, from.unknowns())?;
-            Some(Bend { before, back: tangent(&constants), constants, square })
+        let ahead = tangent(path.to);
+        let mut to = path.to.clone();
+        for constant in Constant::ALL.into_iter().skip(Constant::UNKNOWN) {
+            let at = constant.index();
+            if path.unknowns.contains(&at) {
+                to.drive[constant] = here.drive[constant] + ahead.constants.get(at).copied().unwrap_or(0.0);
+            }
+        }
+        let bend = path.before.and_then(|(before, position)| {
+            let square = square_back(belt, here, position, path.to, path.unknowns)?;
+            Some(Bend { before, back: tangent(position), constants: &position.drive, square })
         });
-        Ok(Self { belt, from, ahead: tangent(to), bend, here })
+        Ok(Self { belt, from, unknowns: path.unknowns, here: &here.drive, to, ahead, bend })
     }
 
     /// The states of a region at its nodes.
@@ -113,22 +130,24 @@ impl<'a> Curve<'a> {
     }
 
     /// All constants: the given ones as they are wanted, the unknown ones relative to the tight belt's.
-    fn constants(&self, to: &Constants) -> Vec<f64> {
-        let ahead = Tight::new(&self.here, to);
-        let back = self.bend.as_ref().map(|bend| (bend, Tight::new(&self.here, &bend.constants)));
+    fn constants(&self) -> Vec<f64> {
+        let ahead = Tight::new(self.here, &self.to.drive);
+        let back = self.bend.as_ref().map(|bend| (bend, Tight::new(self.here, bend.constants)));
         let constant = |constant: Constant| {
             let (at, value) = (constant.index(), self.here[constant]);
-            if !self.from.unknowns().contains(&at) {
-                return to[constant];
+            if !self.unknowns.contains(&at) {
+                return self.to.drive[constant];
             }
-            let rate = |tangent: &Tangent| slope(constant, value, tangent.constants.get(at).copied().unwrap_or(0.0));
+            let rate = |tangent: &Tangent| tangent.constants.get(at).copied().unwrap_or(0.0);
+            let scale = Scale::of(constant, value, rate(&self.ahead));
             let second = back.as_ref().map_or(0.0, |(bend, tight)| {
-                let rest = scaled(constant, bend.constants[constant]) - scaled(constant, value) - rate(&bend.back);
-                (rest - tight.bend(constant)) / bend.square
+                let rest = scale.to(bend.constants[constant]) - scale.to(value) - scale.rate(value, rate(&bend.back));
+                (rest - tight.bend(constant, scale)) / bend.square
             });
-            unscaled(constant, scaled(constant, value) + rate(&self.ahead) + ahead.bend(constant) + second)
+            let moved = scale.to(value) + scale.rate(value, rate(&self.ahead));
+            scale.from(moved + ahead.bend(constant, scale) + second)
         };
-        Constant::ALL.into_iter().map(constant).collect()
+        Constant::ALL.into_iter().map(constant).chain(self.to.targets.iter().copied()).collect()
     }
 
     /// Where the belt adheres, its sliding speed is the tiny difference of two large ones, and friction hangs on it: so
@@ -189,11 +208,11 @@ fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {
 }
 
 /// Square of the length of the step back, in steps ahead; `None` if the path turns here or the step was too short.
-fn square_back(here: &Constants, back: &Constants, to: &Constants, unknowns: &[usize]) -> Option<f64> {
+fn square_back(belt: &BeltProblem, here: &Position, back: &Position, to: &Position, unknowns: &[usize]) -> Option<f64> {
     let (mut ahead, mut behind, mut product) = (0.0, 0.0, 0.0);
-    for constant in Constant::ALL.into_iter().filter(|constant| !unknowns.contains(&constant.index())) {
-        let size = here[constant].abs().max(f64::MIN_POSITIVE);
-        let (a, b) = ((to[constant] - here[constant]) / size, (back[constant] - here[constant]) / size);
+    let moves = here.vector().into_iter().zip(here.magnitudes(belt)).zip(back.vector().into_iter().zip(to.vector()));
+    for (_, ((here, size), (back, to))) in moves.enumerate().filter(|(at, _)| !unknowns.contains(at)) {
+        let (a, b) = ((to - here) / size, (back - here) / size);
         (ahead, behind, product) = (ahead + a * a, behind + b * b, product + a * b);
     }
     let square = behind / ahead;
@@ -217,29 +236,53 @@ impl Tight {
     }
 
     /// What a tangent leaves out along the whole path.
-    fn bend(&self, constant: Constant) -> f64 {
-        let value = |drive: &Constants| scaled(constant, drive[constant]);
+    fn bend(&self, constant: Constant, scale: Scale) -> f64 {
+        let value = |drive: &Constants| scale.to(drive[constant]);
         let [before, after] = &self.around;
         value(&self.end) - value(&self.begin) - (value(after) - value(before)) / (2.0 * DIFFERENCE)
     }
 }
 
-/// A constant on the scale on which it is predicted: the speed ratio by its logarithm.
-fn scaled(constant: Constant, value: f64) -> f64 {
-    if constant == Constant::SpeedRatio { value.ln() } else { value }
+/// The scale on which a constant is predicted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Scale {
+    Linear,
+    Logarithmic,
 }
 
-fn unscaled(constant: Constant, value: f64) -> f64 {
-    if constant == Constant::SpeedRatio { value.exp() } else { value }
+impl Scale {
+    /// The speed ratio is predicted by its logarithm; unless it goes to nothing, as where the secondary comes to rest,
+    /// or begins there.
+    fn of(constant: Constant, value: f64, change: f64) -> Self {
+        let proportional = constant == Constant::SpeedRatio && change.abs() < LARGEST_CHANGE * value;
+        if proportional { Self::Logarithmic } else { Self::Linear }
+    }
+
+    fn to(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Logarithmic => value.ln(),
+        }
+    }
+
+    fn from(self, scaled: f64) -> f64 {
+        match self {
+            Self::Linear => scaled,
+            Self::Logarithmic => scaled.exp(),
+        }
+    }
+
+    /// A rate of change on this scale.
+    fn rate(self, value: f64, rate: f64) -> f64 {
+        match self {
+            Self::Linear => rate,
+            Self::Logarithmic => rate / value,
+        }
+    }
 }
 
-/// A rate of change on that scale.
-fn slope(constant: Constant, value: f64, rate: f64) -> f64 {
-    if constant == Constant::SpeedRatio { rate / value } else { rate }
-}
-
-/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path the
-/// kinks of friction move, and leave their fine meshes behind.
+/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path
+/// the kinks of friction move, and leave their fine meshes behind.
 fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
     let last = part.mesh().len().saturating_sub(1);
     let size = |state: usize| part.state(state).iter().fold(0.0, |size: f64, y| size.max(y.abs()));

@@ -1,4 +1,5 @@
-//! The routes from the start to a case: from which easy drive, and in which order its constants become those of the case.
+//! The routes from the start to a case: from which easy drive, and in which order its constants become those of the
+//! case.
 
 use solver::continuation::Ramp;
 

@@ -48,8 +48,8 @@ pub struct SolveOptions {
     pub order: Order,
     /// Whether derivatives of the outputs with respect to the given constants are wanted.
     pub sensitivities: bool,
-    /// Work that a solve may take, over all that it tries: Newton iterations, each counted once for every interval of the
-    /// mesh that it works on.
+    /// Work that a solve may take, over all that it tries: Newton iterations, each counted once for every interval of
+    /// the mesh that it works on.
     pub work_limit: usize,
     /// Whether the errors of the outputs are estimated, and the solution refined until they hold to the tolerance.
     pub uncertainty: bool,
@@ -99,8 +99,8 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
     }
 }
 
-/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there is
-/// none, either.
+/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there
+/// is none, either.
 fn at_another_tolerance(
     model: &ModelChoices,
     question: &Question,
@@ -220,8 +220,8 @@ fn near(
     ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
 }
 
-/// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in as
-/// many steps as that takes.
+/// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in
+/// as many steps as that takes.
 ///
 /// # Errors
 /// See [`Failure`].

@@ -3,18 +3,19 @@
 use solver::continuation::PathOptions;
 use solver::{Options, Solution, SolveError, Stats};
 
-use super::approach::approach;
+use super::approach::{approach, posed};
 use super::belt::BeltProblem;
 use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
-use super::predict::predicted;
+use super::position::Position;
+use super::predict::{PathPiece, predicted};
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
 use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
-use crate::model::{Constant, Constants};
+use crate::model::Constant;
 
 // What a warm start may cost; beyond it, a cold start is the cheaper one.
 const SMALLEST_STEP: f64 = 0.25;
@@ -39,17 +40,12 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 /// # Errors
 /// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).
 pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
-    let question = Question::of(case);
     let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
-    if question.is_ordinary() && last.question.is_ordinary() {
-        let before = rest.last().filter(|before| before.question.is_ordinary());
-        along(before.map(|before| &before.solution), &last.solution, &case.model, question, options)
-    } else {
-        solve_question_from(last, &case.model, &question, options)
-    }
+    along(rest.last().copied(), last, &case.model, Question::of(case), options)
 }
 
-/// As [`solve_from`], for any question.
+/// As [`solve_from`], for any question: what outputs and laws are asked to be moves with everything else that is given,
+/// from what they are at the solution nearby.
 ///
 /// # Errors
 /// See [`Failure`].
@@ -60,8 +56,22 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    let work = options;
-    let options = PathOptions {
+    along(None, from, model, question.clone(), options)
+}
+
+/// As [`solve_question_from`], in at most three steps along a straight path, each predicted by no more than the tangent.
+/// Curves of solutions that turn are followed with it: it leaves them less easily for a branch beside them.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn step_to_question(
+    from: &Solved,
+    model: &ModelChoices,
+    question: &Question,
+    options: &SolveOptions,
+) -> Result<Solved, Failure> {
+    question.check(model)?;
+    let path = PathOptions {
         solve: within(options),
         tolerance: ROUGH_TOLERANCE,
         first_step: 1.0,
@@ -69,8 +79,8 @@ pub fn solve_question_from(
         max_steps: MAX_STEPS,
         ..PathOptions::default()
     };
-    let mut budget = Budget::new(work.work_limit);
-    let mut solved = approach(model, from, question, &options, &mut budget)?;
+    let mut budget = Budget::new(options.work_limit);
+    let mut solved = approach(model, from, question, &path, &mut budget)?;
     // The work from here on, not that of the solution nearby.
     solved.stats = *solved.solution.stats();
     solved.continuation_steps -= from.continuation_steps;
@@ -82,94 +92,76 @@ fn within(options: &SolveOptions) -> Options {
     Options { max_meshes: MAX_MESHES, max_intervals: MAX_INTERVALS, ..options.solver() }
 }
 
-/// From one solution to another of the same unknowns, in one predicted step if that succeeds, else in a few.
+/// From one solution to another, in one predicted step if that succeeds, else in a few.
 fn along(
-    before: Option<&Solution>,
-    from: &Solution,
+    before: Option<&Solved>,
+    from: &Solved,
     model: &ModelChoices,
     question: Question,
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
-    let belt = BeltProblem::new(model, &question.constants).ok_or(Failure::NoEquations)?;
-    let origin = Constants::of(from);
+    let belt = posed(model, &question)?;
+    let (origin, target) = (Position::of(from, &question)?, Position::asked(&question));
+    let earlier = before.map(|before| Ok::<_, Failure>((before.solution.clone(), Position::of(before, &question)?)));
+    let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
     let (mut stats, mut steps, mut progress, mut step) = (Stats::default(), 0, 0.0, 1.0);
-    let (mut before, mut here) = (before.cloned(), from.clone());
+    let (mut before, mut here) = (earlier.transpose()?, (from.solution.clone(), origin.clone()));
     let mut budget = Budget::new(options.work_limit);
-    let lost = |here: &Solution, cause| {
-        let failure = || Failure::of(&belt, &question.constants, Some(here), Box::new(cause));
-        if is_cancelled() { Failure::Cancelled } else { failure() }
+    let lost = |here: &Solution, cause: Box<SolveError>| match question.is_ordinary() {
+        _ if is_cancelled() => Failure::Cancelled,
+        true => Failure::of(&belt, &question.constants, Some(here), cause),
+        false => Failure::approaching(&belt, &question, Some(here), cause),
     };
     while progress < 1.0 {
         let next = f64::min(progress + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
-        let to = origin.toward(&question.constants, next);
-        match advance(&belt, before.as_ref(), &here, &to, tolerance, options, &mut budget) {
+        let path =
+            PathPiece { before: before.as_ref(), from: &here, to: &origin.toward(&target, next), unknowns: &unknowns };
+        match advance(&belt, &path, tolerance, options, &mut budget) {
             Ok(solution) => {
                 stats += *solution.stats();
                 steps += 1;
-                (before, progress) = (Some(std::mem::replace(&mut here, solution)), next);
+                let position = Position::within(&solution)?;
+                (before, progress) = (Some(std::mem::replace(&mut here, (solution, position))), next);
             }
             Err(cause) if step < 2.0 * SMALLEST_STEP || budget.is_spent() || is_cancelled() => {
-                return Err(lost(&here, cause));
+                return Err(lost(&here.0, Box::new(cause)));
             }
             Err(_) => step /= 2.0,
         }
     }
-    let corrected = corrected(&belt, here, &options.solver(), false, &mut stats, &mut budget);
-    let solution = corrected.map_err(|(last, cause)| lost(&last, cause))?;
+    let always = !question.is_ordinary();
+    let corrected = corrected(&belt, here.0, &options.solver(), always, &mut stats, &mut budget);
+    let solution = corrected.map_err(|(last, cause)| lost(&last, Box::new(cause)))?;
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
-/// How far a case is from a solution: the largest factor between the given constants of both; infinite where they
-/// differ in sign, or something else is prescribed in place of one.
+/// How far a case is from a solution: the largest factor between the given constants of both, and between what outputs
+/// are and are asked to be; infinite where they differ in sign.
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     let question = Question::of(case);
-    if !question.is_ordinary() || !from.question.is_ordinary() {
-        return f64::INFINITY;
-    }
-    let (here, target) = (Constants::of(&from.solution), question.constants);
-    let given = Constant::ALL.into_iter().filter(|constant| !from.solution.unknowns().contains(&constant.index()));
-    let factor = |constant: Constant| match target[constant] / here[constant] {
-        _ if target[constant] == here[constant] => 1.0,
+    let (Ok(here), target) = (Position::of(from, &question), Position::asked(&question)) else { return f64::INFINITY };
+    let unknowns = question.unknowns();
+    let given = Constant::ALL.into_iter().filter(|constant| !unknowns.contains(constant));
+    let constants = given.map(|constant| (here.drive[constant], target.drive[constant]));
+    let targets = here.targets.iter().copied().zip(target.targets.iter().copied());
+    let factor = |(here, there): (f64, f64)| match there / here {
+        _ if there == here => 1.0,
         factor if factor > 0.0 => factor.max(1.0 / factor),
         _ => f64::INFINITY,
     };
-    given.map(factor).fold(1.0, f64::max)
+    constants.chain(targets).map(factor).fold(1.0, f64::max)
 }
 
-/// One step, from a solution to other given constants.
+/// One step, to other given values.
 fn advance(
     belt: &BeltProblem,
-    before: Option<&Solution>,
-    from: &Solution,
-    to: &Constants,
+    path: &PathPiece<'_>,
     tolerance: f64,
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<Solution, SolveError> {
     let options = Options { tolerance, max_iterations: MAX_ITERATIONS, rescues: 0, ..within(options) };
-    let guess = predicted(belt, before, from, to, tolerance)?;
-    solver::solve_observed(belt, &guess, from.unknowns(), &relaxed(&options), budget)
-}
-
-impl Constants {
-    /// Those of a solution.
-    pub(super) fn of(solution: &Solution) -> Self {
-        let value = |constant: Constant| solution.constants().get(constant.index()).copied().unwrap_or(f64::NAN);
-        Self(Constant::ALL.map(value))
-    }
-
-    /// A share of the path to other constants.
-    pub(super) fn toward(&self, to: &Self, share: f64) -> Self {
-        let mut constants = self.clone();
-        for constant in Constant::ALL {
-            let (here, there) = (self[constant], to[constant]);
-            constants[constant] = match constant {
-                _ if share == 1.0 => there,
-                Constant::SlipThreshold if here > 0.0 && there > 0.0 => here * (there / here).powf(share),
-                _ => here + share * (there - here),
-            };
-        }
-        constants
-    }
+    let guess = predicted(belt, path, tolerance)?;
+    solver::solve_observed(belt, &guess, path.unknowns, &relaxed(&options), budget)
 }

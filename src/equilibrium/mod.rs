@@ -24,6 +24,8 @@ mod error;
 mod estimate;
 mod figure;
 mod heat;
+#[cfg(feature = "ode")]
+pub mod inverse;
 mod laws;
 mod point;
 mod question;

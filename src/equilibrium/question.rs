@@ -195,7 +195,7 @@ impl<'a> Whole<'a> {
         Closing { free: Constant::PrimaryTorque, law: Arc::new(law) }
     }
 
-    fn by_primary(&self, free: Constant) -> Closing {
+    pub fn by_primary(&self, free: Constant) -> Closing {
         let law = PrimaryLaw {
             actuator: self.actuation.primary.clone(),
             shift: self.direction.primary(),
@@ -205,7 +205,7 @@ impl<'a> Whole<'a> {
         Closing { free, law: Arc::new(law) }
     }
 
-    fn by_secondary(&self, free: Constant) -> Closing {
+    pub fn by_secondary(&self, free: Constant) -> Closing {
         let law = SecondaryLaw {
             actuator: self.actuation.secondary.clone(),
             shift: self.direction.secondary(),
@@ -296,7 +296,7 @@ pub(super) fn posed_at(case: &Resolved, solved: &Solved) -> Resolved {
 }
 
 /// The case with nothing free and nothing prescribed.
-fn ordinary(case: &Resolved) -> Resolved {
+pub(super) fn ordinary(case: &Resolved) -> Resolved {
     let mut posed = case.clone();
     posed.drive.free = None;
     posed.operating_point.fourth = None;

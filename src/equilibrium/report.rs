@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium, Stop};
 use super::sensitivity::{PartSensitivity, sensitivities};
+use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
 use crate::quantity::unsigned_zero;
 use crate::result::{DriveResult, Light, Outcome};
@@ -44,13 +45,17 @@ pub struct DriveReport {
     pub primary_travel: f64,
     /// Opening of the secondary from where it is closed, m.
     pub secondary_travel: f64,
-    /// Force of the flyweights, N; nothing where a motor holds the primary's position.
+    /// What presses on the primary.
+    pub primary_actuator: &'static str,
+    /// What presses on the secondary.
+    pub secondary_actuator: &'static str,
+    /// Force of the flyweights, or that a motor holds, N; nothing where a motor holds the primary's position.
     pub flyweight_force: Option<f64>,
     /// Force of the primary's spring, N, negative as it opens the sheaves.
     pub primary_spring_force: Option<f64>,
     /// Axial force of the belt on the primary, N.
     pub primary_axial_force: f64,
-    /// Force of the helix with its torsion spring, N.
+    /// Force of the helix with its torsion spring, or that a motor holds, N.
     pub helix_force: f64,
     /// Force of the secondary's spring in compression, N.
     pub secondary_spring_force: f64,
@@ -64,7 +69,7 @@ pub struct DriveReport {
     pub slipping: bool,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
-    /// Overall efficiency, with losses besides friction where they are told.
+    /// Overall efficiency, with losses besides friction where they are told; nothing where losses take all of the power.
     pub efficiency: Option<f64>,
     /// Power from the engine, W.
     pub power_in: f64,
@@ -92,10 +97,16 @@ impl DriveReport {
     ) -> Result<Self, EquilibriumError> {
         let drive = outcome.result;
         let secondary_speed = drive.secondary.speed;
-        let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall);
+        // Where losses take more than the engine gives, nothing arrives of which a share could be told.
+        let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall).filter(|share| *share > 0.0);
         let vehicle = case.parts.vehicle.as_ref();
         let delivered = drive.losses.as_ref().map_or(drive.energy.power_out, |losses| losses.power_out);
         let forces = &found.forces;
+        let actuators = case
+            .parts
+            .actuation
+            .as_ref()
+            .map_or(("none", "none"), |parts| (primary_name(&parts.primary), secondary_name(&parts.secondary)));
         Ok(Self {
             edition: case.edition.name(),
             phase: found.phase.name(),
@@ -109,6 +120,8 @@ impl DriveReport {
             ratio: drive.secondary.radius / drive.primary.radius,
             primary_travel: found.primary_travel,
             secondary_travel: found.secondary_travel,
+            primary_actuator: actuators.0,
+            secondary_actuator: actuators.1,
             flyweight_force: forces.primary.map(|force| force.mechanism),
             primary_spring_force: forces.primary.map(|force| force.spring),
             primary_axial_force: forces.primary_belt,
@@ -178,25 +191,8 @@ impl DriveReport {
                 mm(self.secondary_travel)
             ),
         );
-        if let (Some(fly), Some(spring)) = (self.flyweight_force, self.primary_spring_force) {
-            line(
-                "presses on the primary",
-                format!(
-                    "{:.1} N: flyweights {fly:.1} N, spring {} N",
-                    fly + spring,
-                    unsigned_zero(&format!("{spring:.1}"))
-                ),
-            );
-        }
-        line(
-            "presses on the secondary",
-            format!(
-                "{:.1} N: helix {:.1} N, spring {:.1} N",
-                self.helix_force + self.secondary_spring_force,
-                self.helix_force,
-                self.secondary_spring_force
-            ),
-        );
+        line("presses on the primary", self.presses_on_primary());
+        line("presses on the secondary", self.presses_on_secondary());
         line(
             "the belt pushes back",
             format!("primary {:.1} N, secondary {:.1} N", self.primary_axial_force, self.secondary_axial_force),
@@ -208,6 +204,26 @@ impl DriveReport {
         }
         text += &self.table_of_parts();
         text
+    }
+
+    fn presses_on_primary(&self) -> String {
+        match (self.flyweight_force, self.primary_spring_force) {
+            (Some(fly), Some(spring)) if self.primary_actuator == FLYWEIGHTS => format!(
+                "{:.1} N: flyweights {fly:.1} N, spring {} N",
+                fly + spring,
+                unsigned_zero(&format!("{spring:.1}"))
+            ),
+            (Some(force), _) => format!("{force:.1} N, which a motor holds"),
+            (None, _) => format!("{:.1} N, which the motor takes to hold its place", self.primary_axial_force),
+        }
+    }
+
+    fn presses_on_secondary(&self) -> String {
+        if self.secondary_actuator == HELIX {
+            let (helix, spring) = (self.helix_force, self.secondary_spring_force);
+            return format!("{:.1} N: helix {helix:.1} N, spring {spring:.1} N", helix + spring);
+        }
+        format!("{:.1} N, which a motor holds", self.helix_force)
     }
 
     fn place(&self) -> String {
@@ -269,6 +285,25 @@ impl DriveReport {
             );
         }
         text
+    }
+}
+
+/// Kinds of actuators, as the report names them.
+const FLYWEIGHTS: &str = "flyweights";
+const HELIX: &str = "helix";
+
+const fn primary_name(actuator: &PrimaryActuator) -> &'static str {
+    match actuator {
+        PrimaryActuator::Flyweights { .. } => FLYWEIGHTS,
+        PrimaryActuator::Force(_) => "servo_force",
+        PrimaryActuator::Position(_) => "servo_position",
+    }
+}
+
+const fn secondary_name(actuator: &SecondaryActuator) -> &'static str {
+    match actuator {
+        SecondaryActuator::Helix { .. } => HELIX,
+        SecondaryActuator::Force(_) => "servo_force",
     }
 }
 

@@ -110,8 +110,8 @@ fn rates(case: &Resolved, thermal: &Thermal, solved: &Solved, temperature: f64) 
     [of(bending, Constant::BendingStiffness), of(radial, Constant::RadialStiffness)]
 }
 
-/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at some temperature
-/// in K; the solution there.
+/// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at some
+/// temperature in K; the solution there.
 ///
 /// # Errors
 /// As [`solve`]; [`Failure::Sensitivities`]; [`Failure::Temperature`] where the balance has no end.

@@ -25,7 +25,8 @@ pub enum IllPosed {
         name: String,
     },
     /// Not all that is given and prescribed is independent.
-    #[error("{} cannot all be given: each follows from the others, and {} would be left undetermined", listed(.names), listed(.free))]
+    #[error("{} cannot all be given: each follows from the others, and {} would be left \
+        undetermined", listed(.names), listed(.free))]
     Dependent {
         /// Keys, or outputs, that depend on each other.
         names: Vec<String>,

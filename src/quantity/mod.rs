@@ -91,7 +91,8 @@ pub enum QuantityError {
     #[error("it is not a finite number")]
     NotFinite,
     /// A unit that is not known.
-    #[error("`{unit}` is not a known unit{}", nearest.as_ref().map(|unit| format!(" (did you mean `{unit}`?)")).unwrap_or_default())]
+    #[error("`{unit}` is not a known unit{}", nearest.as_ref().map(|unit| format!(" (did you mean \
+        `{unit}`?)")).unwrap_or_default())]
     UnknownUnit {
         /// As written.
         unit: String,

@@ -66,8 +66,8 @@ pub fn run(case: &Resolved, options: &SolveOptions) -> Result<Outcome, Failure> 
     interpret(case, options, tight.unwrap_or(solved), start)
 }
 
-/// As [`run`]; where the clamp is an axial force that belongs to two solutions, the one that `wanted` says, and the other
-/// beside it.
+/// As [`run`]; where the clamp is an axial force that belongs to two solutions, the one that `wanted` says, and the
+/// other beside it.
 ///
 /// # Errors
 /// As [`run`].

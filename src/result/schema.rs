@@ -53,8 +53,8 @@ pub struct DriveResult<I> {
     pub thermal: Option<Heat>,
     /// How the solution was found.
     pub solver: SolverReport,
-    /// Estimated errors of the outputs, SI, without sign, by the output's name: what the defects of the solution leave in
-    /// each, to first order. Extremes along a contact or a span have none. Absent where none were asked for, as in a
+    /// Estimated errors of the outputs, SI, without sign, by the output's name: what the defects of the solution leave
+    /// in each, to first order. Extremes along a contact or a span have none. Absent where none were asked for, as in a
     /// sweep, and where the equations are singular.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<BTreeMap<String, f64>>,

@@ -92,7 +92,8 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
     let unaccounted = percent(rest / energy.power_in.abs().max(energy.power_out.abs()));
     let _ = writeln!(
         text,
-        "  energy audit              {:>11} {watt} in = {} {watt} out + {} {watt} friction {} {} {watt} stretch work; {} % \
+        "  energy audit              {:>11} {watt} in = {} {watt} out + {} {watt} friction {} {} {watt} stretch work; \
+        {} % \
          unaccounted for",
         power(energy.power_in, 1),
         power(energy.power_out, 1),
@@ -104,7 +105,8 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
     if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
         let _ = writeln!(
             text,
-            "  with all losses           {:>11.2} % overall: hysteresis {} {watt} (bending {}, groove {}, cord {}), drag {} {watt}, \
+            "  with all losses           {:>11.2} % overall: hysteresis {} {watt} (bending {}, groove {}, cord {}), \
+            drag {} {watt}, \
              gears {} {watt}",
             percent(overall),
             power(losses.bending + losses.groove + losses.cord, 1),
@@ -118,7 +120,8 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
     if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
         let _ = writeln!(
             text,
-            "  belt temperature          {:>11} {}: {} {watt} into the belt, {} {watt} into the primary's sheaves, {} {watt} into \
+            "  belt temperature          {:>11} {}: {} {watt} into the belt, {} {watt} into the primary's sheaves, {} \
+            {watt} into \
              the secondary's",
             units.of(Measured::Temperature).number(temperature, 1),
             units.of(Measured::Temperature).symbol,
@@ -137,7 +140,8 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(
         text,
-        "  solved                    {:>11} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} iterations",
+        "  solved                    {:>11} ms, order {}, residual {:.1e} of {:.0e}, {} intervals, {} steps, {} \
+        iterations",
         solver.milliseconds(),
         solver.order,
         solver.max_residual,

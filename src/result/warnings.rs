@@ -52,8 +52,10 @@ fn two_solutions(outcome: &Outcome) -> Option<String> {
     let which = if tension > other.slack_tension { Branch::Tight } else { Branch::Loose };
     let wanted = if which == Branch::Tight { Branch::Loose } else { Branch::Tight };
     Some(format!(
-        "`{}` = {force:.2} N belongs to two operating points: this one, the {} one, at {tension:.2} N of slack tension, where \
-         {:.1} % of the friction at hand is used, and another at {:.2} N, where {:.1} % is. `--branch {}` gives the other.",
+        "`{}` = {force:.2} N belongs to two operating points: this one, the {} one, at {tension:.2} N of slack \
+        tension, where \
+         {:.1} % of the friction at hand is used, and another at {:.2} N, where {:.1} % is. `--branch {}` gives the \
+        other.",
         key.path(),
         which.name(),
         100.0 * outcome.result.friction_utilization,
@@ -79,7 +81,8 @@ fn beyond_tables(outcome: &Outcome) -> Option<String> {
         .filter_map(|(key, grid)| Some((key, grid.temperatures()?)))
         .find(|(_, (low, high))| !(*low..=*high).contains(&temperature))?;
     Some(format!(
-        "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses go on \
+        "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses \
+        go on \
          as they fell at the nearest, loss tangents stay as they were there.",
         temperature - CELSIUS,
         key.path(),
@@ -114,8 +117,10 @@ fn powers(outcome: &Outcome) -> Option<String> {
     let (power_in, power_out) = (energy.power_in, energy.power_out);
     if power_in > 0.0 && power_out < 0.0 {
         return Some(format!(
-            "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go into \
-             the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or it is too stiff.",
+            "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go \
+            into \
+             the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or it is \
+            too stiff.",
             -power_out,
             100.0 * power_out / power_in
         ));
@@ -123,7 +128,8 @@ fn powers(outcome: &Outcome) -> Option<String> {
     let (driving, driven) = if power_in >= 0.0 { (power_in, power_out) } else { (-power_out, -power_in) };
     (driving >= 0.0 && driven > driving).then(|| {
         format!(
-            "More power out than in: {driven:.1} W of {driving:.1} W, an efficiency of {:.0} %; no drive does that. Use \
+            "More power out than in: {driven:.1} W of {driving:.1} W, an efficiency of {:.0} %; no drive does that. \
+            Use \
              `edition = \"consistent\"`, in which energy is conserved.",
             100.0 * driven / driving
         )
@@ -153,7 +159,8 @@ fn compression(outcome: &Outcome) -> Option<String> {
             format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
         };
         format!(
-            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at such a \
+            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at \
+            such a \
              place; clamp it tighter, or use one that bends more easily."
         )
     })
@@ -164,7 +171,8 @@ fn deep(name: &str, pulley: &Pulley) -> Option<String> {
     let share = pulley.max_penetration / pulley.radius;
     (share > DEEP).then(|| {
         format!(
-            "The belt is pressed {:.1} mm into the {name}, {:.0} % of its radius: more than the model, or a belt, bears. Check \
+            "The belt is pressed {:.1} mm into the {name}, {:.0} % of its radius: more than the model, or a belt, \
+            bears. Check \
              belt.radial_stiffness, belt.bending_stiffness and the clamp.",
             1e3 * pulley.max_penetration,
             100.0 * share
@@ -190,7 +198,8 @@ fn energy(outcome: &Outcome) -> Option<String> {
     let passing = energy.power_in.abs().max(energy.power_out.abs()).max(energy.friction_loss.abs());
     (missing.abs() > UNACCOUNTED * passing).then(|| {
         format!(
-            "Energy is not conserved: {missing:.1} W of {:.1} W in ({:.1} %) go where neither friction nor stretch explains \
+            "Energy is not conserved: {missing:.1} W of {:.1} W in ({:.1} %) go where neither friction nor stretch \
+            explains \
              it; this is the doing of the equations of edition `{}`.",
             energy.power_in,
             100.0 * missing / energy.power_in,

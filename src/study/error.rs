@@ -18,7 +18,8 @@ pub enum StudyError {
         text: String,
     },
     /// The number of points of a range.
-    #[error("`{text}`: `{given}` is no number of points; expected a whole number from 1 to {max}", max = super::MAX_POINTS)]
+    #[error("`{text}`: `{given}` is no number of points; expected a whole number from 1 to \
+        {max}", max = super::MAX_POINTS)]
     Count {
         /// The axis as given.
         text: String,

@@ -95,7 +95,8 @@ mod tests {
 
     #[test]
     fn a_study_file_is_a_case_file_with_a_section_more() {
-        let text = "edition = \"thesis\"\n[sweep] # what varies\nover = [\n  \"drive.ratio = 0.8..1.2 : 3\",\n]\n[belt]\nlength = \"850 mm\"\n";
+        let text = "edition = \"thesis\"\n[sweep] # what varies\nover = [\n  \"drive.ratio = 0.8..1.2 : \
+            3\",\n]\n[belt]\nlength = \"850 mm\"\n";
         let file = StudyFile::from_toml("study.toml", text).unwrap();
         assert_eq!(file.axes.len(), 1);
         assert!(file.case.has(Key::BeltLength) && file.case.has(Key::Edition));

@@ -184,14 +184,24 @@ impl Work<'_> {
         let chains = groups.iter().map(Vec::len).sum();
         let threads = useful_threads(jobs, chains);
         let work = &self;
-        // First come, first served: rows are wanted in the order of the points.
+        let waiting = &Mutex::new(groups.into_iter());
+        // First come, first served: rows are wanted in the order of the points. A group begins when the chains of one
+        // before it have begun, so that the first rows are there, and kept, long before the last heads.
         threads::scope(threads, |scope| {
-            for group in groups {
-                scope.spawn_fifo(move |scope| work.heads(scope, group));
+            for _ in 0..threads {
+                scope.spawn_fifo(move |scope| work.group(scope, waiting));
             }
         })
         .map_err(|_| StudyError::Threads(threads))?;
         self.failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// Has the next group solved that waits, and then the one after it.
+    fn group<'s>(&'s self, scope: &Scope<'s>, waiting: &'s Mutex<std::vec::IntoIter<Vec<Task>>>) {
+        let next = waiting.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let Some(group) = next else { return };
+        self.heads(scope, group);
+        scope.spawn_fifo(move |scope| self.group(scope, waiting));
     }
 
     /// Solves the heads of a group, and has the rest of each chain solved as soon as its head is known.

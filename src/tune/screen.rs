@@ -1,5 +1,7 @@
 //! The shift of a drive on a map of its belt: where flyweights, springs and helix balance the belt.
 
+use std::f64::consts::PI;
+
 use super::error::TuneError;
 use crate::actuator::{ActuatorError, Shift, travel};
 use crate::beltmap::{BeltMap, MapPoint, Outside, Quantity};
@@ -14,6 +16,11 @@ const HALVINGS: usize = 12;
 const BALANCED: f64 = 1e-8;
 /// Largest step of the speed in a Newton step, as a share of it.
 const STRIDE: f64 = 0.25;
+/// Bisections of the speed, steps of regula falsi for the slack tension at each, and the share of the force to which
+/// the secondary balances there: Newton's method goes on from there.
+const BISECTIONS: usize = 12;
+const SECANTS: usize = 20;
+const NEARLY: f64 = 1e-4;
 
 /// What a search needs of the map: places of its axes.
 #[derive(Debug, Clone, Copy)]
@@ -54,21 +61,74 @@ pub enum Unfit {
         /// Why.
         error: ActuatorError,
     },
-    /// The clamp is below the slip limit.
-    #[error("at ratio {ratio:.2}, the parts press with too little: the belt slips")]
+    /// What presses on the secondary is below the slip limit.
+    #[error(
+        "at ratio {ratio:.2}, the belt slips: at {:.0} rpm helix and spring press the secondary with {presses:.0} N, and a belt that \
+         hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
+    )]
     Slips {
         /// Nominal ratio.
         ratio: f64,
+        /// Speed of the primary, rad/s.
+        speed: f64,
+        /// Torque of the engine there, N·m.
+        torque: f64,
+        /// Force of helix and spring, N.
+        presses: f64,
+        /// Axial force of the loosest belt of the map that does not slip, N.
+        needs: f64,
     },
-    /// No balance at a speed of the map.
-    #[error("at ratio {ratio:.2}, the forces balance at no speed from {from:.0} to {to:.0} rad/s")]
-    Speed {
+    /// The flyweights do not hold the belt at any speed of the map.
+    #[error(
+        "at ratio {ratio:.2}, the engine would have to turn faster than {:.0} rpm: there the flyweights less their spring press \
+         with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+    )]
+    TooLight {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Largest speed of the map, rad/s.
+        speed: f64,
+        /// Force of flyweights less spring, N.
+        presses: f64,
+        /// Axial force of the belt that the secondary's actuator holds, N.
+        needs: f64,
+    },
+    /// The flyweights press with too much at every speed of the map.
+    #[error(
+        "at ratio {ratio:.2}, the drive shifts out below {:.0} rpm: there the flyweights less their spring press with \
+         {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+    )]
+    TooHeavy {
         /// Nominal ratio.
         ratio: f64,
         /// Least speed of the map, rad/s.
-        from: f64,
-        /// Largest, rad/s.
-        to: f64,
+        speed: f64,
+        /// Force of flyweights less spring, N.
+        presses: f64,
+        /// Axial force of the belt that the secondary's actuator holds, N.
+        needs: f64,
+    },
+    /// The belt slips at a speed of the map whatever its tension, as far as the map has it.
+    #[error(
+        "at ratio {ratio:.2}, the belt slips at {:.0} rpm with every slack tension up to {tension:.0} N", speed * 30.0 / PI
+    )]
+    Untold {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Speed of the primary, rad/s.
+        speed: f64,
+        /// Largest slack tension of the map, N.
+        tension: f64,
+    },
+    /// A map that does not reach as far as the drive may have to.
+    #[error("at ratio {ratio:.2}, the map does not reach to `{}` = {value:.4}: expected one that does", key.path())]
+    Beyond {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Key of the axis.
+        key: Key,
+        /// Where on it, SI.
+        value: f64,
     },
     /// A clamp beyond the map.
     #[error("at ratio {ratio:.2}, the parts press with more than the map has: over {tension:.0} N of slack tension")]
@@ -76,6 +136,19 @@ pub enum Unfit {
         /// Nominal ratio.
         ratio: f64,
         /// Largest slack tension of the map, N.
+        tension: f64,
+    },
+    /// A clamp below the map.
+    #[error(
+        "at ratio {ratio:.2}, the parts press with less than the map has: below {tension:.0} N of slack tension at {:.0} rpm",
+        speed * 30.0 / PI
+    )]
+    Loose {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Speed of the primary, rad/s.
+        speed: f64,
+        /// Least slack tension of the map, N.
         tension: f64,
     },
     /// The balance was not found.
@@ -93,9 +166,12 @@ impl Unfit {
             Self::Actuator { error: ActuatorError::SpringSolid { .. }, .. } => "spring beyond its solid length",
             Self::Actuator { error: ActuatorError::HelixContact { .. }, .. } => "helix without contact",
             Self::Actuator { .. } => "actuator without force",
-            Self::Slips { .. } => "belt slips",
-            Self::Speed { .. } => "no balance at a speed of the map",
+            Self::Slips { .. } | Self::Untold { .. } => "belt slips",
+            Self::Beyond { .. } => "beyond the map",
+            Self::TooLight { .. } => "flyweights too light",
+            Self::TooHeavy { .. } => "flyweights too heavy",
             Self::Tight { .. } => "clamp beyond the map",
+            Self::Loose { .. } => "clamp below the map",
             Self::Lost { .. } => "balance not found",
         }
     }
@@ -193,7 +269,8 @@ impl<'a> Screen<'a> {
         self.map.at(&at)
     }
 
-    /// Newton's method for the speed and the slack tension at which both pulleys balance.
+    /// The speed and the slack tension at which both pulleys balance: by Newton's method from a point nearby, and where
+    /// that leaves the map, by bisection.
     fn balance(
         &self,
         drive: &Drive<'_>,
@@ -202,31 +279,47 @@ impl<'a> Screen<'a> {
         target: f64,
         readings: &mut usize,
     ) -> Result<ShiftPoint, Unfit> {
-        let (mut here, mut point) = self.start(drive, ratio, near, target, readings)?;
+        if let Some(start) = self.start(drive, ratio, near, target, readings)
+            && let Some(found) = self.newton(drive, ratio, start, readings)?
+        {
+            return Ok(found);
+        }
+        let start = self.bracket(drive, ratio, readings)?;
+        *readings += 1;
+        let point = self.at(drive, ratio, start).map_err(|_| Unfit::Lost { ratio })?;
+        self.newton(drive, ratio, (start, point), readings)?.ok_or(Unfit::Lost { ratio })
+    }
+
+    /// Newton's method; nothing where it leaves the map, which says where it went and not where the balance is.
+    fn newton(
+        &self,
+        drive: &Drive<'_>,
+        ratio: f64,
+        (mut here, mut point): ((f64, f64), MapPoint<'a>),
+        readings: &mut usize,
+    ) -> Result<Option<ShiftPoint>, Unfit> {
         for _ in 0..STEPS {
             let balance = drive.balance(self, ratio, here, &point)?;
             if balance.missed <= BALANCED {
-                return Ok(read(&point, ratio, here));
+                return Ok(Some(read(&point, ratio, here)));
             }
-            let (mut speed, mut tension) = balance.step().ok_or(Unfit::Lost { ratio })?;
+            let Some((mut speed, mut tension)) = balance.step() else { return Ok(None) };
             let stride = (STRIDE * here.0 / speed.abs()).min(0.5 * here.1 / tension.abs()).min(1.0);
             (speed, tension) = (stride * speed, stride * tension);
-            let mut moved = Err(Outside::Slipping);
+            let mut moved = None;
             for _ in 0..HALVINGS {
                 let there = (here.0 + speed, here.1 + tension);
                 *readings += 1;
-                moved = self.at(drive, ratio, there).map(|point| (there, point));
-                if moved.is_ok() {
+                moved = self.at(drive, ratio, there).ok().map(|point| (there, point));
+                if moved.is_some() {
                     break;
                 }
                 (speed, tension) = (0.5 * speed, 0.5 * tension);
             }
-            match moved {
-                Ok((there, next)) => (here, point) = (there, next),
-                Err(outside) => return Err(self.left(ratio, outside, tension)),
-            }
+            let Some(next) = moved else { return Ok(None) };
+            (here, point) = next;
         }
-        Err(Unfit::Lost { ratio })
+        Ok(None)
     }
 
     /// A point of the map to begin with: the one before, or one at the target's speed.
@@ -237,32 +330,113 @@ impl<'a> Screen<'a> {
         near: Option<(f64, f64)>,
         target: f64,
         readings: &mut usize,
-    ) -> Result<((f64, f64), MapPoint<'a>), Unfit> {
+    ) -> Option<((f64, f64), MapPoint<'a>)> {
         let tensions = self.map.axes()[self.tension].breakpoints();
         let tight = tensions.iter().rev().map(|tension| (target, *tension));
         let middle = tensions.get(tensions.len() / 2).map(|tension| (target, *tension));
-        for there in near.into_iter().chain(middle).chain(tight) {
+        near.into_iter().chain(middle).chain(tight).find_map(|there| {
             *readings += 1;
-            if let Ok(point) = self.at(drive, ratio, there) {
-                return Ok((there, point));
-            }
-        }
-        Err(Unfit::Slips { ratio })
+            Some((there, self.at(drive, ratio, there).ok()?))
+        })
     }
 
-    /// Why the balance lies off the map.
-    fn left(&self, ratio: f64, outside: Outside, tension: f64) -> Unfit {
+    /// A speed and a slack tension near the balance, by bisection over the speed: at each the slack tension is the one at
+    /// which the secondary balances, and the sign of what is left over on the primary says on which side it lies. At
+    /// speeds at which the secondary holds no belt against slip, the balance lies higher, if there is one.
+    fn bracket(&self, drive: &Drive<'_>, ratio: f64, readings: &mut usize) -> Result<(f64, f64), Unfit> {
         let (from, to) = self.map.axes()[self.speed].range();
-        match outside {
-            Outside::Slipping => Unfit::Slips { ratio },
-            Outside::Range { key: Key::SlackTension, .. } if tension > 0.0 => {
-                Unfit::Tight { ratio, tension: self.map.axes()[self.tension].range().1 }
-            }
-            Outside::Range { key: Key::SlackTension, .. } => Unfit::Slips { ratio },
-            Outside::Range { key: Key::PrimarySpeed | Key::PrimaryTorque, .. } => Unfit::Speed { ratio, from, to },
-            _ => Unfit::Lost { ratio },
+        let above = self.on_secondary(drive, ratio, to, readings)?;
+        if above.rest < 0.0 {
+            let (presses, needs) = (above.presses, above.presses - above.rest);
+            return Err(Unfit::TooLight { ratio, speed: to, presses, needs });
         }
+        let (mut low, mut high, mut best) = (from, to, (to, above.tension));
+        let mut below = match self.on_secondary(drive, ratio, from, readings) {
+            Ok(found) if found.rest > 0.0 => {
+                let (presses, needs) = (found.presses, found.presses - found.rest);
+                return Err(Unfit::TooHeavy { ratio, speed: from, presses, needs });
+            }
+            other => other.err(),
+        };
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            match self.on_secondary(drive, ratio, middle, readings) {
+                Ok(found) if found.rest >= 0.0 => (high, best) = (middle, (middle, found.tension)),
+                other => (low, below) = (middle, other.err()),
+            }
+        }
+        // Where the lower end slips, there is no balance between: the belt is lost before the flyweights are.
+        below.map_or(Ok(best), Err)
     }
+
+    /// The slack tension at which the secondary balances at a speed, and what is left over on the primary.
+    fn on_secondary(
+        &self,
+        drive: &Drive<'_>,
+        ratio: f64,
+        speed: f64,
+        readings: &mut usize,
+    ) -> Result<OnSecondary, Unfit> {
+        let tensions = self.map.axes()[self.tension].breakpoints();
+        let mut at = |tension: f64| -> Result<Option<Balance>, Unfit> {
+            *readings += 1;
+            match self.at(drive, ratio, (speed, tension)) {
+                Ok(point) => drive.balance(self, ratio, (speed, tension), &point).map(Some),
+                Err(Outside::Range { key, value, .. }) => Err(Unfit::Beyond { ratio, key, value }),
+                Err(_) => Ok(None),
+            }
+        };
+        let largest = tensions.last().copied().unwrap_or(f64::NAN);
+        let mut loosest = None;
+        for tension in tensions {
+            if let Some(balance) = at(*tension)? {
+                loosest = Some((*tension, balance));
+                break;
+            }
+        }
+        let (mut low, loose) = loosest.ok_or(Unfit::Untold { ratio, speed, tension: largest })?;
+        if loose.rest[1] < 0.0 {
+            // The end of the map says nothing of slip.
+            if tensions.first() == Some(&low) {
+                return Err(Unfit::Loose { ratio, speed, tension: low });
+            }
+            let presses = loose.presses[1];
+            let torque = drive.engine.torque(speed).value;
+            return Err(Unfit::Slips { ratio, speed, torque, presses, needs: presses - loose.rest[1] });
+        }
+        let tight = Unfit::Tight { ratio, tension: largest };
+        let mut here = at(largest)?.ok_or(tight.clone())?;
+        if here.rest[1] > 0.0 {
+            return Err(tight);
+        }
+        let (mut high, mut left, mut right) = (largest, loose.rest[1], here.rest[1]);
+        let mut tension = high;
+        // Regula falsi; an end that stays counts half (the Illinois rule).
+        for _ in 0..SECANTS {
+            tension = low + (high - low) * left / (left - right);
+            here = at(tension)?.ok_or(Unfit::Lost { ratio })?;
+            let rest = here.rest[1];
+            if rest.abs() <= NEARLY * here.presses[1].abs() {
+                break;
+            }
+            if rest > 0.0 {
+                (low, left, right) = (tension, rest, 0.5 * right);
+            } else {
+                (high, right, left) = (tension, rest, 0.5 * left);
+            }
+        }
+        Ok(OnSecondary { tension, presses: here.presses[0], rest: here.rest[0] })
+    }
+}
+
+/// Where the secondary balances.
+struct OnSecondary {
+    /// Slack tension, N.
+    tension: f64,
+    /// What presses on the primary, N.
+    presses: f64,
+    /// That less the belt's axial force, N.
+    rest: f64,
 }
 
 /// A drive as a combination of parts makes it.
@@ -274,6 +448,8 @@ struct Drive<'a> {
 
 /// What is left over on both pulleys, N, and its derivatives.
 struct Balance {
+    /// What the actuators press with, N.
+    presses: [f64; 2],
     rest: [f64; 2],
     /// By pulley: with respect to speed and slack tension.
     slopes: [[f64; 2]; 2],
@@ -330,7 +506,12 @@ impl Drive<'_> {
                 - secondary_slopes[k]
         };
         let missed = (rest[0] / primary_belt).abs().max((rest[1] / secondary_belt).abs());
-        Ok(Balance { rest, slopes: [[0, 1].map(on_primary), [0, 1].map(on_secondary)], missed })
+        Ok(Balance {
+            presses: [primary.value, secondary.value],
+            rest,
+            slopes: [[0, 1].map(on_primary), [0, 1].map(on_secondary)],
+            missed,
+        })
     }
 }
 

@@ -14,17 +14,20 @@ use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
 use crate::model::Output;
+use crate::powertrain::Governor;
 use crate::study::StudyError;
 use crate::threads;
 
 /// Speeds of the map around the target, as shares of it.
 const SPEEDS: (f64, f64) = (0.6, 1.25);
 /// Slack tensions of the map, N over the largest torque over the smallest radius of the primary.
-const TENSIONS: (f64, f64) = (0.05, 0.6);
+const TENSIONS: (f64, f64) = (0.03, 0.6);
 /// Least span of the map's torques, as a share of the largest.
 const TORQUES: f64 = 0.1;
 /// How far the map's torques reach beyond those of the curve's samples, as a share of the largest.
 const BEYOND: f64 = 0.01;
+/// Share of the torque that the governor leaves at the largest speed of the map.
+const LEFT: f64 = 0.4;
 /// How much the map reaches beyond both ends of the shift, as a share of the ratio.
 const MARGIN: f64 = 1e-9;
 
@@ -194,10 +197,11 @@ impl TunePlan {
         let engine = self.first.parts.engine.as_ref();
         let engine = engine.ok_or(TuneError::Missing { what: "engine", needs: "give [engine]" })?;
         let (least, most) = engine.range();
-        // Where the governor takes the torque away, nothing is to be tuned.
-        let governed = engine.governor.map(|governor| governor.governed).filter(|speed| *speed > self.options.target);
+        // An engine whose flyweights are too light for its full torque runs into the governor, and settles where that
+        // leaves as much torque as they hold.
+        let last = engine.governor.map_or(most, |Governor { governed, no_load }| no_load - LEFT * (no_load - governed));
         let from = (SPEEDS.0 * self.options.target).max(least);
-        let to = (SPEEDS.1 * self.options.target).min(governed.unwrap_or(most));
+        let to = (SPEEDS.1 * self.options.target).min(last);
         let target = self.options.target;
         let holds = from < target && target < to;
         if !holds {

@@ -47,10 +47,12 @@ pub struct Constants<S> {
 impl<S: Number> Constants<S> {
     /// Reads the drive's vector of constants.
     pub fn new(c: &[S]) -> Self {
-        let [speed_ratio, flow, phi_p, phi_s, c_p, c_s, l_t, l_s, ea, ei, k, m_o, r_p, r_s, l_c, beta, mu_k, v_thr, omega_p, m_in, t_slack] =
+        let [speed_ratio, flow, phi_p, phi_s, c_p, c_s, l_t, l_s, ea, ei, k, m_o, r_p, r_s, l_c, beta, mu_k, v_thr,
+            omega_p, m_in, t_slack] =
             c.try_into().unwrap();
         Self {
-            speed_ratio, flow, phi_p, phi_s, c_p, c_s, l_t, l_s, ea, ei, k, m_o, r_p, r_s, l_c, beta, mu_k, v_thr, omega_p, m_in, t_slack,
+            speed_ratio, flow, phi_p, phi_s, c_p, c_s, l_t, l_s, ea, ei, k, m_o, r_p, r_s, l_c, beta, mu_k, v_thr,
+                omega_p, m_in, t_slack,
         }
     }
 
@@ -89,7 +91,8 @@ pub fn contact<S: Number>(choice: Choice, primary: bool, s: f64, y: &[S], c: &Co
     let tang = p * 2.0 * (-sb * tan + mu * cbs * (tan * cg + sg)) * r;
     let x1 = -r * tan;
     let x2 = x1 * tan - r * d1 / (ct * ct);
-    let (q, d3) = if choice.full_shear { full_shear(c.ei, r, n, t, [st, ct, d1, d2], [x1, x2]) } else { linearised_shear(c.ei, r_n, x, n, t, [d1, d2], [x1, x2]) };
+    let (q, d3) = if choice.full_shear { full_shear(c.ei, r, n, t, [st, ct, d1, d2], [x1,
+        x2]) } else { linearised_shear(c.ei, r_n, x, n, t, [d1, d2], [x1, x2]) };
     let t1 = tang - q * (one - d1);
     let a1 = c.k * x / 2.0 * r / ct;
     let angle = phi * s;
@@ -182,7 +185,8 @@ pub fn boundary<S: Number>(choice: Choice, ends: &[S], integrals: &[S], c: &Cons
         g.push(-s1[3] + x1(s1, c.r_s, c.phi_s) / c.r_s);
         g.push(-s2[3] + x1(s2, c.r_s, c.phi_s) / c.r_s);
     } else {
-        let ends = [(p1, tight2, c.r_p, c.phi_p, c.l_t), (p2, slack1, c.r_p, c.phi_p, c.l_s), (s1, slack2, c.r_s, c.phi_s, c.l_s), (s2, tight1, c.r_s, c.phi_s, c.l_t)];
+        let ends = [(p1, tight2, c.r_p, c.phi_p, c.l_t), (p2, slack1, c.r_p, c.phi_p, c.l_s), (s1, slack2, c.r_s,
+            c.phi_s, c.l_s), (s2, tight1, c.r_s, c.phi_s, c.l_t)];
         for (contact, span, r, phi, l) in ends {
             let q = shear(choice, contact, r, phi, c.ei);
             g.push(if choice.continuous { q - c.ei * span[3] / (l * l) } else { q });

@@ -25,6 +25,7 @@ export async function native() {
       if (!response.ok) throw new Error(`${response.status}: ${await response.text()}`);
       return response.json();
     },
+    pid: child.pid,
     close: () => child.kill(),
   };
 }
@@ -34,7 +35,7 @@ const SAMPLED = /sliding_speed|max_penetration|adhesion_fraction|utilization|sli
 
 /**
  * How far two results differ: what is solved for and what is integrated, and what is read off samples. Differences are
- * relative to the number; those of tensions to the largest, those of torques and powers to what it alone would give, for they are
+ * relative to the number; those of angles, whose zero is a convention, to a radian; those of tensions to the largest, those of torques and powers to what it alone would give, for they are
  * differences of two tensions; those of shares to 1, of places to 0.1 m.
  */
 export function differences(a, b) {
@@ -48,6 +49,7 @@ export function differences(a, b) {
     if (/imbalance|closure|^\.efficiency/.test(path)) return share;
     if (/fraction$|utilization|reserve/.test(path)) return 1;
     if (/^\.(energy|losses|thermal)|friction_loss|power/.test(path)) return Math.max(size, power);
+    if (/angle$/.test(path)) return Math.max(size, 1);
     if (/torque$/.test(path)) return Math.max(size, torque);
     if (/tension$/.test(path)) return Math.max(size, tension);
     if (/resultant|length_error/.test(path)) return 0.1;

@@ -18,7 +18,7 @@ import {
   state,
   type,
 } from "./browser.mjs";
-import { differences } from "./native.mjs";
+import { differences, sameWay } from "./native.mjs";
 
 setUp();
 
@@ -50,7 +50,9 @@ test("sliders give the native program's numbers", async () => {
   for (const question of asked) last = await state.program.ask(question, "sliders");
   const shown = await answer(page);
   const { solved, sampled } = differences(shown.result, last.result);
-  console.log(`sliders: ${asked.length} questions, largest relative difference ${solved.largest.toExponential(1)}`);
+  console.log(
+    `sliders: ${asked.length} questions, ${sameWay(shown.result, last.result) ? "the same" : "other"} steps, largest relative difference ${solved.largest.toExponential(1)}`,
+  );
   assert.ok(solved.largest <= 1e-9, solved.at);
   assert.ok(sampled.largest <= 1e-6, sampled.at);
   assert.deepEqual(shown.given, [
@@ -182,13 +184,13 @@ test("what a file or a URL says is text, never markup", async () => {
     await page.waitForFunction(
       () => document.querySelector("#notice-message").textContent !== "" || document.documentElement.dataset.rested,
     );
-    const state = await page.evaluate(() => ({
+    const after = await page.evaluate(() => ({
       taken: globalThis.taken,
       images: document.querySelectorAll("img, script:not([src]), iframe, object").length,
       message: document.querySelector("#notice-message").textContent,
     }));
-    assert.equal(state.taken, undefined);
-    assert.equal(state.images, 0);
+    assert.equal(after.taken, undefined);
+    assert.equal(after.images, 0);
   }
   const page = await open();
   const refused = await page.evaluate(() => {

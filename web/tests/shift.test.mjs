@@ -7,9 +7,9 @@ import { answer, caseText, count, here, looked, open, rested, saved, setUp, shot
 setUp();
 
 /** The example drive in the second view, with friction in its actuators, so that both directions differ. */
-async function example(options = {}, url = undefined) {
+async function example(options = {}, url = undefined, friction = "2 deg") {
   const smooth = await readFile(here("../page/gx9.toml"), "utf8");
-  const text = smooth.replace(/^type = "(arm|helix)"$/gm, '$&\nfriction_angle = "2 deg"');
+  const text = smooth.replace(/^type = "(arm|helix)"$/gm, `$&\nfriction_angle = "${friction}"`);
   return open(`#shift=${encodeURIComponent(text)}`, options, url);
 }
 
@@ -64,12 +64,18 @@ test("the curve has the native program's numbers", async () => {
       await natively({ ask: "shift", case: text, direction, points: 9, tolerance: 1e-3 }, "curve");
     const { found } = await natively({ ask: "shift", case: text, direction, ...options }, "curve");
     assert.equal(shown.length, found.length);
+    // Where the engine gives no more torque an efficiency is a quotient of two small numbers: powers by the largest.
+    const most = Math.max(...found.map((point) => point.power_in));
     let largest = 0;
-    for (const [k, point] of shown.entries())
-      for (const key of ["secondary_speed", "primary_speed", "ratio", "efficiency", "primary_axial_force"])
+    for (const [k, point] of shown.entries()) {
+      for (const key of ["secondary_speed", "primary_speed", "ratio", "primary_axial_force", "secondary_axial_force"])
         largest = Math.max(largest, Math.abs(point[key] / found[k][key] - 1));
+      for (const key of ["power_in", "power_out"])
+        largest = Math.max(largest, Math.abs(point[key] - found[k][key]) / most);
+    }
     console.log(`${direction}: ${shown.length} points, largest relative difference ${largest.toExponential(1)}`);
-    assert.ok(largest < 1e-6, `${largest}`);
+    // As accurate as the solutions: where the steps of one search differ, so do its ends, and with them all points.
+    assert.ok(largest < options.tolerance, `${largest}`);
   }
 });
 
@@ -131,7 +137,7 @@ test("the curve is saved as CSV, JSON and SVG", async () => {
 });
 
 test("a tune is found, confirmed and used", async () => {
-  const page = await example();
+  const page = await example({}, undefined, "0 deg");
   const box = page.locator("#tune-box");
   assert.match(await box.inputValue(), /^\["mass"\]\nprimary\.actuator\.mass = \["113\.9 g", "134 g", "154\.1 g"\]\n/);
   assert.match(await page.locator("#tune-target").inputValue(), /^3\d00 rpm$/);
@@ -147,7 +153,7 @@ test("a tune is found, confirmed and used", async () => {
   assert.match(await search("[mass]", "3200 kg"), /expected a speed/);
   const parts =
     '[mass]\nprimary.actuator.mass = ["134 g", "160 g"]\n[helix]\nsecondary.actuator.helix_angle = ["31 deg", "34 deg"]\n';
-  assert.match(await search(parts, "3400 rpm"), /^\d of 4 combinations shift/);
+  assert.match(await search(parts, "3200 rpm"), /^\d of 4 combinations shift/);
   const rows = page.locator("#tunes tbody tr");
   assert.ok((await rows.count()) > 0);
   const cells = await rows.first().locator("td").allTextContents();

@@ -73,7 +73,7 @@ impl Strut {
             integrals: kernel.integrals.iter().map(|integral| integral.name().to_owned()).collect(),
             state_pattern: kernel.state_pattern.to_vec(),
             constant_pattern: kernel.constant_pattern.to_vec(),
-            usual_entries: kernel.usual_entries,
+            default_entries: kernel.usual_entries,
         };
         let constants =
             ends.constants.iter().map(|symbol| solver::Constant { name: symbol.name.to_owned(), scale: None });

@@ -38,7 +38,8 @@ impl std::fmt::Display for Count {
         }
         write!(
             f,
-            "{additions} add, {multiplications} mul, {divisions} div, {roots} sqrt, {functions} fn a point; {uniform} once"
+            "{additions} add, {multiplications} mul, {divisions} div, {roots} sqrt, {functions} fn a point; {uniform} \
+            once"
         )
     }
 }

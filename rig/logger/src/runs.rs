@@ -266,7 +266,8 @@ pub fn write_new(path: &Path, text: &str) -> io::Result<()> {
 #[must_use]
 pub fn points_table(points: &[Point]) -> String {
     let mut text = String::from(
-        "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,secondary_torque_sd,n_torque,\
+        "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,\
+            secondary_torque_sd,n_torque,\
          duration_s,settling_s,settled\n",
     );
     for point in points {

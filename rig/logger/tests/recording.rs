@@ -62,8 +62,10 @@ proptest! {
     }
 
     #[test]
-    fn a_record_comes_back_as_it_was(at: u64, bytes in prop::collection::vec(any::<u8>(), FRAME_LENGTH), celsius in -100.0..900.0) {
-        for record in [Record::Frame { at, bytes: bytes.clone().try_into().unwrap() }, Record::Temperature { at, celsius }] {
+    fn a_record_comes_back_as_it_was(at: u64, bytes in prop::collection::vec(any::<u8>(), FRAME_LENGTH),
+        celsius in -100.0..900.0) {
+        for record in [Record::Frame { at, bytes: bytes.clone().try_into().unwrap() }, Record::Temperature { at,
+            celsius }] {
             let line = record.line();
             prop_assert_eq!(Record::parse(line.strip_suffix('\n').unwrap()), Some(record));
         }

@@ -7,32 +7,15 @@ use std::net::{SocketAddr, TcpStream};
 use std::sync::{Arc, Mutex};
 
 use rig_logger::calibration::Calibration;
-use rig_logger::journal::{Recorder, Sink};
 use rig_logger::session::{OperatingLimits, Session, Status};
 use rig_logger::simulated::SimulatedRig;
 use rig_logger::web::serve;
 
-struct Nowhere;
-
-impl Write for Nowhere {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
-impl Sink for Nowhere {
-    fn synchronise(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
+mod support;
 
 fn status() -> Status {
-    let recorder = Recorder::over(Box::new(Nowhere));
-    let session = Session::new(SimulatedRig::new(false), Calibration::THESIS, OperatingLimits::RIG, recorder);
+    let session =
+        Session::new(SimulatedRig::new(false), Calibration::THESIS, OperatingLimits::RIG, support::recorder());
     session.status().clone()
 }
 

@@ -17,9 +17,10 @@ use rig_core::{BusAnswer, Frame, Instant};
 use rig_logger::calibration::Calibration;
 use rig_logger::hardware::{Brake, Hardware, HardwareError, Outputs};
 use rig_logger::interlock::{Cause, Command, Mode};
-use rig_logger::journal::{Recorder, Sink};
 use rig_logger::session::{OperatingLimits, Session};
 use rig_logger::wired::{WiredRig, Wires};
+
+mod support;
 
 /// What is at the other end of the wires.
 struct Far {
@@ -275,27 +276,8 @@ fn the_throttle_s_pulses_are_those_of_the_thesis_and_it_closes_when_the_rig_is_l
     assert_eq!((far.borrow().duty, far.borrow().moves), (2200, false));
 }
 
-struct Nowhere;
-
-impl std::io::Write for Nowhere {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
-impl Sink for Nowhere {
-    fn synchronise(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
 fn running(far: &Shared) -> Session<WiredRig<Bus, Output, Stop, Servo>> {
-    let recorder = Recorder::over(Box::new(Nowhere));
-    let mut session = Session::new(rig(far), Calibration::THESIS, OperatingLimits::RIG, recorder);
+    let mut session = Session::new(rig(far), Calibration::THESIS, OperatingLimits::RIG, support::recorder());
     let convert = |place: u16| {
         let mut far = far.borrow_mut();
         let now = Instant::from_microseconds(far.started.elapsed().as_micros() as u64);

@@ -163,7 +163,8 @@ fn a_hang_ends_in_a_reset_that_opens_the_relay_and_says_so() {
 }
 
 /// Between two reads of a master as fast as can be, or as slow, there is a fresh answer: composed within two turns of
-/// the main loop, which the bus's interrupts slow down to two fifths of its speed at 400 kHz, to four fifths at 100 kHz.
+/// the main loop, which the bus's interrupts slow down to two fifths of its speed at 400 kHz, to four fifths at 100
+/// kHz.
 #[test]
 fn no_polling_rate_starves_the_answers() {
     for (hertz, speed) in [(100_000, 0.8), (400_000, 0.4)] {
@@ -284,12 +285,13 @@ const TURN_MS: f64 = 1.5;
 /// The bound has two parts. Revolutions: a jump at a fraction f of a revolution is known once four intervals are within
 /// 1 %, which takes 4 − f periods where f is at most a fifth (the mixed interval is then as good as a new one) and
 /// 5 − f otherwise: at most 4.8 periods. Device: a pulse waits for the next turn of the main loop and is published at
-/// the end of that turn, or of the read that is under way then; two turns slowed down by the bus to two fifths, one read,
-/// one time between reads, and the read that brings it.
+/// the end of that turn, or of the read that is under way then; two turns slowed down by the bus to two fifths, one
+/// read, one time between reads, and the read that brings it.
 #[test]
 fn a_step_of_speed_is_known_in_time_at_every_phase() {
     let mut table = String::from(
-        "| frames asked for | step 3000 to 3600 rpm within 1 %, at the latest | of this: revolutions | device and bus |\n\
+        "| frames asked for | step 3000 to 3600 rpm within 1 %, at the latest | of this: revolutions | device and bus \
+        |\n\
          |---|---|---|---|\n",
     );
     for (name, gap_us) in

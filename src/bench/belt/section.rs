@@ -64,7 +64,8 @@ impl Section {
         let (least, most) = (of(0.0).about_centroid, of(high).about_centroid);
         if !(least..=most).contains(&about_centroid) {
             let reason = format!(
-                "the bending test says a second moment of area of {about_centroid:.4e} m⁴, but sections of this width and \
+                "the bending test says a second moment of area of {about_centroid:.4e} m⁴, but sections of this width \
+                and \
                  cord depth have {least:.4e} (no rubber inside the cords) to {most:.4e} m⁴; check the units of moment, \
                  radius and modulus, and the width"
             );

@@ -113,7 +113,8 @@ impl Properties {
         series.push(Series::line("neutral axis of the rubber", across(section.centroid)).color(1));
         series.push(Series::line("cords", across(section.cord_depth)).color(2));
         let caption = format!(
-            "Equivalent section in bending: trapezoid {:.3} mm high, neutral axis of the rubber {:.3} mm above the cords",
+            "Equivalent section in bending: trapezoid {:.3} mm high, neutral axis of the rubber {:.3} mm above the \
+            cords",
             1e3 * section.height,
             1e3 * section.above_cords
         );

@@ -17,14 +17,18 @@ const fn entry(path: &'static str, kind: Kind, example: &'static str, doc: &'sta
 #[rustfmt::skip]
 pub static TABLE: [Entry; 8] = [
     entry("flyweights.count", PLAIN, "3", "flyweights"),
-    entry("flyweights.mass", Kind::Quantity { unit: Unit::decimal("g", -3, Dimension::MASS), range: Range::POSITIVE }, "\"228 g\"",
+    entry("flyweights.mass", Kind::Quantity { unit: Unit::decimal("g", -3, Dimension::MASS),
+        range: Range::POSITIVE }, "\"228 g\"",
         "m, mass of each"),
-    entry("flyweights.position.belt_radius", MM, "\"68 mm\"", "one [[flyweights.position]] for each radius of the belt on the primary"),
+    entry("flyweights.position.belt_radius", MM, "\"68 mm\"", "one [[flyweights.position]] for each radius of the belt \
+        on the primary"),
     entry("flyweights.position.radius", MM, "\"52 mm\"", "r, radius of a flyweight's centre of mass there"),
     entry("flyweights.position.advantage", PLAIN, "0.6", "ΔD_R/ΔD_A, radial over axial displacement there"),
-    entry("spring.force_at_full_shift", Kind::Quantity { unit: Unit::decimal("N", 0, Dimension::FORCE), range: Range::POSITIVE },
+    entry("spring.force_at_full_shift", Kind::Quantity { unit: Unit::decimal("N", 0, Dimension::FORCE),
+        range: Range::POSITIVE },
         "\"950 N\"", "force of the spring at full shift"),
-    entry("spring.rate", Kind::Quantity { unit: Unit::decimal("N/m", 0, Dimension::new(0, 1, -2, 0)), range: Range::POSITIVE },
+    entry("spring.rate", Kind::Quantity { unit: Unit::decimal("N/m", 0, Dimension::new(0, 1, -2, 0)),
+        range: Range::POSITIVE },
         "\"18200 N/m\"", "rate of the spring"),
     entry("spring.full_shift_radius", MM, "\"93 mm\"", "radius of the belt on the primary at full shift"),
 ];

@@ -274,7 +274,8 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
         match value {
             Some((Key::BeltLength, _)) | None => {
                 let reason = format!(
-                    "`{name}` cannot be fitted: expected {ENGINE_SCALE}, a constant of belt or sheave other than belt.length, \
+                    "`{name}` cannot be fitted: expected {ENGINE_SCALE}, a constant of belt or sheave other than \
+                    belt.length, \
                      or the case's own clamp, such as operating_point.slack_tension"
                 );
                 return Err(unusable("--fit", reason).into());
@@ -495,7 +496,8 @@ fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
     }
     if found.errors.is_none() {
         warnings.push(format!(
-            "the data do not determine {} together: some combination of them leaves all efficiencies as they are; fit fewer",
+            "the data do not determine {} together: some combination of them leaves all efficiencies as they are; fit \
+            fewer",
             names.join(", ")
         ));
     }

@@ -49,7 +49,8 @@ pub fn figures(comparison: &Comparison) -> Vec<Figure> {
                 .color(5),
         );
     }
-    let caption = "Measured and computed overall efficiency over the primary's radius; bars are 95 % intervals of the measurements";
+    let caption = "Measured and computed overall efficiency over the primary's radius; bars are 95 % intervals of the \
+        measurements";
     let radius = aired(Axis::new("primary radius R_{P} (mm)"), rows.iter().map(|row| row.0));
     let over_radius = Figure::new("efficiency", caption, radius, Axis::new("overall efficiency (%)"), series);
     let mut residual = line(&|row| (row.1, 100.0 * (row.3 - row.2 / scale)));

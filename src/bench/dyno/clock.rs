@@ -88,8 +88,9 @@ impl<R> Clock<R> {
         self.far(ticks, row)
     }
 
-    /// Reads a stamp that is far from the last. It counts when one that is held is close before it; farther from that, only
-    /// when a third follows at a step like that between them: a single one may be garbled, whichever of them it is.
+    /// Reads a stamp that is far from the last. It counts when one that is held is close before it; farther from that,
+    /// only when a third follows at a step like that between them: a single one may be garbled, whichever of them it
+    /// is.
     fn far(&mut self, ticks: f64, row: R) -> (Stamp<R>, Vec<R>) {
         let first = self.held.first().and_then(|held| self.after(held, ticks));
         let second = self.held.get(1).and_then(|held| self.after(held, ticks));
@@ -100,7 +101,8 @@ impl<R> Clock<R> {
         let between = between.filter(|between| (0.0..=LEAP).contains(between));
         let alike = |step: f64| between.is_some_and(|between| step <= ALIKE * between && between <= ALIKE * step);
         let near = |step: f64| step <= NEAR;
-        // Which of the rows that are held this one goes with, where it stands beside them, and whether that confirms it.
+        // Which of the rows that are held this one goes with, where it stands beside them, and whether that confirms
+        // it.
         let (kept, place, confirmed) = match (first, second) {
             (_, Some(place)) if alike(place.step) => (0..2, Some(place), true),
             (_, Some(place)) if near(place.step) => (1..2, Some(place), true),

@@ -77,7 +77,8 @@ pub enum Problem {
     },
     /// Numbers of which something that is wanted is too large, or does not exist.
     #[error(
-        "these numbers are too large, or too small, to compute with: an inertia or a torque is not a finite number; check \
+        "these numbers are too large, or too small, to compute with: an inertia or a torque is not a finite number; \
+        check \
          their units"
     )]
     Overflow,

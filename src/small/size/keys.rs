@@ -46,7 +46,8 @@ pub static TABLE: [Entry<BeltDrive>; 11] = [
         range: FROM_ZERO, example: 50.0, field: |drive| &mut drive.linear_mass },
     Entry { path: "linear.force", symbol: "F", doc: "external force on the belt, against its motion", unit: N,
         range: ANY, example: 120.0, field: |drive| &mut drive.force },
-    Entry { path: "linear.friction_force", symbol: "F_f", doc: "friction force on what moves in a straight line", unit: N,
+    Entry { path: "linear.friction_force", symbol: "F_f", doc: "friction force on what moves in a straight \
+        line", unit: N,
         range: FROM_ZERO, example: 20.0, field: |drive| &mut drive.friction_force },
     Entry { path: "input.diameter", symbol: "D_in", doc: "diameter of the input pulley; must be given", unit: MM,
         range: Range::POSITIVE, example: 100.0, field: |drive| &mut drive.input_diameter },
@@ -58,7 +59,8 @@ pub static TABLE: [Entry<BeltDrive>; 11] = [
         range: FROM_ZERO, example: 2e-2, field: |drive| &mut drive.output_inertia },
     Entry { path: "output.load_inertia", symbol: "I_RL", doc: "inertia of the rotary load on the output pulley",
         unit: KG_M2, range: FROM_ZERO, example: 0.5, field: |drive| &mut drive.load_inertia },
-    Entry { path: "output.load_torque", symbol: "T_out", doc: "torque that the application takes from the output pulley",
+    Entry { path: "output.load_torque", symbol: "T_out", doc: "torque that the application takes from the output \
+        pulley",
         unit: NM, range: ANY, example: 40.0, field: |drive| &mut drive.load_torque },
     Entry { path: "motion.acceleration", symbol: "α", doc: "angular acceleration of the input pulley", unit: RAD_PER_S2,
         range: ANY, example: 30.0, field: |drive| &mut drive.acceleration },
@@ -67,7 +69,8 @@ pub static TABLE: [Entry<BeltDrive>; 11] = [
 /// The keys of an idler: one table `[[idler]]` for each.
 #[rustfmt::skip]
 pub static IDLER: [Entry<Idler>; 2] = [
-    Entry { path: "idler.inertia", symbol: "I", doc: "inertia of an idler", unit: KG_M2, range: FROM_ZERO, example: 3e-4,
+    Entry { path: "idler.inertia", symbol: "I", doc: "inertia of an \
+        idler", unit: KG_M2, range: FROM_ZERO, example: 3e-4,
         field: |idler| &mut idler.inertia },
     Entry { path: "idler.diameter", symbol: "D", doc: "diameter of an idler", unit: MM, range: Range::POSITIVE,
         example: 60.0, field: |idler| &mut idler.diameter },

@@ -1,0 +1,243 @@
+//! Inverse design: the ramp and the helix that hold the engine at one speed over the whole shift.
+//!
+//! A tuner chooses parts and finds out where the engine runs. Asked the other way round, the engine runs at the target's
+//! speed and gives its torque there, at every place of the shift. Then the belt is a problem with what clamps it still to
+//! be said:
+//!
+//! | made | the belt is clamped by | what it takes on the other side is |
+//! |---|---|---|
+//! | ramp | helix and spring of the case | A_P + F_spring, which the flyweights have to give |
+//! | helix | flyweights and spring of the case | A_S − F_spring, which the helix has to give |
+//! | both | as much as leaves the slip reserve that is asked for | both |
+//!
+//! From the force over the travel follows the profile ([`Shape`]), by the same laws as in the forward problem. It is
+//! written as text with six decimals, read again as any part is, and the drive is solved forward with it.
+
+mod check;
+mod drawing;
+mod error;
+mod points;
+mod shape;
+mod table;
+
+pub use check::{Check, CheckPoint};
+pub use drawing::{Outline, dxf, surface};
+pub use error::InverseError;
+pub use points::{ClampedBy, InversePoint};
+pub use shape::Shape;
+pub use table::{inverse_figures, inverse_summary, inverse_table};
+
+use serde::Serialize;
+
+use crate::case::{Case, Key};
+use crate::drive::SolveOptions;
+use crate::equilibrium::Direction;
+use crate::quantity::unsigned_zero;
+use points::Held;
+use shape::{flyweight_shape, helix_shape};
+
+/// Which profile is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Made {
+    /// The flyweights' ramp, cam or coefficients; the helix is the case's.
+    Ramp,
+    /// The helix; the flyweights are the case's.
+    Helix,
+    /// Both, with the slip reserve that is asked for at every place.
+    Both,
+}
+
+/// What is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InverseOptions {
+    /// Speed to hold the engine at, rad/s.
+    pub target: f64,
+    /// What is made.
+    pub made: Made,
+    /// Least slip reserve over the shift; with [`Made::Both`] the one at every place.
+    pub reserve: f64,
+    /// Which way friction in the actuators acts.
+    pub direction: Direction,
+    /// Places of the shift at which the belt is solved, and points of the profile.
+    pub points: usize,
+    /// Places between them at which the drive is solved forward.
+    pub checked: usize,
+    /// How the belt is solved.
+    pub solve: SolveOptions,
+}
+
+impl InverseOptions {
+    /// For a target speed in rad/s.
+    pub fn new(target: f64, made: Made) -> Self {
+        let reserve = if made == Made::Both { 0.3 } else { 0.0 };
+        let direction = Direction::Up;
+        Self { target, made, reserve, direction, points: 41, checked: 9, solve: SolveOptions::default() }
+    }
+}
+
+/// A made part: the section of the case file that it is, with its keys.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MadePart {
+    /// Its profile.
+    pub shape: Shape,
+    /// Name of the section: `primary.actuator` or `secondary.actuator`.
+    pub section: &'static str,
+    /// All of the section, as the text of a part in a file of its own.
+    pub text: String,
+    /// Its curve, where it is one that can be drawn to scale.
+    pub outlines: Vec<Outline>,
+}
+
+/// The profiles that hold the engine at a speed, and how well they do it.
+#[derive(Debug, Clone)]
+pub struct Inverse {
+    /// What was asked for.
+    pub options: InverseOptions,
+    /// Torque of the engine at the target, N·m.
+    pub torque: f64,
+    /// The belt along the shift.
+    pub points: Vec<InversePoint>,
+    /// What was made: the primary's part first.
+    pub parts: Vec<MadePart>,
+    /// The case with the profiles in it.
+    pub case: Case,
+    /// The drive solved forward with them.
+    pub check: Check,
+}
+
+impl Inverse {
+    /// Smallest slip reserve over the shift.
+    pub fn smallest_reserve(&self) -> f64 {
+        self.points.iter().map(|point| point.slip_reserve).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Makes the profiles. A belt whose temperature is to be found is taken as it is given.
+///
+/// # Errors
+/// See [`InverseError`]: what was asked is wrong, or such a profile cannot be made.
+pub fn inverse(case: &Case, options: &InverseOptions) -> Result<Inverse, InverseError> {
+    allowed(options)?;
+    let mut resolved = case.resolve()?;
+    resolved.thermal = None;
+    let clamp = match options.made {
+        Made::Ramp => ClampedBy::Secondary,
+        Made::Helix => ClampedBy::Primary,
+        Made::Both => ClampedBy::Reserve(options.reserve),
+    };
+    let held = Held::new(&resolved, options.target, options.direction, clamp, &options.solve)?;
+    let points = held.points(options.points)?;
+    enough(&points, options)?;
+    let mut shapes = Vec::new();
+    if options.made != Made::Helix {
+        let (actuator, shift) = (&held.actuation.primary, options.direction.primary());
+        shapes.push(flyweight_shape(actuator, &points, options.target, shift)?);
+    }
+    if options.made != Made::Ramp {
+        shapes.push(helix_shape(&held.actuation.secondary, &points, options.direction.secondary())?);
+    }
+    let mut with = case.clone();
+    for shape in &shapes {
+        place(&mut with, shape, held.actuation.angle_from)?;
+    }
+    let parts = shapes.into_iter().map(|shape| {
+        let section = section(&shape);
+        let outlines = drawing::outlines(&shape, held.actuation);
+        MadePart { text: with.part_toml(section), shape, section, outlines }
+    });
+    let parts = parts.collect();
+    let check = check::check(&with, &points, options)?;
+    Ok(Inverse { options: *options, torque: held.torque, points, parts, case: with, check })
+}
+
+fn allowed(options: &InverseOptions) -> Result<(), InverseError> {
+    let wrong = |what, given: String, expected: &str| {
+        Err(InverseError::Parameter { what, given, expected: expected.to_owned() })
+    };
+    if !(options.target.is_finite() && options.target > 0.0) {
+        return wrong("the target", format!("{} rad/s", options.target), "a speed above zero, such as \"3400 rpm\"");
+    }
+    if !(0.0..1.0).contains(&options.reserve) {
+        return wrong("the reserve", options.reserve.to_string(), "a share from 0 to below 1");
+    }
+    if options.made == Made::Both && options.reserve <= 0.0 {
+        return wrong(
+            "the reserve",
+            options.reserve.to_string(),
+            "a share above 0, for both profiles are made from it",
+        );
+    }
+    if !(5..=1000).contains(&options.points) {
+        return wrong("the number of points", options.points.to_string(), "a number from 5 to 1000");
+    }
+    if !(1..=1000).contains(&options.checked) {
+        return wrong("the number of checked places", options.checked.to_string(), "a number from 1 to 1000");
+    }
+    Ok(())
+}
+
+/// Refuses a clamp that leaves less than is asked for.
+fn enough(points: &[InversePoint], options: &InverseOptions) -> Result<(), InverseError> {
+    let remedy = match options.made {
+        Made::Ramp => {
+            "a smaller helix angle or a stiffer spring of the secondary clamps tighter; or let both profiles be made"
+        }
+        Made::Helix => {
+            "heavier flyweights or a softer spring of the primary clamp tighter; or let both profiles be made"
+        }
+        Made::Both => return Ok(()),
+    };
+    let least = points.iter().min_by(|a, b| a.slip_reserve.total_cmp(&b.slip_reserve));
+    match least {
+        Some(point) if point.slip_reserve < options.reserve => {
+            let (ratio, reserve) = (point.ratio, point.slip_reserve);
+            Err(InverseError::Reserve { ratio, reserve, wanted: options.reserve, remedy })
+        }
+        _ => Ok(()),
+    }
+}
+
+const fn section(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Coefficient(_) | Shape::Ramp(_) | Shape::Roller(_) | Shape::Cam(_) => "primary.actuator",
+        Shape::Helix(..) => "secondary.actuator",
+    }
+}
+
+/// Six decimals: a nanometre, where the unit is a millimetre.
+fn list(values: &[f64], unit: f64, symbol: &str) -> String {
+    let texts: Vec<String> = values.iter().map(|value| unsigned_zero(&format!("{:.6}", value / unit)).into()).collect();
+    format!("{} {symbol}", texts.join(", "))
+}
+
+/// Puts a profile into a case, by the text that its file has.
+fn place(case: &mut Case, shape: &Shape, from: crate::actuator::AngleFrom) -> Result<(), InverseError> {
+    const MM: f64 = 1e-3;
+    const DEG: f64 = std::f64::consts::PI / 180.0;
+    let mut set = |keys: [Key; 2], profile: &crate::actuator::Profile, values: String| {
+        case.set(keys[0].path(), &list(profile.places(), MM, "mm"))?;
+        case.set(keys[1].path(), &values)
+    };
+    match shape {
+        Shape::Coefficient(profile) => {
+            set([Key::FlyweightTravels, Key::FlyweightCoefficients], profile, list(profile.values(), MM, "mm"))?;
+        }
+        Shape::Ramp(profile) => {
+            set([Key::FlyweightTravels, Key::FlyweightRadii], profile, list(profile.values(), MM, "mm"))?;
+        }
+        Shape::Roller(profile) => {
+            set([Key::RampPlaces, Key::RampRadii], profile, list(profile.values(), MM, "mm"))?;
+        }
+        Shape::Cam(profile) => {
+            set([Key::PitchDistances, Key::PitchAngles], profile, list(profile.values(), DEG, "deg"))?;
+        }
+        Shape::Helix(profile, _) => {
+            let angles: Vec<f64> = profile.values().iter().map(|angle| from.from_rotation(*angle)).collect();
+            set([Key::HelixOpenings, Key::HelixAngles], profile, list(&angles, DEG, "deg"))?;
+            case.unset(Key::HelixAngle.path())?;
+        }
+    }
+    Ok(())
+}
