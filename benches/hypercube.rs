@@ -123,8 +123,7 @@ fn main() {
         let (solved, solvable) = (time.len(), designs - beyond);
         println!(
             "{edition}: {solved} of {designs} solved, {beyond} beyond their slip limit, {} failed: {:.2} % of the \
-            others; \
-             time median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms",
+             others; time median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms",
             solvable - solved,
             100.0 * solved as f64 / solvable as f64,
             quantile(0.5),

@@ -112,8 +112,7 @@ fn main() {
         let solvable = work.len() + failed.len();
         println!(
             "| {edition} | seed {seed} | {all} designs | {} solved | {} beyond the slip limit | {} pressed through | \
-            {} refused | {} failed | \
-             {:.2} % | Newton iterations {} median, {} 99 %, {} worst (design {}) |",
+             {} refused | {} failed | {:.2} % | Newton iterations {} median, {} 99 %, {} worst (design {}) |",
             work.len(),
             beyond.len(),
             sunk.len(),

@@ -149,7 +149,8 @@ proptest! {
     fn drives_to_size(text in text(), number in any::<f64>()) {
         let _ = BeltDrive::from_toml("fuzz.toml", &text);
         let text = format!("[input]\ndiameter = \"{number:e} mm\"\n[linear]\nmass = \"{number:e} kg\"\n");
-        if let Ok(drive) = BeltDrive::from_toml("fuzz.toml", &text) && let Ok(sizing) = sheave::small::size::size(&drive) {
+        if let Ok(drive) = BeltDrive::from_toml("fuzz.toml",
+            &text) && let Ok(sizing) = sheave::small::size::size(&drive) {
             assert!(sizing.torque.drive.is_finite() && sizing.inertia.total.is_finite());
         }
     }
@@ -176,7 +177,8 @@ proptest! {
                 let sound = String::from_utf8_lossy(journal()).into_owned();
                 sheave::study::Rows::each(&stored, &mut |cells| {
                     let force = cells.iter().find_map(sheave::study::Cell::number).unwrap();
-                    assert!(sound.contains(&format!("[{force},")) || sound.contains(&format!("[{force:?},")), "{cells:?}");
+                    assert!(sound.contains(&format!("[{force},")) || sound.contains(&format!("[{force:?},")),
+                        "{cells:?}");
                     Ok(())
                 }).unwrap();
             }

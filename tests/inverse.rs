@@ -159,7 +159,8 @@ fn a_helix_holds_the_target() {
     // The case's own flyweights press too little at 3400 rpm to hold the torque at high ratio.
     let mut case = gx9();
     case.set("primary.actuator.mass", "175 g").unwrap();
-    let found = made(&case, &options(3400.0, Made::Helix));
+    // As many points as the trapezoidal rule below needs.
+    let found = made(&case, &InverseOptions { points: 25, ..options(3400.0, Made::Helix) });
     let Shape::Helix(angles, turns) = &found.parts[0].shape else { panic!("{:?}", found.parts[0].shape) };
     // The turn is the integral of ds/(r_h tan α), here by the trapezoidal rule.
     let slope = |at: usize| 1.0 / (46.04e-3 * angles.values()[at].tan());

@@ -1,4 +1,5 @@
-//! Shift lines as they were measured on two drives, beside those of the model: with the numbers that docs/drive.md states.
+//! Shift lines as they were measured on two drives, beside those of the model: with the numbers that docs/drive.md
+//! states.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::f64::consts::PI;
@@ -50,8 +51,8 @@ fn medians(tune: &str) -> (Vec<f64>, Vec<f64>) {
     (column(5), column(4))
 }
 
-/// The share of the torque was fitted on tune 1; tunes 3 and 4 are predicted. What is stated is met to a few rpm, so that
-/// neither a better nor a worse model goes unnoticed.
+/// The share of the torque was fitted on tune 1; tunes 3 and 4 are predicted. What is stated is met to a few rpm, so
+/// that neither a better nor a worse model goes unnoticed.
 #[test]
 fn three_tunes_of_a_baja_car() {
     let case = Case::read(&path("examples/drive/gx9.toml")).unwrap();
@@ -86,8 +87,8 @@ fn three_tunes_of_a_baja_car() {
     }
 }
 
-/// Setup 73800-00 of the bench of the University of Pretoria, whose load is not stated: one number, the engine's torque as
-/// a share of a Kohler CH440's, was fitted.
+/// Setup 73800-00 of the bench of the University of Pretoria, whose load is not stated: one number, the engine's torque
+/// as a share of a Kohler CH440's, was fitted.
 #[test]
 fn a_bench_whose_load_is_fitted() {
     let mut case = Case::read(&path("examples/tune/tuksbaja.toml")).unwrap();

@@ -5,7 +5,7 @@ use sheave::beltmap::{BeltMap, KeepNothing, MapOptions};
 use sheave::case::{Case, Key};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{Direction, equilibrium};
-use sheave::tune::{PartsBox, TuneError, TuneOptions, TunePlan};
+use sheave::tune::{PartsBox, Ranking, TuneError, TuneOptions, TunePlan};
 use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -42,12 +42,20 @@ fn map() -> &'static BeltMap {
     })
 }
 
+/// The search of the whole box on that map, its best tune confirmed, and how often it told of a combination done.
+fn search() -> &'static (Ranking, usize) {
+    static SEARCH: OnceLock<(Ranking, usize)> = OnceLock::new();
+    SEARCH.get_or_init(|| {
+        let done = AtomicUsize::new(0);
+        let ranking = plan(whole_box(), 1).search(map(), &|| _ = done.fetch_add(1, Ordering::Relaxed)).unwrap();
+        (ranking, done.into_inner())
+    })
+}
+
 #[test]
 fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
-    let plan = plan(whole_box(), 0);
-    let done = AtomicUsize::new(0);
-    let ranking = plan.search(map(), &|| _ = done.fetch_add(1, Ordering::Relaxed)).unwrap();
-    assert_eq!((ranking.candidates, done.into_inner()), (10_800, 10_800));
+    let (ranking, done) = search();
+    assert_eq!((ranking.candidates, *done), (10_800, 10_800));
     let refused: usize = ranking.refused.iter().map(|refused| refused.count).sum();
     assert_eq!(ranking.tunes.len() + refused, 10_800);
     assert!(!ranking.tunes.is_empty(), "{:?}", ranking.refused);
@@ -70,7 +78,7 @@ fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
 
 #[test]
 fn a_full_solution_confirms_what_the_map_says() {
-    let ranking = plan(whole_box(), 1).search(map(), &|| ()).unwrap();
+    let (ranking, _) = search();
     let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
     let confirmed = tune.confirmed.as_ref().unwrap();
     assert!(confirmed.points >= 2, "{confirmed:?}");
@@ -82,7 +90,7 @@ fn a_full_solution_confirms_what_the_map_says() {
 /// shifted to the ratio at which they were found so, and its engine turns faster than the map has it.
 #[test]
 fn a_full_solution_confirms_a_refusal() {
-    let ranking = plan(whole_box(), 0).search(map(), &|| ()).unwrap();
+    let (ranking, _) = search();
     let light = ranking.refused.iter().find(|refused| refused.reason == "flyweights too light");
     let light = light.unwrap_or_else(|| panic!("{:?}", ranking.refused));
     let ratio = light.example.strip_prefix("at ratio ").and_then(|rest| rest.split(',').next());

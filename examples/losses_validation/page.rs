@@ -62,8 +62,7 @@ pub fn summary(bench: &Bench) -> String {
 fn point_table(bench: &Bench, model: &Model, scale: f64) -> String {
     let mut text = String::from(
         "| step | ω_P / rpm | ω_S / rpm | M_S / N·m | R_S/R_P | friction / W | bending / W | groove / W | model, \
-        friction alone | model, \
-         with hysteresis | measured, scaled | standard error | residual, points |\n\
+         friction alone | model, with hysteresis | measured, scaled | standard error | residual, points |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for (step, said) in bench.steps.iter().zip(&model.said) {

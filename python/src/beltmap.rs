@@ -140,8 +140,8 @@ impl BeltMap {
         convert::python(py, self.0.inputs())
     }
 
-    /// A quantity at many points: `points` of shape (m, number of axes), SI, in the order of `keys`. Gives its values, shape
-    /// (m,), and its derivatives, shape (m, number of axes); not a number outside the map.
+    /// A quantity at many points: `points` of shape (m, number of axes), SI, in the order of `keys`. Gives its values,
+    /// shape (m,), and its derivatives, shape (m, number of axes); not a number outside the map.
     fn interpolate<'py>(
         &self,
         py: Python<'py>,

@@ -63,7 +63,8 @@ impl Profile {
     }
 }
 
-/// One region of the belt: a contact or a span. Columns are those of `profile.csv`, as attributes or by name: `region.T`,
+/// One region of the belt: a contact or a span. Columns are those of `profile.csv`, as attributes or by name:
+/// `region.T`,
 /// `region["T"]`.
 #[pyclass(frozen, module = "sheave")]
 pub struct Region {

@@ -88,7 +88,8 @@ fn compare(intervals: usize) -> Compared {
 
 fn table(rows: &[Compared]) -> String {
     let mut out = String::from(
-        "| intervals | unknowns | elimination, ms | sparse LU, ms | ratio | (analysis, ms) | dense LU, ms | ratio | difference |\n\
+        "| intervals | unknowns | elimination, ms | sparse LU, ms | ratio | (analysis, ms) | dense LU, ms | ratio | \
+        difference |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {

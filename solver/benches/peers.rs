@@ -2,17 +2,17 @@
 //!
 //! ```text
 //! git clone https://github.com/cran/bvpSolve                                    the peers' sources, in Fortran
-//! SHEAVE_PEERS=bvpSolve/src cargo bench -p sheave-solver --bench peers          prints the tables
+//! BVP_PEERS=bvpSolve/src cargo bench -p sheave-solver --bench peers          prints the tables
 //! ... -- --write                                                                and puts them into docs/peers.md
 //! ... -- Bratu                                                                  only problems whose names have this
 //! ```
 //!
-//! The sources are compiled here (`gfortran -O2 -march=native`) and loaded; nothing of them is kept. Every code is given
-//! the same functions for right-hand sides and derivatives. For every problem and accuracy all configurations of each
-//! code are tried: tolerances 1e-3 to 1e-11; order 4 and 6 from 5, 10 and 20 intervals here; 3 to 7 collocation points
-//! from 5, 10 and 20 intervals in COLNEW; with and without conditioning in TWPBVPC. The fastest that reaches the accuracy
-//! counts, and those three are then timed in turn, the least of nine rounds each. COLNEW solves equations of second order
-//! as they are, the others a system of twice as many.
+//! The sources are compiled here (`gfortran -O2 -march=native`) and loaded; nothing of them is kept. Every code is
+//! given the same functions for right-hand sides and derivatives. For every problem and accuracy all configurations of
+//! each code are tried: tolerances 1e-3 to 1e-11; order 4 and 6 from 5, 10 and 20 intervals here; 3 to 7 collocation
+//! points from 5, 10 and 20 intervals in COLNEW; with and without conditioning in TWPBVPC. The fastest that reaches the
+//! accuracy counts, and those three are then timed in turn, the least of nine rounds each. COLNEW solves equations of
+//! second order as they are, the others a system of twice as many.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
 
 #[path = "peers/cases.rs"]
@@ -30,7 +30,7 @@ use std::path::PathBuf;
 const ACCURACIES: [f64; 2] = [1e-6, 1e-8];
 const ROUNDS: usize = 9;
 /// Names the folder with the peers' sources.
-const VARIABLE: &str = "SHEAVE_PEERS";
+const VARIABLE: &str = "BVP_PEERS";
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/peers.md");
 const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
 
@@ -98,8 +98,9 @@ impl Ratios {
         let lost = if self.lost.is_empty() { "none".to_owned() } else { self.lost.join(", ") };
         let within = self.all.iter().filter(|(ratio, _)| *ratio <= 2.0).count();
         format!(
-            "- {}: geometric mean {mean:.2} of its time over {} problems, at most twice its time on {within} of them; worst \
-             {worst:.2} ({at}), best {best:.2} ({with}). It fails on {} more. Problems that it alone solves: {lost}.\n",
+            "- {}: geometric mean {mean:.2} of its time over {} problems, at most twice its time on {within} of them; \
+             worst {worst:.2} ({at}), best {best:.2} ({with}). It fails on {} more. Problems that it alone solves: \
+             {lost}.\n",
             self.name,
             self.all.len(),
             self.failed
@@ -109,8 +110,9 @@ impl Ratios {
 
 fn table(accuracy: f64, names: &[String]) -> String {
     let mut out = format!(
-        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | how | intervals (error) | COLNEW, ms | how | \
-         intervals (error) | TWPBVPC, ms | how | intervals (error) |\n|---|---|---|---|---|---|---|---|---|---|\n"
+        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | how | intervals (error) | COLNEW, ms \
+         | how | intervals (error) | TWPBVPC, ms | how | intervals (error) \
+         |\n|---|---|---|---|---|---|---|---|---|---|\n"
     );
     let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
         .map(|(name, at)| (Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() }, at));

@@ -148,8 +148,8 @@ fn scipy_cell(record: Option<&Value>) -> String {
 
 fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     let mut out = String::from(
-        "| problem | parameter | κ | order 4 | error | intervals | Newton | ms | order 6 | error | intervals | Newton | ms \
-         | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| problem | parameter | κ | order 4 | error | intervals | Newton | ms | order 6 | error | intervals | Newton \
+         | ms | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let kappa = row.orders[1].solved.as_ref().map_or_else(String::new, |solved| format!("{:.0e}", solved.kappa));
@@ -174,7 +174,8 @@ fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
 
 fn folds() -> String {
     let mut out = String::from(
-        "| fold | parameter | relative error | largest u | slope at 0 | intervals | ms |\n|---|---|---|---|---|---|---|\n",
+        "| fold | parameter | relative error | largest u | slope at 0 | intervals | ms \
+        |\n|---|---|---|---|---|---|---|\n",
     );
     for fold in [BRATU, NON] {
         let start = Instant::now();
@@ -208,7 +209,8 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
         let inexact = list(inexact.collect());
         let _ = writeln!(
             out,
-            "- {name}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × tolerance: {inexact}."
+            "- {name}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × \
+            tolerance: {inexact}."
         );
     }
     let mut ratios: Vec<f64> = rows
@@ -224,7 +226,8 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
         let failures = scipy.values().filter(|record| record["error"].is_null()).count();
         let _ = writeln!(
             out,
-            "- SciPy: {failures} of {} runs fail directly; where it succeeds it takes {median:.0} times as long as order 6 (median; {:.0} to {:.0}).",
+            "- SciPy: {failures} of {} runs fail directly; where it succeeds it takes {median:.0} times as long as \
+            order 6 (median; {:.0} to {:.0}).",
             scipy.len(),
             ratios[0],
             ratios[ratios.len() - 1]

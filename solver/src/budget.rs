@@ -30,9 +30,9 @@ impl Cancel {
         Self::default()
     }
 
-    /// A handle that is also cancelled as soon as `asked` says so, which the computation asks on its own thread at every
-    /// Newton iteration: for the embedder whose interrupts reach no other thread, as those of an interpreter. It should
-    /// answer within a microsecond, and look at the clock before it does anything slower.
+    /// A handle that is also cancelled as soon as `asked` says so, which the computation asks on its own thread at
+    /// every Newton iteration: for the embedder whose interrupts reach no other thread, as those of an interpreter. It
+    /// should answer within a microsecond, and look at the clock before it does anything slower.
     ///
     /// ```
     /// use solver::Cancel;

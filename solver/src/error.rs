@@ -160,9 +160,9 @@ impl SolveError {
         match self {
             Self::Newton { error, .. } => error.advice(),
             Self::MeshLimit { defect, tolerance, .. } if *defect > 1e3 * tolerance => {
-                "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution of a \
-                 coarse mesh. Continue in the parameter that makes it thin, begin with a finer mesh where the layer is, or \
-                 allow more intervals."
+                "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution \
+                 of a coarse mesh. Continue in the parameter that makes it thin, begin with a finer mesh where the \
+                 layer is, or allow more intervals."
             }
             Self::MeshLimit { .. } => {
                 "Allow more intervals, use order six, or ask for less; near 1e-12 rounding is the limit. A kink in the \
@@ -177,16 +177,17 @@ impl SolveError {
             }
             Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
             Self::Inaccurate { because: Shortfall::Rounding, .. } => {
-                "The problem amplifies rounding errors: ask for less, scale its equations, or state the solution in terms that \
-                 are not small differences of large ones. To have the solution as it is, set accept_inaccurate."
+                "The problem amplifies rounding errors: ask for less, scale its equations, or state the solution in \
+                 terms that are not small differences of large ones. To have the solution as it is, set \
+                 accept_inaccurate."
             }
             Self::Inaccurate { .. } => {
-                "Allow more intervals and meshes, or use order six; an error estimate near 1 means that the solution may be \
-                 spurious. To have the solution as it is, set accept_inaccurate."
+                "Allow more intervals and meshes, or use order six; an error estimate near 1 means that the solution \
+                 may be spurious. To have the solution as it is, set accept_inaccurate."
             }
             Self::WorkLimit { .. } => {
-                "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge may have \
-                 no solution."
+                "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge \
+                 may have no solution."
             }
             Self::Cancelled => "Nothing: the caller asked for it.",
         }

@@ -100,8 +100,8 @@ impl<M: Model> Differentiated<M> {
         Self::assemble(model, layout)
     }
 
-    /// As [`new`](Self::new), with the names of the default unknowns, the constants that are unknown in most questions: the others' derivatives are then
-    /// computed only for sensitivities and tangents. Unknown names are ignored.
+    /// As [`new`](Self::new), with the names of the default unknowns, the constants that are unknown in most questions:
+    /// the others' derivatives are then computed only for sensitivities and tangents. Unknown names are ignored.
     ///
     /// # Errors
     /// A layout that contradicts itself.

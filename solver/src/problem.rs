@@ -46,8 +46,8 @@ pub struct Region {
     pub state_pattern: Vec<(usize, usize)>,
     /// Structurally nonzero derivatives `(row, constant)`, rows as in `state_pattern`.
     pub constant_pattern: Vec<(usize, usize)>,
-    /// How many leading entries of `constant_pattern` belong to the default unknowns: those constants that are unknown in
-    /// most questions. They are what is written under [`Scope::DefaultUnknowns`].
+    /// How many leading entries of `constant_pattern` belong to the default unknowns: those constants that are unknown
+    /// in most questions. They are what is written under [`Scope::DefaultUnknowns`].
     pub default_entries: usize,
 }
 

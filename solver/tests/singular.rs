@@ -33,8 +33,8 @@ fn emden_s_equation_is_solved_to_its_tolerance_at_both_orders() {
 }
 
 /// Bessel's equation of order ν with an unknown wave number: `u'' + u'/x + (k² - ν²/x²) u = 0`. With `u = x^ν w`
-/// it is `w'' + (1 + 2ν) w'/x + k² w = 0`, and `w(1) = 0` at the zeros of J_ν; the interval begins at 1 here to see that
-/// the distance from the end counts.
+/// it is `w'' + (1 + 2ν) w'/x + k² w = 0`, and `w(1) = 0` at the zeros of J_ν; the interval begins at 1 here to see
+/// that the distance from the end counts.
 #[test]
 fn zeros_of_bessel_functions_are_found() {
     for (order, half_waves, near, zero) in [

@@ -21,15 +21,16 @@ pub enum ActuatorError {
         expected: &'static str,
     },
     /// A roller has no place on its ramp.
-    #[error("at a travel of {:.3} mm the roller does not reach its ramp: check the ramp's points and the arm's length", travel * 1e3)]
+    #[error("at a travel of {:.3} mm the roller does not reach its ramp: check the ramp's points and the arm's \
+        length", travel * 1e3)]
     OffRamp {
         /// Travel, m.
         travel: f64,
     },
     /// A mechanism that locks, or pulls where it should press.
     #[error(
-        "at a travel of {:.3} mm the flyweights press with {force:.1} N: expected a force from 0; the ramp is steeper than \
-         its friction allows, or slopes the wrong way", travel * 1e3
+        "at a travel of {:.3} mm the flyweights press with {force:.1} N: expected a force from 0; the ramp is steeper \
+         than its friction allows, or slopes the wrong way", travel * 1e3
     )]
     NoForce {
         /// Travel, m.
@@ -52,8 +53,8 @@ pub enum ActuatorError {
     },
     /// A helix whose flank carries no torque.
     #[error(
-        "at a travel of {:.3} mm the helix carries a torque of {torque:.2} N·m: its flank has no contact; wind the spring up \
-         further, or give the angle of the other flank", travel * 1e3
+        "at a travel of {:.3} mm the helix carries a torque of {torque:.2} N·m: its flank has no contact; wind the \
+         spring up further, or give the angle of the other flank", travel * 1e3
     )]
     HelixContact {
         /// Travel, m.

@@ -98,7 +98,8 @@ pub struct FlyweightForce {
     pub by_travel: f64,
     /// Its derivative with respect to the mass of one flyweight, N/kg.
     pub by_mass: f64,
-    /// Its derivative with respect to the friction angle, N/rad; to the share that friction takes, N, where that is given.
+    /// Its derivative with respect to the friction angle, N/rad; to the share that friction takes, N, where that is
+    /// given.
     pub by_friction: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Making a map: solve the nodes, estimate the error of each interval, halve those that are too long; then solve a point
-//! inside every cell that took no part in this, and halve where the map is wrong there.
+//! Making a map: solve the nodes, estimate the error of each interval, halve those that are too long; then solve a
+//! point inside every cell that took no part in this, and halve where the map is wrong there.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -37,8 +37,8 @@ pub struct MapOptions {
     pub solve: SolveOptions,
     /// Nodes and check points at most.
     pub max_points: usize,
-    /// Speed efficiency below which a drive counts as slipping, unless [`WANTED_RESERVE`] of the friction at hand is left:
-    /// a belt that sinks into its groove has 0.94 at a ratio of 3 and less than 0.9 at 3.8 without slipping.
+    /// Speed efficiency below which a drive counts as slipping, unless [`WANTED_RESERVE`] of the friction at hand is
+    /// left: a belt that sinks into its groove has 0.94 at a ratio of 3 and less than 0.9 at 3.8 without slipping.
     pub least_speed_efficiency: f64,
     /// Threads; all cores if not given.
     pub jobs: Option<usize>,
@@ -175,7 +175,8 @@ impl Journaled for MapPlan {
             "axes": axes.collect::<Vec<_>>(),
             "options": [
                 options.solve.order.number().to_string(), options.solve.tolerance.to_string(),
-                options.accuracy.to_string(), options.least_speed_efficiency.to_string(), options.max_points.to_string(),
+                options.accuracy.to_string(), options.least_speed_efficiency.to_string(),
+                    options.max_points.to_string(),
             ],
         })
         .to_string()

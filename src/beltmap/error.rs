@@ -23,8 +23,8 @@ pub enum MapError {
     Axes,
     /// A key that a map cannot be over.
     #[error(
-        "`{}` is no axis of a map: expected the ratio, a radius, a speed, a load, a clamp, or a stiffness or friction of the \
-         belt", key.path()
+        "`{}` is no axis of a map: expected the ratio, a radius, a speed, a load, a clamp, or a stiffness or friction \
+         of the belt", key.path()
     )]
     NotAnAxis {
         /// The key.
@@ -60,8 +60,8 @@ pub enum MapError {
     },
     /// Heat makes the belt's properties depend on its past.
     #[error(
-        "`[thermal]` is given: a map is of a belt at one temperature; take the section out (--unset thermal.ambient --unset \
-         thermal.heat_transfer) and give the stiffnesses at that temperature"
+        "`[thermal]` is given: a map is of a belt at one temperature; take the section out (--unset thermal.ambient \
+         --unset thermal.heat_transfer) and give the stiffnesses at that temperature"
     )]
     Thermal,
     /// A margin is solved for by several problems.
@@ -72,8 +72,8 @@ pub enum MapError {
     },
     /// No cell of the grid can be interpolated in.
     #[error(
-        "no cell of the map has a solution at all its corners ({solved} of {nodes} nodes have one, {slipping} slip): give a \
-         smaller torque, a tighter clamp or a smaller range"
+        "no cell of the map has a solution at all its corners ({solved} of {nodes} nodes have one, {slipping} slip): \
+         give a smaller torque, a tighter clamp or a smaller range"
     )]
     Empty {
         /// Nodes.

@@ -118,8 +118,8 @@ impl Weights {
         Self { corners: corners.collect(), weights }
     }
 
-    /// The value of a quantity and its slopes, from all derivatives at the grid's points: `jets[point][quantity][order]`
-    /// with `width` numbers a point, those of the quantity beginning at `first`.
+    /// The value of a quantity and its slopes, from all derivatives at the grid's points:
+    /// `jets[point][quantity][order]` with `width` numbers a point, those of the quantity beginning at `first`.
     pub fn apply(&self, jets: &[f64], corner: usize, width: usize, first: usize) -> (f64, Vec<f64>) {
         let many = self.corners.len();
         let part = |weights: &Vec<f64>| {

@@ -129,8 +129,9 @@ impl BeltMap {
         &self.quantities
     }
 
-    /// What the interpolant is made of, for who reads the map elsewhere: all derivatives, node by node, quantity by quantity,
-    /// order by order. Bit k of an order stands for a derivative along axis k; not numbers at nodes without a solution.
+    /// What the interpolant is made of, for who reads the map elsewhere: all derivatives, node by node, quantity by
+    /// quantity, order by order. Bit k of an order stands for a derivative along axis k; not numbers at nodes without a
+    /// solution.
     pub fn derivatives(&self) -> &[f64] {
         &self.jets
     }

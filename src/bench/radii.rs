@@ -124,8 +124,7 @@ impl Geometry {
         if !(radius > 0.0 && radius.is_finite()) {
             let reason = format!(
                 "{:.3} mm from a radius of {:.3} mm leads to one of {:.3} mm; with a half angle of {:.2} deg the \
-                sheave opens \
-                 by no more than {:.3} mm",
+                 sheave opens by no more than {:.3} mm",
                 1e3 * travel,
                 1e3 * from,
                 1e3 * radius,
@@ -186,9 +185,8 @@ impl Geometry {
         for radii in [low, high] {
             if !(within(radii.primary_radius, limits.primary) && within(radii.secondary_radius, limits.secondary)) {
                 let reason = format!(
-                    "the belt fits nowhere between these limits: with {:.3} mm on the secondary it runs at {:.3} mm on \
-                    the \
-                     primary",
+                    "the belt fits nowhere between these limits: with {:.3} mm on the secondary it runs at {:.3} mm \
+                     on the primary",
                     1e3 * radii.secondary_radius,
                     1e3 * radii.primary_radius
                 );

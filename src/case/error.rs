@@ -220,8 +220,7 @@ pub enum CaseProblem {
     /// The pulleys overlap.
     #[error(
         "the pulleys overlap: `drive.primary_radius` = {primary} m and `drive.secondary_radius` = {secondary} m; \
-        expected \
-         a sum below `drive.center_distance` = {center_distance} m"
+         expected a sum below `drive.center_distance` = {center_distance} m"
     )]
     Overlap {
         /// R_P, m.

@@ -22,10 +22,8 @@ impl Case {
         ((length - pitch).abs() > PITCH_TOLERANCE * pitch).then(|| {
             format!(
                 "`belt.length` = {:.1} mm contradicts the radii, around which a belt is {:.1} mm long (6.12). The \
-                radii hold, \
-                 and the length is only compared with; to hold the length, give `drive.free` in place of one radius, \
-                or \
-                 `drive.ratio` in place of both.",
+                 radii hold, and the length is only compared with; to hold the length, give `drive.free` in place of \
+                 one radius, or `drive.ratio` in place of both.",
                 1e3 * length,
                 1e3 * pitch
             )
@@ -41,8 +39,7 @@ impl Case {
             alone.then(|| {
                 format!(
                     "Only `{}` is given: `{}` stays at the base case's {}. With `drive.free` = \"{}\" it follows from \
-                    the \
-                     belt's length, with `drive.ratio` both radii do.",
+                     the belt's length, with `drive.ratio` both radii do.",
                     given.path(),
                     other.path(),
                     other.entry().example(),

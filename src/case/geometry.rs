@@ -109,7 +109,8 @@ mod tests {
 
     proptest! {
         #[test]
-        fn radii_satisfy_the_printed_function(ratio in 0.05f64..20.0, share in 0.001f64..0.999, center in 0.05f64..2.0) {
+        fn radii_satisfy_the_printed_function(ratio in 0.05f64..20.0, share in 0.001f64..0.999,
+            center in 0.05f64..2.0) {
             let touching = center / (1.0 + ratio);
             let longest = pitch_length(touching, ratio * touching, center);
             let length = 2.0 * center + share * (longest - 2.0 * center);

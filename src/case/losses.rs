@@ -37,8 +37,7 @@ pub(super) fn losses(case: &Case, edition: Edition) -> Result<Losses, CaseError>
     let include = case.choice(Key::Losses).and_then(Include::from_name);
     if include == Some(Include::On) && edition.model().bending.is_none() {
         let reason = "without bending stiffness the belt's curvature jumps where it meets a pulley, and what its \
-            hysteresis \
-                      dissipates diverges";
+            hysteresis dissipates diverges";
         return Err(case.conflict(Key::Edition, Key::Losses, reason));
     }
     let tangent = |key: Key| match case.table(key) {

@@ -446,8 +446,7 @@ impl Reading<'_> {
         if open.is_none() {
             let reason = format!(
                 "at the end of its travel the belt would lie at a radius of {:.1} mm on the primary, where a belt of \
-                {:.1} mm \
-                 fits no other pulley {:.1} mm away",
+                 {:.1} mm fits no other pulley {:.1} mm away",
                 1e3 * closed,
                 1e3 * length,
                 1e3 * center

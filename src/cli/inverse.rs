@@ -24,9 +24,9 @@ use std::path::PathBuf;
 ///
 /// The belt is solved along the shift with the engine at the target's speed and torque, clamped by the case's helix and
 /// springs; what it takes on the primary is what the flyweights have to give. For primary.actuator.type = "table" that
-/// makes the list of coefficients, for "ramp" and "arm" the ramp, for "cam" the cam's pitch curve. The drive is then solved
-/// forward with the profile as it is written. With --out the profile as CSV, as a part that a case names with `file`, as
-/// DXF to scale and as figures. Profiles that cannot be made are refused with the reason.
+/// makes the list of coefficients, for "ramp" and "arm" the ramp, for "cam" the cam's pitch curve. The drive is then
+/// solved forward with the profile as it is written. With --out the profile as CSV, as a part that a case names with
+/// `file`, as DXF to scale and as figures. Profiles that cannot be made are refused with the reason.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct RampArguments {
@@ -39,11 +39,11 @@ pub struct RampArguments {
 
 /// Make the helix that holds the engine at a speed over the whole shift
 ///
-/// The belt is solved along the shift with the engine at the target's speed and torque, clamped by the case's flyweights
-/// and spring; what it takes on the secondary beyond its spring is what the helix has to give, at an angle that varies over
-/// the opening. The drive is then solved forward with the helix as it is written. With --out the helix as CSV, as a part
-/// that a case names with `file`, unrolled as DXF to scale, and as figures. Profiles that cannot be made are refused with
-/// the reason.
+/// The belt is solved along the shift with the engine at the target's speed and torque, clamped by the case's
+/// flyweights and spring; what it takes on the secondary beyond its spring is what the helix has to give, at an angle
+/// that varies over the opening. The drive is then solved forward with the helix as it is written. With --out the helix
+/// as CSV, as a part that a case names with `file`, unrolled as DXF to scale, and as figures. Profiles that cannot be
+/// made are refused with the reason.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct HelixArguments {
@@ -58,8 +58,8 @@ struct Common {
     /// Speed to hold the engine at: "3400 rpm"
     #[arg(long, value_name = "SPEED")]
     target: String,
-    /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1; with --both the reserve at
-    /// every place [default: 0; 0.3 with --both]
+    /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1; with --both the
+    /// reserve at every place [default: 0; 0.3 with --both]
     #[arg(long, value_name = "S")]
     reserve: Option<f64>,
     /// Make both profiles: the helix for the slip reserve, the flyweights' for the speed
@@ -217,7 +217,8 @@ impl Common {
 fn part_text(part: &sheave::equilibrium::inverse::MadePart, found: &Inverse) -> String {
     let rpm = found.options.target * 30.0 / std::f64::consts::PI;
     format!(
-        "# Made to hold the engine at {rpm:.0} rpm and {:.2} N·m over the whole shift. A case names this file under [{}]:\n\
+        "# Made to hold the engine at {rpm:.0} rpm and {:.2} N·m over the whole shift. A case names this file under \
+        [{}]:\n\
          # file = \"{}.toml\"\n{}",
         found.torque,
         part.section,
@@ -239,8 +240,8 @@ fn outlines(found: &Inverse, roller: Option<f64>) -> Result<Vec<(&'static str, V
             (Shape::Roller(path), Some(radius)) => {
                 let surface = surface(path, radius).map_err(|place| {
                     Stop::NoSolution(format!(
-                        "the ramp of a roller of {:.2} mm crosses itself at {:.2} mm: the path of the roller's centre is bent more \
-                         tightly than the roller; give a smaller --roller-radius",
+                        "the ramp of a roller of {:.2} mm crosses itself at {:.2} mm: the path of the roller's centre \
+                         is bent more tightly than the roller; give a smaller --roller-radius",
                         1e3 * radius,
                         1e3 * place
                     ))

@@ -23,8 +23,8 @@ use std::path::PathBuf;
 ///
 /// The shift curve is solved, upshift, and the vehicle accelerates with what the secondary delivers beyond rolling
 /// resistance, grade and air, without the inertia of engine and pulleys. Until the belt takes off the clutch slips: the
-/// engine runs as at take-off, its torque arrives, and the speed that is lost becomes heat. Prints the times over 100 ft and
-/// 150 ft, the top speed, and where the energy went; with --out a table over time and the figure.
+/// engine runs as at take-off, its torque arrives, and the speed that is lost becomes heat. Prints the times over 100
+/// ft and 150 ft, the top speed, and where the energy went; with --out a table over time and the figure.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct Arguments {

@@ -110,8 +110,7 @@ fn unreached(report: &Report) -> Option<Stop> {
     let message = || {
         format!(
             "the map is written, and its error is {:.2e}, above {:.2e}: {} points did not suffice; give a larger \
-            --accuracy \
-             or --max-points, or a smaller range",
+             --accuracy or --max-points, or a smaller range",
             report.error.largest,
             report.accuracy,
             report.nodes + report.checks,
@@ -127,8 +126,7 @@ fn warnings(report: &Report) -> Vec<String> {
     if without > 0 {
         warnings.push(format!(
             "{without} of {} cells have no values: the belt slips at a corner ({} of {} nodes), has no solution there \
-            ({}) \
-             or no drive ({})",
+             ({}) or no drive ({})",
             report.cells, report.slipping, report.nodes, report.unsolved, report.no_drive
         ));
     }

@@ -42,9 +42,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 fn keys() -> String {
     let mut text = String::from(
         "Keys of the file, sections and keys as in a case file; only input.diameter must be given, and for an idler \
-        its \
-         diameter.\nA quantity is a string with a unit or a bare number in SI units. One table [[idler]] for each \
-        idler.\n",
+         its diameter.\nA quantity is a string with a unit or a bare number in SI units. One table [[idler]] for each \
+         idler.\n",
     );
     // Writing to a string cannot fail.
     fn add<T>(text: &mut String, entry: &Entry<T>) {

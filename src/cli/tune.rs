@@ -58,7 +58,8 @@ pub struct Arguments {
     /// Print the result as one JSON object, in SI units
     #[arg(long, conflicts_with = "out")]
     json: bool,
-    /// Write result.json, tunes.csv, pareto.csv, the figure (SVG, PNG) and map.csv into this folder, and print the summary
+    /// Write result.json, tunes.csv, pareto.csv, the figure (SVG, PNG) and map.csv into this folder, and print the
+    /// summary
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Go on with a search that was ended: map.csv of --out is used, or its journal gone on with

@@ -98,8 +98,7 @@ impl Display for Verdict {
             Self::Sunk { share } => write!(
                 to,
                 "the belt is pressed through its groove: before it has this torque and tension it lies {:.0} % of the \
-                radius \
-                 deep, more than the model or a belt bears",
+                 radius deep, more than the model or a belt bears",
                 100.0 * share
             ),
             Self::Pushed => to.write_str("a strand of the belt would be pushed"),

@@ -38,8 +38,7 @@ pub enum Failure {
     /// The path from the start to the case was lost.
     #[error(
         "no solution: {trouble}; the last one found on the path has a primary torque of {torque:.4} N·m, a slack \
-        tension of \
-         {slack_tension:.4} N and a slip threshold of {slip_threshold:.3e} m/s"
+         tension of {slack_tension:.4} N and a slip threshold of {slip_threshold:.3e} m/s"
     )]
     Lost {
         /// What happened to the belt.
@@ -56,8 +55,7 @@ pub enum Failure {
     /// From a solution nearby, what is prescribed could not be reached.
     #[error(
         "{} cannot be reached: {trouble}; the last solution on the path has {}, a primary torque of {torque:.4} N·m \
-        and a slack \
-         tension of {slack_tension:.4} N", asked(.reached), had(.reached)
+         and a slack tension of {slack_tension:.4} N", asked(.reached), had(.reached)
     )]
     Unreached {
         /// What happened to the belt.
@@ -74,8 +72,7 @@ pub enum Failure {
     /// The belt's temperature does not settle.
     #[error(
         "the balance of the belt's heat has no end: at {temperature:.1} K it is still warming or cooling; give a \
-        larger \
-         `thermal.heat_transfer`, or smaller softenings"
+         larger `thermal.heat_transfer`, or smaller softenings"
     )]
     Temperature {
         /// Temperature reached, K.
@@ -83,9 +80,8 @@ pub enum Failure {
     },
     /// No clamp that was tried leaves the margin against slip that is asked for.
     #[error(
-        "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of {slack_tension:.1} \
-        N it is \
-         {:.1} %, and nearer no solution was found", 100.0 * asked, 100.0 * used
+        "no clamp was found at which {:.1} % of the friction at hand is used: at a slack tension of \
+         {slack_tension:.1} N it is {:.1} %, and nearer no solution was found", 100.0 * asked, 100.0 * used
     )]
     Margin {
         /// Share asked for.

@@ -78,18 +78,15 @@ impl Trouble {
         match self {
             Self::Pushed { .. } => {
                 "where the secondary drives, `slack_tension` is that of the tight strand, which leaves the primary: \
-                give one \
-                 above the difference of tensions, or less braking torque"
+                 give one above the difference of tensions, or less braking torque"
             }
             Self::Slip { .. } => {
                 "clamp the belt tighter, ask for less torque, or check `sheave.friction_coefficient`; `sheave limit` \
-                finds the \
-                 largest torque for a clamp and the smallest clamp for a torque"
+                 finds the largest torque for a clamp and the smallest clamp for a torque"
             }
             Self::Deep { .. } => {
                 "check the units of `belt.radial_stiffness` and of the clamp; ask for less torque or tension, or take \
-                a larger \
-                 pulley"
+                 a larger pulley"
             }
             Self::Lifted { .. } => {
                 "clamp the belt tighter, take a belt that bends more easily or a larger pulley, or a lower speed"
@@ -99,9 +96,8 @@ impl Trouble {
             }
             Self::Work => "allow more work with `--work-limit`; a drive that takes so much may have no solution",
             Self::Unknown => {
-                "`sheave limit` finds the largest torque for a clamp and the smallest clamp for a torque: the case may \
-                lie \
-                 beyond them; `-v` says what the solver met"
+                "`sheave limit` finds the largest torque for a clamp and the smallest clamp for a torque: the case \
+                 may lie beyond them; `-v` says what the solver met"
             }
         }
     }
@@ -215,9 +211,8 @@ impl Display for Trouble {
             Self::Pushed { pull, given } => write!(
                 to,
                 "the belt would be pushed: the braking torque takes {pull:.1} N of difference between the strands on \
-                the \
-                 primary's radius, and the strand that leaves it has {given:.1} N, so that {:.1} N are left for the \
-                other",
+                 the primary's radius, and the strand that leaves it has {given:.1} N, so that {:.1} N are left for \
+                 the other",
                 given - pull
             ),
             Self::Slip { pulley, used } => write!(
@@ -228,9 +223,8 @@ impl Display for Trouble {
             ),
             Self::Deep { pulley, share } => write!(
                 to,
-                "the belt is pressed through its groove: it sinks into the {} by {:.0} % of the radius, and the deeper \
-                it \
-                 sinks, the more tension its torque takes",
+                "the belt is pressed through its groove: it sinks into the {} by {:.0} % of the radius, and the \
+                 deeper it sinks, the more tension its torque takes",
                 pulley_name(pulley),
                 100.0 * share
             ),
@@ -240,8 +234,7 @@ impl Display for Trouble {
             Self::Stiff { group } => write!(
                 to,
                 "the belt is too stiff to wrap the smaller pulley: its tension times the square of the radius is \
-                {group:.3} of \
-                 its bending stiffness"
+                 {group:.3} of its bending stiffness"
             ),
             Self::Work => to.write_str("the search reached its work limit before the case"),
             Self::Unknown => to.write_str("the search for a solution was lost, and the belt shows no reason"),

@@ -59,8 +59,8 @@ pub fn solve_question_from(
     along(None, from, model, question.clone(), options)
 }
 
-/// As [`solve_question_from`], in at most three steps along a straight path, each predicted by no more than the tangent.
-/// Curves of solutions that turn are followed with it: it leaves them less easily for a branch beside them.
+/// As [`solve_question_from`], in at most three steps along a straight path, each predicted by no more than the
+/// tangent. Curves of solutions that turn are followed with it: it leaves them less easily for a branch beside them.
 ///
 /// # Errors
 /// See [`Failure`].

@@ -82,8 +82,8 @@ pub struct ShiftBranch {
     pub direction: Direction,
     /// Speed of the primary in rad/s from which flyweights overcome their spring.
     pub engagement: Option<f64>,
-    /// Where the belt carries the engine's torque with a twentieth of the speed lost beyond what is lost where the drive
-    /// shifts out: the clutch slips until then.
+    /// Where the belt carries the engine's torque with a twentieth of the speed lost beyond what is lost where the
+    /// drive shifts out: the clutch slips until then.
     pub take_off: Option<Landmark>,
     /// Where the drive leaves the low stop.
     pub shift_out: Option<Landmark>,

@@ -73,8 +73,8 @@ impl EquilibriumError {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Failure { .. } => Some(
-                "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary spring or a \
-                 smaller helix angle clamp it tighter",
+                "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
+                 spring or a smaller helix angle clamp it tighter",
             ),
             Self::Disengaged { .. } => {
                 Some("try a higher speed of the secondary, heavier flyweights or a softer spring")

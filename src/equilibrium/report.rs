@@ -69,7 +69,8 @@ pub struct DriveReport {
     pub slipping: bool,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
-    /// Overall efficiency, with losses besides friction where they are told; nothing where losses take all of the power.
+    /// Overall efficiency, with losses besides friction where they are told; nothing where losses take all of the
+    /// power.
     pub efficiency: Option<f64>,
     /// Power from the engine, W.
     pub power_in: f64,

@@ -66,8 +66,8 @@ pub enum DataError {
     Read(#[from] csv::Error),
     /// A column is missing.
     #[error(
-        "has no column `{0}_rpm` or `{0}_speed`: expected a header with secondary_rpm and primary_rpm, or secondary_speed and \
-         primary_speed in rad/s, and if there are both ways a column `direction` with up and back"
+        "has no column `{0}_rpm` or `{0}_speed`: expected a header with secondary_rpm and primary_rpm, or \
+         secondary_speed and primary_speed in rad/s, and if there are both ways a column `direction` with up and back"
     )]
     Column(&'static str),
     /// A number is none.

@@ -43,8 +43,9 @@ impl ShiftWalk {
         self
     }
 
-    /// As [`ShiftWalk::begin`], from the curve of a drive nearby that keeps its equilibria, as this one does then: each point is sought from the one in its place there.
-    /// Where the ends of the phases are not found from those, they are from nothing.
+    /// As [`ShiftWalk::begin`], from the curve of a drive nearby that keeps its equilibria, as this one does then: each
+    /// point is sought from the one in its place there. Where the ends of the phases are not found from those, they are
+    /// from nothing.
     ///
     /// # Errors
     /// As [`ShiftWalk::begin`].

@@ -33,8 +33,8 @@ pub enum LaunchError {
     Profile(#[from] ProfileError),
     /// The vehicle does not start.
     #[error(
-        "the vehicle does not start: the secondary delivers {torque:.1} N·m at take-off, and rolling resistance and grade take \
-         {load:.1} N·m"
+        "the vehicle does not start: the secondary delivers {torque:.1} N·m at take-off, and rolling resistance and \
+         grade take {load:.1} N·m"
     )]
     Stalls {
         /// Torque of the secondary at take-off, N·m.

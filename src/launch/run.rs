@@ -33,7 +33,8 @@ pub struct LaunchOptions {
 }
 
 impl Default for LaunchOptions {
-    /// 100 ft and 150 ft, the distances over which Baja SAE and its teams time an acceleration run, and 99 % of the top speed.
+    /// 100 ft and 150 ft, the distances over which Baja SAE and its teams time an acceleration run, and 99 % of the top
+    /// speed.
     fn default() -> Self {
         Self { distances: vec![30.48, 45.72], share_of_top: 0.99 }
     }

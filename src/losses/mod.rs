@@ -35,15 +35,13 @@ pub enum NoLosses {
     /// The belt does not resist bending.
     #[error(
         "edition \"string\" has no hysteresis: without bending stiffness the belt's curvature jumps where it meets a \
-        pulley, and \
-         the sum over its harmonics diverges"
+         pulley, and the sum over its harmonics diverges"
     )]
     String,
     /// A sum does not end.
     #[error(
         "the sum over the harmonics of the {field} did not end within {MAX_HARMONICS} of them: what is followed along \
-        the belt \
-         jumps, or the solution's tolerance is too large"
+         the belt jumps, or the solution's tolerance is too large"
     )]
     Endless {
         /// What was summed.

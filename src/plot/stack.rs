@@ -31,8 +31,7 @@ impl Stack {
         let name = super::render::escape(&self.caption);
         Ok(format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{name}\" width=\"{width}\" \
-            height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\">\n{inner}</svg>\n"
+             height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n{inner}</svg>\n"
         ))
     }
 

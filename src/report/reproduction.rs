@@ -126,9 +126,9 @@ impl Reproduction {
     /// A figure that could not be drawn.
     pub fn page(&self) -> Result<String, PlotError> {
         let mut body = format!(
-            "<h1>Chapters 6 and 7, computed</h1><p class=\"lead\">M. J. Messick, <i>An Experimentally-Validated V-Belt \
-            Model for \
-             Axial Force and Efficiency in a Continuously Variable Transmission</i>, Virginia Tech, 2018. {}</p>\n{}",
+            "<h1>Chapters 6 and 7, computed</h1><p class=\"lead\">M. J. Messick, <i>An Experimentally-Validated \
+             V-Belt Model for Axial Force and Efficiency in a Continuously Variable Transmission</i>, Virginia Tech, \
+             2018. {}</p>\n{}",
             self.headline(),
             EDITIONS
         );
@@ -184,11 +184,9 @@ impl Reproduction {
 
 /// What the columns stand for.
 const EDITIONS: &str = "<p>Edition <b>published</b> solves the equations exactly as the thesis's code prints them, \
-    slips included, and must \
-     give its numbers. Edition <b>thesis</b> is the same model without the slips, edition <b>consistent</b> the model \
-    without its \
-     linearisation, which conserves energy. Where these differ from the first, the printed slips made the thesis's \
-    result.</p>\n";
+    slips included, and must give its numbers. Edition <b>thesis</b> is the same model without the slips, edition \
+    <b>consistent</b> the model without its linearisation, which conserves energy. Where these differ from the first, \
+    the printed slips made the thesis's result.</p>\n";
 
 fn element(figure: &Figure) -> Result<String, PlotError> {
     let number = number_in_thesis(&figure.name).map_or(String::new(), |number| format!("<b>{number}</b> "));

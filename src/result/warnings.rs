@@ -53,9 +53,8 @@ fn two_solutions(outcome: &Outcome) -> Option<String> {
     let wanted = if which == Branch::Tight { Branch::Loose } else { Branch::Tight };
     Some(format!(
         "`{}` = {force:.2} N belongs to two operating points: this one, the {} one, at {tension:.2} N of slack \
-        tension, where \
-         {:.1} % of the friction at hand is used, and another at {:.2} N, where {:.1} % is. `--branch {}` gives the \
-        other.",
+         tension, where {:.1} % of the friction at hand is used, and another at {:.2} N, where {:.1} % is. `--branch \
+         {}` gives the other.",
         key.path(),
         which.name(),
         100.0 * outcome.result.friction_utilization,
@@ -82,8 +81,7 @@ fn beyond_tables(outcome: &Outcome) -> Option<String> {
         .find(|(_, (low, high))| !(*low..=*high).contains(&temperature))?;
     Some(format!(
         "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses \
-        go on \
-         as they fell at the nearest, loss tangents stay as they were there.",
+         go on as they fell at the nearest, loss tangents stay as they were there.",
         temperature - CELSIUS,
         key.path(),
         low - CELSIUS,
@@ -118,9 +116,8 @@ fn powers(outcome: &Outcome) -> Option<String> {
     if power_in > 0.0 && power_out < 0.0 {
         return Some(format!(
             "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go \
-            into \
-             the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or it is \
-            too stiff.",
+             into the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or \
+             it is too stiff.",
             -power_out,
             100.0 * power_out / power_in
         ));
@@ -129,8 +126,7 @@ fn powers(outcome: &Outcome) -> Option<String> {
     (driving >= 0.0 && driven > driving).then(|| {
         format!(
             "More power out than in: {driven:.1} W of {driving:.1} W, an efficiency of {:.0} %; no drive does that. \
-            Use \
-             `edition = \"consistent\"`, in which energy is conserved.",
+             Use `edition = \"consistent\"`, in which energy is conserved.",
             100.0 * driven / driving
         )
     })
@@ -160,8 +156,7 @@ fn compression(outcome: &Outcome) -> Option<String> {
         };
         format!(
             "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at \
-            such a \
-             place; clamp it tighter, or use one that bends more easily."
+             such a place; clamp it tighter, or use one that bends more easily."
         )
     })
 }
@@ -172,8 +167,7 @@ fn deep(name: &str, pulley: &Pulley) -> Option<String> {
     (share > DEEP).then(|| {
         format!(
             "The belt is pressed {:.1} mm into the {name}, {:.0} % of its radius: more than the model, or a belt, \
-            bears. Check \
-             belt.radial_stiffness, belt.bending_stiffness and the clamp.",
+             bears. Check belt.radial_stiffness, belt.bending_stiffness and the clamp.",
             1e3 * pulley.max_penetration,
             100.0 * share
         )
@@ -199,8 +193,7 @@ fn energy(outcome: &Outcome) -> Option<String> {
     (missing.abs() > UNACCOUNTED * passing).then(|| {
         format!(
             "Energy is not conserved: {missing:.1} W of {:.1} W in ({:.1} %) go where neither friction nor stretch \
-            explains \
-             it; this is the doing of the equations of edition `{}`.",
+             explains it; this is the doing of the equations of edition `{}`.",
             energy.power_in,
             100.0 * missing / energy.power_in,
             outcome.result.edition

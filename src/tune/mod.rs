@@ -1,9 +1,10 @@
 //! The search for a tune: among all combinations of a box of parts, those that hold the engine at a speed.
 //!
-//! A [`TunePlan`] is a drive and a [`PartsBox`]. Its [`map`](TunePlan::map) is of the belt alone, which no part changes;
-//! on it, [`search`](TunePlan::search) balances flyweights, springs and helix of every combination against the belt at
-//! points of the shift, by Newton's method for the engine's speed and the slack tension with the map's derivatives. The
-//! best are confirmed by full solutions: the equilibrium of the whole drive at the same speeds of the secondary.
+//! A [`TunePlan`] is a drive and a [`PartsBox`]. Its [`map`](TunePlan::map) is of the belt alone, which no part
+//! changes; on it, [`search`](TunePlan::search) balances flyweights, springs and helix of every combination against the
+//! belt at points of the shift, by Newton's method for the engine's speed and the slack tension with the map's
+//! derivatives. The best are confirmed by full solutions: the equilibrium of the whole drive at the same speeds of the
+//! secondary.
 
 mod error;
 mod parts;

@@ -34,8 +34,8 @@ pub struct Part {
 }
 
 impl PartsBox {
-    /// Reads a file of parts: a table for each kind, in it a table for each part with the keys of the case that it sets,
-    /// or one key with a list of values.
+    /// Reads a file of parts: a table for each kind, in it a table for each part with the keys of the case that it
+    /// sets, or one key with a list of values.
     ///
     /// # Errors
     /// [`TuneError::Parts`] says what is wrong, and where.

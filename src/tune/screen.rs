@@ -63,8 +63,8 @@ pub enum Unfit {
     },
     /// What presses on the secondary is below the slip limit.
     #[error(
-        "at ratio {ratio:.2}, the belt slips: at {:.0} rpm helix and spring press the secondary with {presses:.0} N, and a belt that \
-         hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
+        "at ratio {ratio:.2}, the belt slips: at {:.0} rpm helix and spring press the secondary with {presses:.0} N, \
+         and a belt that hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
     )]
     Slips {
         /// Nominal ratio.
@@ -80,8 +80,8 @@ pub enum Unfit {
     },
     /// The flyweights do not hold the belt at any speed of the map.
     #[error(
-        "at ratio {ratio:.2}, the engine would have to turn faster than {:.0} rpm: there the flyweights less their spring press \
-         with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+        "at ratio {ratio:.2}, the engine would have to turn faster than {:.0} rpm: there the flyweights less their \
+         spring press with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
     )]
     TooLight {
         /// Nominal ratio.
@@ -110,7 +110,8 @@ pub enum Unfit {
     },
     /// The belt slips at a speed of the map whatever its tension, as far as the map has it.
     #[error(
-        "at ratio {ratio:.2}, the belt slips at {:.0} rpm with every slack tension up to {tension:.0} N", speed * 30.0 / PI
+        "at ratio {ratio:.2}, the belt slips at {:.0} rpm with every slack tension up to {tension:.0} \
+        N", speed * 30.0 / PI
     )]
     Untold {
         /// Nominal ratio.
@@ -140,7 +141,8 @@ pub enum Unfit {
     },
     /// A clamp below the map.
     #[error(
-        "at ratio {ratio:.2}, the parts press with less than the map has: below {tension:.0} N of slack tension at {:.0} rpm",
+        "at ratio {ratio:.2}, the parts press with less than the map has: below {tension:.0} N of slack tension at \
+        {:.0} rpm",
         speed * 30.0 / PI
     )]
     Loose {
@@ -340,8 +342,8 @@ impl<'a> Screen<'a> {
         })
     }
 
-    /// A speed and a slack tension near the balance, by bisection over the speed: at each the slack tension is the one at
-    /// which the secondary balances, and the sign of what is left over on the primary says on which side it lies. At
+    /// A speed and a slack tension near the balance, by bisection over the speed: at each the slack tension is the one
+    /// at which the secondary balances, and the sign of what is left over on the primary says on which side it lies. At
     /// speeds at which the secondary holds no belt against slip, the balance lies higher, if there is one.
     fn bracket(&self, drive: &Drive<'_>, ratio: f64, readings: &mut usize) -> Result<(f64, f64), Unfit> {
         let (from, to) = self.map.axes()[self.speed].range();

@@ -237,8 +237,8 @@ impl TunePlan {
     /// Screens every combination on a map, and confirms the best. `done` hears of each screened combination.
     ///
     /// # Errors
-    /// [`TuneError::Axis`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is counted among
-    /// the refused.
+    /// [`TuneError::Axis`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is counted
+    /// among the refused.
     pub fn search(&self, map: &BeltMap, done: &(dyn Fn() + Sync)) -> Result<Ranking, TuneError> {
         let screen = Screen::new(map)?;
         let jobs = self.options.jobs.unwrap_or(0);

@@ -44,8 +44,8 @@ pub fn pareto_figure(ranking: &Ranking) -> Figure {
     Figure::new(
         "pareto",
         format!(
-            "Deviation from {:.0} rpm over the shift, and the smallest slip reserve; beaten by none in these two and the \
-             mean efficiency",
+            "Deviation from {:.0} rpm over the shift, and the smallest slip reserve; beaten by none in these two and \
+             the mean efficiency",
             rpm(ranking.target)
         ),
         Axis::new("smallest slip reserve (%)"),

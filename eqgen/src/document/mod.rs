@@ -168,9 +168,8 @@ fn typed_in(plans: [&Plan; 3]) -> Section {
         steps.filter(|step| names.insert(&step.name)).count()
     };
     let text = format!(
-        "These are the laws from which equations are derived. Beside them {} definitions, friction laws and conditions \
-        are \
-         typed in where they are used, {} steps are derived, and {} stand as a source prints them.",
+        "These are the laws from which equations are derived. Beside them {} definitions, friction laws and \
+         conditions are typed in where they are used, {} steps are derived, and {} stand as a source prints them.",
         count(Origin::Primitive),
         count(Origin::Derived),
         count(Origin::Printed),
@@ -194,8 +193,8 @@ fn system(groove: &RegionModel, span: &RegionModel, ends: &BoundaryModel) -> Sec
     let (states, conditions) = (2 * (groove.states.len() + span.states.len()), ends.equations.len());
     let text = format!(
         "Two grooves and two spans: {states} states, and {conditions} conditions where they meet, which determine {} \
-        unknown \
-         constants too. The rates of the states come first in each kind of region, then those of its integrals.",
+         unknown constants too. The rates of the states come first in each kind of region, then those of its \
+         integrals.",
         conditions - states
     );
     Section { title: "The assembled system", text, lines }

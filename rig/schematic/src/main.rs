@@ -151,9 +151,8 @@ fn draw(parts: &[Part]) -> String {
     let (width, height) = (91 * UNIT, bottom + 2 * UNIT);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
-        height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"10.5\">\n<rect width=\"100%\" height=\"100%\" \
-        fill=\"#fff\"/>\n{body}</svg>\n"
+         height=\"{height}\" font-family=\"sans-serif\" font-size=\"10.5\">\n<rect width=\"100%\" height=\"100%\" \
+         fill=\"#fff\"/>\n{body}</svg>\n"
     )
 }
 

@@ -91,7 +91,8 @@ pub fn all() -> Vec<Measured> {
 
 pub fn table(rows: &[Measured]) -> String {
     let mut out = String::from(
-        "| order | intervals | solve, ms | µs an interval | peak memory, MB | bytes an interval |\n|---|---|---|---|---|---|\n",
+        "| order | intervals | solve, ms | µs an interval | peak memory, MB | bytes an interval \
+        |\n|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let (n, ms) = (row.intervals as f64, 1e3 * row.seconds);

@@ -1,5 +1,6 @@
-//! Equations of second order with known solutions: J. R. Cash's collection (https://archimede.uniba.it/~bvpsolvers/testsetbvpsolvers)
-//! by its numbers, and more: nonlinear ones, and pairs of equations with layers of two widths.
+//! Equations of second order with known solutions: J. R. Cash's collection
+//! (https://archimede.uniba.it/~bvpsolvers/testsetbvpsolvers) by its numbers, and more: nonlinear ones, and pairs of
+//! equations with layers of two widths.
 
 use std::f64::consts::PI;
 

@@ -1,8 +1,8 @@
 //! A term `S y/(x - a)` that is singular at the left end, as bvp4c's `SingularTerm`.
 //!
-//! Problems of this kind come from symmetry about an axis or a centre. Their solutions are smooth where `S y(a) = 0`, and
-//! then `y'(a) = (I - S)⁻¹ f(a, y(a))`, by de l'Hôpital's rule; collocation keeps its order (F. de Hoog and R. Weiss, SIAM
-//! J. Numer. Anal. 13 (1976) 775-813).
+//! Problems of this kind come from symmetry about an axis or a centre. Their solutions are smooth where `S y(a) = 0`,
+//! and then `y'(a) = (I - S)⁻¹ f(a, y(a))`, by de l'Hôpital's rule; collocation keeps its order (F. de Hoog and R.
+//! Weiss, SIAM J. Numer. Anal. 13 (1976) 775-813).
 
 use nalgebra::DMatrix;
 use thiserror::Error;
@@ -21,8 +21,8 @@ pub enum SingularTermError {
     NotFinite,
     /// It has the eigenvalue 1: the slope at the singular end is not determined.
     #[error(
-        "the matrix of the singular term has the eigenvalue 1, so that nothing determines the slope at the singular end: \
-         solutions are not smooth there, or another variable suits the problem better"
+        "the matrix of the singular term has the eigenvalue 1, so that nothing determines the slope at the singular \
+         end: solutions are not smooth there, or another variable suits the problem better"
     )]
     EigenvalueOne,
 }

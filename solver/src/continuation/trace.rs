@@ -56,8 +56,8 @@ pub(super) fn trace_within(
         .run(|tracer| Ok((tracer.first(start)?, 0.0, options.first_step)))
 }
 
-/// Traces the branch that crosses another at a simple branch point, to both sides of it. The points begin with the branch
-/// point.
+/// Traces the branch that crosses another at a simple branch point, to both sides of it. The points begin with the
+/// branch point.
 ///
 /// The first step leaves along the null vector of the equations there, so that `first_step` must be large enough for
 /// the two branches to be apart, and small enough for a straight line to be near the branch.

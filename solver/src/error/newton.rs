@@ -1,4 +1,5 @@
-//! Why Newton's iteration failed: values that are not finite, matrices that determine too little, corrections too large.
+//! Why Newton's iteration failed: values that are not finite, matrices that determine too little, corrections too
+//! large.
 
 use crate::problem::{Layout, Points};
 use std::fmt;
@@ -172,22 +173,23 @@ impl NewtonError {
     pub fn advice(&self) -> &'static str {
         match self {
             Self::NonFinite(_) => {
-                "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or rewrite the \
-                 right-hand side so that it is defined nearby; at a singular end give the limit."
+                "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or \
+                 rewrite the right-hand side so that it is defined nearby; at a singular end give the limit."
             }
             Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
                 "A boundary equation depends on no unknown: correct it."
             }
             Self::Singular { .. } => {
-                "The boundary equations do not determine the components named. A phase or scale may be free (add a condition), a \
-                 condition may be stated twice, or the branch turns round here: trace it by arclength."
+                "The boundary equations do not determine the components named. A phase or scale may be free (add a \
+                 condition), a condition may be stated twice, or the branch turns round here: trace it by arclength."
             }
             Self::Stalled { .. } => {
-                "There may be no solution near the guess, or the equations may have a kink. Improve the guess, continue from an \
-                 easier parameter, or use solve_automatically."
+                "There may be no solution near the guess, or the equations may have a kink. Improve the guess, \
+                 continue from an easier parameter, or use solve_automatically."
             }
             Self::IterationLimit { .. } => {
-                "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier parameter."
+                "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier \
+                parameter."
             }
         }
     }

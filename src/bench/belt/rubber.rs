@@ -69,8 +69,7 @@ impl Rubber {
             if let Some(ratio) = test.storage_over_loss.filter(|ratio| *ratio < ELASTIC) {
                 warnings.push(format!(
                     "at {:.1} °C the storage modulus is only {ratio:.2} times the loss modulus; below {ELASTIC} an \
-                    elastic \
-                     belt is a poor model of the rubber",
+                     elastic belt is a poor model of the rubber",
                     celsius(test.temperature)
                 ));
             }

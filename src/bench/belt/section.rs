@@ -65,9 +65,8 @@ impl Section {
         if !(least..=most).contains(&about_centroid) {
             let reason = format!(
                 "the bending test says a second moment of area of {about_centroid:.4e} m⁴, but sections of this width \
-                and \
-                 cord depth have {least:.4e} (no rubber inside the cords) to {most:.4e} m⁴; check the units of moment, \
-                 radius and modulus, and the width"
+                 and cord depth have {least:.4e} (no rubber inside the cords) to {most:.4e} m⁴; check the units of \
+                 moment, radius and modulus, and the width"
             );
             return Err(Problem::Unusable { path: "section".into(), reason }.into());
         }

@@ -275,8 +275,7 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
             Some((Key::BeltLength, _)) | None => {
                 let reason = format!(
                     "`{name}` cannot be fitted: expected {ENGINE_SCALE}, a constant of belt or sheave other than \
-                    belt.length, \
-                     or the case's own clamp, such as operating_point.slack_tension"
+                     belt.length, or the case's own clamp, such as operating_point.slack_tension"
                 );
                 return Err(unusable("--fit", reason).into());
             }

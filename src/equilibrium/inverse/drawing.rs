@@ -91,8 +91,8 @@ pub fn surface(profile: &Profile, roller: f64) -> Result<Outline, f64> {
 /// The curves as DXF (AutoCAD R12, which every program for sheet and solid parts reads), in millimetres: each an open
 /// polyline on a layer of its name.
 ///
-/// R12 polylines are a dozen pairs of group codes; the library for DXF brings some forty packages with it, one for images
-/// among them.
+/// R12 polylines are a dozen pairs of group codes; the library for DXF brings some forty packages with it, one for
+/// images among them.
 pub fn dxf(outlines: &[Outline]) -> String {
     let mut text = String::from(
         "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  0\nENDSEC\n  0\nSECTION\n  2\nENTITIES\n",

@@ -69,8 +69,8 @@ pub enum InverseError {
     },
     /// The force that is left for the part has the wrong sign.
     #[error(
-        "at a travel of {:.2} mm the {part} would have to {verb} with {:.0} N: the belt takes {belt:.0} N there, and the spring \
-         gives {spring:+.0} N", travel * 1e3, force.abs()
+        "at a travel of {:.2} mm the {part} would have to {verb} with {:.0} N: the belt takes {belt:.0} N there, and \
+         the spring gives {spring:+.0} N", travel * 1e3, force.abs()
     )]
     WrongSign {
         /// Which part.

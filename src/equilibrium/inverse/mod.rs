@@ -1,8 +1,8 @@
 //! Inverse design: the ramp and the helix that hold the engine at one speed over the whole shift.
 //!
-//! A tuner chooses parts and finds out where the engine runs. Asked the other way round, the engine runs at the target's
-//! speed and gives its torque there, at every place of the shift. Then the belt is a problem with what clamps it still to
-//! be said:
+//! A tuner chooses parts and finds out where the engine runs. Asked the other way round, the engine runs at the
+//! target's speed and gives its torque there, at every place of the shift. Then the belt is a problem with what clamps
+//! it still to be said:
 //!
 //! | made | the belt is clamped by | what it takes on the other side is |
 //! |---|---|---|

@@ -123,7 +123,8 @@ impl<'a> Held<'a> {
             Place::Primary(radius) => radius,
             Place::Secondary(radius) => radius_beside(radius, length, center).unwrap_or(start),
         };
-        // From the middle outwards, so that each place is solved from one nearby; the stops, whose radii are found, last.
+        // From the middle outwards, so that each place is solved from one nearby; the stops, whose radii are found,
+        // last.
         let radius = |at: usize| start + (end - start) * at as f64 / (count - 1) as f64;
         let middle = count / 2;
         let first = self.first(radius(middle))?;

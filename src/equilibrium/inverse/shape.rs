@@ -1,8 +1,8 @@
 //! From the force that a part has to give at each travel to its shape.
 //!
-//! Each mechanism's law, the very one of the forward problem, is inverted for the slope of the profile at a place; along
-//! the travel that is an ordinary differential equation for the flyweight's radius, the arm's angle or the turn of the
-//! helix, which is integrated by an explicit Runge-Kutta method of order 8.
+//! Each mechanism's law, the very one of the forward problem, is inverted for the slope of the profile at a place;
+//! along the travel that is an ordinary differential equation for the flyweight's radius, the arm's angle or the turn
+//! of the helix, which is integrated by an explicit Runge-Kutta method of order 8.
 
 use std::cell::RefCell;
 use std::f64::consts::FRAC_PI_2;
@@ -70,8 +70,8 @@ pub(super) fn flyweight_shape(
         }
         forces.push(force);
     }
-    // Below the low stop the belt is held by the secondary's stop: the profile goes on to where the primary is open, with the
-    // force that it has at the stop.
+    // Below the low stop the belt is held by the secondary's stop: the profile goes on to where the primary is open,
+    // with the force that it has at the stop.
     let mut travels = travels;
     if let (Some(first), Some(second), Some(force)) = (travels.first(), travels.get(1), forces.first())
         && *first > 0.25 * (second - first)
@@ -148,8 +148,8 @@ impl Wanted<'_> {
         let state = |angle: f64, slope: f64| arm.state(self.flyweights, self.speed, self.shift, angle, slope);
         let turn = |travel: f64, angle: f64| {
             let force = |steep: f64| state(angle, steep.tan()).force;
-            let reason = "the arm stands too steep, or the flyweights are too light: give heavier or more flyweights, or a \
-                          stiffer spring where they are too heavy";
+            let reason = "the arm stands too steep, or the flyweights are too light: give heavier or more flyweights, \
+                or a stiffer spring where they are too heavy";
             let found = steepness(self.forces.at(travel).value, level, force).ok_or((travel, reason))?;
             Ok(state(angle, found.tan()).turn)
         };
@@ -186,8 +186,8 @@ impl Wanted<'_> {
             distances.reverse();
             angles.reverse();
         }
-        let reason = "the roller comes nearer to the pivot and goes away again, so that one place of the cam would have to \
-                      press twice: move the roller, or the pivot, along the shaft";
+        let reason = "the roller comes nearer to the pivot and goes away again, so that one place of the cam would \
+            have to press twice: move the roller, or the pivot, along the shaft";
         increasing(NAME, travels, &distances, reason)?;
         Ok(Shape::Cam(profile(distances, angles)?))
     }

@@ -89,8 +89,7 @@ pub enum InitError {
     #[error(
         "this operating point is none of the seven situations: expected `operating_point.primary_axial_force` or \
          `secondary_axial_force`, beside `primary_speed` with one of `primary_torque`, `secondary_torque`, \
-        `secondary_speed`, \
-         `speed_ratio`, or beside `secondary_speed` with `primary_torque` and `primary_axial_force`"
+         `secondary_speed`, `speed_ratio`, or beside `secondary_speed` with `primary_torque` and `primary_axial_force`"
     )]
     NoSituation,
     /// A radius is to be solved for.
@@ -99,8 +98,7 @@ pub enum InitError {
     /// The axial force is too small for the torque: the whole contact of a pulley slides.
     #[error(
         "the belt slides on all of the {pulley} pulley: its axial force {axial_force:.4} N is below the {smallest:.4} \
-        N that \
-         a torque of {torque:.4} N·m takes there"
+         N that a torque of {torque:.4} N·m takes there"
     )]
     GrossSlip {
         /// Which pulley.
@@ -114,9 +112,8 @@ pub enum InitError {
     },
     /// The other pulley's contact is too short for the torque.
     #[error(
-        "the belt slides on all of the {pulley} pulley: the torque takes a sliding angle of {:.2} deg, and the contact \
-        is \
-         {:.2} deg long",
+        "the belt slides on all of the {pulley} pulley: the torque takes a sliding angle of {:.2} deg, and the \
+         contact is {:.2} deg long",
         sliding.to_degrees(),
         contact.to_degrees()
     )]

@@ -78,8 +78,7 @@ pub enum Problem {
     /// Numbers of which something that is wanted is too large, or does not exist.
     #[error(
         "these numbers are too large, or too small, to compute with: an inertia or a torque is not a finite number; \
-        check \
-         their units"
+         check their units"
     )]
     Overflow,
     /// A key that must be given.
