@@ -22,8 +22,8 @@ const SIMPLIFIED_CONTRACTION: f64 = 0.25;
 /// A factorisation costs about as much as so many simplified corrections.
 const SIMPLIFIED_LIMIT: f64 = 4.0;
 
-/// A last correction that is so much smaller than the tolerance of the iteration is not applied: the right-hand side need
-/// not be evaluated once more then. Linear problems end so.
+/// A last correction that is so much smaller than the tolerance of the iteration is not applied: the right-hand side
+/// need not be evaluated once more then. Linear problems end so.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Below this tolerance rounding is near, and every correction is applied.
 const NEAR_ROUNDING: f64 = 1e-10;

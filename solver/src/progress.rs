@@ -36,8 +36,8 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
 /// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a
 /// factor of 16, a kink in it of 2.
 const SLOW: f64 = 0.9;
-/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up: those
-/// beside them will be next. All intervals are redistributed; once, as long as defects are held to the tolerance,
+/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up:
+/// those beside them will be next. All intervals are redistributed; once, as long as defects are held to the tolerance,
 const CREEPING: usize = 2;
 /// and until this many, where they are held to less: rounding is what is left of them then.
 const STUCK: usize = 5;

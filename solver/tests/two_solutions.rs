@@ -1,5 +1,5 @@
-//! Problems of the literature with two solutions: from whatever guess, the solution is one of them, and the branch check
-//! says when it cannot be vouched for.
+//! Problems of the literature with two solutions: from whatever guess, the solution is one of them, and the branch
+//! check says when it cannot be vouched for.
 
 #![allow(clippy::unwrap_used)]
 
@@ -62,8 +62,8 @@ fn the_cap_has_two_solutions_and_zero_is_near_neither() {
     }
 }
 
-/// Painlevé's first transcendent between 0 and 10: `y'' = y² - x`, `y(0) = 0`, `y(10) = √10`. One solution rises at once,
-/// y'(0) = 0.92437548 (P. Holmes and D. Spence, Q. J. Mech. Appl. Math. 37 (1984) 525-538); others fall first.
+/// Painlevé's first transcendent between 0 and 10: `y'' = y² - x`, `y(0) = 0`, `y(10) = √10`. One solution rises at
+/// once, y'(0) = 0.92437548 (P. Holmes and D. Spence, Q. J. Mech. Appl. Math. 37 (1984) 525-538); others fall first.
 #[test]
 fn painleve_s_equation_has_its_two_solutions_and_says_which_was_not_near() {
     let line = |intervals: usize, slope: f64| {
