@@ -11,12 +11,12 @@ folder=${TARGET_DIR:-target/wasm}
 if [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]; then
   exec cargo "$subcommand" --target "$target" --target-dir "$folder" "$@"
 fi
-if dpkg -L rustc-web >/dev/null 2>&1 && dpkg -L rust-web-src >/dev/null 2>&1; then
+if dpkg -L rustc-web cargo-web rust-web-src >/dev/null 2>&1; then
   linker=$(rustup run stable rustc --print sysroot)/lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld
   RUSTC=$(dpkg -L rustc-web | grep 'bin/rustc$')
   cargo=$(dpkg -L cargo-web | grep '^.usr.bin.cargo$')
   export RUSTC RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$linker
   exec "$cargo" "$subcommand" -Z build-std=std,panic_abort --target "$target" --target-dir "$folder-debian" "$@"
 fi
-echo "there is no $target here: rustup target add $target, or on Debian apt-get install rustc-web rust-web-src" >&2
+echo "there is no $target here: rustup target add $target, or on Debian apt-get install rustc-web cargo-web rust-web-src" >&2
 exit 1

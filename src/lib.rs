@@ -46,35 +46,47 @@
 //! by [`live`]. `bench` (a feature) leads from measurements
 //! to what a case needs.
 
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod actuator;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod beltmap;
 #[cfg(feature = "bench")]
 pub mod bench;
 mod cancel;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod case;
 pub mod clock;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod design;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod drive;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod equilibrium;
 mod facade;
 mod formula;
 #[cfg(feature = "ode")]
 pub mod launch;
 pub mod live;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod losses;
 pub mod model;
 pub mod plot;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod powertrain;
 pub mod prelude;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod quantity;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod random;
 #[cfg(feature = "figures")]
 pub mod report;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod result;
 pub mod small;
 pub mod study;
 pub mod text;
 mod threads;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod tune;
 
 pub use cancel::cancellable;

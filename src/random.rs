@@ -29,13 +29,13 @@ impl Random {
     /// Uniform between two numbers; with `log`, in their logarithms.
     pub fn between(&mut self, from: f64, to: f64, log: bool) -> f64 {
         let u = self.uniform();
-        if log { from * (to / from).powf(u) } else { from + (to - from) * u }
+        if log { from * libm::pow(to / from, u) } else { from + (to - from) * u }
     }
 
     /// Normal with standard deviation 1 (G. E. P. Box, M. E. Muller, Ann. Math. Stat. 29, 1958).
     pub fn normal(&mut self) -> f64 {
         let (a, b) = (1.0 - self.uniform(), self.uniform());
-        (-2.0 * a.ln()).sqrt() * (TAU * b).cos()
+        (-2.0 * libm::log(a)).sqrt() * libm::cos(TAU * b)
     }
 
     /// Whether something happens that has this probability.

@@ -10,8 +10,8 @@ missing=()
 command -v node >/dev/null || missing+=(nodejs)
 command -v npm >/dev/null || missing+=(npm)
 [ -n "${CHROMIUM:-}" ] || command -v chromium >/dev/null || command -v google-chrome >/dev/null || missing+=(chromium)
-[ -d "$(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown/lib" ] || dpkg -s rustc-web rust-web-src >/dev/null 2>&1 \
-  || missing+=(rustc-web rust-web-src)
+[ -d "$(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown/lib" ] \
+  || dpkg -s rustc-web cargo-web rust-web-src >/dev/null 2>&1 || missing+=(rustc-web cargo-web rust-web-src)
 if [ "${#missing[@]}" -gt 0 ]; then
   if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     apt-get update -qq && apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
@@ -36,4 +36,4 @@ features=(--no-default-features --features live --locked)
 npm ci --silent --no-audit --no-fund
 npx prettier --check "page/*.{js,css,html}" "tests/*.mjs"
 npm test
-cat shots/cases.md | head -1
+head -n 1 shots/cases.md

@@ -34,7 +34,7 @@ pub(crate) fn below_one<Real: Lane>(u: Real) -> Real {
 /// The angle of the vector (a, b), in (−π, π].
 #[inline(always)]
 pub(crate) fn angle<Real: Lane>(a: Real, b: Real) -> Real {
-    b.zip(a, f64::atan2)
+    b.zip(a, libm::atan2)
 }
 
 /// An angle in (−π, π], in [0, 2π).
@@ -44,7 +44,7 @@ pub(crate) fn turn<Real: Lane>(angle: Real) -> Real {
     angle.where_at_least(zero, angle, angle + Real::splat(2.0 * std::f64::consts::PI))
 }
 
-/// Beyond this |x| the standard library's sine and cosine stand in, in all lanes alike.
+/// Beyond this |x| the sine and cosine of `libm` stand in, in all lanes alike.
 const SIN_COS_RANGE: f64 = 524_288.0;
 
 /// 1.5 · 2⁵²: adding it rounds to an integer, which then stands in the low bits.
@@ -65,11 +65,11 @@ pub(crate) fn sin_cos<Real: Lane>(x: Real) -> (Real, Real) {
 
 /// Element by element, where a neighbour may be far but this one is not.
 fn far_sin(x: f64) -> f64 {
-    if x.all_within(SIN_COS_RANGE) { near_sin_cos(x).0 } else { x.sin() }
+    if x.all_within(SIN_COS_RANGE) { near_sin_cos(x).0 } else { libm::sin(x) }
 }
 
 fn far_cos(x: f64) -> f64 {
-    if x.all_within(SIN_COS_RANGE) { near_sin_cos(x).1 } else { x.cos() }
+    if x.all_within(SIN_COS_RANGE) { near_sin_cos(x).1 } else { libm::cos(x) }
 }
 
 #[inline(always)]
@@ -146,16 +146,16 @@ pub(crate) fn tanh<Real: Lane>(u: Real) -> Real {
     e / (e + number(2.0))
 }
 
-/// eᵘ, the standard library's.
+/// eᵘ, by `libm`.
 #[inline(always)]
 pub(crate) fn exp<Real: Lane>(u: Real) -> Real {
-    u.map(f64::exp)
+    u.map(libm::exp)
 }
 
-/// ln u, the standard library's; NaN for a negative u.
+/// ln u, by `libm`; NaN for a negative u.
 #[inline(always)]
 pub(crate) fn ln<Real: Lane>(u: Real) -> Real {
-    u.map(f64::ln)
+    u.map(libm::log)
 }
 
 /// 1/13!, …, 1/3!, 1/2!

@@ -3,6 +3,8 @@
 //! Everything in the kernels is generated; written by hand here is only what they run on: the lanes they compute in,
 //! the elementary functions, and the choice of vector instructions at run time. All choices give the same bits.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod derivation;
 mod function;
 mod kernels;

@@ -40,6 +40,7 @@
 //! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/guide.md`. How well it does on 48
 //! problems of the literature: `docs/testset.md`.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 // Negated comparisons are meant: NaN must fail.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 

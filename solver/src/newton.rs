@@ -332,7 +332,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let mut dx = first.clone();
         loop {
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
-            let needed = (self.limits.tolerance / largest).ln() / contraction.max(1e-300).ln();
+            let needed = libm::log(self.limits.tolerance / largest) / libm::log(contraction.max(1e-300));
             if !(needed <= SIMPLIFIED_LIMIT) {
                 return Ok(Simplified::Ended(x));
             }

@@ -94,10 +94,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let &Wish { tolerance, order, max_intervals, split_few } = wish;
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
-    let negligible = LONGER.powf(-order);
+    let negligible = libm::pow(LONGER, -order);
     let length_of = |j: usize| {
         let excess = measure.defects[j] / (SAFETY * tolerance);
-        (mesh[j + 1] - mesh[j]) * if excess > negligible { excess.powf(-1.0 / order) } else { LONGER }
+        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
@@ -114,7 +114,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         if defect <= tolerance {
             1
         } else {
-            (defect / (SAFETY * tolerance)).powf(1.0 / order).ceil().clamp(2.0, most_pieces) as usize
+            libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();

@@ -141,7 +141,7 @@ impl RollerArm {
 
     /// Radius of the roller's centre from the shaft in m, the arm at `angle` in rad.
     pub fn radius(&self, angle: f64) -> f64 {
-        self.pivot_radius + self.arm_length * angle.sin()
+        self.pivot_radius + self.arm_length * libm::sin(angle)
     }
 
     /// Angle of the arm in rad at which the roller bears on its ramp at a travel in m.

@@ -80,7 +80,7 @@ impl Helix {
         check("the helix radius", radius, radius > 0.0, "a positive length in m")?;
         let inclined = angle > 0.0 && angle < std::f64::consts::FRAC_PI_2;
         check("the helix angle", angle, inclined, "an angle between 0 and π/2 rad from the plane of rotation")?;
-        Ok(Self::with_turn(radius, Profile::line(0.0, 0.0, 1.0 / (radius * angle.tan()))))
+        Ok(Self::with_turn(radius, Profile::line(0.0, 0.0, 1.0 / (radius * libm::tan(angle)))))
     }
 
     /// A helix whose angle in rad from the plane of rotation varies over the opening in m: the turn is its integral.
@@ -93,7 +93,7 @@ impl Helix {
             let inclined = angle > 0.0 && angle < std::f64::consts::FRAC_PI_2;
             check("the helix angle", angle, inclined, "an angle between 0 and π/2 rad from the plane of rotation")?;
         }
-        let slopes: Vec<f64> = angle.values().iter().map(|angle| 1.0 / (radius * angle.tan())).collect();
+        let slopes: Vec<f64> = angle.values().iter().map(|angle| 1.0 / (radius * libm::tan(*angle))).collect();
         let slope = Profile::new(angle.places().to_vec(), slopes)?;
         // The turn's slope is what counts; its table is dense enough that the cubic between its points follows it.
         const POINTS: usize = 201;

@@ -187,7 +187,7 @@ fn radius_rates(case: &Resolved) -> (f64, f64) {
     let ratio = case.drive.secondary_radius / case.drive.primary_radius;
     let found = radii_of_ratio(ratio, case.belt.length, case.drive.center_distance);
     let (primary, secondary) = found.unwrap_or((case.drive.primary_radius, case.drive.secondary_radius));
-    let tangent = ((secondary - primary) / case.drive.center_distance).asin();
+    let tangent = libm::asin((secondary - primary) / case.drive.center_distance);
     // The pitch length grows by 2 θ_T where R_S − R_P does, and by π where R_P + R_S does.
     let by_ratio = primary * (PI + 2.0 * tangent);
     let by_primary = PI * (1.0 + ratio) + 2.0 * tangent * (ratio - 1.0);

@@ -494,7 +494,7 @@ impl Builder<'_> {
 fn inside(map: &BeltMap, cell: usize, number: usize) -> Vec<f64> {
     let axes = map.axes.len();
     // The root of x^(n+1) = x + 1: its powers make Weyl's sequence even in n dimensions.
-    let root = (0..50).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (axes as f64 + 1.0)));
+    let root = (0..50).fold(1.5_f64, |x, _| libm::pow(1.0 + x, 1.0 / (axes as f64 + 1.0)));
     let coordinate = |(k, axis): (usize, &MapAxis)| {
         let interval = map.shape.place(cell, k);
         let (a, b) = (axis.breakpoints()[interval], axis.breakpoints()[interval + 1]);

@@ -6,14 +6,14 @@ use std::f64::consts::PI;
 /// (6.10) and (6.11) in (6.12), with θ_T = asin((R_S − R_P)/L_c).
 pub fn pitch_length(primary: f64, secondary: f64, center_distance: f64) -> f64 {
     let difference = secondary - primary;
-    let tangent = (difference / center_distance).asin();
-    2.0 * center_distance * tangent.cos() + PI * (primary + secondary) + 2.0 * tangent * difference
+    let tangent = libm::asin(difference / center_distance);
+    2.0 * center_distance * libm::cos(tangent) + PI * (primary + secondary) + 2.0 * tangent * difference
 }
 
 /// Wrap angles of the primary and the secondary in radians, around radii `primary` and `secondary` at
 /// `center_distance`: π ∓ 2 θ_T with θ_T from (6.10).
 pub fn wrap_angles(primary: f64, secondary: f64, center_distance: f64) -> (f64, f64) {
-    let tangent = ((secondary - primary) / center_distance).asin();
+    let tangent = libm::asin((secondary - primary) / center_distance);
     (PI - 2.0 * tangent, PI + 2.0 * tangent)
 }
 
@@ -40,7 +40,7 @@ pub enum NoRadii {
 /// [`NoRadii`] when none exist, short of pulleys that touch.
 pub fn radii_of_ratio(ratio: f64, length: f64, center_distance: f64) -> Result<(f64, f64), NoRadii> {
     let primary = largest_root(center_distance / (1.0 + ratio), length, |primary| {
-        let tangent = ((ratio - 1.0) * primary / center_distance).asin();
+        let tangent = libm::asin((ratio - 1.0) * primary / center_distance);
         let slope = PI * (1.0 + ratio) + 2.0 * tangent * (ratio - 1.0);
         (pitch_length(primary, ratio * primary, center_distance), slope)
     })?;
@@ -53,7 +53,7 @@ pub fn radii_of_ratio(ratio: f64, length: f64, center_distance: f64) -> Result<(
 /// [`NoRadii`] when none exists, short of pulleys that touch.
 pub fn radius_beside(other: f64, length: f64, center_distance: f64) -> Result<f64, NoRadii> {
     largest_root(center_distance - other, length, |radius| {
-        let slope = PI - 2.0 * ((other - radius) / center_distance).asin();
+        let slope = PI - 2.0 * libm::asin((other - radius) / center_distance);
         (pitch_length(radius, other, center_distance), slope)
     })
 }

@@ -122,8 +122,8 @@ impl Grid {
     /// The value at a frequency in Hz and a temperature in K: linear in the logarithm of the frequency and in the
     /// temperature between those given, and beyond them as at the nearest.
     pub fn at(&self, frequency: f64, temperature: f64) -> Rated {
-        let logarithms: Vec<f64> = self.frequencies.iter().map(|frequency| frequency.ln()).collect();
-        let (row, share, per_log) = nearest(&logarithms, frequency.ln());
+        let logarithms: Vec<f64> = self.frequencies.iter().map(|frequency| libm::log(*frequency)).collect();
+        let (row, share, per_log) = nearest(&logarithms, libm::log(frequency));
         let (column, across, per_kelvin) = nearest(&self.temperatures, temperature);
         let corner = |i: usize, j: usize| {
             let row = self.values.get(row + i).or(self.values.last())?;
@@ -144,7 +144,7 @@ impl Grid {
     pub fn logarithm(&self, temperature: f64) -> (f64, f64) {
         let (column, share, per_kelvin) = place(&self.temperatures, temperature);
         let row = self.values.first().map(Vec::as_slice).unwrap_or_default();
-        let at = |column: usize| row.get(column).or(row.last()).map_or(f64::NAN, |value| value.ln());
+        let at = |column: usize| row.get(column).or(row.last()).map_or(f64::NAN, |value| libm::log(*value));
         let rise = at(column + 1) - at(column);
         (at(column) + share * rise, rise * per_kelvin)
     }

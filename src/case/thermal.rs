@@ -47,11 +47,11 @@ impl Stiffnesses {
     }
 
     pub(super) fn bending_at_reference(&self, number: f64) -> f64 {
-        self.bending.as_ref().map_or(number, |grid| grid.logarithm(self.reference).0.exp())
+        self.bending.as_ref().map_or(number, |grid| libm::exp(grid.logarithm(self.reference).0))
     }
 
     pub(super) fn radial_at_reference(&self, number: f64) -> f64 {
-        self.radial.as_ref().map_or(number, |grid| grid.logarithm(self.reference).0.exp())
+        self.radial.as_ref().map_or(number, |grid| libm::exp(grid.logarithm(self.reference).0))
     }
 
     /// The tables with their keys.
@@ -66,9 +66,9 @@ impl Stiffnesses {
         match table {
             Some(grid) => {
                 let (here, rate) = grid.logarithm(temperature);
-                Softened { factor: (here - grid.logarithm(self.reference).0).exp(), rate }
+                Softened { factor: libm::exp(here - grid.logarithm(self.reference).0), rate }
             }
-            None => Softened { factor: (-softening * (temperature - self.reference)).exp(), rate: -softening },
+            None => Softened { factor: libm::exp(-softening * (temperature - self.reference)), rate: -softening },
         }
     }
 }

@@ -7,6 +7,7 @@ use axum::extract::{DefaultBodyLimit, Path, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Response, StatusCode, header};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::routing::{get, post};
+use axum::serve::ListenerExt;
 use clap::Args;
 use sheave::live::Live;
 use sheave::{Cancel, cancellable};
@@ -137,6 +138,12 @@ async fn serve(asked: SocketAddr) -> io::Result<()> {
     if let Err(Stop::Write(_, error)) = super::output::print(&text) {
         return Err(error);
     }
+    // An answer goes out at once, whatever of the one before has not been acknowledged.
+    let listener = listener.tap_io(|stream| {
+        if let Err(error) = stream.set_nodelay(true) {
+            tracing::debug!("answers may be sent late: {error}");
+        }
+    });
     axum::serve(listener, router(Pages::new(address))).await
 }
 

@@ -154,11 +154,11 @@ impl Search {
         let (solved, heat) = warmed(&self.case, &self.options, from)?;
         let tension = solved.constant(Constant::SlackTension);
         let slope = tension * gradient(&self.case, &solved, heat.as_ref(), &self.options)?;
-        Ok(Trial { solved, heat, place: tension.ln(), slope })
+        Ok(Trial { solved, heat, place: libm::log(tension), slope })
     }
 
     fn at(&mut self, place: f64, from: &Trial) -> Result<Trial, DesignError> {
-        self.case.operating_point.clamp = Clamp::SlackTension(place.exp());
+        self.case.operating_point.clamp = Clamp::SlackTension(libm::exp(place));
         let (warm, temperature) = warm_start(&self.case, from.heat.as_ref());
         let solved = solve_from(&from.solved, &warm, &self.options)?;
         self.trial((solved, temperature))
@@ -168,9 +168,9 @@ impl Search {
     /// any.
     fn march(&mut self, start: &Trial, direction: f64) -> Result<Vec<Trial>, DesignError> {
         let scale = start.solved.constant(Constant::PrimaryTorque) / start.solved.constant(Constant::PrimaryRadius);
-        let range = (RANGE.0 * scale).ln()..(RANGE.1 * scale).ln();
-        let (mut trials, mut here, mut step) = (Vec::new(), start.clone(), FACTOR.ln());
-        while step >= LEAST_FACTOR.ln() && (direction < 0.0 || here.slope > 0.0) {
+        let range = libm::log(RANGE.0 * scale)..libm::log(RANGE.1 * scale);
+        let (mut trials, mut here, mut step) = (Vec::new(), start.clone(), libm::log(FACTOR));
+        while step >= libm::log(LEAST_FACTOR) && (direction < 0.0 || here.slope > 0.0) {
             let place = here.place + direction * step;
             if !range.contains(&place) {
                 break;

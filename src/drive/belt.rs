@@ -192,7 +192,7 @@ fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Con
     let penetration = tension
         / (constants[Constant::RadialStiffness]
             * constants[Constant::PrimaryRadius]
-            * constants[Constant::HalfAngle].tan());
+            * libm::tan(constants[Constant::HalfAngle]));
     let scale = |state: State| match state {
         State::Tension | State::SpanTension => tension,
         State::Penetration => penetration,

@@ -64,13 +64,13 @@ pub(super) fn climb(
 
 /// Whether a place on the path is so near its end that Newton's iteration may get there at once.
 fn is_near(here: &Constants, target: &Constants) -> bool {
-    let factor = |constant: Constant| (here[constant] / target[constant]).ln().abs();
+    let factor = |constant: Constant| libm::log(here[constant] / target[constant]).abs();
     let pull =
         (here[Constant::PrimaryTorque] - target[Constant::PrimaryTorque]).abs() / target[Constant::PrimaryRadius];
     here[Constant::BendingStiffness] == target[Constant::BendingStiffness]
         && here[Constant::MassPerLength] == target[Constant::MassPerLength]
-        && factor(Constant::SlipThreshold) <= LEAP_THRESHOLD.ln()
-        && factor(Constant::SlackTension) <= LEAP_TENSION.ln()
+        && factor(Constant::SlipThreshold) <= libm::log(LEAP_THRESHOLD)
+        && factor(Constant::SlackTension) <= libm::log(LEAP_TENSION)
         && pull <= LEAP_PULL * target[Constant::SlackTension]
 }
 

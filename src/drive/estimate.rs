@@ -76,7 +76,7 @@ fn by_rules(constants: &mut Constants, case: &Resolved) {
 /// Slack tension near which the clamp has its value.
 fn tension(clamp: Clamp, torque: Option<f64>, radius: f64, half_angle: f64) -> f64 {
     // Half the difference of tensions that the torque makes, over the mean tension if there is no torque to go by.
-    let mean_of = |force: f64| 2.0 * half_angle.tan() * force / (AXIAL_SHARE * PI);
+    let mean_of = |force: f64| 2.0 * libm::tan(half_angle) * force / (AXIAL_SHARE * PI);
     let below = |mean: f64| torque.map_or(mean / (1.0 + 0.5 * TORQUE), |torque| mean - 0.5 * torque / radius);
     let least = torque.map_or(0.0, |torque| LEAST_TENSION * torque / radius);
     match clamp {

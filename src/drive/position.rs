@@ -92,7 +92,7 @@ impl Constants {
             let (here, there) = (self[constant], to[constant]);
             constants[constant] = match constant {
                 _ if share == 1.0 => there,
-                Constant::SlipThreshold if here > 0.0 && there > 0.0 => here * (there / here).powf(share),
+                Constant::SlipThreshold if here > 0.0 && there > 0.0 => here * libm::pow(there / here, share),
                 _ => here + share * (there - here),
             };
         }

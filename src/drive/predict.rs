@@ -261,14 +261,14 @@ impl Scale {
     fn to(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
-            Self::Logarithmic => value.ln(),
+            Self::Logarithmic => libm::log(value),
         }
     }
 
     fn from(self, scaled: f64) -> f64 {
         match self {
             Self::Linear => scaled,
-            Self::Logarithmic => scaled.exp(),
+            Self::Logarithmic => libm::exp(scaled),
         }
     }
 

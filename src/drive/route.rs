@@ -72,7 +72,7 @@ impl Route {
         };
         let radius = target[Constant::PrimaryRadius].min(target[Constant::SecondaryRadius]);
         let square = radius * radius;
-        let highest = DEEPEST * target[Constant::RadialStiffness] * square * target[Constant::HalfAngle].tan();
+        let highest = DEEPEST * target[Constant::RadialStiffness] * square * libm::tan(target[Constant::HalfAngle]);
         let lowest = LEAST_WRAPPED * target[Constant::BendingStiffness] / square;
         let tension = factor * target[Constant::SlackTension].clamp(lowest.min(highest), highest);
         easy[Constant::SlackTension] = tension;

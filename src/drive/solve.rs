@@ -107,7 +107,7 @@ fn at_another_tolerance(
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Option<Result<Solved, Failure>> {
-    for tolerance in LADDER.into_iter().filter(|other| (other / options.tolerance).log10().abs() > 0.5) {
+    for tolerance in LADDER.into_iter().filter(|other| libm::log10(other / options.tolerance).abs() > 0.5) {
         let other = SolveOptions { tolerance, ..*options };
         let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
             Ok(found) => found,

@@ -14,15 +14,15 @@ pub(super) fn constants(given: &Constants) -> Constants {
     let mut start = given.clone();
     let (primary, secondary, center) =
         (given[Constant::PrimaryRadius], given[Constant::SecondaryRadius], given[Constant::CenterDistance]);
-    let slope = ((secondary - primary) / center).clamp(-1.0, 1.0).asin();
+    let slope = libm::asin(((secondary - primary) / center).clamp(-1.0, 1.0));
     start[Constant::SpeedRatio] = primary / secondary;
     start[Constant::Flow] = 1.0;
     start[Constant::PrimaryWrap] = PI - 2.0 * slope;
     start[Constant::SecondaryWrap] = PI + 2.0 * slope;
     start[Constant::PrimaryOrientation] = FRAC_PI_2 + slope;
     start[Constant::SecondaryOrientation] = FRAC_PI_2 - slope;
-    start[Constant::TightLength] = center * slope.cos();
-    start[Constant::SlackLength] = center * slope.cos();
+    start[Constant::TightLength] = center * libm::cos(slope);
+    start[Constant::SlackLength] = center * libm::cos(slope);
     start
 }
 
@@ -57,7 +57,7 @@ fn flow(given: &Constants, v: f64) -> f64 {
 /// How far the start's belt sinks into a groove, m.
 fn depth(given: &Constants, radius: Constant) -> f64 {
     let depth = PENETRATION_SHARE * given[Constant::SlackTension]
-        / (given[Constant::RadialStiffness] * given[radius] * given[Constant::HalfAngle].tan());
+        / (given[Constant::RadialStiffness] * given[radius] * libm::tan(given[Constant::HalfAngle]));
     depth.min(DEEPEST_GUESS * given[radius])
 }
 

@@ -177,7 +177,7 @@ impl Grip {
         let row = |field: Field| fields.chunks_exact(s.len()).nth(kernel.field(field)?);
         let (pressure, friction) = (row(Field::Pressure)?, row(Field::FrictionAtPoint)?);
         let (apparent, sliding) = (row(Field::ApparentSheaveAngle)?, row(Field::SlidingAngle)?);
-        let along = |at: usize| Some(friction.get(at)? * apparent.get(at)?.cos() * sliding.get(at)?.sin());
+        let along = |at: usize| Some(friction.get(at)? * libm::cos(*apparent.get(at)?) * libm::sin(*sliding.get(at)?));
         let (mut used, mut weight) = (0.0, 0.0);
         for (at, ends) in s.windows(2).enumerate() {
             let h = ends[1] - ends[0];

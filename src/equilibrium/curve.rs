@@ -208,7 +208,7 @@ impl Search<'_> {
     fn first(&mut self) -> Result<Option<Equilibrium>, EquilibriumError> {
         let (slowest, fastest) = self.range();
         let mut last = None;
-        let speeds = (0..FIRST).map(|at| slowest * (fastest / slowest).powf((at as f64 + 0.5) / FIRST as f64));
+        let speeds = (0..FIRST).map(|at| slowest * libm::pow(fastest / slowest, (at as f64 + 0.5) / FIRST as f64));
         let whole = |speed| Whole::new(self.case, Given::SecondarySpeed(speed), self.direction);
         let mut ordered: Vec<(f64, bool)> = Vec::new();
         for speed in speeds {
@@ -217,7 +217,7 @@ impl Search<'_> {
         // From the middle of those that seem to lie between the stops.
         let between: Vec<f64> = ordered.iter().filter(|(_, between)| *between).map(|(speed, _)| *speed).collect();
         let middle = between.get(between.len() / 2).copied().unwrap_or((slowest * fastest).sqrt());
-        let near = |speed: f64| (speed / middle).ln().abs();
+        let near = |speed: f64| libm::log(speed / middle).abs();
         ordered.sort_by(|(a, _), (b, _)| near(*a).total_cmp(&near(*b)));
         const ATTEMPTS: usize = 6;
         for (speed, _) in ordered.into_iter().step_by(2).take(ATTEMPTS) {

@@ -51,7 +51,7 @@ pub(super) fn estimate(
     direction: Direction,
 ) -> Estimate {
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
-    let slope = 2.0 * case.sheave.half_angle.tan();
+    let slope = 2.0 * libm::tan(case.sheave.half_angle);
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
     let held = match actuation.primary {
         PrimaryActuator::Position(travel) => Some(actuation.start_radius + travel / slope),
@@ -84,7 +84,7 @@ pub(super) fn elsewhere(
     direction: Direction,
 ) -> Vec<Estimate> {
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
-    let slope = 2.0 * case.sheave.half_angle.tan();
+    let slope = 2.0 * libm::tan(case.sheave.half_angle);
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
     let (high, _) = rough.high(low, slope);
     let at = |share: &f64| {
@@ -142,7 +142,7 @@ impl Rough<'_> {
     fn per_tension(&self, primary: f64) -> (f64, f64) {
         let center = self.case.drive.center_distance;
         let (on_primary, on_secondary) = wrap_angles(primary, self.secondary_beside(primary), center);
-        let wedge = 2.0 * self.case.sheave.half_angle.tan();
+        let wedge = 2.0 * libm::tan(self.case.sheave.half_angle);
         (SHARES.0 * on_primary / wedge, SHARES.1 * on_secondary / wedge)
     }
 

@@ -70,7 +70,7 @@ impl Law for PrimaryLaw {
         let Ok(Some(force)) = self.actuator.force(speed, at, self.shift) else { return f64::NAN };
         *by_axial = 1.0;
         *by_speed = -force.by_drive;
-        *by_radius = -force.by_travel * 2.0 * half_angle.tan();
+        *by_radius = -force.by_travel * 2.0 * libm::tan(half_angle);
         *by_angle = -force.by_travel * travel_by_angle(half_angle, self.start_radius, radius);
         axial - force.value
     }
@@ -114,7 +114,7 @@ impl Law for SecondaryLaw {
         let Ok(force) = self.actuator.force(torque, opening, self.shift) else { return f64::NAN };
         *by_axial = 1.0;
         *by_torque = -force.by_drive;
-        *by_radius = force.by_travel * 2.0 * half_angle.tan();
+        *by_radius = force.by_travel * 2.0 * libm::tan(half_angle);
         *by_angle = -force.by_travel * travel_by_angle(half_angle, radius, self.closed_radius);
         axial - force.value
     }
@@ -122,5 +122,5 @@ impl Law for SecondaryLaw {
 
 /// Derivative of the travel 2 tan β (R − R_0) with respect to β.
 fn travel_by_angle(half_angle: f64, start: f64, radius: f64) -> f64 {
-    2.0 * (radius - start) / half_angle.cos().powi(2)
+    2.0 * (radius - start) / libm::cos(half_angle).powi(2)
 }

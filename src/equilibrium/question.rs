@@ -145,7 +145,7 @@ impl<'a> Whole<'a> {
 
     /// What is asked of the belt in a phase: constants as in `at`, five or four of them unknown.
     fn question(&self, phase: Phase, at: &Resolved) -> Question {
-        let slope = 2.0 * self.case.sheave.half_angle.tan();
+        let slope = 2.0 * libm::tan(self.case.sheave.half_angle);
         let mut question = Question::of(at);
         let closed = self.actuation.closed_radius;
         match phase {

@@ -310,6 +310,6 @@ const fn secondary_name(actuator: &SecondaryActuator) -> &'static str {
 
 /// Three digits that count, with a sign.
 fn signed(value: f64) -> String {
-    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 4.0);
+    let digits = (2.0 - libm::log10(value.abs()).floor()).clamp(0.0, 4.0);
     format!("{value:+.*}", if digits.is_finite() { digits as usize } else { 1 })
 }

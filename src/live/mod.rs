@@ -35,6 +35,7 @@ mod shift;
 mod tune;
 mod values;
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::case::{Case, CaseError, Resolved};
@@ -43,6 +44,7 @@ use crate::model::InternalError;
 use crate::result::{FailureKind, FailureReport, Light, Outcome, answers, envelope, warnings, write_profile};
 use ask::{Ask, SolveAsk};
 use follow::{Follower, Found, Lost};
+use scene::{Detail, Scene};
 
 /// Longest case that is read, bytes.
 const LONGEST: usize = 1 << 20;
@@ -60,6 +62,23 @@ enum Refused {
     Solve(Failure),
     TooLong(usize),
     Internal(String),
+}
+
+/// An answer.
+#[derive(Debug, Serialize)]
+struct Told {
+    #[serde(flatten)]
+    answer: Value,
+    /// What is to be drawn. It is written out as it is: as a `Value` its numbers of single precision would get the digits
+    /// of double precision, and three quarters of an answer are such numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene: Option<Scene>,
+}
+
+impl From<Value> for Told {
+    fn from(answer: Value) -> Self {
+        Self { answer, scene: None }
+    }
 }
 
 impl From<CaseError> for Refused {
@@ -114,34 +133,36 @@ impl Refused {
 impl Live {
     /// Answers a question. What cannot be answered is answered with a `failure`.
     pub fn answer(&mut self, question: &str) -> String {
-        let answer = match serde_json::from_str::<Ask>(question) {
+        let told = match serde_json::from_str::<Ask>(question) {
             Err(error) => {
                 let message = format!("a question that is not understood: {error}");
-                json!({ "failure": FailureReport { kind: FailureKind::Usage, message, hint: None } })
+                Ok(json!({ "failure": FailureReport { kind: FailureKind::Usage, message, hint: None } }).into())
             }
-            Ok(ask) => self.asked(ask).unwrap_or_else(|refused| refused.answer()),
+            Ok(ask) => self.asked(ask),
         };
-        answer.to_string()
+        let text = told.and_then(|told| Ok(serde_json::to_string(&told)?));
+        text.unwrap_or_else(|refused| refused.answer().to_string())
     }
 
-    fn asked(&mut self, ask: Ask) -> Result<Value, Refused> {
-        match ask {
-            Ask::Keys => Ok(keys::table()),
-            Ask::Solve(ask) => self.solve(&ask),
-            Ask::LargestTorque(ask) => Ok(limit::largest_torque(&posed(&read(&ask.case)?)?, &ask.options())),
-            Ask::SmallestClamps(ask) => Ok(limit::smallest_clamps(&posed(&read(&ask.case)?)?, &ask.options())),
-            Ask::Profile => self.profile(),
+    fn asked(&mut self, ask: Ask) -> Result<Told, Refused> {
+        let told = match ask {
+            Ask::Keys => keys::table(),
+            Ask::Solve(ask) => return self.solve(&ask),
+            Ask::LargestTorque(ask) => limit::largest_torque(&posed(&read(&ask.case)?)?, &ask.options()),
+            Ask::SmallestClamps(ask) => limit::smallest_clamps(&posed(&read(&ask.case)?)?, &ask.options()),
+            Ask::Profile => self.profile()?,
             Ask::Shift(ask) => {
                 let case = change::changed(&read(&ask.case)?, &ask.set, &ask.unset, None)?;
                 // Posed or not: a whole drive finds its own operating point.
-                self.curves.begin(&case, &case.resolve()?, &ask)
+                self.curves.begin(&case, &case.resolve()?, &ask)?
             }
-            Ask::ShiftNext(ask) => self.curves.next(ask.direction),
-            Ask::Tune(ask) => tune::tune(&ask),
-        }
+            Ask::ShiftNext(ask) => self.curves.next(ask.direction)?,
+            Ask::Tune(ask) => tune::tune(&ask)?,
+        };
+        Ok(told.into())
     }
 
-    fn solve(&mut self, ask: &SolveAsk) -> Result<Value, Refused> {
+    fn solve(&mut self, ask: &SolveAsk) -> Result<Told, Refused> {
         let before = read(&ask.case)?;
         let case = change::changed(&before, &ask.set, &ask.unset, self.follower.last())?;
         let resolved = posed(&case)?;
@@ -160,12 +181,16 @@ impl Live {
             "remarks": case.remarks(),
             "choices": values::choices(&resolved),
         });
-        match found {
-            Found::Arrived(outcome) => show(&mut answer, &outcome, Some(&resolved), ask)?,
+        let drawn = match found {
+            Found::Arrived(outcome) => {
+                show(&mut answer, &outcome, Some(&resolved))?;
+                Some(outcome)
+            }
             Found::OnTheWay(outcome) => {
-                show(&mut answer, &outcome, None, ask)?;
+                show(&mut answer, &outcome, None)?;
                 answer["values"] = json!(values::asked(&resolved, Some(&outcome.result)));
                 answer["on_the_way"] = true.into();
+                Some(outcome)
             }
             Found::Lost { failure, last } => {
                 answer["values"] = json!(values::asked(&resolved, last.as_deref().map(|last| &last.result)));
@@ -174,13 +199,15 @@ impl Live {
                 if let Lost::Ended(cause) = &failure {
                     answer["cause"] = cause.as_str().into();
                 }
-                if let Some(last) = last.filter(|_| ask.scene) {
-                    answer["scene"] = serde_json::to_value(scene::scene(&last)?)?;
-                    answer["light"] = json!(light(&last));
+                if let Some(last) = &last {
+                    answer["light"] = json!(light(last));
                 }
+                last
             }
-        }
-        Ok(answer)
+        };
+        let detail = if ask.follow { Detail::Moving } else { Detail::Resting };
+        let scene = drawn.filter(|_| ask.scene).map(|outcome| scene::scene(&outcome, detail)).transpose()?;
+        Ok(Told { answer, scene })
     }
 
     fn profile(&self) -> Result<Value, Refused> {
@@ -219,17 +246,14 @@ fn light(outcome: &Outcome) -> &'static str {
     }
 }
 
-/// A solution's result, in words and to be drawn.
-fn show(answer: &mut Value, outcome: &Outcome, asked: Option<&Resolved>, ask: &SolveAsk) -> Result<(), Refused> {
+/// A solution's result, in numbers and in words.
+fn show(answer: &mut Value, outcome: &Outcome, asked: Option<&Resolved>) -> Result<(), Refused> {
     let result = &outcome.result;
     answer["result"] = envelope("live", &result.inputs, &warnings(outcome), result)?;
     answer["answers"] = answers(result).iter().map(|each| json!([each.question, each.answer])).collect();
     answer["light"] = json!(light(outcome));
     if let Some(asked) = asked {
         answer["values"] = json!(values::asked(asked, Some(result)));
-    }
-    if ask.scene {
-        answer["scene"] = serde_json::to_value(scene::scene(outcome)?)?;
     }
     Ok(())
 }

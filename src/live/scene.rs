@@ -7,8 +7,26 @@ use crate::model::{Field, InternalError, State};
 use crate::plot::{Path, Rim, Trajectory};
 use crate::result::{Outcome, Sampled};
 
-/// Largest and smallest distance of samples in a contact, as shares of it: what the eye sees of a line.
-const GAP: f64 = 1.0 / 160.0;
+/// How closely a contact is sampled.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Detail {
+    /// As the eye sees a line that rests.
+    Resting,
+    /// As it sees one that moves.
+    Moving,
+}
+
+impl Detail {
+    /// Largest distance of samples, as a share of the contact.
+    fn gap(self) -> f64 {
+        match self {
+            Self::Resting => 1.0 / 160.0,
+            Self::Moving => 1.0 / 100.0,
+        }
+    }
+}
+
+/// Smallest distance of samples in a contact, as a share of it.
 const NEAREST: f64 = 1.0 / 500.0;
 /// Samples of a span, about.
 const SPAN_SAMPLES: usize = 120;
@@ -63,21 +81,22 @@ fn single(values: &[f64]) -> Vec<f32> {
 ///
 /// # Errors
 /// None, unless this program is broken.
-pub(super) fn scene(outcome: &Outcome) -> Result<Scene, InternalError> {
+pub(super) fn scene(outcome: &Outcome, detail: Detail) -> Result<Scene, InternalError> {
     let trajectory = Trajectory::new(&outcome.solved)?;
     let (primary, secondary) = (&outcome.result.primary, &outcome.result.secondary);
+    let contact = |region, rim, speed| pulley(outcome, &trajectory, (region, detail), rim, speed);
     Ok(Scene {
         center_distance: outcome.result.inputs.drive.center_distance,
         slip_threshold: outcome.result.inputs.sheave.slip_threshold,
-        primary: pulley(outcome, &trajectory, RegionId::Primary, trajectory.primary(), primary.speed)?,
-        secondary: pulley(outcome, &trajectory, RegionId::Secondary, trajectory.secondary(), secondary.speed)?,
+        primary: contact(RegionId::Primary, trajectory.primary(), primary.speed)?,
+        secondary: contact(RegionId::Secondary, trajectory.secondary(), secondary.speed)?,
         slack_span: span(outcome, &trajectory, RegionId::SlackSpan, outcome.result.slack_span.arc_length)?,
         tight_span: span(outcome, &trajectory, RegionId::TightSpan, outcome.result.tight_span.arc_length)?,
     })
 }
 
 /// The nodes of a region that are not too close to others, and as many places between them as a smooth line needs.
-fn places(outcome: &Outcome, region: RegionId) -> Vec<f64> {
+fn places(outcome: &Outcome, region: RegionId, detail: Detail) -> Vec<f64> {
     let mesh = outcome.solved.solution.regions().get(region.index()).map_or(&[][..], |part| part.mesh());
     let mut places = vec![0.0];
     let mut last = 0.0;
@@ -86,7 +105,7 @@ fn places(outcome: &Outcome, region: RegionId) -> Vec<f64> {
         if gap < NEAREST {
             continue;
         }
-        let parts = (gap / GAP).ceil();
+        let parts = (gap / detail.gap()).ceil();
         places.extend((1..=parts as usize).map(|part| last + gap * part as f64 / parts));
         last = node;
     }
@@ -106,12 +125,12 @@ fn thinned(path: Path) -> Path {
 fn pulley(
     outcome: &Outcome,
     trajectory: &Trajectory<'_>,
-    region: RegionId,
+    (region, detail): (RegionId, Detail),
     rim: Rim,
     speed: f64,
 ) -> Result<Pulley, InternalError> {
     let solved = &outcome.solved;
-    let sampled = Sampled::at(&solved.belt, &solved.solution, region, places(outcome, region));
+    let sampled = Sampled::at(&solved.belt, &solved.solution, region, places(outcome, region, detail));
     let path = trajectory.path(region, &sampled.s)?;
     let state = |state| sampled.state(state).map(single);
     let field = |field| sampled.field(field).map(single);

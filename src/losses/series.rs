@@ -133,7 +133,7 @@ impl Jumps {
 /// exp(−2πi n u), n u taken to a whole number's distance first.
 pub(super) fn phase(n: usize, u: f64) -> Complex {
     let turns = n as f64 * u;
-    let (sin, cos) = (TAU * (turns - turns.round())).sin_cos();
+    let (sin, cos) = libm::sincos(TAU * (turns - turns.round()));
     (cos, -sin)
 }
 

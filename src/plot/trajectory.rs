@@ -103,7 +103,7 @@ impl<'a> Trajectory<'a> {
     fn contact(&self, region: RegionId, rim: Rim, s: Vec<f64>) -> Result<Path, InternalError> {
         let sampled = Sampled::at(&self.solved.belt, &self.solved.solution, region, s);
         let at = |(s, x): (&f64, &f64)| {
-            let (sin, cos) = (rim.entry + rim.wrap * s).sin_cos();
+            let (sin, cos) = libm::sincos(rim.entry + rim.wrap * s);
             (rim.center + (rim.radius - x) * cos, (rim.radius - x) * sin)
         };
         let points = sampled.s.iter().zip(sampled.state(State::Penetration)?).map(at).collect();
@@ -143,7 +143,10 @@ fn between(s: &[f64], nodes: &[(f64, f64)], direction: &[f64]) -> Path {
         for part in 1..=PARTS {
             let t = part as f64 / PARTS as f64;
             path.s.push(s0 + h * t);
-            path.points.push((cubic(t, a.0, b.0, from.cos(), to.cos()), cubic(t, a.1, b.1, from.sin(), to.sin())));
+            path.points.push((
+                cubic(t, a.0, b.0, libm::cos(from), libm::cos(to)),
+                cubic(t, a.1, b.1, libm::sin(from), libm::sin(to)),
+            ));
         }
     }
     path

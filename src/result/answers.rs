@@ -127,7 +127,7 @@ pub fn tension_for(result: &DriveResult<Resolved>, reserve: f64) -> Option<f64> 
 
 /// To two digits: an estimate is not better.
 fn rounded(value: f64) -> f64 {
-    let unit = 10_f64.powf(value.log10().floor() - 1.0);
+    let unit = libm::pow(10_f64, libm::log10(value).floor() - 1.0);
     (value / unit).round() * unit
 }
 

@@ -52,7 +52,7 @@ impl Sampled {
     pub(super) fn rim_friction(&self) -> Result<f64, InternalError> {
         let friction = self.field(Field::FrictionAtPoint)?.iter();
         let along = friction.zip(self.field(Field::ApparentSheaveAngle)?).zip(self.field(Field::SlidingAngle)?);
-        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * beta.cos() * gamma.sin()).collect();
+        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * libm::cos(*beta) * libm::sin(*gamma)).collect();
         Ok(weighted_mean(&self.s, &along, self.field(Field::Pressure)?))
     }
 

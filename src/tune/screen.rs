@@ -190,7 +190,7 @@ pub fn ends(case: &Resolved, actuation: &Actuation) -> Result<(f64, f64), TuneEr
         needs: "give primary.travel, or secondary.travel, so that the end of the shift is known",
     };
     let (length, center) = (case.belt.length, case.drive.center_distance);
-    let slope = 2.0 * case.sheave.half_angle.tan();
+    let slope = 2.0 * libm::tan(case.sheave.half_angle);
     let beside = |radius: f64| radius_beside(radius, length, center).ok();
     let low = beside(actuation.closed_radius).map(|primary| actuation.closed_radius / primary);
     let by_primary = actuation.primary_travel.and_then(|travel| {
@@ -479,7 +479,7 @@ impl Drive<'_> {
         let told = |error| Unfit::Actuator { ratio, error };
         let lost = |_: Outside| Unfit::Lost { ratio };
         let half_angle = self.case.sheave.half_angle;
-        let by_radius = 2.0 * half_angle.tan();
+        let by_radius = 2.0 * libm::tan(half_angle);
         let torque_slope = self.engine.torque(speed).by_speed;
         // The map's derivatives along speed, on which the torque hangs, and slack tension.
         let along = |quantity: Quantity| -> Result<(f64, [f64; 2]), Unfit> {

@@ -127,7 +127,11 @@ export class Chart {
     this.figure = html("figure", {}, this.caption, this.svg, this.readout);
     this.svg.addEventListener("pointermove", (event) => this.#point(event));
     this.svg.addEventListener("pointerleave", () => this.#leave());
-    new ResizeObserver(() => this.scene && this.show(this.scene)).observe(this.svg);
+    // Told, not asked for: asking between two drawings would have the page laid out for each of them.
+    new ResizeObserver((entries) => {
+      this.size = entries.at(-1).contentRect;
+      if (this.scene) this.show(this.scene);
+    }).observe(this.svg);
     // Out of sight, nothing is drawn.
     this.seen = false;
     const sight = new IntersectionObserver(
@@ -138,6 +142,13 @@ export class Chart {
       { rootMargin: "100px" },
     );
     sight.observe(this.svg);
+    // On paper, all is in sight.
+    addEventListener("beforeprint", () => {
+      const { seen } = this;
+      this.seen = true;
+      if (this.scene) this.show(this.scene);
+      this.seen = seen;
+    });
   }
 
   show(scene) {
@@ -145,9 +156,9 @@ export class Chart {
     if (!this.seen) return;
     this.drawn = scene;
     const { profile } = this;
-    const width = Math.max(220, this.svg.clientWidth || 320);
+    const width = Math.max(220, this.size?.width || 320);
     this.width = width;
-    this.height = this.svg.clientHeight || HEIGHT;
+    this.height = this.size?.height || HEIGHT;
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}` });
     this.lines = profile.lines(scene);
     const guide = profile.guide?.(scene);

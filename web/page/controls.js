@@ -110,6 +110,7 @@ class Quantity {
   }
 
   #slid() {
+    this.told = "";
     const raw = Number(this.range.value);
     this.value = this.log ? Number((10 ** raw).toPrecision(3)) : Number(raw.toPrecision(9));
     this.field.value = plain(this.value);
@@ -118,6 +119,7 @@ class Quantity {
   }
 
   #typed() {
+    this.told = "";
     const text = this.field.value.trim().replace("−", "-");
     if (text === "" || text === this.shown) return;
     const number = Number(text.replace(",", "."));
@@ -137,6 +139,10 @@ class Quantity {
 
   /** Shows a value; `active` is the control that is being moved and keeps its own. */
   show(value, given, active) {
+    const told = `${value} ${given} ${active === this}`;
+    // Most controls stay as they are while one moves.
+    if (told === this.told && document.activeElement !== this.field) return;
+    this.told = told;
     this.row.classList.toggle("given", given);
     this.out.hidden = !given;
     const known = Number.isFinite(value);
@@ -153,6 +159,7 @@ class Quantity {
 
   /** The ends of a part's slider are those of another drive. */
   forget() {
+    this.told = "";
     if (!this.key.slider) this.ends = null;
   }
 }
@@ -178,11 +185,15 @@ class List {
       this.doc,
     );
     this.select.addEventListener("change", () => {
+      this.told = "";
       changed(this.select.value === "" ? { unset: [key.path] } : { set: [[key.path, this.select.value]] });
     });
   }
 
   show(choice, given) {
+    const told = `${choice} ${given}`;
+    if (told === this.told) return;
+    this.told = told;
     this.row.classList.toggle("given", given);
     this.select.value = given ? choice : (this.key.default ?? "");
     const chosen = this.key.choices.find((each) => each.name === choice);

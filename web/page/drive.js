@@ -12,6 +12,8 @@ const SPAN_PIECES = 24;
 const SPOKES = 6;
 /** Marks on the belt. */
 const MARKS = 28;
+/** Milliseconds after a drawing in which the next one is waited for: rotation goes on with it, not beside it. */
+const FOLLOWED = 120;
 const REGIONS = ["primary", "slack_span", "secondary", "tight_span"];
 
 const mm = (metres) => 1000 * metres;
@@ -77,8 +79,11 @@ export class DriveView {
   #scene = null;
   #turned = { primary: 0, secondary: 0, belt: 0 };
   #last = 0;
+  #shown = 0;
   #slips = false;
   #scale = 1;
+  /** Of the drawing on the page, in pixels, as it was told last. */
+  #size = { width: 200, height: 120 };
   #room = { left: 0, right: 0, above: 0, below: 0 };
   /** Whether it moves, and whether it is looked at. */
   moves = true;
@@ -132,9 +137,12 @@ export class DriveView {
       slack_span: svg("text", { class: "label", "text-anchor": "middle" }),
     };
     this.layers.front.append(...Object.values(this.spans));
-    new ResizeObserver(() => this.#scene && this.show(this.#scene, this.#slips)).observe(this.svg);
+    new ResizeObserver((entries) => {
+      this.#size = entries.at(-1).contentRect;
+      if (this.#scene) this.show(this.#scene, this.#slips);
+    }).observe(this.svg);
     const frame = (now) => {
-      this.#move(now);
+      if (now - this.#shown > FOLLOWED) this.#move(now);
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -144,6 +152,7 @@ export class DriveView {
   show(scene, slips) {
     this.#scene = scene;
     this.#slips = slips;
+    this.#shown = performance.now();
     const points = loop(scene);
     this.#frame(scene, points);
     this.svg.classList.toggle("slips", slips);
@@ -173,6 +182,7 @@ export class DriveView {
       return sum + Math.hypot(point.x - before.x, point.y - before.y);
     }, 0);
     this.#describe(scene, slips);
+    this.#move(this.#shown);
   }
 
   /** The window on the plane: it changes in steps, so that nothing else moves while a radius does. */
@@ -197,7 +207,7 @@ export class DriveView {
     const labels = 0.055 * width;
     const height = above + below + 2 * labels;
     set(this.svg, { viewBox: `${-left} ${-above - labels} ${width} ${height}` });
-    this.#scale = Math.max(width / Math.max(this.svg.clientWidth, 200), height / Math.max(this.svg.clientHeight, 120));
+    this.#scale = Math.max(width / Math.max(this.#size.width, 200), height / Math.max(this.#size.height, 120));
     this.svg.style.setProperty("--px", String(this.#scale));
     this.svg.style.aspectRatio = `${width} / ${height}`;
   }
@@ -297,7 +307,7 @@ export class DriveView {
   }
 
   #move(now) {
-    const seconds = Math.min(0.1, (now - this.#last) / 1000);
+    const seconds = Math.min(0.1, Math.max(0, (now - this.#last) / 1000));
     this.#last = now;
     const scene = this.#scene;
     if (!scene || !this.moves || !this.seen) return;

@@ -79,6 +79,7 @@ function changed(change, active = null) {
   page.rested = false;
   page.sticky = false;
   if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) end();
+  wake();
   run();
 }
 
@@ -128,13 +129,16 @@ function taken() {
   return task;
 }
 
-/** Whether so long nothing is changed. */
+/** Ends a pause. */
+let wake = () => {};
+
+/** Whether so long nothing is changed. A change ends the pause at once: the next answer is waited for. */
 async function pause(milliseconds) {
-  const until = performance.now() + milliseconds;
-  while (performance.now() < until) {
-    if (page.change) return false;
-    await new Promise((resolve) => setTimeout(resolve, 15));
-  }
+  if (page.change) return false;
+  await new Promise((resolve) => {
+    setTimeout(resolve, milliseconds);
+    wake = resolve;
+  });
   return !page.change;
 }
 

@@ -24,6 +24,14 @@ function losses({ result }) {
 const percent = (share, decimals = 2) =>
   share === null || share === undefined ? "–" : `${fixed(100 * share, decimals)} %`;
 
+/** Whether a line of text can be written where an element stands. */
+const fits = (line, element) => typeof line === "string" && element.tagName === "P";
+
+/** A text that changed. */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 class Card {
   constructor(title, id) {
     this.big = html("p", { class: "big", id });
@@ -31,9 +39,38 @@ class Card {
     this.box = html("section", { class: "card" }, html("h3", { text: title }), this.big, this.small);
   }
 
+  /** A large line and small ones, each a text or an element. What stands there already is kept. */
   show(big, ...lines) {
-    this.big.textContent = big;
-    this.small.replaceChildren(...lines.map((line) => (typeof line === "string" ? html("p", { text: line }) : line)));
+    write(this.big, big);
+    const there = [...this.small.children];
+    const kept = lines.length === there.length && lines.every((line, i) => line === there[i] || fits(line, there[i]));
+    if (!kept) {
+      this.small.replaceChildren(...lines.map((line) => (typeof line === "string" ? html("p", { text: line }) : line)));
+      return;
+    }
+    lines.forEach((line, i) => line !== there[i] && write(there[i], line));
+  }
+}
+
+/** Watts as bars, a row each. */
+class Bars {
+  constructor(names, rows) {
+    this.names = names;
+    this.rows = rows.map(([name]) => {
+      const [watts, bar] = [html("td"), html("span", { class: "bar", "aria-hidden": "true" })];
+      const row = html("tr", {}, html("th", { scope: "row", text: name }), watts, html("td", { class: "track" }, bar));
+      return { row, watts, bar };
+    });
+    this.table = html("table", { class: "bars" }, ...this.rows.map(({ row }) => row));
+  }
+
+  show(rows) {
+    const most = Math.max(...rows.map(([, watts]) => watts), 1e-9);
+    rows.forEach(([, watts], i) => {
+      write(this.rows[i].watts, `${number(watts, 3)} W`);
+      const width = `${((100 * Math.max(0, watts)) / most).toFixed(1)}%`;
+      if (this.rows[i].bar.style.width !== width) this.rows[i].bar.style.width = width;
+    });
   }
 }
 
@@ -106,23 +143,15 @@ export class Readouts {
   #watts(answer) {
     const rows = losses(answer);
     const total = rows.reduce((sum, [, watts]) => sum + watts, 0);
-    const most = Math.max(...rows.map(([, watts]) => watts), 1e-9);
-    const bars = html("table", { class: "bars" });
-    for (const [name, watts] of rows) {
-      const bar = html("span", { class: "bar", "aria-hidden": "true" });
-      bar.style.width = `${(100 * Math.max(0, watts)) / most}%`;
-      bars.append(
-        html(
-          "tr",
-          {},
-          html("th", { scope: "row", text: name }),
-          html("td", { text: `${number(watts, 3)} W` }),
-          html("td", { class: "track" }, bar),
-        ),
-      );
-    }
+    const names = rows.map(([name]) => name).join();
+    if (names !== this.bars?.names) this.bars = new Bars(names, rows);
+    this.bars.show(rows);
     const { power_in, power_out } = answer.result.energy;
-    this.cards.watts.show(`${number(total, 3)} W lost`, `of ${number(Math.max(power_in, -power_out))} W in`, bars);
+    this.cards.watts.show(
+      `${number(total, 3)} W lost`,
+      `of ${number(Math.max(power_in, -power_out))} W in`,
+      this.bars.table,
+    );
   }
 }
 

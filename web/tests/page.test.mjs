@@ -18,7 +18,7 @@ import {
   state,
   type,
 } from "./browser.mjs";
-import { differences, sameWay } from "./native.mjs";
+import { differences } from "./native.mjs";
 
 setUp();
 
@@ -49,12 +49,9 @@ test("sliders give the native program's numbers", async () => {
   let last;
   for (const question of asked) last = await state.program.ask(question, "sliders");
   const shown = await answer(page);
-  const { solved, sampled } = differences(shown.result, last.result);
-  console.log(
-    `sliders: ${asked.length} questions, ${sameWay(shown.result, last.result) ? "the same" : "other"} steps, largest relative difference ${solved.largest.toExponential(1)}`,
-  );
-  assert.ok(solved.largest <= 1e-9, solved.at);
-  assert.ok(sampled.largest <= 1e-6, sampled.at);
+  const { largest, at } = differences(shown.result, last.result);
+  console.log(`sliders: ${asked.length} questions, largest relative difference ${largest.toExponential(1)}`);
+  assert.ok(largest <= 1e-9, at);
   assert.deepEqual(shown.given, [
     "sheave.friction_coefficient",
     "drive.ratio",
@@ -245,6 +242,10 @@ for (const [width, height] of [
       await rested(page, 0);
       await page.waitForTimeout(300);
       await page.screenshot({ path: new URL(`${width}-${colorScheme}.png`, shots).pathname });
+      // Charts are drawn where they come into sight.
+      for (const chart of await page.locator("#charts .chart").all()) await chart.scrollIntoViewIfNeeded();
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.waitForTimeout(200);
       await page.screenshot({ path: new URL(`${width}-${colorScheme}-whole.png`, shots).pathname, fullPage: true });
     });
   }

@@ -57,7 +57,7 @@ impl Path for Ramp {
             *constant = match law {
                 _ if lambda == 1.0 => to,
                 Law::Linear => from + lambda * (to - from),
-                Law::Geometric => from * (to / from).powf(lambda),
+                Law::Geometric => from * libm::pow(to / from, lambda),
             };
         }
     }
@@ -67,7 +67,7 @@ impl Path for Ramp {
             let Some(slope) = slope.get_mut(index) else { continue };
             *slope = match law {
                 Law::Linear => to - from,
-                Law::Geometric => from * (to / from).powf(lambda) * (to / from).ln(),
+                Law::Geometric => from * libm::pow(to / from, lambda) * libm::log(to / from),
             };
         }
     }

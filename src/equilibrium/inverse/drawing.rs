@@ -40,7 +40,9 @@ pub(super) fn outlines(shape: &Shape, actuation: &Actuation) -> Vec<Outline> {
         Shape::Cam(profile) => vec![Outline {
             name: "PITCH_CURVE",
             axes: ["along the arm", "across the arm"],
-            points: dense(profile).map(|(distance, angle)| (distance * angle.cos(), distance * angle.sin())).collect(),
+            points: dense(profile)
+                .map(|(distance, angle)| (distance * libm::cos(angle), distance * libm::sin(angle)))
+                .collect(),
         }],
         Shape::Helix(profile, turns) => {
             let crate::actuator::SecondaryActuator::Helix { helix, .. } = &actuation.secondary else {

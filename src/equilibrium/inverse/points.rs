@@ -108,7 +108,7 @@ impl<'a> Held<'a> {
     /// `count` places at the most, evenly spaced in the travel of the primary but for the stops, from the low stop to the
     /// high one.
     pub fn points(&self, count: usize) -> Result<Vec<InversePoint>, InverseError> {
-        let slope = 2.0 * self.case.sheave.half_angle.tan();
+        let slope = 2.0 * libm::tan(self.case.sheave.half_angle);
         let (closed, start) = (self.actuation.closed_radius, self.actuation.start_radius);
         let high = match (self.actuation.primary_travel, self.actuation.secondary_travel) {
             (Some(travel), _) => Place::Primary(start + travel / slope),
@@ -213,7 +213,7 @@ impl<'a> Held<'a> {
             }
             ClampedBy::Reserve(_) => return None,
         };
-        let tension = force * 2.0 * half_angle.tan() / (share * wrap) - 0.5 * self.torque / radius;
+        let tension = force * 2.0 * libm::tan(half_angle) / (share * wrap) - 0.5 * self.torque / radius;
         (tension > 0.1 * self.torque / radius).then_some(tension)
     }
 
@@ -271,16 +271,16 @@ impl<'a> Held<'a> {
         let mut here = solved;
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..RESERVES {
-            let (tension, missing) = (here.constant(Constant::SlackTension).ln(), wanted - reserve(&here)?);
+            let (tension, missing) = (libm::log(here.constant(Constant::SlackTension)), wanted - reserve(&here)?);
             if missing.abs() <= MET {
                 return Ok(here);
             }
             let step = match before {
                 Some((other, missed)) if missed != missing => -missing * (tension - other) / (missing - missed),
-                _ => missing.signum() * NUDGE.ln(),
+                _ => missing.signum() * libm::log(NUDGE),
             };
             before = Some((tension, missing));
-            let next = (tension + step.clamp(-STRIDE, STRIDE)).exp();
+            let next = libm::exp(tension + step.clamp(-STRIDE, STRIDE));
             here = self.solved(&here, &self.question(place, next), place)?;
         }
         let ratio = here.constant(Constant::SecondaryRadius) / here.constant(Constant::PrimaryRadius);

@@ -129,12 +129,12 @@ impl Wanted<'_> {
         let level = self.shift.sign() * friction_angle;
         let slope = |travel: f64, radius: f64| {
             let force = |angle: f64| {
-                let radius = Profile::line(travel, radius, angle.tan());
+                let radius = Profile::line(travel, radius, libm::tan(angle));
                 let made = self.with(Mechanism::Ramp { radius, friction_angle });
                 made.force(self.speed, travel, self.shift).map_or(f64::NAN, |force| force.value)
             };
             let reason = "give heavier or more flyweights, or a larger radius to begin with";
-            steepness(self.forces.at(travel).value, level, force).map(f64::tan).ok_or((travel, reason))
+            steepness(self.forces.at(travel).value, level, force).map(libm::tan).ok_or((travel, reason))
         };
         let first = travels.first().copied().unwrap_or(0.0);
         let radii = self.integrated(NAME, travels, start.at(first).value, slope)?;
@@ -147,11 +147,11 @@ impl Wanted<'_> {
         let level = self.shift.sign() * arm.friction_angle;
         let state = |angle: f64, slope: f64| arm.state(self.flyweights, self.speed, self.shift, angle, slope);
         let turn = |travel: f64, angle: f64| {
-            let force = |steep: f64| state(angle, steep.tan()).force;
+            let force = |steep: f64| state(angle, libm::tan(steep)).force;
             let reason = "the arm stands too steep, or the flyweights are too light: give heavier or more flyweights, \
                 or a stiffer spring where they are too heavy";
             let found = steepness(self.forces.at(travel).value, level, force).ok_or((travel, reason))?;
-            Ok(state(angle, found.tan()).turn)
+            Ok(state(angle, libm::tan(found)).turn)
         };
         let first = travels.first().copied().unwrap_or(0.0);
         let start = arm.angle(first).map_err(|error| InverseError::Actuator { error })?;
@@ -169,7 +169,7 @@ impl Wanted<'_> {
         let state = |travel: f64, at: (f64, f64)| arm.state(self.flyweights, (self.speed, travel), self.shift, at);
         let slope = |travel: f64, angle: f64| {
             let distance = state(travel, (angle, 0.0)).distance;
-            let of = |steep: f64| (angle, steep.tan() / distance);
+            let of = |steep: f64| (angle, libm::tan(steep) / distance);
             let friction = self.shift.sign() * arm.friction_angle;
             let most = STEEPEST - friction.abs();
             let force = |steep: f64| state(travel, of(steep)).force;
@@ -230,7 +230,7 @@ pub(super) fn helix_shape(
     let forces = profile(openings.clone(), forces)?;
     let torques = profile(openings.clone(), points.iter().map(|point| point.secondary_torque).collect())?;
     let angle = |opening: f64, turn: f64| angle_of(helix, &forces, &torques, shift, (opening, turn));
-    let slope = |opening: f64, turn: f64| angle(opening, turn).map(|angle| 1.0 / (helix.radius * angle.tan()));
+    let slope = |opening: f64, turn: f64| angle(opening, turn).map(|angle| 1.0 / (helix.radius * libm::tan(angle)));
     let start = 0.0;
     let turns = integrated(NAME, &openings, start, slope, |opening| forces.at(opening).value)?;
     let angles = openings.iter().zip(&turns).map(|(opening, turn)| {
@@ -256,7 +256,7 @@ fn angle_of(
         return Err((opening, "the flank carries no torque and has no contact: wind the torsion spring up further"));
     }
     let friction = shift.sign() * helix.friction_angle;
-    let force = |angle: f64| helix.state(torque, turn, angle.tan(), shift).0;
+    let force = |angle: f64| helix.state(torque, turn, libm::tan(angle), shift).0;
     let range = ((-friction).max(0.0) + 1e-6, STEEPEST - friction.max(0.0));
     let reason =
         "the torque on the helix is too small or too large for it: give another spring, or another helix radius";
