@@ -174,16 +174,17 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             error: NewtonError::NonFinite(error),
             intervals: intervals(&self.system.grids),
         };
-        let (mut stats, mut defects) = (Stats::default(), Vec::new());
+        let (mut stats, mut extensions, mut defects) = (Stats::default(), Vec::new(), Vec::new());
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
             let extension = extended.extension(&mut stats).map_err(undefined)?;
             let measured = extended.defects(&extension, &self.factorisation.scales, &mut stats);
             defects.push(measured.map_err(undefined)?);
+            extensions.push(extension);
         }
-        let error = Error::of(&self.system, (&self.x, &self.work), &self.factorisation, &defects, &mut stats);
-        let error = error.map_err(undefined)?;
+        let judged = (&extensions[..], &defects[..]);
+        let error = Error::of(&self.system, (&self.x, &self.work), &self.factorisation, judged, &mut stats);
         let mut tangent = self.unscaled(&error.correction, vec![0.0; self.x.constants.len()]);
         for (region, own) in tangent.regions.iter_mut().zip(&error.integrals) {
             region.integrals.iter_mut().zip(own).for_each(|(integral, own)| *integral += own);

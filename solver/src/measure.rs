@@ -5,7 +5,7 @@ use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Defects, Extended, Extension};
 use crate::collocation::{Correction, Iterate, System};
-use crate::error::{NewtonError, NonFinite, SolveError};
+use crate::error::{NewtonError, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
@@ -68,15 +68,16 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     /// The continuous extension S has the error `e = S - y` with `e' = f_y e + (S' - f(S))` to first order; the
     /// collocation equations linearised at S, solved for the integrals of the defect over the intervals, give e.
     ///
-    /// Infinite if the right-hand side is undefined where the estimate needs it. Computed once.
+    /// Computed once.
     pub(crate) fn error_estimate(&self, stats: &mut Stats) -> f64 {
         *self.estimate.get_or_init(|| self.estimate_error(stats))
     }
 
     fn estimate_error(&self, stats: &mut Stats) -> f64 {
         let Converged { x, work, factorisation, .. } = &self.converged;
-        let error = Error::of(&self.system, (x, work), factorisation, &self.defects, stats);
-        error.map_or(f64::INFINITY, |error| self.system.largest(&error.correction))
+        let judged = (&self.extensions[..], &self.defects[..]);
+        let error = Error::of(&self.system, (x, work), factorisation, judged, stats);
+        self.system.largest(&error.correction)
     }
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
@@ -98,15 +99,13 @@ pub(crate) struct Error {
 }
 
 impl Error {
-    /// # Errors
-    /// The right-hand side is undefined where the estimate needs it.
     pub(crate) fn of<P: Problem + ?Sized>(
         system: &System<'_, P>,
         (x, work): (&Iterate, &Work),
         factorisation: &Factorisation,
-        defects: &[Defects],
+        (extensions, defects): (&[Extension], &[Defects]),
         stats: &mut Stats,
-    ) -> Result<Self, NonFinite> {
+    ) -> Self {
         let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
         let mut integrals = Vec::new();
         for (region, defects) in defects.iter().enumerate() {
@@ -114,7 +113,7 @@ impl Error {
                 Cow::Borrowed(&defects.integrated)
             } else {
                 let extended = Extended { system, region, x, stages: &work.regions[region] };
-                Cow::Owned(extended.improved(defects, stats)?)
+                Cow::Owned(extended.improved(&extensions[region], defects))
             };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
             let len = grid.interval_stride();
@@ -131,7 +130,7 @@ impl Error {
             integrals.push(sums);
         }
         stats.linear_solves += 1;
-        Ok(Self { correction: factorisation.solve(system, rhs), integrals })
+        Self { correction: factorisation.solve(system, rhs), integrals }
     }
 }
 

@@ -22,6 +22,12 @@ const SIMPLIFIED_CONTRACTION: f64 = 0.25;
 /// A factorisation costs about as much as so many simplified corrections.
 const SIMPLIFIED_LIMIT: f64 = 4.0;
 
+/// A last correction that is so much smaller than the tolerance of the iteration is not applied: the right-hand side
+/// need not be evaluated once more then. Linear problems end so.
+const NEGLIGIBLE: f64 = 1e-3;
+/// Below this tolerance rounding is near, and every correction is applied.
+const NEAR_ROUNDING: f64 = 1e-10;
+
 /// Limits of the iteration.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
@@ -95,14 +101,28 @@ struct Taken {
     damping: f64,
 }
 
+/// A converged iterate.
+struct Last {
+    x: Iterate,
+    /// Whether the residual held is that at `x`.
+    evaluated: bool,
+}
+
 /// How far a damped step got.
 enum Step {
     /// The iterate converged.
-    Done(Iterate),
+    Done(Last),
     /// No damping factor makes progress.
     Stuck(NewtonError),
     /// A new iterate, the simplified correction there, and the damping factor that led to it.
     Moved { x: Iterate, simplified: Correction, damping: f64, contraction: f64 },
+}
+
+/// How far corrections with the held matrix got.
+enum Simplified {
+    Converged(Last),
+    /// To an iterate at which a new matrix is due.
+    Ended(Iterate),
 }
 
 /// Why there is no converged iterate.
@@ -163,7 +183,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
             if self.system.largest(&dx) <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
-                return self.finish(x, None);
+                return self.finish(Last { x, evaluated: false }, None);
             }
             if self.iteration > self.limits.iterations {
                 let error = self.limit_reached(&dx);
@@ -171,7 +191,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
             match self.damped_step(&x, &dx, size, damping)? {
-                Step::Done(x) => return self.finish(x, None),
+                Step::Done(last) => return self.finish(last, None),
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
                 Step::Moved { x: next, simplified, damping, contraction } => {
                     let (from, scales) = (std::mem::replace(&mut x, next), self.factorisation.scales.clone());
@@ -179,8 +199,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                     taken = Some(Taken { from, scales, dx, damping });
                     if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
                         match self.simplified_steps(x, &simplified, contraction)? {
-                            (next, true) => return self.finish(next, None),
-                            (next, false) => x = next,
+                            Simplified::Converged(last) => return self.finish(last, None),
+                            Simplified::Ended(next) => x = next,
                         }
                         (before, taken) = (None, None);
                     } else {
@@ -283,7 +303,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             let possible = if estimate.is_finite() { estimate.min(1.0) } else { 1.0 };
             if damping == 1.0 && self.system.largest(&simplified) <= self.limits.tolerance {
-                return Ok(Step::Done(self.system.stepped(&trial, &self.factorisation.scales, 1.0, &simplified)));
+                return Ok(Step::Done(self.last(trial, &simplified)));
             }
             if possible >= 4.0 * damping && !reduced {
                 damping = possible;
@@ -293,45 +313,56 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         }
     }
 
-    /// Further corrections with the held matrix, as long as fewer are needed than a new matrix costs. Answers
-    /// whether they converged.
+    /// After the last correction, whose residual is held.
+    fn last(&self, x: Iterate, correction: &Correction) -> Last {
+        let Limits { tolerance, .. } = self.limits;
+        if tolerance >= NEAR_ROUNDING && self.system.largest(correction) <= NEGLIGIBLE * tolerance {
+            return Last { x, evaluated: true };
+        }
+        Last { x: self.system.stepped(&x, &self.factorisation.scales, 1.0, correction), evaluated: false }
+    }
+
+    /// Further corrections with the held matrix, as long as fewer are needed than a new matrix costs.
     fn simplified_steps(
         &mut self,
         mut x: Iterate,
         first: &Correction,
         mut contraction: f64,
-    ) -> Result<(Iterate, bool), Failure> {
+    ) -> Result<Simplified, Failure> {
         let mut dx = first.clone();
         loop {
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
             let needed = libm::log(self.limits.tolerance / largest) / libm::log(contraction.max(1e-300));
             if !(needed <= SIMPLIFIED_LIMIT) {
-                return Ok((x, false));
+                return Ok(Simplified::Ended(x));
             }
             self.budget.check(self.stats).map_err(Failure::Interrupted)?;
             let trial = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
             if self.evaluate(&trial, Derivatives::None).is_err() {
-                return Ok((x, false));
+                return Ok(Simplified::Ended(x));
             }
             let next = self.correction();
             let rate = self.system.norm(&next) / size;
             if !(rate < 1.0) {
-                return Ok((x, false));
+                return Ok(Simplified::Ended(x));
             }
             self.stats.simplified_corrections += 1;
             if self.system.largest(&next) <= self.limits.tolerance {
-                return Ok((self.system.stepped(&trial, &self.factorisation.scales, 1.0, &next), true));
+                return Ok(Simplified::Converged(self.last(trial, &next)));
             }
             if rate > SIMPLIFIED_CONTRACTION {
-                return Ok((trial, false));
+                return Ok(Simplified::Ended(trial));
             }
             (x, dx, contraction) = (trial, next, rate);
         }
     }
 
     /// The residual where the iteration ended, for integrals, boundary residuals and dense output.
-    fn finish(mut self, x: Iterate, stagnated: Option<NewtonError>) -> Result<Converged, Failure> {
-        self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
+    fn finish(mut self, last: Last, stagnated: Option<NewtonError>) -> Result<Converged, Failure> {
+        let Last { x, evaluated } = last;
+        if !evaluated {
+            self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
+        }
         Ok(Converged {
             x,
             work: self.work,
@@ -347,9 +378,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, Failure> {
         let size = self.system.largest(dx);
         if size <= self.limits.stagnation {
-            self.finish(x, None)
+            self.finish(Last { x, evaluated: false }, None)
         } else if size <= STAGNANT {
-            self.finish(x, Some(error))
+            self.finish(Last { x, evaluated: false }, Some(error))
         } else {
             Err(error.into())
         }

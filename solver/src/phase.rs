@@ -3,7 +3,7 @@
 //! | phase | failed | rough | unconverged | inaccurate | oversized | good |
 //! |---|---|---|---|---|---|---|
 //! | search | rescue | refine | give up | tighten | coarsen | accept |
-//! | tighten | rescue | refine | give up | tighten | coarsen | accept |
+//! | tighten | rescue | refine | rescue | tighten | coarsen | accept |
 //! | coarsen | fall back | fall back | fall back | fall back | coarsen | accept |
 //!
 //! A *fallback* is a solution whose defects meet the tolerance, held while a better one, or one on coarser meshes, is
@@ -62,9 +62,9 @@ pub(crate) fn action(phase: Phase, finding: Finding) -> Action {
         (_, Finding::Good) => Action::Accept,
         (_, Finding::Oversized) => Action::Coarsen,
         (Phase::Coarsen, _) => Action::FallBack,
-        (_, Finding::Failed) => Action::Rescue,
+        (_, Finding::Failed) | (Phase::Tighten, Finding::Unconverged) => Action::Rescue,
         (_, Finding::Rough) => Action::Refine,
-        (_, Finding::Unconverged) => Action::GiveUp,
+        (Phase::Search, Finding::Unconverged) => Action::GiveUp,
         (_, Finding::Inaccurate) => Action::Tighten,
     }
 }

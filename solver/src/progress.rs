@@ -36,9 +36,10 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
 /// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a
 /// factor of 16, a kink in it of 2.
 const SLOW: f64 = 0.9;
-/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up,
+/// After so many meshes in a row on which the largest defect hardly falls, splitting a few intervals more is given up:
+/// those beside them will be next. All intervals are redistributed; once, as long as defects are held to the tolerance,
 const CREEPING: usize = 2;
-/// and so many, where defects are held to less than the tolerance: rounding is what is left of them.
+/// and until this many, where they are held to less: rounding is what is left of them then.
 const STUCK: usize = 5;
 
 impl<P: Problem + ?Sized> Progress<'_, P> {
@@ -67,9 +68,10 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         self.last_defect = Some((self.target, largest));
     }
 
-    /// Whether a few intervals are to be split where only few are too long; always, while the tolerance is not met.
+    /// Whether a few intervals are to be split where only few are too long.
     pub(crate) fn split_few(&self) -> bool {
-        self.target >= self.tolerance || self.creeping < CREEPING
+        let since = if self.target < self.tolerance { self.creeping } else { self.creeping % (CREEPING + 1) };
+        since < CREEPING
     }
 
     /// Whether finer meshes do not lower the defects any more, although they meet the tolerance.

@@ -15,6 +15,10 @@ const SAFETY: f64 = 0.4;
 const GROSSLY: f64 = 4.0;
 /// If at most this fraction of the intervals fails, they are split where they are.
 const FEW: f64 = 0.1;
+/// Parts of one interval at most: where they are no better than hoped for, they lower its defect to a 256th at order 4,
+const MOST_PIECES: f64 = 4.0;
+/// and to an 8,000th part at order 6, whose intervals are longer.
+const MOST_PIECES_HIGH: f64 = 6.0;
 /// Intervals grow at most by this factor: a small defect says little about much longer intervals.
 const LONGER: f64 = 8.0;
 /// Fewest intervals that redistribution makes.
@@ -90,9 +94,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let &Wish { tolerance, order, max_intervals, split_few } = wish;
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
+    let negligible = libm::pow(LONGER, -order);
     let length_of = |j: usize| {
-        let excess = (measure.defects[j] / (SAFETY * tolerance)).max(1e-12);
-        (mesh[j + 1] - mesh[j]) * libm::pow(excess, -1.0 / order).min(LONGER)
+        let excess = measure.defects[j] / (SAFETY * tolerance);
+        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
@@ -104,11 +109,12 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     }
     let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
     let few = split_few && (failing as f64 <= FEW * intervals as f64 || failing <= 2);
+    let most_pieces = if order > 4.0 { MOST_PIECES_HIGH } else { MOST_PIECES };
     let split_into = |&defect: &f64| {
         if defect <= tolerance {
             1
         } else {
-            libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, 4.0) as usize
+            libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();

@@ -136,6 +136,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Action::Accept => Ok(Next::Done(solved)),
             Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.out_of_meshes()),
             Action::GiveUp | Action::Rescue => {
+                if action == Action::Rescue
+                    && let Some(start) = progress.doubled()
+                {
+                    return Ok(Next::On(start));
+                }
                 let intervals = intervals(&solved.system.grids);
                 let failed = |error| SolveError::Newton { error, intervals };
                 let error = solved.converged.stagnated.map_or_else(|| self.out_of_meshes(), failed);

@@ -129,9 +129,26 @@ impl RegionSolution {
         (0..self.states()).map(|i| self.combine(&basis, i, j, h) / (h * h)).collect()
     }
 
+    /// States at increasing places, state by state.
+    pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
+        let mut after = 0;
+        let mut places = Vec::with_capacity(mesh.len());
+        for &s in mesh {
+            after += self.mesh[after..].iter().take_while(|&&node| node <= s).count();
+            let (j, h, sigma) = self.place(after, s);
+            places.push((j, h, Basis::value(sigma)));
+        }
+        let along = |i: usize| places.iter().map(move |(j, h, basis)| self.y[i][*j] + self.combine(basis, i, *j, *h));
+        (0..self.states()).map(|i| along(i).collect()).collect()
+    }
+
     /// Interval, its length, and the place in it.
     fn locate(&self, s: f64) -> (usize, f64, f64) {
-        let after = self.mesh.partition_point(|&node| node <= s);
+        self.place(self.mesh.partition_point(|&node| node <= s), s)
+    }
+
+    /// The same, for a place behind so many nodes.
+    fn place(&self, after: usize, s: f64) -> (usize, f64, f64) {
         let j = after.saturating_sub(1).min(self.mesh.len() - 2);
         let h = self.mesh[j + 1] - self.mesh[j];
         (j, h, (s - self.mesh[j]) / h)

@@ -50,12 +50,7 @@ impl From<&Guess> for Start {
 impl RegionSolution {
     /// The solution at other nodes; old nodes keep their values exactly.
     pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
-        let mut states = vec![Vec::with_capacity(mesh.len()); self.states()];
-        let mut y = vec![0.0; self.states()];
-        for &s in &mesh {
-            self.eval_into(s, &mut y);
-            states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
-        }
+        let states = self.eval_along(&mesh);
         RegionGuess { mesh, states }
     }
 }

@@ -1,9 +1,10 @@
 //! Tight tolerances where layers are thin: rounding is judged interval by interval, and meshes do not creep.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
+use solver::bvp::{Bvp, Number};
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Accuracy, Guess, Layout, Options, Order, Problem, Region, solve};
+use solver::{Accuracy, Guess, Layout, Options, Order, Problem, Region, SolveError, solve};
 use std::f64::consts::PI;
 
 /// Cash's T14: `ε u'' = u - (ε π² + 1) cos πx` on (-1, 1), two layers of width √ε.
@@ -37,7 +38,7 @@ fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     let problem = Differentiated::new(Layers).unwrap();
     let eps = 1e-6;
     for order in [Order::Four, Order::Six] {
-        for tolerance in [1e-8, 1e-9, 1e-12] {
+        for tolerance in [1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
             let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
             let solution = solve(&problem, &guess, &[], &Options { order, tolerance, ..Options::default() }).unwrap();
             assert_eq!(solution.accuracy(), Accuracy::Met);
@@ -47,6 +48,65 @@ fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
             println!("{order:?} {tolerance:e}: {error:e}, {:?}", solution.stats());
             assert!(error <= tolerance, "{order:?} {tolerance:e}: {error:e}");
             assert!(solution.stats().meshes <= 30, "{order:?} {tolerance:e}: {:?}", solution.stats());
+        }
+    }
+}
+
+/// A problem of Cash's with its solution.
+#[derive(Clone, Copy)]
+enum Cash {
+    /// T5: `ε u'' = x u' + u - (1 + ε π²) cos πx + π x sin πx`, `u = cos πx`: smooth, but ill-conditioned.
+    Five,
+    /// T9: `(ε + x²) u'' + 4 x u' + 2 u = 0`, `u = 1/(ε + x²)`: a narrow peak.
+    Nine,
+}
+
+impl Cash {
+    fn curvature(self, x: f64, eps: f64, y: &[Number]) -> Number {
+        match self {
+            Self::Five => (y[1] * x + y[0] - (1.0 + eps * PI * PI) * (PI * x).cos() + PI * x * (PI * x).sin()) / eps,
+            Self::Nine => -(y[1] * (4.0 * x) + y[0] * 2.0) / (eps + x * x),
+        }
+    }
+
+    fn exact(self, x: f64, eps: f64) -> f64 {
+        match self {
+            Self::Five => (PI * x).cos(),
+            Self::Nine => 1.0 / (eps + x * x),
+        }
+    }
+}
+
+/// Close to rounding a solution is as good as asked for, or refused.
+#[test]
+fn tolerances_near_rounding_are_met_or_refused() {
+    for order in [Order::Four, Order::Six] {
+        for (cash, eps, tolerance) in [
+            (Cash::Nine, 1e-2, 1e-11),
+            (Cash::Nine, 1e-2, 1e-12),
+            (Cash::Nine, 1e-3, 1e-12),
+            (Cash::Five, 1e-1, 1e-8),
+            (Cash::Five, 1e-2, 1e-8),
+            (Cash::Five, 1e-3, 1e-8),
+        ] {
+            let line = Bvp::new(
+                &["u", "slope"],
+                (-1.0, 1.0),
+                move |x, y, _, f| (f[0], f[1]) = (y[1], cash.curvature(x, eps, y)),
+                move |a, b, _, g| (g[0], g[1]) = (a[0] - cash.exact(-1.0, eps), b[0] - cash.exact(1.0, eps)),
+            );
+            let solution = match line.solve(&Options { order, tolerance, ..Options::default() }) {
+                Ok(solution) => solution,
+                // 20,000 intervals of order 4 do not suffice for 1e-12.
+                Err(SolveError::Inaccurate { .. }) if tolerance == 1e-12 && order == Order::Four => continue,
+                Err(error) => panic!("{order:?} {tolerance:e}: {error}"),
+            };
+            let line = &solution.regions()[0];
+            let largest = line.state(0).iter().fold(1.0_f64, |max, u| max.max(u.abs()));
+            let error = line.mesh().iter().zip(line.state(0)).map(|(&x, u)| (u - cash.exact(x, eps)).abs());
+            let error = error.fold(0.0, f64::max) / largest;
+            println!("{order:?} {tolerance:e}: {error:e}, {} intervals", solution.intervals());
+            assert!(error <= tolerance, "{order:?} {tolerance:e}: {error:e}");
         }
     }
 }

@@ -155,8 +155,10 @@ fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f: Op
 fn here(case: &'static Case, order: Order, tolerance: f64, intervals: usize) -> Option<Run> {
     let options = Options { order, tolerance, ..Options::default() };
     let names: &[&str] = if case.equations() == 1 { &["u", "u'"] } else { &["u1", "u1'", "u2", "u2'"] };
+    // The peers' are known beforehand too.
+    let ends = ends(case);
     let start = Instant::now();
-    let problem = Bvp::with(names, case.interval, System(case, ends(case))).guess(intervals, |_, y| y.fill(0.0));
+    let problem = Bvp::with(names, case.interval, System(case, ends)).guess(intervals, |_, y| y.fill(0.0));
     let solution = problem.solve(&options).ok()?;
     let seconds = start.elapsed().as_secs_f64();
     let line = &solution.regions()[0];

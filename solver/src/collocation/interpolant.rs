@@ -335,48 +335,61 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 
     /// `∫ (S̃' - f(S̃)) ds` of each state, and the error of each integral, per interval, with
     /// `S̃ = y_0 + ∫ f(S) ds`: as [`Defects::integrated`], but from an extension that is one order better, as order 6
-    /// needs.
-    ///
-    /// # Errors
-    /// The right-hand side is undefined between the collocation points.
-    pub(crate) fn improved(&self, defects: &Defects, stats: &mut Stats) -> Result<Vec<f64>, NonFinite> {
-        let (n, nodes, intervals) = (self.n(), self.nodes(), self.intervals());
-        let samples = self.system.tableau.samples;
-        let weights = partial_integrals(samples);
-        let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
-        for (&(sigma, weight), partial) in samples.iter().zip(&weights) {
-            let mut y = vec![0.0; n * intervals];
-            for (i, out) in y.chunks_exact_mut(intervals).enumerate() {
-                let f = &self.stages.nodes.f[i * nodes..];
-                let left = &self.x.y[self.region][i * nodes..];
-                for p in 0..intervals {
-                    out[p] = partial[0] * f[p] + partial[samples.len() + 1] * f[p + W];
-                }
-                for (sample, &share) in defects.samples.iter().zip(&partial[1..]) {
-                    for p in 0..intervals {
-                        out[p] += share * sample[i * intervals + p];
-                    }
-                }
-                for p in 0..intervals {
-                    out[p] = left[p] + self.h()[p] * out[p];
-                }
+    /// needs. To first order `f(S̃) = f(S) + ∂f/∂y (S̃ - S)`, with the derivatives at the stages, by the method's own
+    /// quadrature: nothing is evaluated anew.
+    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Vec<f64> {
+        let (nodes, intervals) = (self.nodes(), self.intervals());
+        let mut integrated = defects.integrated.clone();
+        let tableau = self.system.tableau;
+        let mut difference = vec![0.0; self.n() * intervals];
+        // S̃ = S at the first stage, the left node.
+        for (stage, (&c, &b)) in tableau.c.iter().zip(tableau.b).enumerate().skip(1) {
+            self.improvement(extension, defects, c, &mut difference);
+            // Node values stand one vector further on than those of the interval to their left.
+            let (batch, stride, offset) = match stage {
+                1 => (&self.stages.nodes, nodes, W),
+                _ => (&self.stages.inner[stage - 2], intervals, 0),
+            };
+            let pattern = &self.system.layout.regions[self.region].state_pattern;
+            for (entry, &(row, state)) in pattern.iter().enumerate() {
+                let dy = &batch.dy[entry * stride + offset..][..intervals];
+                let difference = &difference[state * intervals..(state + 1) * intervals];
+                let out = &mut integrated[row * intervals..(row + 1) * intervals];
+                elementwise(out, [dy, difference, self.h()], |sum, [dy, difference, h]| sum - b * h * dy * difference);
             }
-            let sample = self.call(sigma, y, stats)?;
-            means.iter_mut().zip(&sample.f).for_each(|(mean, f)| *mean += weight * f);
         }
-        Ok(self.integrated(means))
+        integrated
+    }
+
+    /// `S̃ - S` at one σ in all intervals.
+    fn improvement(&self, extension: &Extension, defects: &Defects, sigma: f64, out: &mut [f64]) {
+        let intervals = self.intervals();
+        let weights = partial_integrals(self.system.tableau.samples, sigma);
+        let basis = Basis::value(sigma);
+        let mut known = vec![0.0; intervals];
+        for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
+            let span = i * intervals..(i + 1) * intervals;
+            let (f0, f1) = (self.stages.slope(0, i, intervals), self.stages.slope(1, i, intervals));
+            let (left, right) = (weights[0], weights[weights.len() - 1]);
+            elementwise(out, [f0, f1], |_, [f0, f1]| left * f0 + right * f1);
+            for (sample, &weight) in defects.samples.iter().zip(&weights[1..]) {
+                elementwise(out, [&sample[span.clone()]], |sum, [f]| sum + weight * f);
+            }
+            self.weigh(Some(extension), &basis, i, &mut known);
+            elementwise(out, [self.h(), &known], |mean, [h, known]| h * mean - known);
+        }
     }
 }
 
-/// Weights that integrate the polynomial through 0, the samples and 1 from 0 to each sample. The samples are the points
-/// of a Gauss rule, which is exact for these integrals.
-fn partial_integrals(samples: &[(f64, f64)]) -> Vec<Vec<f64>> {
+/// Weights that integrate the polynomial through 0, the samples and 1 from 0 to `end`. The samples are the points of a
+/// Gauss rule, which is exact for these integrals.
+fn partial_integrals(samples: &[(f64, f64)], end: f64) -> Vec<f64> {
     let nodes: Vec<f64> =
         std::iter::once(0.0).chain(samples.iter().map(|sample| sample.0)).chain(std::iter::once(1.0)).collect();
     let lagrange = |k: usize, x: f64| -> f64 {
         let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
         others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
     };
-    let to = |end: f64, k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(k, end * x)).sum();
-    samples.iter().map(|&(end, _)| (0..nodes.len()).map(|k| to(end, k)).collect()).collect()
+    let integral = |k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(k, end * x)).sum();
+    (0..nodes.len()).map(integral).collect()
 }
