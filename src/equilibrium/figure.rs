@@ -147,7 +147,7 @@ impl View<'_> {
         let curve: Vec<(f64, f64)> = figure.series.iter().flat_map(|series| series.points.clone()).collect();
         // How far a place is from the curve, in widths and heights of the figure.
         let clear = |place: (f64, f64)| {
-            let far = curve.iter().map(|point| ((point.0 - place.0) / last).hypot((point.1 - place.1) / top));
+            let far = curve.iter().map(|point| libm::hypot((point.0 - place.0) / last, (point.1 - place.1) / top));
             far.fold(f64::INFINITY, f64::min)
         };
         for (number, ratio) in RATIOS.into_iter().enumerate() {
