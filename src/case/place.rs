@@ -101,6 +101,7 @@ impl<P> Placed<P> {
     }
 
     /// With advice on what to try.
+    #[cfg(feature = "bench")]
     #[must_use]
     pub(crate) fn advise(mut self, advice: impl Into<String>) -> Self {
         self.0.advice = Some(advice.into());
