@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::position::Position;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
+use super::start;
 use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;
 use crate::model::Constant;
@@ -23,7 +24,7 @@ pub(super) fn approach(
     options: &PathOptions,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    let (belt, start) = (posed(model, question)?, start(from, question)?);
+    let (belt, start) = (posed(model, question)?, starting(from, question)?);
     let mut path = Ramp::new();
     for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
         let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
@@ -71,7 +72,7 @@ pub(super) fn posed(model: &ModelChoices, question: &Question) -> Result<BeltPro
 }
 
 /// A solution as the start of a question's problem: every prescribed output at the value that it has there.
-pub(super) fn start(from: &Solved, question: &Question) -> Result<Guess, Failure> {
+pub(super) fn starting(from: &Solved, question: &Question) -> Result<Guess, Failure> {
     Ok(Guess { constants: Position::of(from, question)?.vector(), ..Guess::from(&from.solution) })
 }
 
@@ -110,5 +111,49 @@ impl Path for RatioPath {
         if let Some(sigma) = predicted.get_mut(Constant::SpeedRatio.index()).filter(|_| self.free && bent.is_finite()) {
             *sigma = bent;
         }
+        if self.free
+            && change(sigma).abs() > RUNNING_AWAY
+            && let Some(flow) = flow_that_keeps_up(from, predicted)
+            && let Some(predicted) = predicted.get_mut(Constant::Flow.index())
+        {
+            *predicted = flow;
+        }
     }
+}
+
+/// Change of the speed ratio in one step, relative, from which on the belt's mass flow is predicted by
+/// [`flow_that_keeps_up`].
+const RUNNING_AWAY: f64 = 1e-2;
+
+/// The mass flow with which V/σ, the belt's speed over that of the secondary's rim, is what the tangent says: it too
+/// counts to a share of the slip threshold, and where the secondary runs away, the belt that it drives is stretched by
+/// its own inertia, so that V(g) bends. Nothing where what V depends on is moved as well.
+fn flow_that_keeps_up(from: &[f64], predicted: &[f64]) -> Option<f64> {
+    let moved = |constant: Constant| from.get(constant.index()) != predicted.get(constant.index());
+    let given = [
+        Constant::LongitudinalStiffness,
+        Constant::MassPerLength,
+        Constant::PrimaryRadius,
+        Constant::SecondaryRadius,
+        Constant::PrimarySpeed,
+    ];
+    if given.into_iter().any(moved) {
+        return None;
+    }
+    let at = |constants: &[f64], constant: Constant| constants.get(constant.index()).copied();
+    let stiffness = at(from, Constant::LongitudinalStiffness)?;
+    let rim = at(from, Constant::PrimaryRadius)? * at(from, Constant::PrimarySpeed)?;
+    let inertia = at(from, Constant::MassPerLength)? * rim * rim / stiffness;
+    let place = |constants: &[f64]| {
+        let stretch = 1.0 + at(constants, Constant::SlackTension)? / stiffness;
+        Some((at(constants, Constant::Flow)?, at(constants, Constant::SpeedRatio)?, stretch))
+    };
+    let ((flow, sigma, stretch), (flow_there, sigma_there, stretch_there)) = (place(from)?, place(predicted)?);
+    // ln V(g) = ln g + ln(1 + T/EA) − ln(1 − c g²), with c = m_o (R_P ω_P)²/EA, and its change on the tangent.
+    let slope = (1.0 + inertia * flow * flow) / (1.0 - inertia * flow * flow);
+    let change = slope * (flow_there - flow) / flow + (stretch_there - stretch) / stretch;
+    let speed = flow * stretch / (1.0 - inertia * flow * flow);
+    let there = speed / sigma * (1.0 + change - (sigma_there - sigma) / sigma) * sigma_there;
+    let flow = start::flow_at(there, inertia, stretch_there);
+    flow.is_finite().then_some(flow)
 }

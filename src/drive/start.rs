@@ -50,7 +50,12 @@ fn flow(given: &Constants, v: f64) -> f64 {
     // With G = m_o U g: v = g (1 + T/EA)/(1 − c g²), c = m_o U²/EA.
     let inertia = given[Constant::MassPerLength] * rim * rim / stiffness;
     let stretch = 1.0 + given[Constant::SlackTension] / stiffness;
-    // c v g² + (1 + T/EA) g − v = 0, in the form that does not cancel.
+    flow_at(v, inertia, stretch)
+}
+
+/// The positive root g of c v g² + (1 + T/EA) g − v = 0, with `inertia` c = m_o (R_P ω_P)²/EA and `stretch` 1 + T/EA.
+pub(super) fn flow_at(v: f64, inertia: f64, stretch: f64) -> f64 {
+    // In the form that does not cancel.
     2.0 * v / (stretch + (stretch * stretch + 4.0 * inertia * v * v).sqrt())
 }
 
