@@ -16,8 +16,11 @@ const RESTING: f64 = 0.02;
 /// The same in engine braking, where it is the secondary's speed that grows beyond all bounds: steps in arclength follow
 /// it by a few thousandths each, while torque and tension hardly change any more.
 const RUNNING_AWAY: f64 = 0.8;
-/// Speed efficiency at which the driven pulley counts as at rest in engine braking: beyond it, the secondary's speed
-/// changes torque and tension by less than a hundredth.
+/// Speed efficiency to which the curve is followed in engine braking, where the driven pulley comes to rest as the
+/// secondary's speed grows beyond all bounds.
+const AT_REST: f64 = 0.01;
+/// Speed efficiency from which on the driven pulley counts as at rest in engine braking, should the curve be lost: beyond
+/// it, the secondary's speed changes torque and tension by less than a hundredth.
 const BRAKED: f64 = 0.1;
 /// Speed efficiency below which a curve that is lost in arclength is followed in speed efficiency.
 const SLIPPING: f64 = 0.98;
@@ -125,7 +128,7 @@ impl Branch {
         // In engine braking the primary is driven: it comes to rest as σ grows beyond all bounds.
         let braking = start.constant(Constant::PrimaryTorque) < 0.0;
         let least = last.max(if braking { RUNNING_AWAY } else { RESTING });
-        let last = if braking { last.max(BRAKED) } else { last };
+        let (asked, last) = (last, if braking { last.max(AT_REST) } else { last });
         let end = End { output: efficiency, value: if braking { 1.0 / least } else { least }, rising: braking };
         let Curve { points, lost } = trace(model, start, (free, sought), upwards, end, options)?;
         let mut branch = Self {
@@ -157,6 +160,9 @@ impl Branch {
             }
             Some(failure) => branch.end = BranchEnd::Lost(failure),
             None => branch.descend(last),
+        }
+        if braking && asked < AT_REST && branch.points.last().is_some_and(|point| point.place <= BRAKED) {
+            branch.end = BranchEnd::Whole;
         }
         Ok(branch)
     }

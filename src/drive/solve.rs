@@ -307,7 +307,7 @@ fn ordinary(
     let target = &question.constants;
     let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    for route in Route::ALL {
+    for route in Route::ALL.into_iter().filter(|route| route.is_for(model)) {
         let parts = if route == Route::Direct { DIRECT_PARTS } else { 1 };
         let given = budget.part(parts * (options.work_limit / (Route::ALL.len() - 1 + DIRECT_PARTS)));
         let mut left = given;
