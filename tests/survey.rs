@@ -53,10 +53,12 @@ fn a_brake_just_beyond_its_slip_limit_is_told() {
 /// Where friction is steep, the kinks of its law are what Newton's iteration fails at: a law without them leads there.
 #[test]
 fn smooth_friction_leads_to_small_slip_thresholds() {
-    for index in [144, 190] {
+    for index in [163, 190] {
         let solved = solve(&case(index), &options()).unwrap();
         assert_eq!(solved.route, Some(Route::Smooth), "{index}");
         // The solution is that of the case's own law.
-        assert!(solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case(index)).constants);
+        assert!(
+            solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case(index)).constants
+        );
     }
 }
