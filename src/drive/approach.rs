@@ -112,7 +112,7 @@ impl Path for RatioPath {
             *sigma = bent;
         }
         if self.free
-            && change(sigma).abs() > RUNNING_AWAY
+            && change(sigma) > RUNNING_AWAY
             && let Some(flow) = flow_that_keeps_up(from, predicted)
             && let Some(predicted) = predicted.get_mut(Constant::Flow.index())
         {
@@ -121,7 +121,7 @@ impl Path for RatioPath {
     }
 }
 
-/// Change of the speed ratio in one step, relative, from which on the belt's mass flow is predicted by
+/// Rise of the speed ratio in one step, relative, from which on the belt's mass flow is predicted by
 /// [`flow_that_keeps_up`].
 const RUNNING_AWAY: f64 = 1e-2;
 
