@@ -255,9 +255,9 @@ struct Quadrature {
 impl Quadrature {
     /// Beginning with the first harmonic.
     fn new(track: &Track) -> Self {
-        let points = track.cubics().flat_map(|cubic| {
-            GAUSS.map(|(t, weight)| (cubic.u + t * cubic.h, weight * cubic.h * cubic.slope_at(t)))
-        });
+        let points = track
+            .cubics()
+            .flat_map(|cubic| GAUSS.map(|(t, weight)| (cubic.u + t * cubic.h, weight * cubic.h * cubic.slope_at(t))));
         let (u, slopes): (Vec<f64>, Vec<f64>) = points.unzip();
         let phases = Phases::new(&u, 1);
         Self { u, slopes, phases }
@@ -267,9 +267,11 @@ impl Quadrature {
     fn next(&mut self) -> Complex {
         let (cos, sin) = self.phases.here();
         let phases = cos.iter().zip(sin);
-        let sum = self.slopes.iter().zip(phases).fold((0.0, 0.0), |(re, im), (slope, (cos, sin))| {
-            (re + slope * cos, im + slope * sin)
-        });
+        let sum = self
+            .slopes
+            .iter()
+            .zip(phases)
+            .fold((0.0, 0.0), |(re, im), (slope, (cos, sin))| (re + slope * cos, im + slope * sin));
         self.phases.advance(&self.u);
         sum
     }
