@@ -106,6 +106,26 @@ fn a_saturated_mesh_says_where_it_is_too_coarse() {
     assert!(*defect > 1e-6 && *intervals <= 40);
 }
 
+/// At the jump, where the layer is, and not at the beginning of the region.
+#[test]
+fn where_meshes_run_out_the_place_is_that_of_the_largest_defect() {
+    for max_meshes in [1, 2, 3] {
+        let options = Options { max_meshes, ..Options::default() };
+        let error = attempt(Kind::Step, 0.0, 0.0, &options).unwrap_err();
+        let SolveError::MeshLimit { region, state, position, defect, .. } = &error else { panic!("{error}") };
+        assert_eq!((region.as_str(), state.as_str()), ("string", "slope"));
+        assert!((position - 1.0 / 3.0).abs() < 0.2 && *defect > 1e-6, "{position}");
+    }
+}
+
+/// Where no mesh has brought convergence, what is told is why.
+#[test]
+fn where_meshes_run_out_without_convergence_the_iterations_failure_is_told() {
+    let options = Options { max_meshes: 1, ..Options::default() };
+    let error = attempt(Kind::Bratu, 10.0, 0.0, &options).unwrap_err();
+    assert!(matches!(error, SolveError::Newton { intervals: 10, .. }), "{error}");
+}
+
 #[test]
 fn a_guess_that_does_not_fit_is_refused() {
     let problem = Differentiated::new(Kind::Bratu).unwrap();
