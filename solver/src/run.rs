@@ -265,6 +265,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn limits(&self, insistent: bool) -> Limits {
         Limits {
             tolerance: self.options.newton_tolerance(),
+            boundary: self.options.boundary_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
