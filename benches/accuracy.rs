@@ -10,7 +10,7 @@ use sheave::result::{DriveResult, run};
 use solver::Order;
 
 mod designs;
-use designs::{case, design};
+use designs::{case, design, settings};
 
 const REFERENCE: SolveOptions = SolveOptions {
     tolerance: 1e-10,
@@ -50,24 +50,29 @@ struct Tally {
 fn main() {
     let numbers: Vec<u64> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let (seed, designs) = (numbers.first().copied().unwrap_or(1), numbers.get(1).copied().unwrap_or(200));
-    let settings: Vec<(f64, Order)> = [1e-3, 1e-6, 1e-9]
+    let demands: Vec<(f64, Order)> = [1e-3, 1e-6, 1e-9]
         .into_iter()
         .flat_map(|tolerance| [(tolerance, Order::Four), (tolerance, Order::Six)])
         .collect();
     let mut tallies: Vec<Vec<Tally>> =
-        settings.iter().map(|_| OUTPUTS.iter().map(|_| Tally::default()).collect()).collect();
-    let mut lost = vec![0; settings.len()];
+        demands.iter().map(|_| OUTPUTS.iter().map(|_| Tally::default()).collect()).collect();
+    let mut lost = vec![0; demands.len()];
     let mut references = 0;
     for index in 0..designs {
-        let Ok(case) = case("consistent", &design(seed, index)) else { continue };
+        let design = design(seed, index);
+        let Ok(case) = case("consistent", &design) else { continue };
         let Ok(reference) = run(&case, &REFERENCE) else { continue };
         references += 1;
-        for (at, (tolerance, order)) in settings.iter().enumerate() {
+        for (at, (tolerance, order)) in demands.iter().enumerate() {
             let options = SolveOptions { tolerance: *tolerance, order: *order, ..SolveOptions::default() };
-            let Ok(outcome) = run(&case, &options) else {
-                println!("design {index} is lost at {tolerance:.0e}, order {}", order.number());
-                lost[at] += 1;
-                continue;
+            let outcome = match run(&case, &options) {
+                Ok(outcome) => outcome,
+                Err(failure) => {
+                    println!("design {index} is lost at {tolerance:.0e}, order {}: {failure}", order.number());
+                    println!("   {}", settings(&design));
+                    lost[at] += 1;
+                    continue;
+                }
             };
             for (tally, (_, uncertainty, value)) in tallies[at].iter_mut().zip(&OUTPUTS) {
                 let (found, exact) = (value(&outcome.result), value(&reference.result));
@@ -91,7 +96,7 @@ fn main() {
     println!(
         "| tolerance | order | lost | output | missed | worst | uncertainty holds |\n|---|---|---|---|---|---|---|"
     );
-    for (((tolerance, order), tallies), lost) in settings.iter().zip(&tallies).zip(&lost) {
+    for (((tolerance, order), tallies), lost) in demands.iter().zip(&tallies).zip(&lost) {
         for ((name, ..), tally) in OUTPUTS.iter().zip(tallies) {
             println!(
                 "| {tolerance:.0e} | {} | {lost} | {name} | {} of {} | {:.1e} | {} |",

@@ -61,18 +61,18 @@ impl Guess {
     /// # Errors
     /// The first thing that does not fit the layout.
     pub fn check(&self, layout: &Layout) -> Result<(), GuessError> {
-        expect("regions in the guess", self.regions.len(), layout.regions.len())?;
-        expect("constants in the guess", self.constants.len(), layout.constants.len())?;
+        expect(|| "regions in the guess".to_owned(), self.regions.len(), layout.regions.len())?;
+        expect(|| "constants in the guess".to_owned(), self.constants.len(), layout.constants.len())?;
         if let Some(index) = self.constants.iter().position(|c| !c.is_finite()) {
             return Err(GuessError::NotFinite(format!("constant {}", layout.constants[index].name)));
         }
         for (guess, region) in self.regions.iter().zip(&layout.regions) {
             check_mesh(&guess.mesh, region.interval)
                 .map_err(|problem| GuessError::Mesh { region: region.name.clone(), problem })?;
-            expect(&format!("states of region {}", region.name), guess.states.len(), region.states.len())?;
+            expect(|| format!("states of region {}", region.name), guess.states.len(), region.states.len())?;
             for (values, state) in guess.states.iter().zip(&region.states) {
-                let what = format!("values of {} in region {}", state.name, region.name);
-                expect(&what, values.len(), guess.mesh.len())?;
+                let what = || format!("values of {} in region {}", state.name, region.name);
+                expect(what, values.len(), guess.mesh.len())?;
                 if values.iter().any(|y| !y.is_finite()) {
                     return Err(GuessError::NotFinite(format!("{} of region {}", state.name, region.name)));
                 }
@@ -106,8 +106,9 @@ impl From<&Solution> for Guess {
     }
 }
 
-fn expect(what: &str, given: usize, expected: usize) -> Result<(), GuessError> {
-    if given == expected { Ok(()) } else { Err(GuessError::Shape { what: what.to_owned(), given, expected }) }
+/// What is counted is put into words only where the count is wrong.
+fn expect(what: impl Fn() -> String, given: usize, expected: usize) -> Result<(), GuessError> {
+    if given == expected { Ok(()) } else { Err(GuessError::Shape { what: what(), given, expected }) }
 }
 
 fn check_mesh(mesh: &[f64], (a, b): (f64, f64)) -> Result<(), String> {

@@ -93,21 +93,17 @@ pub(crate) struct Wish {
 pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let &Wish { tolerance, order, max_intervals, split_few } = wish;
     let intervals = mesh.len() - 1;
-    let length = mesh[intervals] - mesh[0];
-    let negligible = libm::pow(LONGER, -order);
-    let length_of = |j: usize| {
-        let excess = measure.defects[j] / (SAFETY * tolerance);
-        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
-    };
-    let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
-    grade(mesh, &mut wanted);
-    let count = needed(mesh, &wanted).ceil();
     if measure.largest <= tolerance {
-        let grossly = intervals as f64 > GROSSLY * count && intervals > 4 * FEWEST;
+        if intervals <= 4 * FEWEST || surely_fits(measure, wish) {
+            return Verdict::Keep;
+        }
+        let (wanted, count) = wanted(mesh, measure, wish);
         let coarse = (1.2 * count) as usize;
+        let grossly = intervals as f64 > GROSSLY * count;
         return if grossly { Verdict::Coarsen(equidistribute(mesh, &wanted, coarse)) } else { Verdict::Keep };
     }
     let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
+    // Right after a redistribution, the intervals that still fail are all of the same kind.
     let few = split_few && (failing as f64 <= FEW * intervals as f64 || failing <= 2);
     let most_pieces = if order > 4.0 { MOST_PIECES_HIGH } else { MOST_PIECES };
     let split_into = |&defect: &f64| {
@@ -117,11 +113,12 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
             libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
-    let pieces: Vec<usize> = measure.defects.iter().map(split_into).collect();
+    let pieces: Vec<usize> = if few { measure.defects.iter().map(split_into).collect() } else { Vec::new() };
     // What would be more intervals than may be is redistributed over as many as may be.
     let new = if few && (pieces.iter().sum::<usize>() <= max_intervals || intervals >= max_intervals) {
         split(mesh, &pieces)
     } else {
+        let (wanted, count) = wanted(mesh, measure, wish);
         // Far from the asymptotic regime the estimate is not to be trusted.
         let growth = if measure.largest > 0.1 { 2.0 } else { 4.0 };
         let most = (growth * intervals as f64).min(max_intervals as f64);
@@ -134,6 +131,29 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         return Verdict::Exhausted;
     }
     Verdict::Refine(new)
+}
+
+/// The lengths that intervals are wanted to have where they stand, and how many of them there will be.
+fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
+    let &Wish { tolerance, order, .. } = wish;
+    let intervals = mesh.len() - 1;
+    let length = mesh[intervals] - mesh[0];
+    let negligible = libm::pow(LONGER, -order);
+    let length_of = |j: usize| {
+        let excess = measure.defects[j] / (SAFETY * tolerance);
+        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
+    };
+    let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
+    grade(mesh, &mut wanted);
+    let count = needed(mesh, &wanted).ceil();
+    (wanted, count)
+}
+
+/// Whether a mesh is needed as it is without counting: half of its intervals may not grow to more than twice their
+/// length, so that more than a quarter of their number is needed.
+fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
+    let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * SAFETY * wish.tolerance;
+    2 * measure.defects.iter().filter(|&&defect| defect >= least).count() >= measure.defects.len()
 }
 
 /// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.

@@ -82,18 +82,24 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let mut progress = Progress::new(self.options, &start);
         self.shortfall = Shortfall::Uncontrolled;
         (self.check, self.orientation) = (BranchCheck::Kept, None);
-        for _ in 0..self.options.max_meshes {
+        let mut meshes = 0;
+        loop {
             let found = self.solve_on(start, &mut progress)?;
+            meshes += 1;
             let finding = self.judge(&found, &progress);
             let action = action(progress.phase, finding);
+            let last = meshes >= self.options.max_meshes && action != Action::Accept;
+            let last = last.then(|| self.unsolved(&found));
             start = match self.act(action, found, &mut progress)? {
                 Next::On(start) => start,
                 Next::Done(solved) => return Ok(*solved),
             };
+            if let Some(error) = last {
+                return progress.fallback.ok_or(error);
+            }
             progress.phase = phase_after(progress.phase, action);
             progress.first = false;
         }
-        progress.fallback.ok_or_else(|| self.out_of_meshes())
     }
 
     /// What has been found on the present meshes.
@@ -134,7 +140,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         };
         match action {
             Action::Accept => Ok(Next::Done(solved)),
-            Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.out_of_meshes()),
+            Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.too_rough(&solved)),
             Action::GiveUp | Action::Rescue => {
                 if action == Action::Rescue
                     && let Some(start) = progress.doubled()
@@ -143,7 +149,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 }
                 let intervals = intervals(&solved.system.grids);
                 let failed = |error| SolveError::Newton { error, intervals };
-                let error = solved.converged.stagnated.map_or_else(|| self.out_of_meshes(), failed);
+                let stagnated = solved.converged.stagnated.clone();
+                let error = stagnated.map_or_else(|| self.too_rough(&solved), failed);
                 progress.fallback.take().map(Next::done).ok_or(error)
             }
             Action::Refine => {
@@ -258,6 +265,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn limits(&self, insistent: bool) -> Limits {
         Limits {
             tolerance: self.options.newton_tolerance(),
+            boundary: self.options.boundary_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,

@@ -32,6 +32,10 @@ const SMALLEST_STEP: f64 = 1e-4;
 const STAGE_STEPS: usize = 400;
 /// Tolerances to which a solution is sought that was not found to the one asked for.
 const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
+/// A tighter tolerance, over that asked for: its finer meshes are another way to a solution.
+const TIGHTER: f64 = 0.1;
+/// Tighter than this none is tried.
+const TIGHTEST: f64 = 1e-11;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
@@ -103,15 +107,18 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
     }
 }
 
-/// A question whose path was followed to its end and no farther: by a solution to another tolerance; nothing if there
-/// is none, either.
+/// A question whose path was followed to its end and no farther: by a solution to another tolerance, tighter ones last;
+/// nothing if there is none, either. If none of them is made accurate enough, the failure that attains most.
 fn at_another_tolerance(
     model: &ModelChoices,
     question: &Question,
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Option<Result<Solved, Failure>> {
-    for tolerance in LADDER.into_iter().filter(|other| libm::log10(other / options.tolerance).abs() > 0.5) {
+    let mut nearest: Option<(f64, Failure)> = None;
+    let tighter = (TIGHTER * options.tolerance).max(TIGHTEST);
+    let others = LADDER.into_iter().chain([tighter]);
+    for tolerance in others.filter(|other| libm::log10(other / options.tolerance).abs() > 0.5) {
         let other = SolveOptions { tolerance, ..*options };
         let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
             Ok(found) => found,
@@ -121,9 +128,17 @@ fn at_another_tolerance(
         tracing::info!("not found to {:.0e}, and found to {tolerance:.0e}", options.tolerance);
         // A solution that holds more than was asked for holds that, too.
         let enough = tolerance <= options.tolerance;
-        return Some(if enough { Ok(found) } else { tightened(found, tolerance, options, budget) });
+        let answer = if enough { Ok(found) } else { tightened(found, tolerance, options, budget) };
+        match answer {
+            Err(failure @ Failure::Tolerance { attainable, .. }) if !budget.is_spent() => {
+                if nearest.as_ref().is_none_or(|(least, _)| attainable < *least) {
+                    nearest = Some((attainable, failure));
+                }
+            }
+            answer => return Some(answer),
+        }
     }
-    None
+    nearest.map(|(_, failure)| Err(failure))
 }
 
 /// A solution made more accurate, step by step.

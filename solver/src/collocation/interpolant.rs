@@ -97,7 +97,7 @@ pub(crate) struct Defects {
     pub samples: Vec<Vec<f64>>,
 }
 
-/// Points and results of one evaluation at the same σ in all intervals.
+/// Points and results of one evaluation at the same σ in all intervals; reused from one to the next.
 struct Sample {
     s: Vec<f64>,
     y: Vec<f64>,
@@ -124,8 +124,9 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         }
         let intervals = self.intervals();
         let mut slope = vec![0.0; intervals];
+        let mut sample = self.room();
         for (sigma, sign) in [(0.5 - QUARTIC_OFFSET, 1.0), (0.5 + QUARTIC_OFFSET, -1.0)] {
-            let sample = self.sample(None, sigma, stats)?;
+            self.sample(None, sigma, &mut sample, stats)?;
             let basis = Basis::slope(sigma);
             for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
                 self.weigh(None, &basis, i, &mut slope);
@@ -153,7 +154,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 (0.5 * (y1 - y0) + rise - cubic) / value.alpha
             });
         }
-        let sample = self.sample(Some(extension), 0.5, stats)?;
+        let mut sample = self.room();
+        self.sample(Some(extension), 0.5, &mut sample, stats)?;
         for i in 0..self.n() {
             self.weigh(Some(extension), &slope, i, &mut cubic);
             let beta = &mut extension.beta[i * intervals..(i + 1) * intervals];
@@ -201,32 +203,31 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         }
     }
 
+    /// Room for [`sample`](Self::sample).
+    fn room(&self) -> Sample {
+        let (intervals, plan) = (self.intervals(), &self.system.plan.regions[self.region]);
+        Sample { s: vec![0.0; intervals], y: vec![0.0; plan.n * intervals], f: vec![0.0; plan.rows * intervals] }
+    }
+
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
-    fn sample(&self, extension: Option<&Extension>, sigma: f64, stats: &mut Stats) -> Result<Sample, NonFinite> {
-        let basis = Basis::value(sigma);
-        let mut y = vec![0.0; self.n() * self.intervals()];
-        for (i, y) in y.chunks_exact_mut(self.intervals()).enumerate() {
+    fn sample(
+        &self,
+        extension: Option<&Extension>,
+        sigma: f64,
+        sample: &mut Sample,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        let (basis, intervals) = (Basis::value(sigma), self.intervals());
+        for (i, y) in sample.y.chunks_exact_mut(intervals).enumerate() {
             self.weigh(extension, &basis, i, y);
             elementwise(y, [self.values(i).0], |rise, [y0]| y0 + rise);
         }
-        self.call(sigma, y, stats)
-    }
-
-    /// f at one σ in all intervals, for given states.
-    fn call(&self, sigma: f64, y: Vec<f64>, stats: &mut Stats) -> Result<Sample, NonFinite> {
-        let intervals = self.intervals();
         let grid = &self.system.grids[self.region];
-        let rows = self.system.plan.regions[self.region].rows;
-        let mut sample = Sample {
-            s: (0..intervals).map(|p| grid.s[p] + sigma * grid.h[p]).collect(),
-            y,
-            f: vec![0.0; rows * intervals],
-        };
+        elementwise(&mut sample.s, [&grid.s, &grid.h], |_, [s, h]| s + sigma * h);
         let at = Points { len: intervals, stride: intervals, s: &sample.s, y: &sample.y };
         stats.rhs_points += intervals;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut sample.f);
-        self.system.check_values(self.region, &at, &sample.f)?;
-        Ok(sample)
+        self.system.check_values(self.region, &at, &sample.f)
     }
 
     /// # Errors
@@ -244,9 +245,9 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let terms = self.terms();
         let (mut relative, mut absolute) = (vec![0.0; n * intervals], vec![0.0; n * intervals]);
         let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
-        let (mut samples, mut defect) = (Vec::new(), vec![0.0; intervals]);
+        let (mut samples, mut sample, mut defect) = (Vec::new(), self.room(), vec![0.0; intervals]);
         for &(sigma, weight) in self.system.tableau.samples {
-            let mut sample = self.sample(Some(extension), sigma, stats)?;
+            self.sample(Some(extension), sigma, &mut sample, stats)?;
             elementwise(&mut means, [&sample.f], |mean, [f]| mean + weight * f);
             let basis = Basis::slope(sigma);
             for (i, &scale) in scales.states[self.region].iter().enumerate() {
@@ -267,8 +268,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                     sum + weight * (defect * h / scale) * (defect * h / scale)
                 });
             }
-            sample.f.truncate(n * intervals);
-            samples.push(sample.f);
+            samples.push(sample.f[..n * intervals].to_vec());
         }
         let rounding = self.rounding(&terms, scales);
         let mut defects = Defects { integrated: self.integrated(means), samples, ..Defects::default() };

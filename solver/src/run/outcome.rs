@@ -7,7 +7,7 @@ use crate::measure::{Solved, intervals};
 use crate::newton::Converged;
 use crate::options::Control;
 use crate::problem::Problem;
-use crate::progress::measured;
+use crate::progress::{Found, measured};
 use crate::refine::{Measure, Rounding};
 use crate::solution::{Accuracy, Solution};
 use crate::start::Start;
@@ -26,18 +26,23 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         }
     }
 
-    pub(super) fn out_of_meshes(&self) -> SolveError {
-        let (defects, counts) = self.history.last().map_or((&[][..], &[][..]), |last| (&last.defects, &last.intervals));
-        let worst = (0..defects.len()).max_by(|&i, &j| defects[i].total_cmp(&defects[j])).unwrap_or(0);
-        let region = self.layout.regions.get(worst);
-        SolveError::MeshLimit {
-            region: region.map_or_else(String::new, |region| region.name.clone()),
-            position: region.map_or(f64::NAN, |region| region.interval.0),
-            state: "one of its states".to_owned(),
-            defect: defects.get(worst).copied().unwrap_or(f64::NAN),
-            tolerance: self.options.tolerance,
-            intervals: counts.get(worst).copied().unwrap_or(0),
+    /// Why what has been found on the last meshes there may be is no solution.
+    pub(super) fn unsolved(&self, found: &Found<'a, P>) -> SolveError {
+        match found {
+            Found::Solved(solved) => self.too_rough(solved),
+            Found::Failed(start, error) => {
+                SolveError::Newton { error: error.clone(), intervals: intervals(&start.grids) }
+            }
+            Found::Undefined(error) => error.clone(),
         }
+    }
+
+    /// The largest defect of all regions, which no finer meshes are to be had for.
+    pub(super) fn too_rough(&self, solved: &Solved<'a, P>) -> SolveError {
+        let measures = measured(solved, self.options.tolerance, Rounding::Counted);
+        let by_size = |&i: &usize, &j: &usize| measures[i].largest.total_cmp(&measures[j].largest);
+        let worst = (0..measures.len()).max_by(by_size).unwrap_or(0);
+        self.exhausted(worst, solved, &measures[worst])
     }
 
     /// A solution known to be one, without an iteration; its error is not estimated.
