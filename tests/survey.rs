@@ -54,7 +54,9 @@ fn a_brake_just_beyond_its_slip_limit_is_told() {
 #[test]
 fn smooth_friction_leads_to_small_slip_thresholds() {
     for index in [163, 190] {
-        let solved = solve(&case(index), &options()).unwrap();
+        let solved = solve(&case(index), &options()).unwrap_or_else(|failure| {
+            panic!("{failure}: sheave solve --tol 1e-3 {}", designs::settings(&designs::design(2, index)))
+        });
         assert_eq!(solved.route, Some(Route::Smooth), "{index}");
         // The solution is that of the case's own law.
         assert!(
