@@ -1,5 +1,7 @@
 //! From a question to a solution, from nothing.
 
+use std::collections::VecDeque;
+
 use solver::continuation::PathOptions;
 use solver::{Guess, Options, Order};
 
@@ -8,13 +10,14 @@ use super::belt::BeltProblem;
 use super::budget::Budget;
 use super::climb::climb;
 use super::failure::Failure;
+use super::position::Position;
 use super::question::{Question, Swap};
 use super::route::Route;
 use super::solved::Solved;
 use super::trouble::Trouble;
 use crate::cancel::is_cancelled;
 use crate::case::{ModelChoices, Resolved};
-use crate::model::Constant;
+use crate::model::{Constant, Output};
 
 /// Tolerance on the path from the start to the case.
 pub(super) const ROUGH_TOLERANCE: f64 = 1e-2;
@@ -36,6 +39,8 @@ const LADDER: [f64; 3] = [1e-4, 1e-6, 1e-3];
 const TIGHTER: f64 = 0.1;
 /// Tighter than this none is tried.
 const TIGHTEST: f64 = 1e-11;
+/// Over the tolerance asked for, what the last step but one towards it is at least.
+const AT_LEAST: f64 = 2.0;
 /// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
 const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
@@ -149,7 +154,9 @@ fn tightened(
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     while attained > options.tolerance {
-        let tolerance = (0.1 * attained).max(options.tolerance);
+        // A step that ends within rounding of what is asked for ends there.
+        let next = 0.1 * attained;
+        let tolerance = if next < AT_LEAST * options.tolerance { options.tolerance } else { next };
         let finer = Options { tolerance, ..options.solver() };
         let unknowns = solved.solution.unknowns().to_vec();
         match solver::solve_observed(&solved.belt, &Guess::from(&solved.solution), &unknowns, &finer, budget) {
@@ -191,7 +198,8 @@ fn attempt(
         return ordinary(model, question, options, routes, budget);
     }
     let mut failure = None;
-    for factor in TENSIONS {
+    let (mut factors, mut first) = (VecDeque::from(TENSIONS), true);
+    while let Some(factor) = factors.pop_front() {
         let near = match near(model, question, factor, options, budget) {
             Ok(near) => near,
             Err(next) => {
@@ -199,6 +207,11 @@ fn attempt(
                 continue;
             }
         };
+        if std::mem::take(&mut first)
+            && let Some(nearer) = nearer(&near, question, factor)?
+        {
+            factors.push_front(nearer);
+        }
         for order in [together, one_by_one] {
             let given = budget.part(options.work_limit / (2 * TENSIONS.len()));
             let mut left = given;
@@ -219,6 +232,17 @@ fn attempt(
 /// Why everything that was tried came to nothing.
 fn ended(failure: Option<Failure>) -> Failure {
     if is_cancelled() { Failure::Cancelled } else { failure.unwrap_or(Failure::NoEquations) }
+}
+
+/// The factor with which an axial force that is prescribed would be found, were it proportional to the tension: where
+/// friction is steep, a path of a tenth of the tension may be too long. Nothing for what else is prescribed.
+fn nearer(near: &Solved, question: &Question, factor: f64) -> Result<Option<f64>, Failure> {
+    let force = question.conditions().zip(Position::of(near, question)?.targets).find(|((output, _), _)| {
+        question.frees(Constant::SlackTension)
+            && matches!(output, Output::PrimaryAxialForce | Output::SecondaryAxialForce)
+    });
+    let nearer = force.map(|((_, asked), found)| factor * asked / found);
+    Ok(nearer.filter(|nearer| nearer.is_finite() && *nearer > 0.0))
 }
 
 /// An ordinary solution, to the tolerance of the path, near that of a question.
