@@ -48,8 +48,6 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     /// The largest residual of the boundary equations, relative to the terms of its equation.
     fn boundary_residual(&self) -> f64 {
-        let sizes = self.system.boundary_sizes(&self.work, &self.factorisation.scales);
-        let residuals = self.work.g.iter().zip(&sizes).map(|(&residual, size)| size.relative(residual));
-        residuals.fold(0.0, f64::max)
+        self.system.boundary_residuals(&self.work, &self.factorisation.scales).fold(0.0, f64::max)
     }
 }
