@@ -10,10 +10,10 @@ use super::failure::Failure;
 use super::position::Position;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
-use super::start;
+use super::start::{flow_at, inertia};
 use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;
-use crate::model::Constant;
+use crate::model::{Constant, Constants};
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those
 /// of `question`: the slip threshold geometrically, all others linearly. Both must be of one model.
@@ -24,7 +24,7 @@ pub(super) fn approach(
     options: &PathOptions,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
-    let (belt, start) = (posed(model, question)?, starting(from, question)?);
+    let (belt, start) = (posed(model, question)?, start(from, question)?);
     let mut path = Ramp::new();
     for ((_, asked), index) in question.conditions().zip(Constant::ALL.len()..) {
         let here = start.constants.get(index).copied().unwrap_or(f64::NAN);
@@ -72,7 +72,7 @@ pub(super) fn posed(model: &ModelChoices, question: &Question) -> Result<BeltPro
 }
 
 /// A solution as the start of a question's problem: every prescribed output at the value that it has there.
-pub(super) fn starting(from: &Solved, question: &Question) -> Result<Guess, Failure> {
+pub(super) fn start(from: &Solved, question: &Question) -> Result<Guess, Failure> {
     Ok(Guess { constants: Position::of(from, question)?.vector(), ..Guess::from(&from.solution) })
 }
 
@@ -112,8 +112,9 @@ impl Path for RatioPath {
             *sigma = bent;
         }
         if self.free
-            && change(sigma) > RUNNING_AWAY
-            && let Some(flow) = flow_that_keeps_up(from, predicted)
+            && change(sigma) > LARGE_RISE
+            && let (Ok(here), Ok(there)) = (Constants::try_from(from), Constants::try_from(&*predicted))
+            && let Some(flow) = flow_that_keeps_up(&here, &there)
             && let Some(predicted) = predicted.get_mut(Constant::Flow.index())
         {
             *predicted = flow;
@@ -123,13 +124,12 @@ impl Path for RatioPath {
 
 /// Rise of the speed ratio in one step, relative, from which on the belt's mass flow is predicted by
 /// [`flow_that_keeps_up`].
-const RUNNING_AWAY: f64 = 1e-2;
+const LARGE_RISE: f64 = 1e-2;
 
 /// The mass flow with which V/σ, the belt's speed over that of the secondary's rim, is what the tangent says: it too
 /// counts to a share of the slip threshold, and where the secondary runs away, the belt that it drives is stretched by
 /// its own inertia, so that V(g) bends. Nothing where what V depends on is moved as well.
-fn flow_that_keeps_up(from: &[f64], predicted: &[f64]) -> Option<f64> {
-    let moved = |constant: Constant| from.get(constant.index()) != predicted.get(constant.index());
+fn flow_that_keeps_up(here: &Constants, there: &Constants) -> Option<f64> {
     let given = [
         Constant::LongitudinalStiffness,
         Constant::MassPerLength,
@@ -137,23 +137,19 @@ fn flow_that_keeps_up(from: &[f64], predicted: &[f64]) -> Option<f64> {
         Constant::SecondaryRadius,
         Constant::PrimarySpeed,
     ];
-    if given.into_iter().any(moved) {
+    if given.into_iter().any(|constant| here[constant] != there[constant]) {
         return None;
     }
-    let at = |constants: &[f64], constant: Constant| constants.get(constant.index()).copied();
-    let stiffness = at(from, Constant::LongitudinalStiffness)?;
-    let rim = at(from, Constant::PrimaryRadius)? * at(from, Constant::PrimarySpeed)?;
-    let inertia = at(from, Constant::MassPerLength)? * rim * rim / stiffness;
-    let place = |constants: &[f64]| {
-        let stretch = 1.0 + at(constants, Constant::SlackTension)? / stiffness;
-        Some((at(constants, Constant::Flow)?, at(constants, Constant::SpeedRatio)?, stretch))
-    };
-    let ((flow, sigma, stretch), (flow_there, sigma_there, stretch_there)) = (place(from)?, place(predicted)?);
+    let inertia = inertia(here);
+    let stretch = |at: &Constants| 1.0 + at[Constant::SlackTension] / at[Constant::LongitudinalStiffness];
+    let (flow, sigma, stretched) = (here[Constant::Flow], here[Constant::SpeedRatio], stretch(here));
+    let (flow_there, sigma_there, stretched_there) =
+        (there[Constant::Flow], there[Constant::SpeedRatio], stretch(there));
     // ln V(g) = ln g + ln(1 + T/EA) − ln(1 − c g²), with c = m_o (R_P ω_P)²/EA, and its change on the tangent.
     let slope = (1.0 + inertia * flow * flow) / (1.0 - inertia * flow * flow);
-    let change = slope * (flow_there - flow) / flow + (stretch_there - stretch) / stretch;
-    let speed = flow * stretch / (1.0 - inertia * flow * flow);
+    let change = slope * (flow_there - flow) / flow + (stretched_there - stretched) / stretched;
+    let speed = flow * stretched / (1.0 - inertia * flow * flow);
     let there = speed / sigma * (1.0 + change - (sigma_there - sigma) / sigma) * sigma_there;
-    let flow = start::flow_at(there, inertia, stretch_there);
+    let flow = flow_at(there, inertia, stretched_there);
     flow.is_finite().then_some(flow)
 }

@@ -41,7 +41,7 @@ pub(super) fn climb(
     let mut part = given;
     let smoothed = route.smoothed(model, target);
     let followed = match &smoothed {
-        Some((model, target)) => climb.smooth(model, target, &mut part),
+        Some((model, target)) => Err(climb.smooth(model, target, &mut part)),
         None => {
             let begin = route.begin(target);
             climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part)
@@ -128,10 +128,10 @@ impl Climb<'_> {
     }
 
     /// Follows the route with another friction law, as far as that goes: what was found last is where the path of the
-    /// case's own begins.
-    fn smooth(&mut self, model: &ModelChoices, target: &Constants, budget: &mut Budget) -> Result<Solution, Lost> {
+    /// case's own begins. Its failure is only heard of where no work is left for that.
+    fn smooth(&mut self, model: &ModelChoices, target: &Constants, budget: &mut Budget) -> Lost {
         let Some(belt) = BeltProblem::new(model, target) else {
-            return Err(Lost { last: None, failure: Failure::NoEquations });
+            return Lost { last: None, failure: Failure::NoEquations };
         };
         let options = SolveOptions { tolerance: rough(self.options).tolerance, ..*self.options };
         let begin = self.route.begin(target);
@@ -139,10 +139,10 @@ impl Climb<'_> {
         let mut climb = Climb { model, belt: &belt, target, options: &options, route: self.route, stats, steps };
         let followed = climb.follow(start::guess(&belt, &begin), &begin, Mesh::Coarse, budget);
         (self.stats, self.steps) = (climb.stats, climb.steps);
-        Err(match followed {
+        match followed {
             Ok(end) => self.lost(Some(Box::new(end)), Box::new(SolveError::Cancelled)),
             Err(lost) => lost,
-        })
+        }
     }
 
     fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {

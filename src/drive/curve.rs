@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use solver::continuation::{BranchOptions, BranchPoint, PointKind, trace_observed};
 use solver::{Event, Observer, Options, Solution, SolveError, Stats};
 
-use super::approach::{posed, starting};
+use super::approach::{posed, start};
 use super::budget::Budget;
 use super::correct::relaxed;
 use super::failure::Failure;
@@ -69,7 +69,7 @@ pub fn trace(
     options: &SolveOptions,
 ) -> Result<Curve, Failure> {
     let question = from.question.clone().swap(free, output, f64::NAN);
-    let (belt, start) = (posed(model, &question)?, starting(from, &question)?);
+    let (belt, start) = (posed(model, &question)?, start(from, &question)?);
     // Targets of outputs stand before those of laws, and the new one is the last of them.
     let parameter = start.constants.len().saturating_sub(1 + question.closings.len());
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();

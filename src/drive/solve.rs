@@ -48,8 +48,8 @@ const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 /// takes some thousands.
 pub const WORK_LIMIT: usize = 2_250_000;
 /// Parts of the work that the direct route may take; the others have one each. Where its last stage, down to the slip
-/// threshold, takes 350,000, the other routes arrive no sooner: of 300 random designs (seed 2 of the survey) one more is
-/// solved than with as much for each, and none less.
+/// threshold, takes 350,000, the other routes arrive no sooner: of 300 random designs (seed 2 of the survey) one more
+/// is solved than with as much for each, and none less.
 const DIRECT_PARTS: usize = 2;
 
 /// How accurately, and with what.
@@ -121,9 +121,10 @@ fn at_another_tolerance(
     budget: &mut Budget,
 ) -> Option<Result<Solved, Failure>> {
     let mut nearest: Option<(f64, Failure)> = None;
+    let differ = |one: f64, other: f64| libm::log10(one / other).abs() > 0.5;
     let tighter = (TIGHTER * options.tolerance).max(TIGHTEST);
-    let others = LADDER.into_iter().chain([tighter]);
-    for tolerance in others.filter(|other| libm::log10(other / options.tolerance).abs() > 0.5) {
+    let tighter = LADDER.into_iter().all(|other| differ(other, tighter)).then_some(tighter);
+    for tolerance in LADDER.into_iter().chain(tighter).filter(|other| differ(*other, options.tolerance)) {
         let other = SolveOptions { tolerance, ..*options };
         let found = match attempt(model, question, &other, Routes::UntilThere, budget) {
             Ok(found) => found,
