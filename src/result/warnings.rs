@@ -189,7 +189,8 @@ fn energy(outcome: &Outcome) -> Option<String> {
     let missing = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
     // Of the largest, which is not that into the primary where the secondary drives or no torque is asked for.
     let powers = [(energy.power_in, "in"), (energy.power_out, "out"), (energy.friction_loss, "of friction")];
-    let (passing, what) = powers.into_iter().map(|(power, what)| (power.abs(), what)).reduce(larger)?;
+    let powers = powers.into_iter().map(|(power, what)| (power.abs(), what));
+    let (passing, what) = powers.reduce(|one, other| if other.0 > one.0 { other } else { one })?;
     (missing.abs() > UNACCOUNTED * passing).then(|| {
         format!(
             "Energy is not conserved: {missing:.1} W of {passing:.1} W {what} ({:.1} %) go where neither friction nor \
@@ -198,11 +199,6 @@ fn energy(outcome: &Outcome) -> Option<String> {
             outcome.result.edition
         )
     })
-}
-
-/// The larger of two powers, the first if they are equal.
-fn larger<'a>(one: (f64, &'a str), other: (f64, &'a str)) -> (f64, &'a str) {
-    if other.0 > one.0 { other } else { one }
 }
 
 /// A pulley that would have to pull the belt into its groove, by the penetrations along its contact.
