@@ -268,14 +268,11 @@ fn conditions(model: &BoundaryModel) -> Section {
 /// Name of the figure in `docs/figures` that shows what acts on an element of the belt.
 const FIGURE: &str = "belt_element";
 
-/// What that figure shows, formulas between `mark`s.
-fn caption(mark: &str) -> String {
-    let text = "An element of the belt in a groove, as everything is counted positive: |φ| in the direction of travel, \
-                the penetration |x| from the pulley's radius |R| inwards, the inclination |θ| outwards, shear outwards \
-                on the front face, the groove's |n| outwards and its |t| against the travel. |T| is the tractive \
-                tension, in which the belt's momentum is counted; a span has neither |n| nor |t|.";
-    text.replace('|', mark).replace('φ', "\\varphi").replace('θ', "\\theta")
-}
+/// What that figure shows, in Markdown as in LaTeX.
+const CAPTION: &str = "An element of the belt in a groove, as everything is counted positive: $\\varphi$ in the direction of \
+    travel, the penetration $x$ from the pulley's radius $R$ inwards, the inclination $\\theta$ outwards, shear outwards \
+    on the front face, the groove's $n$ outwards and its $t$ against the travel. $T$ is the tractive tension, in which \
+    the belt's momentum is counted; a span has neither $n$ nor $t$.";
 
 /// Lays lines out in one format.
 struct Page {
@@ -291,8 +288,7 @@ impl Page {
             Format::Text => format!("{}\n\n{note}\n{marks}\n", title.replace('`', "")),
             Format::Markdown => format!(
                 "# {title}\n\n{note}\n{marks}\n\n![Forces on an element of the belt](figures/{FIGURE}.svg)\n\n\
-                 *{}*\n",
-                caption("$")
+                 *{CAPTION}*\n"
             ),
             Format::Latex => {
                 let title = title.replace('`', "");
@@ -301,8 +297,7 @@ impl Page {
                      \\begin{{document}}\n\\title{{{title}}}\n\\maketitle\n{note}\n{marks}\n\n\
                      % docs/figures/{FIGURE}.svg as a PDF file\n\\begin{{figure}}[ht]\n\\centering\n\
                      \\IfFileExists{{{FIGURE}.pdf}}{{\\includegraphics[width=0.8\\linewidth]{{{FIGURE}}}}}{{}}\n\
-                     \\caption{{{}}}\n\\end{{figure}}\n",
-                    caption("$")
+                     \\caption{{{CAPTION}}}\n\\end{{figure}}\n"
                 )
             }
         }
