@@ -26,19 +26,34 @@ const WITHIN: f64 = 2.0;
 
 type Result = DriveResult<Resolved>;
 
-/// An output, and the name of its uncertainty if it has one.
-type Looked = (&'static str, Option<&'static str>, fn(&Result) -> f64);
+/// An output that is looked at.
+struct Looked {
+    name: &'static str,
+    /// The name of its uncertainty, if it has one.
+    uncertainty: Option<&'static str>,
+    value: fn(&Result) -> f64,
+    /// What its error is relative to.
+    scale: fn(&Result) -> f64,
+}
 
-/// It may be close to nothing: its error is relative to the largest sliding speed.
-const SMALLEST_SLIDING: &str = "smallest sliding speed";
+/// An output whose error is relative to itself.
+const fn looked(name: &'static str, uncertainty: Option<&'static str>, value: fn(&Result) -> f64) -> Looked {
+    Looked { name, uncertainty, value, scale: value }
+}
 
 const OUTPUTS: [Looked; 6] = [
-    ("efficiency", Some("efficiency.overall"), |r| r.efficiency.overall.unwrap_or(f64::NAN)),
-    ("primary axial force", Some("primary.axial_force"), |r| r.primary.axial_force),
-    ("secondary axial force", Some("secondary.axial_force"), |r| r.secondary.axial_force),
-    ("secondary torque", Some("secondary.torque"), |r| r.secondary.torque),
-    (SMALLEST_SLIDING, None, |r| r.primary.min_sliding_speed.min(r.secondary.min_sliding_speed)),
-    ("largest penetration", None, |r| r.primary.max_penetration.max(r.secondary.max_penetration)),
+    looked("efficiency", Some("efficiency.overall"), |r| r.efficiency.overall.unwrap_or(f64::NAN)),
+    looked("primary axial force", Some("primary.axial_force"), |r| r.primary.axial_force),
+    looked("secondary axial force", Some("secondary.axial_force"), |r| r.secondary.axial_force),
+    looked("secondary torque", Some("secondary.torque"), |r| r.secondary.torque),
+    // It may be close to nothing.
+    Looked {
+        name: "smallest sliding speed",
+        uncertainty: None,
+        value: |r| r.primary.min_sliding_speed.min(r.secondary.min_sliding_speed),
+        scale: |r| r.primary.max_sliding_speed.max(r.secondary.max_sliding_speed),
+    },
+    looked("largest penetration", None, |r| r.primary.max_penetration.max(r.secondary.max_penetration)),
 ];
 
 #[derive(Default)]
@@ -77,19 +92,18 @@ fn main() {
                     continue;
                 }
             };
-            for (tally, (name, uncertainty, value)) in tallies[at].iter_mut().zip(&OUTPUTS) {
-                let (found, exact) = (value(&outcome.result), value(&reference.result));
+            for (tally, looked) in tallies[at].iter_mut().zip(&OUTPUTS) {
+                let (found, exact) = ((looked.value)(&outcome.result), (looked.value)(&reference.result));
                 if !exact.is_finite() {
                     continue;
                 }
                 let error = (found - exact).abs();
-                let sliding =
-                    reference.result.primary.max_sliding_speed.max(reference.result.secondary.max_sliding_speed);
-                let relative = error / if *name == SMALLEST_SLIDING { sliding } else { exact.abs() };
+                let relative = error / (looked.scale)(&reference.result).abs();
                 tally.designs += 1;
                 tally.missed += usize::from(relative > tolerance.max(FLOOR));
                 tally.worst = tally.worst.max(relative);
-                let stated = uncertainty.and_then(|name| outcome.result.uncertainty.as_ref()?.get(name).copied());
+                let stated =
+                    looked.uncertainty.and_then(|name| outcome.result.uncertainty.as_ref()?.get(name).copied());
                 if let Some(stated) = stated {
                     tally.stated += 1;
                     tally.held += usize::from(error <= WITHIN * stated + FLOOR * exact.abs());
@@ -102,7 +116,7 @@ fn main() {
         "| tolerance | order | lost | output | missed | worst | uncertainty holds |\n|---|---|---|---|---|---|---|"
     );
     for (((tolerance, order), tallies), lost) in demands.iter().zip(&tallies).zip(&lost) {
-        for ((name, ..), tally) in OUTPUTS.iter().zip(tallies) {
+        for (Looked { name, .. }, tally) in OUTPUTS.iter().zip(tallies) {
             println!(
                 "| {tolerance:.0e} | {} | {lost} | {name} | {} of {} | {:.1e} | {} |",
                 order.number(),
