@@ -13,14 +13,14 @@ use crate::model::{Constant, InternalError, Output};
 /// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
 /// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
-/// The same in engine braking, where it is the secondary's speed that grows beyond all bounds: steps in arclength follow
-/// it by a few thousandths each, while torque and tension hardly change any more.
+/// The same in engine braking, where it is the secondary's speed that grows beyond all bounds: steps in arclength
+/// follow it by a few thousandths each, while torque and tension hardly change any more.
 const RUNNING_AWAY: f64 = 0.8;
 /// Speed efficiency to which the curve is followed in engine braking, where the driven pulley comes to rest as the
 /// secondary's speed grows beyond all bounds.
 const AT_REST: f64 = 0.01;
-/// Speed efficiency from which on the driven pulley counts as at rest in engine braking, should the curve be lost: beyond
-/// it, the secondary's speed changes torque and tension by less than a hundredth.
+/// Speed efficiency from which on the driven pulley counts as at rest in engine braking, should the curve be lost:
+/// beyond it, the secondary's speed changes torque and tension by less than a hundredth.
 const BRAKED: f64 = 0.1;
 /// Speed efficiency below which a curve that is lost in arclength is followed in speed efficiency.
 const SLIPPING: f64 = 0.98;

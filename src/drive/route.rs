@@ -51,8 +51,8 @@ impl Route {
         }
     }
 
-    /// Whether the route is another than the direct one for drives of a model: only friction with kinks can be smoothed,
-    /// and a string has only the one path.
+    /// Whether the route is another than the direct one for drives of a model: only friction with kinks can be
+    /// smoothed, and a string has only the one path.
     pub(super) fn is_for(self, model: &ModelChoices) -> bool {
         self != Self::Smooth || (model.friction == Friction::ViscousCoulomb && model.bending.is_some())
     }
