@@ -60,6 +60,16 @@ pub fn quoted(text: &str) -> Cow<'_, str> {
     }
 }
 
+/// The text without one pair of quotes around it.
+///
+/// ```
+/// assert_eq!(sheave::text::unquoted("\"3 kg\""), "3 kg");
+/// ```
+pub fn unquoted(text: &str) -> &str {
+    let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
+    inside('"').or_else(|| inside('\'')).unwrap_or(text)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
