@@ -8,6 +8,7 @@ pub use table::TABLE;
 use super::range::{Range, RangeEnd};
 use crate::model::Choice;
 use crate::quantity::Unit;
+use crate::text::subscripted;
 use std::borrow::Cow;
 
 /// A key of the case file.
@@ -232,7 +233,7 @@ impl Entry {
 
     /// Its symbol with every index as `_{..}`, as figures are labelled: `R_{S}/R_{P}`.
     pub fn marked_symbol(&self) -> String {
-        super::names::marked(self.symbol)
+        subscripted(self.symbol)
     }
 
     /// A value in SI as people read it: the number, and its unit as it is printed.
