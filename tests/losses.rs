@@ -52,7 +52,7 @@ fn hysteresis_is_linear_in_the_loss_tangent() {
     }
 }
 
-/// power_in = power_out_with_losses + friction + hysteresis + drag + gears + stretch work.
+/// power_in = power_out_with_losses + friction + hysteresis + drag + gears + strain energy flux.
 #[test]
 fn power_that_goes_in_comes_out_or_is_accounted_for() {
     let outcome = base(&[

@@ -138,7 +138,7 @@ class BeltResult:
 
 @final
 class Energy:
-    """The energy audit: power in = power out + friction loss + stretch work, for full shear with continuous ends."""
+    """The energy audit: power in = power out + friction loss + strain energy flux, for full shear with continuous ends."""
 
     @property
     def power_in(self) -> float:

@@ -451,7 +451,7 @@ view! {
 }
 
 view! {
-    /// The energy audit: power in = power out + friction loss + stretch work, for full shear with continuous ends.
+    /// The energy audit: power in = power out + friction loss + strain energy flux, for full shear with continuous ends.
     Energy of result::Energy {
         /// Power into the primary, W.
         power_in: f64,

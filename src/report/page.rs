@@ -150,7 +150,7 @@ fn energy(html: &mut String, outcome: &Outcome, split: &LossSplit) {
     row(html, "power in", &watt(energy.power_in), "");
     row(html, "power out", &watt(energy.power_out), "");
     row(html, "friction loss", &watt(energy.friction_loss), "");
-    row(html, "stretch work", &watt(energy.stretch_work), "");
+    row(html, "strain energy flux", &watt(energy.stretch_work), "");
     row(
         html,
         "unaccounted for",

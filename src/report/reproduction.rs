@@ -85,7 +85,7 @@ impl Reproduction {
             row("power in", |chapters| chapters.base.result.energy.power_in),
             row("power out", |chapters| chapters.base.result.energy.power_out),
             row("friction loss", |chapters| chapters.base.result.energy.friction_loss),
-            row("stretch work", |chapters| chapters.base.result.energy.stretch_work),
+            row("strain energy flux", |chapters| chapters.base.result.energy.stretch_work),
             row("unaccounted for", |chapters| {
                 let energy = &chapters.base.result.energy;
                 energy.closure * energy.power_in

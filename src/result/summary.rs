@@ -57,10 +57,7 @@ pub fn summary(result: &DriveResult<Resolved>) -> String {
 
 /// As [`summary`], in other units, with warnings behind the answers.
 pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolved>) -> String {
-    let power = |watts: f64, digits: usize| units.of(Measured::Power).number(watts, digits);
-    let watt = units.of(Measured::Power).symbol;
     let mut text = String::new();
-    let (efficiency, energy, belt, solver) = (&result.efficiency, &result.energy, &result.belt, &result.solver);
     let _ = writeln!(text, "Belt drive, edition {}\n", result.edition);
     for answer in answers_in(units, result) {
         let _ = writeln!(text, "  {:<24}{}", answer.question, answer.answer);
@@ -71,30 +68,47 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
     }
     text.push('\n');
     pulleys(&mut text, units, &result.primary, &result.secondary);
-    let percent = |fraction: f64| 100.0 * fraction;
-    match (efficiency.overall, efficiency.speed, efficiency.torque) {
+    text.push('\n');
+    efficiencies(&mut text, result);
+    energy_audit(&mut text, units, result);
+    losses(&mut text, units, result);
+    temperature(&mut text, units, result);
+    belt(&mut text, units, result);
+    solved(&mut text, &result.solver);
+    text
+}
+
+fn percent(fraction: f64) -> f64 {
+    100.0 * fraction
+}
+
+fn efficiencies(text: &mut String, result: &DriveResult<Resolved>) {
+    let efficiency = &result.efficiency;
+    let _ = match (efficiency.overall, efficiency.speed, efficiency.torque) {
         (Some(overall), Some(speed), Some(torque)) => {
             let driving = if result.primary.power < 0.0 { ", the secondary driving" } else { "" };
-            let _ = writeln!(
+            writeln!(
                 text,
-                "\n  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque{driving}",
+                "  efficiency                {:>11.2} % overall = {:.2} % speed × {:.2} % torque{driving}",
                 percent(overall),
                 percent(speed),
                 percent(torque),
-            );
+            )
         }
-        _ => {
-            let _ = writeln!(text, "\n  efficiency                       none: neither pulley drives the other");
-        }
-    }
+        _ => writeln!(text, "  efficiency                       none: neither pulley drives the other"),
+    };
+}
+
+fn energy_audit(text: &mut String, units: Units, result: &DriveResult<Resolved>) {
+    let (energy, watt) = (&result.energy, units.of(Measured::Power).symbol);
+    let power = |watts: f64, digits: usize| units.of(Measured::Power).number(watts, digits);
     // Of the larger power: without torque, the secondary alone covers the losses.
     let rest = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
     let unaccounted = percent(rest / energy.power_in.abs().max(energy.power_out.abs()));
     let _ = writeln!(
         text,
-        "  energy audit              {:>11} {watt} in = {} {watt} out + {} {watt} friction {} {} {watt} stretch work; \
-        {} % \
-         unaccounted for",
+        "  energy audit              {:>11} {watt} in = {} {watt} out + {} {watt} friction {} {} {watt} strain energy \
+        flux; {} % unaccounted for",
         power(energy.power_in, 1),
         power(energy.power_out, 1),
         power(energy.friction_loss, 1),
@@ -102,34 +116,46 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
         power(energy.stretch_work.abs(), 2),
         unsigned_zero(&format!("{unaccounted:.4}")),
     );
-    if let (Some(losses), Some(overall)) = (&result.losses, efficiency.overall_with_losses) {
-        let _ = writeln!(
-            text,
-            "  with all losses           {:>11.2} % overall: hysteresis {} {watt} (bending {}, groove {}, cord {}), \
-            drag {} {watt}, \
-             gears {} {watt}",
-            percent(overall),
-            power(losses.bending + losses.groove + losses.cord, 1),
-            power(losses.bending, 1),
-            power(losses.groove, 1),
-            power(losses.cord, 1),
-            power(losses.drag, 1),
-            power(losses.gears, 1),
-        );
-    }
-    if let (Some(heat), Some(temperature)) = (&result.thermal, belt.temperature) {
-        let _ = writeln!(
-            text,
-            "  belt temperature          {:>11} {}: {} {watt} into the belt, {} {watt} into the primary's sheaves, {} \
-            {watt} into \
-             the secondary's",
-            units.of(Measured::Temperature).number(temperature, 1),
-            units.of(Measured::Temperature).symbol,
-            power(heat.belt, 1),
-            power(heat.primary, 1),
-            power(heat.secondary, 1),
-        );
-    }
+}
+
+/// Losses besides friction, if they were asked for.
+fn losses(text: &mut String, units: Units, result: &DriveResult<Resolved>) {
+    let (Some(losses), Some(overall)) = (&result.losses, result.efficiency.overall_with_losses) else { return };
+    let watt = units.of(Measured::Power).symbol;
+    let power = |watts: f64| units.of(Measured::Power).number(watts, 1);
+    let _ = writeln!(
+        text,
+        "  with all losses           {:>11.2} % overall: hysteresis {} {watt} (bending {}, groove {}, cord {}), drag \
+        {} {watt}, gears {} {watt}",
+        percent(overall),
+        power(losses.bending + losses.groove + losses.cord),
+        power(losses.bending),
+        power(losses.groove),
+        power(losses.cord),
+        power(losses.drag),
+        power(losses.gears),
+    );
+}
+
+/// The belt's temperature, if it was found.
+fn temperature(text: &mut String, units: Units, result: &DriveResult<Resolved>) {
+    let (Some(heat), Some(temperature)) = (&result.thermal, result.belt.temperature) else { return };
+    let (watt, degree) = (units.of(Measured::Power).symbol, units.of(Measured::Temperature));
+    let power = |watts: f64| units.of(Measured::Power).number(watts, 1);
+    let _ = writeln!(
+        text,
+        "  belt temperature          {:>11} {}: {} {watt} into the belt, {} {watt} into the primary's sheaves, {} \
+        {watt} into the secondary's",
+        degree.number(temperature, 1),
+        degree.symbol,
+        power(heat.belt),
+        power(heat.primary),
+        power(heat.secondary),
+    );
+}
+
+fn belt(text: &mut String, units: Units, result: &DriveResult<Resolved>) {
+    let belt = &result.belt;
     let _ = writeln!(
         text,
         "  belt                      {:>14} unstretched, {}{} against the belt given",
@@ -137,6 +163,9 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
         if belt.length_error < 0.0 { "" } else { "+" },
         units.show(Measured::Length, belt.length_error, 2),
     );
+}
+
+fn solved(text: &mut String, solver: &SolverReport) {
     let mesh = &solver.mesh_intervals;
     let _ = writeln!(
         text,
@@ -150,7 +179,6 @@ pub fn summary_in(units: Units, warnings: &[String], result: &DriveResult<Resolv
         solver.continuation_steps,
         solver.newton_iterations,
     );
-    text
 }
 
 impl SolverReport {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::Number;
 
-use super::{Inverse, Made, Outline, Shape};
+use super::{Inverse, InversePoint, Made, Outline, Shape};
 use crate::actuator::AngleFrom;
 use crate::plot::{Axis, Figure, Look, Series};
 use crate::study::{Cell, Table};
@@ -14,43 +14,29 @@ fn number(value: f64) -> Cell {
     Number::from_f64(value).map_or(Cell::Empty, Cell::Number)
 }
 
+/// A column of the belt along the shift: its header, and what stands in it.
+type Column = (&'static str, fn(&InversePoint) -> f64);
+
 /// Columns of the belt along the shift.
-const BELT: [&str; 10] = [
-    "primary_travel",
-    "secondary_travel",
-    "ratio",
-    "secondary_speed",
-    "secondary_torque",
-    "primary_axial_force",
-    "secondary_axial_force",
-    "slack_tension",
-    "slip_reserve",
-    "efficiency",
+const BELT: [Column; 10] = [
+    ("primary_travel", |point| point.primary_travel),
+    ("secondary_travel", |point| point.secondary_travel),
+    ("ratio", |point| point.ratio),
+    ("secondary_speed", |point| point.secondary_speed),
+    ("secondary_torque", |point| point.secondary_torque),
+    ("primary_axial_force", |point| point.primary_axial_force),
+    ("secondary_axial_force", |point| point.secondary_axial_force),
+    ("slack_tension", |point| point.slack_tension),
+    ("slip_reserve", |point| point.slip_reserve),
+    // Not a number, which becomes an empty cell, where neither end drives the other.
+    ("efficiency", |point| point.efficiency.unwrap_or(f64::NAN)),
 ];
 
 /// The belt along the shift, and behind it the profiles, one row a point; SI, helix angles from the plane of rotation.
 pub fn inverse_table(made: &Inverse) -> Table {
-    let mut columns: Vec<String> = BELT.map(str::to_owned).into();
-    let mut rows: Vec<Vec<Cell>> = made
-        .points
-        .iter()
-        .map(|point| {
-            [
-                point.primary_travel,
-                point.secondary_travel,
-                point.ratio,
-                point.secondary_speed,
-                point.secondary_torque,
-                point.primary_axial_force,
-                point.secondary_axial_force,
-                point.slack_tension,
-                point.slip_reserve,
-                point.efficiency.unwrap_or(f64::NAN),
-            ]
-            .map(number)
-            .into()
-        })
-        .collect();
+    let mut columns: Vec<String> = BELT.map(|(header, _)| header.to_owned()).into();
+    let row = |point| BELT.map(|(_, value)| number(value(point))).into();
+    let mut rows: Vec<Vec<Cell>> = made.points.iter().map(row).collect();
     for part in &made.parts {
         let (names, profile) = match &part.shape {
             Shape::Coefficient(profile) => (["travel", "coefficient"], profile),
@@ -106,7 +92,7 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
         let x = if name == "helix_angle" { "opening of the secondary (mm)" } else { "travel of the primary (mm)" };
         figures.push(Figure::new(name, caption, Axis::new(x), Axis::new(y), vec![Series::line("", points)]));
     }
-    let along = |name: &str, of: &dyn Fn(&super::InversePoint) -> f64| {
+    let along = |name: &str, of: &dyn Fn(&InversePoint) -> f64| {
         Series::line(name, made.points.iter().map(|point| (mm(point.primary_travel), of(point))).collect())
     };
     let travel = || Axis::new("travel of the primary (mm)");
@@ -182,7 +168,7 @@ pub fn inverse_summary(made: &Inverse, angle_from: AngleFrom) -> String {
                 1e3 * high.secondary_travel
             ),
         );
-        let forces = |of: &dyn Fn(&super::InversePoint) -> f64| {
+        let forces = |of: &dyn Fn(&InversePoint) -> f64| {
             let range = made
                 .points
                 .iter()
