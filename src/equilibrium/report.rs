@@ -255,7 +255,7 @@ impl DriveReport {
             return String::new();
         }
         let mut text = format!(
-            "\n  {:<38}{:>14}{:>14}{:>12}\n  {:<38}{:>14}{:>14}{:>12}\n",
+            "\n  {:<42}{:>14}{:>14}{:>12}\n  {:<42}{:>14}{:>14}{:>12}\n",
             "a part changes by one unit",
             "engine speed",
             "engine speed",
@@ -280,7 +280,7 @@ impl DriveReport {
             let shift = part.shift_speed.map_or_else(|| "-".to_owned(), |by| rpm(by) + " rpm");
             let _ = writeln!(
                 text,
-                "  {name:<38}{:>14}{shift:>14}{:>12}",
+                "  {name:<42}{:>14}{shift:>14}{:>12}",
                 rpm(part.primary_speed) + " rpm",
                 format!("{:+.4}", part.ratio * unit)
             );
