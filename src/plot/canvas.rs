@@ -1,7 +1,7 @@
 //! The one style in which figures are drawn.
 
 use super::figure::{Axis, Figure, Look, Series};
-use super::path::{clipped, dashed, thinned};
+use super::path::{between_corners, clipped, dashed, thinned};
 use super::ticks::{Tick, decades, linear, multiples};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind as Error};
@@ -269,9 +269,17 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         ("sans-serif", size * self.scale).into_font().color(&INK)
     }
 
-    fn line(&self, points: Vec<(i32, i32)>, color: RGBColor, width: f64) -> Drawn<B> {
+    fn line(&self, points: &[(i32, i32)], color: RGBColor, width: f64) -> Drawn<B> {
         let stroke = (width * f64::from(self.scale)).round().max(1.0) as u32;
-        self.area.draw(&PathElement::new(points, color.stroke_width(stroke)))
+        // A mitre of two segments that meet at a sharp angle stands out far beyond the point: rounded joins do not.
+        let parts = between_corners(points);
+        for corner in parts.iter().skip(1).filter_map(|part| part.first()) {
+            self.area.draw(&Circle::new(*corner, (stroke as i32 + 1) / 2, color.filled()))?;
+        }
+        for part in parts {
+            self.area.draw(&PathElement::new(part, color.stroke_width(stroke)))?;
+        }
+        Ok(())
     }
 
     fn grid(&self) -> Drawn<B> {
@@ -282,10 +290,10 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         };
         let (columns, rows) = (along(&self.x, left, right), along(&self.y, bottom, top));
         for (x, _) in &columns {
-            self.line(vec![(*x, top), (*x, bottom)], GRID, 1.0)?;
+            self.line(&[(*x, top), (*x, bottom)], GRID, 1.0)?;
         }
         for (y, _) in &rows {
-            self.line(vec![(left, *y), (right, *y)], GRID, 1.0)?;
+            self.line(&[(left, *y), (right, *y)], GRID, 1.0)?;
         }
         let gap = 5 * self.scale;
         for (x, text) in columns {
@@ -294,8 +302,8 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
         for (y, text) in rows {
             self.write(&text, (left - gap, y), TEXT - 1, HPos::Right, VPos::Center)?;
         }
-        let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-        self.line(frame, INK, 1.0)
+        let frame = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        self.line(&frame, INK, 1.0)
     }
 
     /// The names of the axes.
@@ -324,8 +332,8 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
                 Look::Line | Look::Dots => (vec![part], 1.8),
             };
             for piece in pieces {
-                let points = piece.iter().map(|(x, y)| (x.round() as i32, y.round() as i32)).collect();
-                self.line(points, color, width)?;
+                let points: Vec<_> = piece.iter().map(|(x, y)| (x.round() as i32, y.round() as i32)).collect();
+                self.line(&points, color, width)?;
             }
         }
         Ok(())
@@ -378,8 +386,8 @@ impl<'a, B: DrawingBackend> Canvas<'a, B> {
                         _ => dashed(&[a, b], on_off.0 * scale, on_off.1 * scale),
                     };
                     for piece in pieces {
-                        let points = piece.iter().map(|(x, y)| (x.round() as i32, y.round() as i32)).collect();
-                        self.line(points, color, if look == Look::Guide { 1.0 } else { 1.8 })?;
+                        let points: Vec<_> = piece.iter().map(|(x, y)| (x.round() as i32, y.round() as i32)).collect();
+                        self.line(&points, color, if look == Look::Guide { 1.0 } else { 1.8 })?;
                     }
                 }
             }

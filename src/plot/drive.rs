@@ -93,6 +93,28 @@ pub fn drive(outcome: &Outcome) -> Result<Vec<Figure>, InternalError> {
     Ok(figures)
 }
 
+/// An arrow around a pulley's centre in the sense in which it turns, counter-clockwise; mm.
+fn rotation(Rim { radius, center, .. }: Rim) -> Vec<(f64, f64)> {
+    const FROM: f64 = 30.0;
+    const TO: f64 = 150.0;
+    /// Radius of the arc and length of the head's strokes, over the pulley's radius.
+    const ARC: f64 = 0.3;
+    const HEAD: f64 = 0.11;
+    let at = |degrees: f64, radius: f64| {
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        (1e3 * (center + radius * cos), 1e3 * radius * sin)
+    };
+    let mut points: Vec<_> =
+        (0..=30).map(|part| at(FROM + (TO - FROM) * f64::from(part) / 30.0, ARC * radius)).collect();
+    let tip = at(TO, ARC * radius);
+    // Strokes back along the arc, to either side of it.
+    for side in [-55.0, -125.0_f64] {
+        let (sin, cos) = libm::sincos((TO + side).to_radians());
+        points.extend([(tip.0 + 1e3 * HEAD * radius * cos, tip.1 + 1e3 * HEAD * radius * sin), tip]);
+    }
+    points
+}
+
 /// The nodes, and between any two of them as many points as a smooth line needs.
 fn dense(mesh: &[f64]) -> Vec<f64> {
     let between = |pair: &[f64]| {
@@ -172,17 +194,20 @@ impl View<'_> {
             Series::line("", points.collect()).look(Look::Guide)
         };
         let line = |label: &str, points, color| Series::line(label, points).color(color);
+        let (primary, secondary) = (self.trajectory.primary(), self.trajectory.secondary());
         let result = &self.outcome.result;
         let center = self.constant(Constant::CenterDistance);
         let force = [
             (1e3 * result.primary.resultant_x, 1e3 * result.primary.resultant_y),
             (1e3 * (center + result.secondary.resultant_x), 1e3 * result.secondary.resultant_y),
         ];
-        let mut nominal = circle(self.trajectory.primary());
+        let mut nominal = circle(primary);
         nominal.label = "nominal radius".into();
         let series = vec![
             nominal,
-            circle(self.trajectory.secondary()),
+            circle(secondary),
+            line("", rotation(primary), 6),
+            line("", rotation(secondary), 6),
             line("contact", self.path(RegionId::Primary)?, 0),
             line("", self.path(RegionId::Secondary)?, 0),
             line("tight span", self.path(RegionId::TightSpan)?, 1),
@@ -190,7 +215,8 @@ impl View<'_> {
             Series::line("resultant axial force", force.to_vec()).look(Look::Dots).color(3),
             Series::line("", vec![(0.0, 0.0), (1e3 * center, 0.0)]).look(Look::Dots).color(6),
         ];
-        let caption = "The belt's path, where it touches the pulleys, and where the axial forces act";
+        let caption =
+            "The belt's path, where it touches the pulleys, which way they turn, and where the axial forces act";
         let mut figure = Figure::new("trajectory", caption, Axis::new("x (mm)"), Axis::new("y (mm)"), series);
         figure.equal = true;
         let under = |text: &str, x: f64| Mark { at: (x, -12.0), text: text.into() };

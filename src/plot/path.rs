@@ -74,6 +74,24 @@ pub fn thinned(points: &[Point], most: f64) -> Vec<Point> {
     points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
 }
 
+/// The parts of a line between corners at which it turns by more than a right angle; neighbours share the corner.
+pub fn between_corners(points: &[(i32, i32)]) -> Vec<Vec<(i32, i32)>> {
+    let mut distinct = points.to_vec();
+    distinct.dedup();
+    let mut parts = vec![Vec::new()];
+    for (at, &point) in distinct.iter().enumerate() {
+        parts.last_mut().into_iter().for_each(|part| part.push(point));
+        let neighbours = at.checked_sub(1).and_then(|before| Some((distinct.get(before)?, distinct.get(at + 1)?)));
+        let Some((&(ax, ay), &(bx, by))) = neighbours else { continue };
+        let turn =
+            i64::from(point.0 - ax) * i64::from(bx - point.0) + i64::from(point.1 - ay) * i64::from(by - point.1);
+        if turn < 0 {
+            parts.push(vec![point]);
+        }
+    }
+    parts
+}
+
 /// From a point to a segment.
 fn distance((x, y): Point, (ax, ay): Point, (bx, by): Point) -> f64 {
     let (dx, dy) = (bx - ax, by - ay);
@@ -134,6 +152,13 @@ mod tests {
         assert_eq!(thinned(&line, 0.0).len(), 4);
         assert_eq!(thinned(&[(1.0, 1.0); 3], 0.1), [(1.0, 1.0); 2]);
         assert!(thinned(&[], 0.1).is_empty());
+    }
+
+    #[test]
+    fn a_line_is_parted_where_it_turns_back() {
+        let spike = [(0, 0), (0, 0), (5, 50), (6, 0), (20, 0), (20, 9)];
+        assert_eq!(between_corners(&spike), [vec![(0, 0), (5, 50)], vec![(5, 50), (6, 0), (20, 0), (20, 9)]]);
+        assert_eq!(between_corners(&[(3, 3); 4]), [vec![(3, 3)]]);
     }
 
     #[test]
