@@ -36,7 +36,8 @@ pub(super) fn climb(
 ) -> Result<(Solution, Stats, usize), Failure> {
     let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
     // What short steps do not reach, a leap may: something is left for it. A string has only the one path.
-    let share = if model.bending.is_some() { SHARE } else { 1.0 };
+    let strings = std::env::var("STRS").is_ok();
+    let share = if model.bending.is_some() || strings { SHARE } else { 1.0 };
     let given = budget.part((share * budget.left() as f64) as usize);
     let mut part = given;
     let smoothed = route.smoothed(model, target);
@@ -52,7 +53,7 @@ pub(super) fn climb(
         Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
         Err(lost) => lost,
     };
-    let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
+    let Some(last) = lost.last.filter(|_| (model.bending.is_some() || strings) && !budget.is_spent()) else {
         return Err(lost.failure);
     };
     if let Some(solution) = climb.leap(&last, budget) {
@@ -133,7 +134,8 @@ impl Climb<'_> {
         let Some(belt) = BeltProblem::new(model, target) else {
             return Lost { last: None, failure: Failure::NoEquations };
         };
-        let options = SolveOptions { tolerance: rough(self.options).tolerance, ..*self.options };
+        let tolerance = self.route.tolerance().unwrap_or_else(|| rough(self.options).tolerance);
+        let options = SolveOptions { tolerance, ..*self.options };
         let begin = self.route.begin(target);
         let (stats, steps) = (self.stats, self.steps);
         let mut climb = Climb { model, belt: &belt, target, options: &options, route: self.route, stats, steps };
@@ -157,6 +159,7 @@ impl Climb<'_> {
         for (index, path) in stages.into_iter().enumerate() {
             let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
             let mut options = path_options(self.model, relaxed(&solver));
+            options.tolerance = self.route.tolerance().map_or(options.tolerance, |fine| fine.min(options.tolerance));
             if mesh == Mesh::Fine {
                 options.tolerance *= FINER;
                 options.max_iterations *= 2;
