@@ -50,17 +50,33 @@ fn a_brake_just_beyond_its_slip_limit_is_told() {
     }
 }
 
-/// Where friction is steep, the kinks of its law are what Newton's iteration fails at: a law without them leads there.
+/// Where friction is steep, nodes that are added to a mesh, and the kinks of the law, are what Newton's iteration fails
+/// at: meshes that are fine before the threshold is small lead there, and a law without kinks.
 #[test]
-fn smooth_friction_leads_to_small_slip_thresholds() {
-    for index in [163, 190] {
+fn fine_meshes_and_smooth_friction_lead_to_small_slip_thresholds() {
+    let mut routes = Vec::new();
+    for index in [144, 163, 190, 254] {
         let solved = solve(&case(index), &options()).unwrap_or_else(|failure| {
             panic!("{failure}: sheave solve --tol 1e-3 {}", designs::settings(&designs::design(2, index)))
         });
-        assert_eq!(solved.route, Some(Route::Smooth), "{index}");
         // The solution is that of the case's own law.
         assert!(
             solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case(index)).constants
         );
+        routes.push(solved.route);
     }
+    for route in [Route::Fine, Route::Smooth] {
+        assert!(routes.contains(&Some(route)), "{routes:?}");
+    }
+}
+
+/// A belt without bending stiffness comes to rest with all of the friction at hand: the weight of a law without kinks
+/// goes to zero while the mesh follows.
+#[test]
+fn a_string_is_led_from_smooth_friction_to_its_own() {
+    let case = designs::case("string", &designs::design(1, 4)).unwrap();
+    let solved = solve(&case, &options()).unwrap();
+    assert_eq!(solved.route, Some(Route::Smooth));
+    assert!(solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case).constants);
+    assert_eq!(solved.solution.constants().len(), Constant::ALL.len());
 }

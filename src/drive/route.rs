@@ -6,7 +6,7 @@ use solver::continuation::Ramp;
 use super::start;
 use super::tuning::{
     DEEPEST, FINE_TOLERANCE, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE,
-    SMOOTH_THRESHOLD, THRESHOLD, TIGHT, TORQUE, TWO_PARTS,
+    SMOOTH_THRESHOLD, STRING_FINE_TOLERANCE, STRING_SMOOTH_THRESHOLD, THRESHOLD, TIGHT, TORQUE, TWO_PARTS,
 };
 use crate::case::{Friction, ModelChoices};
 use crate::model::{Constant, Constants};
@@ -67,7 +67,7 @@ impl Route {
     /// smoothed, and the meshes of a string are fine on every route.
     pub(super) fn is_for(self, model: &ModelChoices) -> bool {
         match self {
-            Self::Smooth => model.friction == Friction::ViscousCoulomb && (model.bending.is_some() || std::env::var("STRS").is_ok()),
+            Self::Smooth => model.friction == Friction::ViscousCoulomb,
             Self::Fine => model.bending.is_some(),
             _ => true,
         }
@@ -84,18 +84,21 @@ impl Route {
     /// The tolerance of the slip threshold's way, if it is tighter than on other routes. Where the belt adheres at a
     /// small threshold, a node that is added to the mesh lies many thresholds beside the solution, which Newton's
     /// iteration does not survive: nodes are to be there before.
-    pub(super) fn tolerance(self) -> Option<f64> {
-        matches!(self, Self::Fine | Self::Smooth).then_some(FINE_TOLERANCE)
+    pub(super) fn tolerance(self, model: &ModelChoices) -> Option<f64> {
+        let fine = if model.bending.is_some() { FINE_TOLERANCE } else { STRING_FINE_TOLERANCE };
+        matches!(self, Self::Fine | Self::Smooth).then_some(fine)
     }
 
     /// The drive with the friction law of which the route is followed, and what the constants are at its end, if that
     /// law is not the case's: μ tanh(4|v|/v_thr).
     pub(super) fn smoothed(self, model: &ModelChoices, target: &Constants) -> Option<(ModelChoices, Constants)> {
-        (self == Self::Smooth).then(|| {
-            let mut target = target.clone();
-            target[Constant::SlipThreshold] *= SMOOTH_THRESHOLD;
-            (ModelChoices { friction: Friction::Tanh, ..*model }, target)
-        })
+        if self != Self::Smooth {
+            return None;
+        }
+        let (model, threshold) = smooth_law(model)?;
+        let mut target = target.clone();
+        target[Constant::SlipThreshold] *= threshold;
+        Some((model, target))
     }
 
     /// The easy drive from which the case is approached.
@@ -165,4 +168,12 @@ impl Route {
         }
         stages
     }
+}
+
+/// A model with the friction law μ tanh(4|v|/v_thr), which has no kinks, in place of that of `model`, and its slip
+/// threshold over the case's; nothing if its own has none.
+pub(super) fn smooth_law(model: &ModelChoices) -> Option<(ModelChoices, f64)> {
+    let threshold = if model.bending.is_some() { SMOOTH_THRESHOLD } else { STRING_SMOOTH_THRESHOLD };
+    let smooth = ModelChoices { friction: Friction::Tanh, ..*model };
+    (model.friction == Friction::ViscousCoulomb).then_some((smooth, threshold))
 }

@@ -345,7 +345,6 @@ fn ordinary(
     let mut failure = None;
     let all: usize = Route::ALL.into_iter().map(Route::parts).sum();
     for route in Route::ALL.into_iter().filter(|route| route.is_for(model)) {
-        if let Ok(only) = std::env::var("ROUTE") && !only.split(',').any(|n| route.name().starts_with(n)) { continue; }
         let given = budget.part(route.parts() * (options.work_limit / all));
         let mut left = given;
         let climbed = climb(model, &belt, route, target, options, &mut left);
