@@ -55,7 +55,7 @@ pub(super) const TWO_PARTS: usize = 2;
 /// Slip threshold of the smooth friction law over the case's, by which the law is steeper at rest than the case's own.
 /// Where a belt comes to rest in its groove, 0.999 and more of the friction at hand holds it over half of the wrap.
 /// Under a law that is only as steep, at four times the threshold, it slides there with several thresholds, and the
-/// case's own law takes it for slipping: of those 16 designs it solves 5 where this one solves 11.
+/// case's own law takes it for slipping: of those 16 designs it solves 6 where this one solves 11.
 pub(super) const SMOOTH_THRESHOLD: f64 = 1.0;
 /// The same for a belt without bending stiffness: of eight designs lost before, 1 solves two, 1/2 solves four.
 pub(super) const STRING_SMOOTH_THRESHOLD: f64 = 0.5;
