@@ -106,7 +106,7 @@ impl Error {
         (extensions, defects): (&[Extension], &[Defects]),
         stats: &mut Stats,
     ) -> Self {
-        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
+        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
         let mut integrals = Vec::new();
         for (region, defects) in defects.iter().enumerate() {
             let integrated: Cow<'_, [f64]> = if system.tableau.order == 4 {

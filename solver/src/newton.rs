@@ -51,6 +51,10 @@ const FORCED_DAMPING: f64 = 1.0 / 16.0;
 /// good enough to measure the mesh with, if not for a solution.
 const STAGNANT: f64 = 1e-3;
 
+/// Where nothing is known of the states at inner stages, their equations are solved first if that changes no state by
+/// more than this: a guess that is a solution at its nodes is one then. Else they are solved with all others.
+const SETTLED_FROM: f64 = 0.05;
+
 /// How often a singular matrix is stepped away from in one iteration.
 const ESCAPES: usize = 6;
 /// How often at most the step that led to one is shortened first,
@@ -172,11 +176,16 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         // The last damping factor, correction and simplified correction: they predict the next damping factor.
         let mut before: Option<(f64, f64, Correction)> = None;
         let mut taken: Option<Taken> = None;
+        let mut incomplete = self.system.complete(&mut x);
         loop {
             if let Err(error) = self.linearise(&x) {
                 x = self.escape(&x, &mut taken, error)?;
                 before = None;
                 continue;
+            }
+            if std::mem::take(&mut incomplete) {
+                let settled = self.system.settle(&self.factorisation, &mut x, &mut self.work, SETTLED_FROM, self.stats);
+                settled.map_err(NewtonError::NonFinite)?;
             }
             let dx = self.correction();
             let size = self.system.norm(&dx);

@@ -2,7 +2,7 @@
 
 use crate::budget::Cancel;
 use crate::error::SolveError;
-use crate::tableau::{ORDER_4, ORDER_6, Tableau};
+use crate::tableau::{ORDER_4, ORDER_6, ORDER_8, Tableau};
 
 /// Order of the collocation method: of node values, dense output and integrals where the solution is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,6 +13,9 @@ pub enum Order {
     Four,
     /// Five-stage mono-implicit Runge-Kutta: fewer intervals where the solution is smooth.
     Six,
+    /// Five-stage Lobatto IIIA: fewer intervals still, for smooth solutions to many digits. Each interval has three
+    /// points inside whose states are unknowns, which are eliminated interval by interval.
+    Eight,
 }
 
 impl Order {
@@ -25,6 +28,7 @@ impl Order {
         match self {
             Self::Four => &ORDER_4,
             Self::Six => &ORDER_6,
+            Self::Eight => &ORDER_8,
         }
     }
 }

@@ -27,6 +27,9 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// The solution that the present meshes were made from, while the tolerance is not met.
     pub(crate) coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
+    /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
+    /// again would do so again.
+    pub(crate) shrunk: bool,
     /// What the defects were held to on the last meshes that were too coarse, and the largest there.
     last_defect: Option<(f64, f64)>,
     /// Meshes in a row on which the largest defect has hardly fallen.
@@ -56,6 +59,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             stalled: 0,
             coarser: None,
             fallback_doubled: false,
+            shrunk: false,
             last_defect: None,
             creeping: 0,
         }

@@ -4,10 +4,10 @@ mod meshes;
 mod outcome;
 
 use crate::budget::Budget;
-use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
+use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, intervals};
@@ -164,6 +164,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 }
                 match self.refined(&solved, &measures, progress) {
                     Ok(meshes) => {
+                        let count: usize = meshes.iter().map(|mesh| mesh.len() - 1).sum();
+                        progress.shrunk |= count < intervals(&solved.system.grids);
                         let start = transfer(&solved, meshes);
                         progress.coarser = Some(*solved);
                         Ok(Next::On(start))
@@ -194,7 +196,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Ok(solved);
         }
         let converged = &mut solved.converged;
-        converged.x = origin.x;
+        let inner = std::mem::take(&mut converged.x.inner);
+        converged.x = Iterate { inner, ..origin.x };
         let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
         evaluated.map_err(|error| SolveError::Newton {
             error: NewtonError::NonFinite(error),

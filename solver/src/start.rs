@@ -7,6 +7,7 @@ use crate::measure::Solved;
 use crate::mesh::split;
 use crate::problem::Problem;
 use crate::solution::RegionSolution;
+use crate::tableau::Tableau;
 
 /// Where Newton's iteration is to start.
 #[derive(Clone)]
@@ -17,8 +18,14 @@ pub(crate) struct Start {
 
 /// The solution on other meshes.
 pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
-    let regions = solved.regions().iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
-    Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() })
+    let old = solved.regions();
+    let regions = old.iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
+    let mut start = Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() });
+    if solved.system.tableau.coupled {
+        let inner = old.iter().zip(&start.grids).map(|(old, grid)| old.sampled_inside(grid, solved.system.tableau));
+        start.x.inner = inner.collect();
+    }
+    start
 }
 
 /// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more
@@ -52,5 +59,27 @@ impl RegionSolution {
     pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
         let states = self.eval_along(&mesh);
         RegionGuess { mesh, states }
+    }
+
+    /// The solution at the inner stages of a mesh, as [`Iterate::inner`] stands.
+    fn sampled_inside(&self, grid: &Grid, tableau: &Tableau) -> Vec<f64> {
+        let (len, states, stages) = (grid.interval_stride(), self.states(), tableau.unknown_stages());
+        let mut order: Vec<usize> = (0..stages).collect();
+        order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
+        let inside = |pair: &[f64]| {
+            let (s, h) = (pair[0], pair[1] - pair[0]);
+            order.iter().map(move |stage| s + tableau.c[stage + 2] * h)
+        };
+        let places: Vec<f64> = grid.mesh.windows(2).flat_map(inside).collect();
+        let mut out = vec![0.0; stages * states * len];
+        for (i, values) in self.eval_along(&places).iter().enumerate() {
+            for (k, &stage) in order.iter().enumerate() {
+                let out = &mut out[(stage * states + i) * len..][..len];
+                // Padding repeats the last node.
+                out.fill(self.state(i)[self.intervals()]);
+                (0..grid.intervals()).for_each(|j| out[grid.position(j)] = values[j * stages + k]);
+            }
+        }
+        out
     }
 }

@@ -48,7 +48,7 @@ fn middle(solution: &Solution) -> f64 {
 fn a_fold_and_events_are_located() {
     let problem = Differentiated::new(Bratu).unwrap();
     let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         let options = BranchOptions {
             solve: Options { order, tolerance: 1e-10, ..Options::default() },
             range: (0.5, 10.0),
@@ -57,8 +57,10 @@ fn a_fold_and_events_are_located() {
         let peak = |solution: &Solution| middle(solution) - 3.0;
         let branch = trace(&problem, &guess, 0, &[], &options, &[&peak]).unwrap();
         println!("{order:?} {:?}", branch.stats);
-        // Some ten steps, and as many iterations to locate a fold, an event and the end.
-        assert!(branch.points.len() <= 20 && branch.stats.newton_iterations <= 75, "{:?}", branch.stats);
+        // Some ten steps, and as many iterations to locate a fold, an event and the end. The rate along the branch is
+        // known between the nodes to second order, so that the few long intervals of order 8 are refined more often.
+        let most = if order == Order::Eight { 125 } else { 75 };
+        assert!(branch.points.len() <= 20 && branch.stats.newton_iterations <= most, "{:?}", branch.stats);
         let folds: Vec<_> = branch.folds().collect();
         let (lambda, height) = bratu_fold();
         assert_eq!(folds.len(), 1);
@@ -343,7 +345,7 @@ impl Model for Shock {
 #[test]
 fn a_shock_is_followed_until_it_is_a_millionth_wide() {
     let problem = Differentiated::new(Shock).unwrap();
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         for epsilon in [1e-4, 1e-5, 1e-6] {
             let guess = Guess::uniform(problem.layout(), 20, &[epsilon], |_, s, y| (y[0], y[1]) = (2.5 * s - 1.0, 2.5));
             let options = Options { order, ..Options::default() };

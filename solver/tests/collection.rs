@@ -160,7 +160,7 @@ fn the_rest_of_the_collection_is_solved_to_ten_times_the_tolerance() {
         let cash = Cash(number);
         let problem = Differentiated::new(cash).unwrap();
         let guess = Guess::uniform(problem.layout(), 20, &[parameter], |_, x, y| cash.guess(x, y));
-        for order in [Order::Four, Order::Six] {
+        for order in [Order::Four, Order::Six, Order::Eight] {
             let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
             let stiffness = Some(Stiffness { constant: 0, easy: Some(easy) });
             let Automatic { solution, how, stats } =

@@ -3,14 +3,19 @@
 //! On an interval, with `σ = (s - t_j)/h` and H the cubic Hermite interpolant of node values and slopes,
 //!
 //! ```text
-//! S(σ) = H(σ) + σ²(1-σ)² [α + β (σ - 1/2)]
+//! S(σ) = H(σ) + σ²(1-σ)² [α + β τ + γ τ² + δ τ³],      τ = σ - 1/2
 //! ```
 //!
-//! is continuously differentiable for any α, β. Order 4: β = 0, and α from the slopes at two points (bootstrapping
+//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from the slopes at two points (bootstrapping
 //! as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497), so that the defect is O(h⁴).
 //! Order 6: S takes at the middle the value
 //! `(y_0 + y_1)/2 + h [(f_0 - f_1)/24 + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at
 //! 1/4 and 3/4 cancel, and the slope there; both are accurate to O(h⁶), and the defect is O(h⁵).
+//! Order 8: the collocation polynomial S₅, of degree 5, is accurate to O(h⁶), and its leading error is even in τ, as are
+//! then those of slopes `f(S₅)`. So α and γ, which the differences of slopes at places τ and -τ determine, can be had
+//! from S₅ as if that were accurate to O(h⁷): from its stages and from f at τ = ±1/5. They tell what S₅ is in error by to
+//! leading order, which ∂f/∂y at the middle turns into what the slopes are in error by there and, in their even part, at
+//! τ = ±1/5: without that error the one gives β, the other δ. S is accurate to O(h⁸), its defect to O(h⁷).
 
 use super::evaluate::Stages;
 use super::{Iterate, Scales, System};
@@ -19,19 +24,25 @@ use crate::linear::scalar::W;
 use crate::linear::simd::elementwise;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
-use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
+use crate::tableau::{LOBATTO_OFFSET, QUARTIC_OFFSET, QUARTIC_SLOPE};
 
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// α and β of all intervals of a region, component by component in working order.
+/// Places on both sides of the middle at which order 8 evaluates slopes of its extension.
+const PAIR_OFFSET: f64 = 0.2;
+
+/// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
 pub(crate) struct Extension {
     pub alpha: Vec<f64>,
     pub beta: Vec<f64>,
+    /// Empty below order 8, as is δ.
+    pub gamma: Vec<f64>,
+    pub delta: Vec<f64>,
 }
 
-/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β` in S and in its derivatives at one σ.
+/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β`, `γ`, `δ` in S and in its derivatives at one σ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Basis {
     pub rise: f64,
@@ -39,6 +50,8 @@ pub(crate) struct Basis {
     pub right: f64,
     pub alpha: f64,
     pub beta: f64,
+    pub gamma: f64,
+    pub delta: f64,
 }
 
 impl Basis {
@@ -46,33 +59,46 @@ impl Basis {
     #[inline]
     pub(crate) fn value(x: f64) -> Self {
         let z = 1.0 - x;
-        let bump = x * x * z * z;
-        Self { rise: x * x * (3.0 - 2.0 * x), left: x * z * z, right: -x * x * z, alpha: bump, beta: bump * (x - 0.5) }
+        let (bump, t) = (x * x * z * z, x - 0.5);
+        Self {
+            rise: x * x * (3.0 - 2.0 * x),
+            left: x * z * z,
+            right: -x * x * z,
+            alpha: bump,
+            beta: bump * t,
+            gamma: bump * t * t,
+            delta: bump * t * t * t,
+        }
     }
 
     /// Weights in dS/dσ; that of `y_0` is 0.
     #[inline]
     pub(crate) fn slope(x: f64) -> Self {
         let z = 1.0 - x;
-        let bump = 2.0 * x * z * (1.0 - 2.0 * x);
+        let (value, bump, t) = (x * x * z * z, 2.0 * x * z * (1.0 - 2.0 * x), x - 0.5);
         Self {
             rise: 6.0 * x * z,
             left: z * (1.0 - 3.0 * x),
             right: -x * (2.0 - 3.0 * x),
             alpha: bump,
-            beta: bump * (x - 0.5) + x * x * z * z,
+            beta: bump * t + value,
+            gamma: bump * t * t + 2.0 * value * t,
+            delta: bump * t * t * t + 3.0 * value * t * t,
         }
     }
 
     /// Weights in d²S/dσ²; that of `y_0` is 0.
     pub(crate) fn curvature(x: f64) -> Self {
         let (slope, curvature) = (2.0 * x * (1.0 - x) * (1.0 - 2.0 * x), 2.0 - 12.0 * x * (1.0 - x));
+        let (value, t) = (x * x * (1.0 - x) * (1.0 - x), x - 0.5);
         Self {
             rise: 6.0 - 12.0 * x,
             left: 6.0 * x - 4.0,
             right: 6.0 * x - 2.0,
             alpha: curvature,
-            beta: curvature * (x - 0.5) + 2.0 * slope,
+            beta: curvature * t + 2.0 * slope,
+            gamma: curvature * t * t + 4.0 * slope * t + 2.0 * value,
+            delta: curvature * t * t * t + 6.0 * slope * t * t + 6.0 * value * t,
         }
     }
 }
@@ -97,7 +123,7 @@ pub(crate) struct Defects {
     pub samples: Vec<Vec<f64>>,
 }
 
-/// Points and results of one evaluation at the same σ in all intervals.
+/// Points and results of one evaluation at the same σ in all intervals; reused from one to the next.
 struct Sample {
     s: Vec<f64>,
     y: Vec<f64>,
@@ -117,15 +143,21 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// The right-hand side is undefined between the collocation points.
     pub(crate) fn extension(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
         let len = self.n() * self.intervals();
-        let mut extension = Extension { alpha: vec![0.0; len], beta: vec![0.0; len] };
+        let mut extension =
+            Extension { alpha: vec![0.0; len], beta: vec![0.0; len], gamma: Vec::new(), delta: Vec::new() };
+        if self.system.tableau.coupled {
+            self.match_slopes(&mut extension, stats)?;
+            return Ok(extension);
+        }
         if self.system.tableau.order == 6 {
             self.match_middle(&mut extension, stats)?;
             return Ok(extension);
         }
         let intervals = self.intervals();
         let mut slope = vec![0.0; intervals];
+        let mut sample = self.room();
         for (sigma, sign) in [(0.5 - QUARTIC_OFFSET, 1.0), (0.5 + QUARTIC_OFFSET, -1.0)] {
-            let sample = self.sample(None, sigma, stats)?;
+            self.sample(None, sigma, &mut sample, stats)?;
             let basis = Basis::slope(sigma);
             for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
                 self.weigh(None, &basis, i, &mut slope);
@@ -153,7 +185,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 (0.5 * (y1 - y0) + rise - cubic) / value.alpha
             });
         }
-        let sample = self.sample(Some(extension), 0.5, stats)?;
+        let mut sample = self.room();
+        self.sample(Some(extension), 0.5, &mut sample, stats)?;
         for i in 0..self.n() {
             self.weigh(Some(extension), &slope, i, &mut cubic);
             let beta = &mut extension.beta[i * intervals..(i + 1) * intervals];
@@ -162,6 +195,102 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             });
         }
         Ok(())
+    }
+
+    /// α and γ from S₅, then β from the slope at the middle, then δ: see the module's head.
+    fn match_slopes(&self, extension: &mut Extension, stats: &mut Stats) -> Result<(), NonFinite> {
+        let (len, intervals) = (extension.alpha.len(), self.intervals());
+        // With q = 1/4 - τ², h times slopes at ±τ less those of the cubic are 4τq [-α + (q/2 - τ²) γ] in their odd part,
+        // and q (q - 4τ²) β + τ² q (3q - 4τ²) δ in their even part; at the middle β/16.
+        let factors = |t: f64| (4.0 * t * (0.25 - t * t), 0.5 * (0.25 - t * t) - t * t, 0.25 - t * t);
+        let (odd, bend, q) = factors(LOBATTO_OFFSET);
+        let even = q * (q - 4.0 * LOBATTO_OFFSET * LOBATTO_OFFSET);
+        let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), Basis::slope(0.5 + LOBATTO_OFFSET));
+        let (mut low, mut high) = (vec![0.0; intervals], vec![0.0; intervals]);
+        let mut stage_odd = vec![0.0; len];
+        for i in 0..self.n() {
+            let span = i * intervals..(i + 1) * intervals;
+            let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
+            self.weigh(None, &below, i, &mut low);
+            self.weigh(None, &above, i, &mut high);
+            let inputs = [self.h(), k2, k3, &low, &high];
+            elementwise(&mut stage_odd[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
+                0.5 * ((h * k3 - high) - (h * k2 - low)) / odd
+            });
+            elementwise(&mut extension.beta[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
+                0.5 * ((h * k3 - high) + (h * k2 - low)) / even
+            });
+            elementwise(&mut extension.alpha[span.clone()], [&stage_odd[span]], |_, [odd]| -odd);
+        }
+        let (pair, pair_bend, pair_q) = factors(PAIR_OFFSET);
+        let (pair_odd, mut pair_even) = self.pair(extension, stats)?;
+        extension.gamma = vec![0.0; len];
+        elementwise(&mut extension.gamma, [&pair_odd, &stage_odd], |_, [here, stage]| {
+            (here / pair - stage) / (pair_bend - bend)
+        });
+        elementwise(&mut extension.alpha, [&stage_odd, &extension.gamma], |_, [stage, gamma]| bend * gamma - stage);
+        // What α and γ have moved S by, in its even part, at the middle and at the pair; and by that its slopes.
+        let square = PAIR_OFFSET * PAIR_OFFSET;
+        let mut moved = vec![0.0; len];
+        let moved_inputs = [&extension.alpha[..], &stage_odd, &extension.gamma];
+        elementwise(&mut moved, moved_inputs, |_, [alpha, odd, gamma]| {
+            pair_q * pair_q * (alpha + odd + square * gamma)
+        });
+        self.add_slopes_of(&moved, &mut pair_even);
+        elementwise(&mut moved, [&extension.alpha, &stage_odd], |_, [alpha, odd]| (alpha + odd) / 16.0);
+        extension.beta.fill(0.0);
+        self.add_slopes_of(&moved, &mut extension.beta);
+        let slope = Basis::slope(0.5);
+        for i in 0..self.n() {
+            let span = i * intervals..(i + 1) * intervals;
+            self.weigh(None, &slope, i, &mut low);
+            let k4 = self.stages.slope(4, i, intervals);
+            elementwise(&mut extension.beta[span], [self.h(), k4, &low], |more, [h, k4, cubic]| {
+                16.0 * (h * k4 + more - cubic)
+            });
+        }
+        extension.delta = vec![0.0; len];
+        let (of_beta, of_delta) = (pair_q * (pair_q - 4.0 * square), square * pair_q * (3.0 * pair_q - 4.0 * square));
+        elementwise(&mut extension.delta, [&pair_even, &extension.beta], |_, [even, beta]| {
+            (even - of_beta * beta) / of_delta
+        });
+        Ok(())
+    }
+
+    /// `out += h J change`, with J at the middles.
+    fn add_slopes_of(&self, change: &[f64], out: &mut [f64]) {
+        let (n, intervals) = (self.n(), self.intervals());
+        let dy = &self.stages.inner[2].dy;
+        let pattern = &self.system.layout.regions[self.region].state_pattern;
+        for (entry, &(row, state)) in pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
+            let change = &change[state * intervals..(state + 1) * intervals];
+            let out = &mut out[row * intervals..(row + 1) * intervals];
+            elementwise(out, [self.h(), &dy[entry * intervals..], change], |sum, [h, dy, change]| {
+                sum + h * dy * change
+            });
+        }
+    }
+
+    /// The odd and the even part of h times the slopes f(S) at τ = ±[`PAIR_OFFSET`], less those of the cubic: of all
+    /// states and intervals.
+    fn pair(&self, extension: &Extension, stats: &mut Stats) -> Result<(Vec<f64>, Vec<f64>), NonFinite> {
+        let mut sample = self.room();
+        let (len, intervals) = (extension.alpha.len(), self.intervals());
+        let (mut odd, mut even) = (vec![0.0; len], vec![0.0; len]);
+        let mut cubic = vec![0.0; intervals];
+        for sign in [-1.0, 1.0] {
+            let sigma = 0.5 + sign * PAIR_OFFSET;
+            self.sample(Some(extension), sigma, &mut sample, stats)?;
+            let slope = Basis::slope(sigma);
+            for i in 0..self.n() {
+                let span = i * intervals..(i + 1) * intervals;
+                self.weigh(None, &slope, i, &mut cubic);
+                let inputs = [self.h(), &sample.f[span.clone()], &cubic];
+                elementwise(&mut odd[span.clone()], inputs, |sum, [h, f, cubic]| sum + 0.5 * sign * (h * f - cubic));
+                elementwise(&mut even[span], inputs, |sum, [h, f, cubic]| sum + 0.5 * (h * f - cubic));
+            }
+        }
+        Ok((odd, even))
     }
 
     fn n(&self) -> usize {
@@ -193,40 +322,44 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         elementwise(out, [y0, y1, f0, f1, self.h()], |_, [y0, y1, f0, f1, h]| {
             basis.rise * (y1 - y0) + h * (basis.left * f0 + basis.right * f1)
         });
-        if let Some(Extension { alpha, beta }) = extension {
+        if let Some(Extension { alpha, beta, gamma, delta }) = extension {
             let first = i * out.len();
             elementwise(out, [&alpha[first..], &beta[first..]], |cubic, [alpha, beta]| {
                 cubic + basis.alpha * alpha + basis.beta * beta
             });
+            if !delta.is_empty() {
+                elementwise(out, [&gamma[first..], &delta[first..]], |quintic, [gamma, delta]| {
+                    quintic + basis.gamma * gamma + basis.delta * delta
+                });
+            }
         }
+    }
+
+    /// Room for [`sample`](Self::sample).
+    fn room(&self) -> Sample {
+        let (intervals, plan) = (self.intervals(), &self.system.plan.regions[self.region]);
+        Sample { s: vec![0.0; intervals], y: vec![0.0; plan.n * intervals], f: vec![0.0; plan.rows * intervals] }
     }
 
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
-    fn sample(&self, extension: Option<&Extension>, sigma: f64, stats: &mut Stats) -> Result<Sample, NonFinite> {
-        let basis = Basis::value(sigma);
-        let mut y = vec![0.0; self.n() * self.intervals()];
-        for (i, y) in y.chunks_exact_mut(self.intervals()).enumerate() {
+    fn sample(
+        &self,
+        extension: Option<&Extension>,
+        sigma: f64,
+        sample: &mut Sample,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        let (basis, intervals) = (Basis::value(sigma), self.intervals());
+        for (i, y) in sample.y.chunks_exact_mut(intervals).enumerate() {
             self.weigh(extension, &basis, i, y);
             elementwise(y, [self.values(i).0], |rise, [y0]| y0 + rise);
         }
-        self.call(sigma, y, stats)
-    }
-
-    /// f at one σ in all intervals, for given states.
-    fn call(&self, sigma: f64, y: Vec<f64>, stats: &mut Stats) -> Result<Sample, NonFinite> {
-        let intervals = self.intervals();
         let grid = &self.system.grids[self.region];
-        let rows = self.system.plan.regions[self.region].rows;
-        let mut sample = Sample {
-            s: (0..intervals).map(|p| grid.s[p] + sigma * grid.h[p]).collect(),
-            y,
-            f: vec![0.0; rows * intervals],
-        };
+        elementwise(&mut sample.s, [&grid.s, &grid.h], |_, [s, h]| s + sigma * h);
         let at = Points { len: intervals, stride: intervals, s: &sample.s, y: &sample.y };
         stats.rhs_points += intervals;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut sample.f);
-        self.system.check_values(self.region, &at, &sample.f)?;
-        Ok(sample)
+        self.system.check_values(self.region, &at, &sample.f)
     }
 
     /// # Errors
@@ -244,9 +377,9 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let terms = self.terms();
         let (mut relative, mut absolute) = (vec![0.0; n * intervals], vec![0.0; n * intervals]);
         let mut means = vec![0.0; self.system.plan.regions[self.region].rows * intervals];
-        let (mut samples, mut defect) = (Vec::new(), vec![0.0; intervals]);
+        let (mut samples, mut sample, mut defect) = (Vec::new(), self.room(), vec![0.0; intervals]);
         for &(sigma, weight) in self.system.tableau.samples {
-            let mut sample = self.sample(Some(extension), sigma, stats)?;
+            self.sample(Some(extension), sigma, &mut sample, stats)?;
             elementwise(&mut means, [&sample.f], |mean, [f]| mean + weight * f);
             let basis = Basis::slope(sigma);
             for (i, &scale) in scales.states[self.region].iter().enumerate() {
@@ -267,8 +400,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                     sum + weight * (defect * h / scale) * (defect * h / scale)
                 });
             }
-            sample.f.truncate(n * intervals);
-            samples.push(sample.f);
+            samples.push(sample.f[..n * intervals].to_vec());
         }
         let rounding = self.rounding(&terms, scales);
         let mut defects = Defects { integrated: self.integrated(means), samples, ..Defects::default() };

@@ -4,6 +4,7 @@ use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
 use crate::collocation::grid::Grid;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Solved, intervals};
+use crate::options::Order;
 use crate::phase::Action;
 use crate::problem::Problem;
 use crate::progress::{Next, Progress, Rescue, measured};
@@ -92,6 +93,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             order: self.options.order.tableau().defect_order,
             max_intervals: self.options.max_intervals,
             split_few: progress.split_few(),
+            shrink: self.options.order != Order::Four && !progress.shrunk,
         };
         let regions = solved.system.grids.iter().zip(measures);
         regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()

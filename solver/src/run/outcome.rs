@@ -2,6 +2,7 @@
 
 use super::Run;
 use crate::collocation::evaluate::Derivatives;
+use crate::collocation::factor::Factorisation;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Solved, intervals};
 use crate::newton::Converged;
@@ -46,13 +47,18 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     }
 
     /// A solution known to be one, without an iteration; its error is not estimated.
-    pub(crate) fn as_it_stands(&mut self, Start { grids, x }: Start) -> Result<Solution, SolveError> {
+    pub(crate) fn as_it_stands(&mut self, Start { grids, mut x }: Start) -> Result<Solution, SolveError> {
         let system = self.system(grids);
         let mut work = system.work();
-        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(|error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&system.grids),
-        })?;
+        let undefined =
+            |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(&system.grids) };
+        let incomplete = system.complete(&mut x);
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined)?;
+        if incomplete {
+            let mut factorisation = Factorisation::new(&system);
+            factorisation.condense(&system, &work, system.scales(&x));
+            system.settle(&factorisation, &mut x, &mut work, f64::INFINITY, &mut self.stats).map_err(undefined)?;
+        }
         let converged = Converged::known(&system, x, work);
         let solved = Solved::new(system, converged, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
