@@ -10,7 +10,7 @@ use sheave::drive::{Route, SolveOptions, solve};
 use std::collections::BTreeMap;
 
 mod designs;
-use designs::{Design, case, design};
+use designs::{Design, case, design, settings};
 
 const EDITIONS: [&str; 4] = ["consistent", "thesis", "published", "string"];
 const TOLERANCE: f64 = 1e-3;
@@ -54,11 +54,6 @@ fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
             Fate::Failed(format!("{failure}; {open}; the solver says: {words}"))
         }
     }
-}
-
-/// As options of the command line.
-fn settings(design: &Design) -> String {
-    design.iter().map(|(key, value)| format!("--set {key}={value:.6e}")).collect::<Vec<_>>().join(" ")
 }
 
 fn main() {

@@ -187,3 +187,32 @@ fn outputs_are_as_uncertain_as_they_say() {
         }
     }
 }
+
+/// An axial force that a drive was found to press with leads back to its slack tension, also where friction is so steep
+/// in engine braking that a path over a tenth of the tension is too long.
+#[test]
+fn a_prescribed_axial_force_leads_back_to_the_slack_tension() {
+    let drive = [
+        ("belt.longitudinal_stiffness", "82367.6 N"),
+        ("belt.bending_stiffness", "0.0118857 N*m^2"),
+        ("belt.radial_stiffness", "5.22597 MPa"),
+        ("belt.mass_per_length", "0.313404 kg/m"),
+        ("belt.length", "1.18888 m"),
+        ("sheave.half_angle", "0.230839 rad"),
+        ("sheave.friction_coefficient", "0.420837"),
+        ("sheave.slip_threshold", "3.35653e-4 m/s"),
+        ("operating_point.primary_speed", "724.913 rad/s"),
+        ("operating_point.primary_torque", "-24.5598 N*m"),
+        ("drive.center_distance", "0.285335 m"),
+        ("drive.primary_radius", "53.4236 mm"),
+        ("drive.secondary_radius", "135.745 mm"),
+    ];
+    let with = |key, value: f64| {
+        let clamp = format!("{value} N");
+        outcome(&[&drive[..], &[(key, clamp.as_str())]].concat(), &ROUGH)
+    };
+    let there = with("operating_point.slack_tension", 1069.74);
+    let back = with("operating_point.primary_axial_force", there.result.primary.axial_force);
+    let found = back.solved.constant(sheave::drive::Constant::SlackTension);
+    assert!((found / 1069.74 - 1.0).abs() < 1e-3, "{found}");
+}

@@ -310,6 +310,14 @@ fn netcdf_and_parquet_hold_the_same_numbers() {
     assert_eq!(set.get_var_attr_as_string("primary_axial_force_by_slack_tension", "units").unwrap(), "N/(N)");
     assert_eq!(set.get_global_attr_f64("largest_error").unwrap(), [map.report().error.largest]);
 
+    // What an axis prescribes is told by its breakpoints, not a second time.
+    let by_torque = self::map(quiet(), &["torque=15..18", "slack_tension=100..200 N"], options(1e-1));
+    let path = folder.path().join("torque.nc");
+    MapFormat::of(&path).unwrap().write(&by_torque, &mut std::fs::File::create(&path).unwrap()).unwrap();
+    let mut reader = netcdf3::FileReader::open(&path).unwrap();
+    assert_eq!(reader.read_var_f64("primary_torque").unwrap(), by_torque.axes()[0].breakpoints());
+    assert_eq!(reader.data_set().get_var("secondary_torque").unwrap().dim_names(), ["primary_torque", "slack_tension"]);
+
     let path = written("map.parquet");
     let reader = SerializedFileReader::new(std::fs::File::open(&path).unwrap()).unwrap();
     let metadata = reader.metadata().file_metadata().key_value_metadata().unwrap();

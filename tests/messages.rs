@@ -103,6 +103,9 @@ fn results_that_need_a_warning_have_it() {
     assert!(slow.contains("The belt is in compression"), "{slow}");
     let idle = set(&["operating_point.primary_torque=0.1"]);
     assert!(idle.contains("The secondary has to be driven") && !idle.contains("Energy is not conserved"), "{idle}");
+    // Without torque no power goes into the primary, and nothing is told as a share of it.
+    let unloaded = set(&["operating_point.primary_torque=0", "edition=published"]);
+    assert!(unloaded.contains("there is no efficiency to tell") && unloaded.contains(" W out (9"), "{unloaded}");
     let soft = set(&["belt.radial_stiffness=0.5 MPa", "operating_point.slack_tension=500 N"]);
     assert!(soft.contains("of its radius"), "{soft}");
     assert!(warned(&["solve", "--tol", "1e-3", "--sensitivities"]).contains("without either it shows nothing"));

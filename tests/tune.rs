@@ -106,13 +106,18 @@ fn bad_parts_are_refused_with_the_reason() {
     let text = |spring: &str, pretension: &str| {
         format!(
             r#"
-            [flyweight]
-            "1072" = {{ primary.actuator.mass = "72 g", primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm" }}
+            [flyweight.1072]
+            primary.actuator.mass = "72 g"
+            primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm"
             [primary_spring]
             one = {{ primary.spring.free_length = "138 mm", primary.spring.rate = "1.4 N/mm" }}
             other = {{ {spring} }}
-            [rest]
-            red = {{ secondary.spring.preload = "117 N", secondary.spring.rate = "4.27 N/mm", secondary.spring.torsion_rate = "4.55 N*m/rad", secondary.spring.pretension = "{pretension}", secondary.actuator.helix_angle = "32 deg" }}
+            [rest.red]
+            secondary.spring.preload = "117 N"
+            secondary.spring.rate = "4.27 N/mm"
+            secondary.spring.torsion_rate = "4.55 N*m/rad"
+            secondary.spring.pretension = "{pretension}"
+            secondary.actuator.helix_angle = "32 deg"
             "#
         )
     };
@@ -124,8 +129,13 @@ fn bad_parts_are_refused_with_the_reason() {
         (ranking.tunes.len(), counts)
     };
     // A spring that is compressed beyond its solid length.
-    let solid = r#"primary.spring.free_length = "106 mm", primary.spring.rate = "8.2 N/mm", primary.spring.solid_length = "45 mm""#;
-    let (_, counts) = refused(solid);
+    let solid = [
+        r#"primary.spring.free_length = "106 mm""#,
+        r#"primary.spring.rate = "8.2 N/mm""#,
+        r#"primary.spring.solid_length = "45 mm""#,
+    ]
+    .join(", ");
+    let (_, counts) = refused(&solid);
     assert!(counts.iter().any(|(count, why)| *count == 1 && why.contains("solid length")), "{counts:?}");
     // A spring shorter than its place.
     let (_, counts) = refused(r#"primary.spring.free_length = "40 mm", primary.spring.rate = "8.2 N/mm""#);

@@ -71,3 +71,8 @@ pub fn case(edition: &str, design: &Design) -> Result<Resolved, String> {
     }
     case.resolve().map_err(|error| error.to_string())
 }
+
+/// A design as options of the command line.
+pub fn settings(design: &Design) -> String {
+    design.iter().map(|(key, value)| format!("--set {key}={value:.6e}")).collect::<Vec<_>>().join(" ")
+}

@@ -60,7 +60,7 @@ fn scaling(stiffness: f64) -> Result<Scaling, Box<dyn Error>> {
         let elastic = result.primary.torque - result.secondary.torque;
         let hysteresis = result.losses.as_ref().map_or(f64::NAN, |losses| losses.total);
         lost.push([
-            1.0 - result.efficiency.speed.unwrap_or(f64::NAN),
+            1.0 - result.secondary.speed / result.primary.speed,
             elastic,
             elastic + hysteresis / result.secondary.speed,
         ]);

@@ -263,7 +263,8 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     let wrong = || {
         let kind = value.get_type();
         PyTypeError::new_err(format!(
-            "`{name}`: a value is a text with a unit (\"120 N\"), a number in SI units or a quantity of pint, not {kind}"
+            "`{name}`: a value is a text with a unit (\"120 N\"), a number in SI units or a quantity of pint, not \
+             {kind}"
         ))
     };
     if value.is_instance_of::<PyBool>() {

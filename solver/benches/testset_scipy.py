@@ -3,10 +3,11 @@
 
     python3 -m venv VENV && VENV/bin/pip install numpy scipy
     VENV/bin/python testset_scipy.py run       [ID...] > scipy.json     one record a run
-    VENV/bin/python testset_scipy.py samples           > samples.json   right-hand sides and conditions at scattered points
+    VENV/bin/python testset_scipy.py samples           > samples.json   right-hand sides and conditions at scattered
+                                                                        points
 
-`run`: tolerance 1e-6, 21 uniform nodes, at most 100,000 nodes, a cap of 20 s a run, SciPy's own finite differences; seconds are
-the best of up to seven solves in a process of its own. `samples`: for checking another transcription against this one.
+`run`: tolerance 1e-6, 21 uniform nodes, at most 100,000 nodes, a cap of 20 s a run, SciPy's own finite differences; seconds
+are the best of up to seven solves in a process of its own. `samples`: for checking another transcription against this one.
 
 A problem of two regions is stacked on one interval [0, 1]; its right-hand side carries the region's length.
 """
@@ -75,7 +76,8 @@ add("T04", (-1, 1), lambda x, y, p, e: stack([y[1], ((1 + e) * y[0] - y[1]) / e]
 add("T06", (-1, 1), lambda x, y, p, e: stack([y[1], (-x * y[1] - e * pi**2 * cos(pi * x) - pi * x * sin(pi * x)) / e]),
     dirichlet(const(-2), const(0)), zero(2))
 add("T07", (-1, 1), lambda x, y, p, e: stack([y[1], (-x * y[1] + y[0] - (1 + e * pi**2) * cos(pi * x)
-                                                     - pi * x * sin(pi * x)) / e]), dirichlet(const(-1), const(1)), zero(2))
+                                                     - pi * x * sin(pi * x)) / e]),
+    dirichlet(const(-1), const(1)), zero(2))
 add("T08", (0, 1), lambda x, y, p, e: stack([y[1], -y[1] / e]), dirichlet(const(1), const(2)), zero(2))
 add("T10", (-1, 1), lambda x, y, p, e: stack([y[1], -x * y[1] / e]), dirichlet(const(0), const(2)), zero(2))
 add("T11", (-1, 1), cosine_forcing, dirichlet(const(-1), const(-1)), zero(2))
@@ -104,7 +106,8 @@ def musl(x, y, p, e):
 add("MUSL", (0, 6), musl, lambda ya, yb, p, e: ya + yb - 1 - exp(6), constant(1, 1, 1))
 A3 = array([[0.0, 1, 2], [1, 0, 3], [2, 3, 4]])
 add("MAT3", (0, 1), lambda x, y, p, e: A3 @ y,
-    lambda ya, yb, p, e: array([array([1, 2, 3]) @ ya - 1, array([4, 5, 6]) @ yb - 2, array([7, 8, 9]) @ yb - 3]), zero(3))
+    lambda ya, yb, p, e: array([array([1, 2, 3]) @ ya - 1, array([4, 5, 6]) @ yb - 2, array([7, 8, 9]) @ yb - 3]),
+    zero(3))
 
 # ---- nonlinear
 add("T19", (0, 1), lambda x, y, p, e: stack([y[1], (pi / 2 * sin(pi * x / 2) * exp(2 * y[0]) - exp(y[0]) * y[1]) / e]),
@@ -125,7 +128,8 @@ add("T33", (0, 1), lambda x, y, p, e: stack([y[1], (y[0] * y[3] - y[2] * y[1]) /
     lambda x, e: stack([-1 + 2 * x, 2 + 0 * x, 0 * x, 0 * x, 0 * x, 0 * x]))
 add("T34", (0, 1), lambda x, y, p, e: stack([y[1], -e * exp(y[0])]), dirichlet(const(0), const(0)), zero(2))
 cosh3 = lambda C: np.arccosh(sqrt((1 + C) / C) * cosh(sqrt(C) / 2))
-add("COSH3", (0, 1), lambda x, y, p, e: stack([y[1], cosh(y[0]) / sinh(y[0]) ** 3]), dirichlet(cosh3, cosh3), constant(1, 0))
+add("COSH3", (0, 1), lambda x, y, p, e: stack([y[1], cosh(y[0]) / sinh(y[0]) ** 3]), dirichlet(cosh3, cosh3),
+    constant(1, 0))
 add("EMDEN", (0, 1), lambda x, y, p, e: stack([y[1], -y[0] ** 5]),
     lambda ya, yb, p, e: array([ya[1], yb[0] - sqrt(3) / 2]), constant(sqrt(3) / 2, 1e-4), S=array([[0, 0], [0, -2.0]]))
 add("ESI", (0, 20), lambda x, y, p, e: stack([y[1], -(x * y[0] - 1) * y[0]]),
@@ -248,14 +252,16 @@ def worker(name, e, records, pipe):
         if r.status != 0 or time.perf_counter() - begin > 0.5:
             break
     out = dict(status="converged" if r.status == 0 else "failed: " + (
-        "singular Jacobian" if r.status == 2 else "max_nodes exceeded"), seconds=best, nodes=int(r.x.size), iterations=int(r.niter))
+        "singular Jacobian" if r.status == 2 else "max_nodes exceeded"),
+        seconds=best, nodes=int(r.x.size), iterations=int(r.niter))
     if r.status == 0:
         errors = []
         for record in records:
             y, peak = array(record["y"]), array(record["max_abs_component"])
             error = np.max(np.abs(r.sol(array(record["x"])) - y) / (1 + peak[:, None]))
             if record.get("parameters_found"):
-                error = max(error, np.max(np.abs(r.p - record["parameters_found"]) / (1 + np.abs(record["parameters_found"]))))
+                expected = record["parameters_found"]
+                error = max(error, np.max(np.abs(r.p - expected) / (1 + np.abs(expected))))
             errors.append(float(error))
         out["error"] = min(errors)
     pipe.send(out)

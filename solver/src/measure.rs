@@ -83,8 +83,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
     pub(crate) fn worst_boundary_residual(&self) -> (f64, String) {
         let Converged { work, factorisation, .. } = &self.converged;
-        let sizes = self.system.boundary_sizes(work, &factorisation.scales);
-        let residuals = work.g.iter().zip(&sizes).map(|(&g, size)| size.relative(g));
+        let residuals = self.system.boundary_residuals(work, &factorisation.scales);
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         worst.map_or((0.0, String::new()), |(i, residual)| (residual, self.system.layout.equations[i].clone()))
     }

@@ -5,6 +5,7 @@
 //! (natural monotonicity), which no scaling of the equations can change; the damping factor is predicted and corrected
 //! from estimates of the affine-invariant Lipschitz constant.
 
+mod closing;
 mod names;
 
 use crate::budget::Budget;
@@ -33,6 +34,8 @@ const NEAR_ROUNDING: f64 = 1e-10;
 pub(crate) struct Limits {
     /// Largest component of the last correction, relative to typical magnitudes.
     pub tolerance: f64,
+    /// Largest residual of a boundary equation, relative to its largest term.
+    pub boundary: f64,
     pub iterations: usize,
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
@@ -372,6 +375,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         if !evaluated {
             self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         }
+        let x = if stagnated.is_none() { self.closed(x)? } else { x };
         Ok(Converged {
             x,
             work: self.work,

@@ -88,13 +88,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             meshes += 1;
             let finding = self.judge(&found, &progress);
             let action = action(progress.phase, finding);
-            let last = meshes >= self.options.max_meshes && action != Action::Accept;
-            let last = last.then(|| self.unsolved(&found));
+            let is_last = meshes >= self.options.max_meshes && action != Action::Accept;
+            let unsolved = is_last.then(|| self.unsolved(&found));
             start = match self.act(action, found, &mut progress)? {
                 Next::On(start) => start,
                 Next::Done(solved) => return Ok(*solved),
             };
-            if let Some(error) = last {
+            if let Some(error) = unsolved {
                 return progress.fallback.ok_or(error);
             }
             progress.phase = phase_after(progress.phase, action);
@@ -268,6 +268,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn limits(&self, insistent: bool) -> Limits {
         Limits {
             tolerance: self.options.newton_tolerance(),
+            boundary: self.options.boundary_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,

@@ -16,8 +16,8 @@ struct Variable {
 
 /// Writes a map. Dimensions and variables are named as keys and quantities, with `_` for dots and without sections
 /// where that is one of the map's axes: `primary_axial_force(ratio, primary_torque, slack_tension)`; derivatives as
-/// `primary_axial_force_by_ratio`. A node without a solution is not a number, and `status` says why. (Without an attribute
-/// `_FillValue`: the crate finds a variable by comparing it, and not a number equals nothing.)
+/// `primary_axial_force_by_ratio`. A quantity that is an axis is told by its breakpoints alone. A node without a solution is not a number, and `status` says why. (Without an
+/// attribute `_FillValue`: the crate finds a variable by comparing it, and not a number equals nothing.)
 pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
     let axes: Vec<String> = map.axes.iter().map(|axis| axis.key().entry().name().to_owned()).collect();
     let variables = variables(map, &axes);
@@ -51,8 +51,11 @@ fn name(of: &str) -> String {
 fn variables(map: &BeltMap, axes: &[String]) -> Vec<Variable> {
     let value = |at: usize| move |node: &Node| node.sample().map_or(f64::NAN, |sample| sample.values[at]);
     let slope = |at: usize| move |node: &Node| node.sample().map_or(f64::NAN, |sample| sample.slopes[at]);
+    // What an axis prescribes stands there, under that name.
+    let is_axis = |quantity: &Quantity| axes.contains(&name(quantity.name()));
+    let quantities = || map.quantities.iter().enumerate().filter(|(_, quantity)| !is_axis(quantity));
     let mut variables = Vec::new();
-    for (at, quantity) in map.quantities.iter().enumerate() {
+    for (at, quantity) in quantities() {
         let values = map.nodes.iter().map(value(at)).collect();
         variables.push(Variable { name: name(quantity.name()), unit: quantity.unit().into(), values });
     }
@@ -60,7 +63,7 @@ fn variables(map: &BeltMap, axes: &[String]) -> Vec<Variable> {
         let values = map.nodes.iter().map(|node| map.derived(node)[at]).collect();
         variables.push(Variable { name: name(derived), unit: "1".into(), values });
     }
-    for (at, quantity) in map.quantities.iter().enumerate() {
+    for (at, quantity) in quantities() {
         for (k, (axis, along)) in map.axes.iter().zip(axes).enumerate() {
             let values = map.nodes.iter().map(slope(at * axes.len() + k)).collect();
             let unit = slope_unit(*quantity, axis);

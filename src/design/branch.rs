@@ -13,9 +13,17 @@ use crate::model::{Constant, InternalError, Output};
 /// within 1e-4 of speed efficiency at the end, where sliding speeds on the secondary fall below the slip threshold, and
 /// the speed efficiency itself is the better parameter.
 const RESTING: f64 = 0.02;
-/// The same in engine braking, where the driven pulley counts as at rest from here on: the secondary's speed, which
-/// then grows beyond all bounds, changes torque and tension by less than a hundredth.
+/// The same in engine braking, where it is the secondary's speed that grows beyond all bounds: steps in arclength
+/// follow it by a few thousandths each, while torque and tension hardly change any more.
+const RUNNING_AWAY: f64 = 0.8;
+/// Speed efficiency to which the curve is followed in engine braking, where the driven pulley comes to rest as the
+/// secondary's speed grows beyond all bounds.
+const AT_REST: f64 = 0.01;
+/// Speed efficiency from which on the driven pulley counts as at rest in engine braking, should the curve be lost:
+/// beyond it, the secondary's speed changes torque and tension by less than a hundredth.
 const BRAKED: f64 = 0.1;
+/// Speed efficiency below which a curve that is lost in arclength is followed in speed efficiency.
+const SLIPPING: f64 = 0.98;
 /// First, smallest and largest step in speed efficiency.
 const FIRST_STEP: f64 = 2e-3;
 const SMALLEST_STEP: f64 = 1e-4;
@@ -119,7 +127,8 @@ impl Branch {
         let efficiency = Output::EfficiencySpeed;
         // In engine braking the primary is driven: it comes to rest as σ grows beyond all bounds.
         let braking = start.constant(Constant::PrimaryTorque) < 0.0;
-        let least = last.max(if braking { BRAKED } else { RESTING });
+        let least = last.max(if braking { RUNNING_AWAY } else { RESTING });
+        let (asked, last) = (last, if braking { last.max(AT_REST) } else { last });
         let end = End { output: efficiency, value: if braking { 1.0 / least } else { least }, rising: braking };
         let Curve { points, lost } = trace(model, start, (free, sought), upwards, end, options)?;
         let mut branch = Self {
@@ -141,10 +150,19 @@ impl Branch {
             branch.points.push(BranchPoint::new(solved, Parameter::Arclength, place, is_extremum)?);
         }
         match lost {
+            // Where arclength is lost on a belt that slips, the speed efficiency may still be a good parameter.
+            Some(failure) if !failure.is_cancelled() && branch.slips() => {
+                let found = branch.points.len();
+                branch.descend(last);
+                if branch.points.len() == found {
+                    branch.end = BranchEnd::Lost(failure);
+                }
+            }
             Some(failure) => branch.end = BranchEnd::Lost(failure),
-            // The secondary's speed has no end: the primary counts as at rest at the least that is followed.
-            None if braking => {}
             None => branch.descend(last),
+        }
+        if braking && asked < AT_REST && branch.points.last().is_some_and(|point| point.place <= BRAKED) {
+            branch.end = BranchEnd::Whole;
         }
         Ok(branch)
     }
@@ -155,6 +173,11 @@ impl Branch {
         let question = self.start.question.clone().swap(self.free, self.efficiency, value);
         let solved = step_to_question(from, &self.model, &question, &self.options)?;
         Ok(BranchPoint::new(solved, Parameter::SpeedEfficiency, place, false)?)
+    }
+
+    /// Whether the last point's speed efficiency is well below one.
+    fn slips(&self) -> bool {
+        self.points.last().is_some_and(|point| point.place < SLIPPING)
     }
 
     fn descend(&mut self, last: f64) {

@@ -10,9 +10,10 @@ use super::failure::Failure;
 use super::position::Position;
 use super::question::{Known, Question, Swap};
 use super::solved::{Solved, accepted};
+use super::start::{flow_at, inertia};
 use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;
-use crate::model::Constant;
+use crate::model::{Constant, Constants};
 
 /// Follows the solution `from` while given constants and prescribed outputs go from the values they have there to those
 /// of `question`: the slip threshold geometrically, all others linearly. Both must be of one model.
@@ -110,5 +111,45 @@ impl Path for RatioPath {
         if let Some(sigma) = predicted.get_mut(Constant::SpeedRatio.index()).filter(|_| self.free && bent.is_finite()) {
             *sigma = bent;
         }
+        if self.free
+            && change(sigma) > LARGE_RISE
+            && let (Ok(here), Ok(there)) = (Constants::try_from(from), Constants::try_from(&*predicted))
+            && let Some(flow) = flow_that_keeps_up(&here, &there)
+            && let Some(predicted) = predicted.get_mut(Constant::Flow.index())
+        {
+            *predicted = flow;
+        }
     }
+}
+
+/// Rise of the speed ratio in one step, relative, from which on the belt's mass flow is predicted by
+/// [`flow_that_keeps_up`].
+const LARGE_RISE: f64 = 1e-2;
+
+/// The mass flow with which V/σ, the belt's speed over that of the secondary's rim, is what the tangent says: it too
+/// counts to a share of the slip threshold, and where the secondary runs away, the belt that it drives is stretched by
+/// its own inertia, so that V(g) bends. Nothing where what V depends on is moved as well.
+fn flow_that_keeps_up(here: &Constants, there: &Constants) -> Option<f64> {
+    let given = [
+        Constant::LongitudinalStiffness,
+        Constant::MassPerLength,
+        Constant::PrimaryRadius,
+        Constant::SecondaryRadius,
+        Constant::PrimarySpeed,
+    ];
+    if given.into_iter().any(|constant| here[constant] != there[constant]) {
+        return None;
+    }
+    let inertia = inertia(here);
+    let stretch = |at: &Constants| 1.0 + at[Constant::SlackTension] / at[Constant::LongitudinalStiffness];
+    let (flow, sigma, stretched) = (here[Constant::Flow], here[Constant::SpeedRatio], stretch(here));
+    let (flow_there, sigma_there, stretched_there) =
+        (there[Constant::Flow], there[Constant::SpeedRatio], stretch(there));
+    // ln V(g) = ln g + ln(1 + T/EA) − ln(1 − c g²), with c = m_o (R_P ω_P)²/EA, and its change on the tangent.
+    let slope = (1.0 + inertia * flow * flow) / (1.0 - inertia * flow * flow);
+    let change = slope * (flow_there - flow) / flow + (stretched_there - stretched) / stretched;
+    let speed = flow * stretched / (1.0 - inertia * flow * flow);
+    let there = speed / sigma * (1.0 + change - (sigma_there - sigma) / sigma) * sigma_there;
+    let flow = flow_at(there, inertia, stretched_there);
+    flow.is_finite().then_some(flow)
 }

@@ -34,13 +34,19 @@ pub(super) fn climb(
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<(Solution, Stats, usize), Failure> {
-    let begin = route.begin(target);
     let mut climb = Climb { model, belt, route, target, options, stats: Stats::default(), steps: 0 };
     // What short steps do not reach, a leap may: something is left for it. A string has only the one path.
     let share = if model.bending.is_some() { SHARE } else { 1.0 };
     let given = budget.part((share * budget.left() as f64) as usize);
     let mut part = given;
-    let followed = climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part);
+    let smoothed = route.smoothed(model, target);
+    let followed = match &smoothed {
+        Some((model, target)) => Err(climb.smooth(model, target, &mut part)),
+        None => {
+            let begin = route.begin(target);
+            climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part)
+        }
+    };
     budget.take(&given, &part);
     let lost = match followed {
         Ok(solution) => return Ok((solution, climb.stats, climb.steps)),
@@ -58,6 +64,8 @@ pub(super) fn climb(
     };
     match again.last.and_then(|last| climb.leap(&last, budget)) {
         Some(solution) => Ok((solution, climb.stats, climb.steps)),
+        // Where friction was another, what was reached says nothing of the case.
+        None if smoothed.is_some() => Err(again.failure),
         None => Err(Failure::farther(Some(lost.failure), again.failure)),
     }
 }
@@ -117,6 +125,24 @@ impl Climb<'_> {
         self.stats += *found.stats();
         self.steps += 1;
         corrected(self.belt, found, &solver, false, &mut self.stats, budget).ok()
+    }
+
+    /// Follows the route with another friction law, as far as that goes: what was found last is where the path of the
+    /// case's own begins. Its failure is only heard of where no work is left for that.
+    fn smooth(&mut self, model: &ModelChoices, target: &Constants, budget: &mut Budget) -> Lost {
+        let Some(belt) = BeltProblem::new(model, target) else {
+            return Lost { last: None, failure: Failure::NoEquations };
+        };
+        let options = SolveOptions { tolerance: rough(self.options).tolerance, ..*self.options };
+        let begin = self.route.begin(target);
+        let (stats, steps) = (self.stats, self.steps);
+        let mut climb = Climb { model, belt: &belt, target, options: &options, route: self.route, stats, steps };
+        let followed = climb.follow(start::guess(&belt, &begin), &begin, Mesh::Coarse, budget);
+        (self.stats, self.steps) = (climb.stats, climb.steps);
+        match followed {
+            Ok(end) => self.lost(Some(Box::new(end)), Box::new(SolveError::Cancelled)),
+            Err(lost) => lost,
+        }
     }
 
     fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {

@@ -5,9 +5,10 @@ use solver::continuation::Ramp;
 
 use super::start;
 use super::tuning::{
-    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, THRESHOLD, TIGHT, TIGHTER,
-    TORQUE,
+    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, SMOOTH_THRESHOLD, THRESHOLD,
+    TIGHT, TORQUE,
 };
+use crate::case::{Friction, ModelChoices};
 use crate::model::{Constant, Constants};
 
 /// A route from the start to a case. Those tried first are those that solve most drives for the least work.
@@ -27,22 +28,14 @@ pub enum Route {
     Loose,
     /// With the last of the slip threshold's way behind that of the tension.
     Late,
-    /// From a much tighter belt.
-    Tighter,
+    /// With a friction law without kinks, to which the case's own is the last step.
+    Smooth,
 }
 
 impl Route {
     /// All routes, in the order in which they are tried.
-    pub const ALL: [Self; 8] = [
-        Self::Direct,
-        Self::Tight,
-        Self::Late,
-        Self::Threshold,
-        Self::Speed,
-        Self::Bending,
-        Self::Loose,
-        Self::Tighter,
-    ];
+    pub const ALL: [Self; 8] =
+        [Self::Direct, Self::Smooth, Self::Tight, Self::Late, Self::Threshold, Self::Speed, Self::Bending, Self::Loose];
 
     /// Name in messages and tables.
     pub const fn name(self) -> &'static str {
@@ -54,8 +47,24 @@ impl Route {
             Self::Bending => "bending stiffness",
             Self::Loose => "loose",
             Self::Late => "late",
-            Self::Tighter => "tighter",
+            Self::Smooth => "smooth friction",
         }
+    }
+
+    /// Whether the route is another than the direct one for drives of a model: only friction with kinks can be
+    /// smoothed, and a string has only the one path.
+    pub(super) fn is_for(self, model: &ModelChoices) -> bool {
+        self != Self::Smooth || (model.friction == Friction::ViscousCoulomb && model.bending.is_some())
+    }
+
+    /// The drive with the friction law of which the route is followed, and what the constants are at its end, if that
+    /// law is not the case's: μ tanh(4|v|/v_thr), which at a slip threshold four times the case's is as steep at rest.
+    pub(super) fn smoothed(self, model: &ModelChoices, target: &Constants) -> Option<(ModelChoices, Constants)> {
+        (self == Self::Smooth).then(|| {
+            let mut target = target.clone();
+            target[Constant::SlipThreshold] *= SMOOTH_THRESHOLD;
+            (ModelChoices { friction: Friction::Tanh, ..*model }, target)
+        })
     }
 
     /// The easy drive from which the case is approached.
@@ -66,7 +75,6 @@ impl Route {
         easy[Constant::SlipThreshold] = target[Constant::SlipThreshold].max(threshold * speed);
         let factor = match self {
             Self::Tight => TIGHT,
-            Self::Tighter => TIGHTER,
             Self::Loose => LOOSE,
             _ => 1.0,
         };

@@ -45,12 +45,19 @@ pub(super) fn stretched(given: &Constants) -> Constants {
 /// Mass flow g of a belt whose speed is `v` R_P ω_P, at the slack tension: the root of V = G (T + EA)/(EA m_o − G²) for
 /// which the belt runs forward under tension.
 fn flow(given: &Constants, v: f64) -> f64 {
-    let stiffness = given[Constant::LongitudinalStiffness];
-    let rim = given[Constant::PrimaryRadius] * given[Constant::PrimarySpeed];
     // With G = m_o U g: v = g (1 + T/EA)/(1 − c g²), c = m_o U²/EA.
-    let inertia = given[Constant::MassPerLength] * rim * rim / stiffness;
-    let stretch = 1.0 + given[Constant::SlackTension] / stiffness;
-    // c v g² + (1 + T/EA) g − v = 0, in the form that does not cancel.
+    flow_at(v, inertia(given), 1.0 + given[Constant::SlackTension] / given[Constant::LongitudinalStiffness])
+}
+
+/// Inertia of a belt that runs with the primary's pitch line over its stiffness, c = m_o (R_P ω_P)²/EA.
+pub(super) fn inertia(given: &Constants) -> f64 {
+    let rim = given[Constant::PrimaryRadius] * given[Constant::PrimarySpeed];
+    given[Constant::MassPerLength] * rim * rim / given[Constant::LongitudinalStiffness]
+}
+
+/// The positive root g of c v g² + (1 + T/EA) g − v = 0, with `inertia` c = m_o (R_P ω_P)²/EA and `stretch` 1 + T/EA.
+pub(super) fn flow_at(v: f64, inertia: f64, stretch: f64) -> f64 {
+    // In the form that does not cancel.
     2.0 * v / (stretch + (stretch * stretch + 4.0 * inertia * v * v).sqrt())
 }
 

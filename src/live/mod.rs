@@ -69,8 +69,8 @@ enum Refused {
 struct Told {
     #[serde(flatten)]
     answer: Value,
-    /// What is to be drawn. It is written out as it is: as a `Value` its numbers of single precision would get the digits
-    /// of double precision, and three quarters of an answer are such numbers.
+    /// What is to be drawn. It is written out as it is: as a `Value` its numbers of single precision would get the
+    /// digits of double precision, and three quarters of an answer are such numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     scene: Option<Scene>,
 }

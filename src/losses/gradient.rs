@@ -131,7 +131,7 @@ fn by_jumps(track: &Track, first: usize, adjoints: &[Complex], gradient: &mut Tr
     for (by, ((sums, second), third)) in gradient.u.iter_mut().zip(nodes) {
         *by += sums[2] * third - sums[1] * second;
     }
-    for (&(_, jump), (j, sign)) in jumps.ends.iter().zip([(0, 1.0), (track.u.len().saturating_sub(1), -1.0)]) {
+    for (&(j, jump), sign) in jumps.ends.iter().zip([1.0, -1.0]) {
         gradient.slope[j] += sign * sums[j][1];
         gradient.u[j] -= jump * sums[j][0];
     }

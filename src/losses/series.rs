@@ -106,8 +106,8 @@ pub(super) struct Jumps {
     pub u: Vec<f64>,
     pub second: Vec<f64>,
     pub third: Vec<f64>,
-    /// Places and jumps of the slope at both ends; the slope is continuous between.
-    pub ends: Vec<(f64, f64)>,
+    /// Nodes and jumps of the slope at both ends; the slope is continuous between.
+    pub ends: Vec<(usize, f64)>,
 }
 
 impl Jumps {
@@ -123,9 +123,8 @@ impl Jumps {
             third[j] += bend;
             third[j + 1] -= bend;
         }
-        let end = |u: Option<&f64>, slope: Option<&f64>, sign: f64| Some((*u?, sign * slope?));
-        let first = end(track.u.first(), track.slope.first(), 1.0);
-        let last = end(track.u.last(), track.slope.last(), -1.0);
+        let first = track.slope.first().map(|slope| (0, *slope));
+        let last = track.slope.last().map(|slope| (track.slope.len() - 1, -slope));
         Self { u, second, third, ends: first.into_iter().chain(last).collect() }
     }
 }
@@ -215,7 +214,8 @@ impl Integrals {
     /// Those of the first few harmonics by quadrature, and all further ones from the jumps.
     pub fn new(tracks: &[Track]) -> (Vec<Vec<Complex>>, Self) {
         let few = gauss_harmonics(tracks);
-        let first = (1..=few).map(|n| tracks.iter().map(|track| quadrature(track, n)).collect()).collect();
+        let mut quadratures: Vec<Quadrature> = tracks.iter().map(Quadrature::new).collect();
+        let first = (1..=few).map(|_| quadratures.iter_mut().map(Quadrature::next).collect()).collect();
         let regions = tracks.iter().map(|track| {
             let jumps = Jumps::of(track);
             let phases = Phases::new(&jumps.u, few + 1);
@@ -227,16 +227,14 @@ impl Integrals {
     /// Of the next harmonic.
     pub fn next(&mut self) -> Vec<Complex> {
         let omega = TAU * self.n as f64;
-        let n = self.n;
         let region = |(jumps, phases): &mut (Jumps, Phases)| {
             let (cos, sin) = phases.here();
             let [c2, s2, c3, s3] = sums(cos, sin, &jumps.second, &jumps.third);
-            phases.advance(&jumps.u);
             let (mut re, mut im) = (0.0, 0.0);
-            for &(u, jump) in &jumps.ends {
-                let (c, s) = phase(n, u);
-                (re, im) = (re + jump * c, im + jump * s);
+            for &(node, jump) in &jumps.ends {
+                (re, im) = (re + jump * cos[node], im + jump * sin[node]);
             }
+            phases.advance(&jumps.u);
             // J_1/(iω) + J_2/(iω)² + J_3/(iω)³
             let (square, cube) = (omega * omega, omega * omega * omega);
             (im / omega - c2 / square - s3 / cube, -re / omega - s2 / square + c3 / cube)
@@ -246,17 +244,37 @@ impl Integrals {
     }
 }
 
-/// ∫ (da/du) exp(−2πi n u) du by Gauss quadrature.
-fn quadrature(track: &Track, n: usize) -> Complex {
-    let mut sum = (0.0, 0.0);
-    for cubic in track.cubics() {
-        for (t, weight) in GAUSS {
-            let (c, s) = phase(n, cubic.u + t * cubic.h);
-            let slope = weight * cubic.h * cubic.slope_at(t);
-            sum = (sum.0 + slope * c, sum.1 + slope * s);
-        }
+/// ∫ (da/du) exp(−2πi n u) du by Gauss quadrature, harmonic after harmonic.
+struct Quadrature {
+    u: Vec<f64>,
+    /// Weights times slopes.
+    slopes: Vec<f64>,
+    phases: Phases,
+}
+
+impl Quadrature {
+    /// Beginning with the first harmonic.
+    fn new(track: &Track) -> Self {
+        let points = track
+            .cubics()
+            .flat_map(|cubic| GAUSS.map(|(t, weight)| (cubic.u + t * cubic.h, weight * cubic.h * cubic.slope_at(t))));
+        let (u, slopes): (Vec<f64>, Vec<f64>) = points.unzip();
+        let phases = Phases::new(&u, 1);
+        Self { u, slopes, phases }
     }
-    sum
+
+    /// Of the next harmonic.
+    fn next(&mut self) -> Complex {
+        let (cos, sin) = self.phases.here();
+        let phases = cos.iter().zip(sin);
+        let sum = self
+            .slopes
+            .iter()
+            .zip(phases)
+            .fold((0.0, 0.0), |(re, im), (slope, (cos, sin))| (re + slope * cos, im + slope * sin));
+        self.phases.advance(&self.u);
+        sum
+    }
 }
 
 /// A sum over harmonics.

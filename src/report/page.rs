@@ -8,16 +8,23 @@ use crate::result::{Outcome, Pulley, warnings};
 use std::fmt::Write;
 
 const STYLE: &str = ":root{color-scheme:light \
-    dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}@media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--page:#16181b;--line:#3a3d42;--soft:#a0a0a0;--warn:#ffb066}}body{font:15px/1.45 \
+    dark;--ink:#222;--page:#fff;--line:#ddd;--soft:#666;--warn:#b45000}\
+    @media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--page:#16181b;--line:#3a3d42;--soft:#a0a0a0;\
+    --warn:#ffb066}}body{font:15px/1.45 \
     system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:1270px;margin:2em auto;padding:0 \
     1.2em}h1{font-size:1.5em;margin:0}h2{font-size:1.1em;margin:1.8em 0 .5em;border-bottom:1px solid \
     var(--line)}p.lead{color:var(--soft);margin:.2em 0 1em}table{border-collapse:collapse}td,th{padding:.16em .7em \
     .16em \
-    0;text-align:left;font-weight:normal}th{color:var(--soft)}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}.key{display:flex;flex-wrap:wrap;gap:.6em \
+    0;text-align:left;font-weight:normal}th{color:var(--soft)}td.n,th.n{text-align:right;\
+    font-variant-numeric:tabular-nums}.key{display:flex;flex-wrap:wrap;gap:.6em \
     2.4em;margin:1em 0}.key div{min-width:7em}.key b{display:block;font-size:1.5em;font-weight:600}.key \
     span{color:var(--soft)}.two{display:flex;flex-wrap:wrap;gap:0 \
-    1.8em}sub{font-size:.72em;line-height:0}ul.warn{padding-left:1.2em}.warn{color:var(--warn)}.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}figure{margin:0}figure \
-    svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);gap:1em}.beside \
+    1.8em}sub{font-size:.72em;line-height:0}ul.warn{padding-left:1.2em}.warn{color:var(--warn)}\
+    .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(430px,1fr));gap:1.4em}figure{margin:0}\
+    figure \
+    svg{width:100%;height:auto;background:#fff;border-radius:4px}figcaption{color:var(--soft);font-size:.92em}\
+    figure.wide{grid-column:1/-1;max-width:760px}.beside{display:grid;grid-template-columns:repeat(3,1fr);\
+    gap:1em}.beside \
     b{color:var(--soft)}@media print{body{margin:0}figure{break-inside:avoid}}";
 
 /// The report of a solution with its figures: one HTML page that needs nothing else.

@@ -113,21 +113,19 @@ fn adhesion(outcome: &Outcome) -> Option<String> {
 fn powers(outcome: &Outcome) -> Option<String> {
     let energy = &outcome.result.energy;
     let (power_in, power_out) = (energy.power_in, energy.power_out);
-    if power_in > 0.0 && power_out < 0.0 {
+    if power_in >= 0.0 && power_out < 0.0 {
         return Some(format!(
             "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go \
-             into the secondary, an efficiency of {:.0} %. The belt is clamped too tightly for so little torque, or \
-             it is too stiff.",
-            -power_out,
-            100.0 * power_out / power_in
+             into the secondary; there is no efficiency to tell. The belt is clamped too tightly for so little torque, \
+             or it is too stiff.",
+            -power_out
         ));
     }
     let (driving, driven) = if power_in >= 0.0 { (power_in, power_out) } else { (-power_out, -power_in) };
     (driving >= 0.0 && driven > driving).then(|| {
         format!(
-            "More power out than in: {driven:.1} W of {driving:.1} W, an efficiency of {:.0} %; no drive does that. \
-             Use `edition = \"consistent\"`, in which energy is conserved.",
-            100.0 * driven / driving
+            "More power out than in: {driven:.1} W of {driving:.1} W; no drive does that. Use `edition = \
+             \"consistent\"`, in which energy is conserved."
         )
     })
 }
@@ -189,13 +187,15 @@ fn length(outcome: &Outcome) -> Option<String> {
 fn energy(outcome: &Outcome) -> Option<String> {
     let energy = &outcome.result.energy;
     let missing = energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work;
-    let passing = energy.power_in.abs().max(energy.power_out.abs()).max(energy.friction_loss.abs());
+    // Of the largest, which is not that into the primary where the secondary drives or no torque is asked for.
+    let powers = [(energy.power_in, "in"), (energy.power_out, "out"), (energy.friction_loss, "of friction")];
+    let powers = powers.into_iter().map(|(power, what)| (power.abs(), what));
+    let (passing, what) = powers.reduce(|one, other| if other.0 > one.0 { other } else { one })?;
     (missing.abs() > UNACCOUNTED * passing).then(|| {
         format!(
-            "Energy is not conserved: {missing:.1} W of {:.1} W in ({:.1} %) go where neither friction nor stretch \
-             explains it; this is the doing of the equations of edition `{}`.",
-            energy.power_in,
-            100.0 * missing / energy.power_in,
+            "Energy is not conserved: {missing:.1} W of {passing:.1} W {what} ({:.1} %) go where neither friction nor \
+             stretch explains it; this is the doing of the equations of edition `{}`.",
+            100.0 * missing / passing,
             outcome.result.edition
         )
     })

@@ -265,6 +265,15 @@ fn conditions(model: &BoundaryModel) -> Section {
     Section { title: "Where the regions meet", text, lines }
 }
 
+/// Name of the figure in `docs/figures` that shows what acts on an element of the belt.
+const FIGURE: &str = "belt_element";
+
+/// What that figure shows, in Markdown as in LaTeX.
+const CAPTION: &str = "An element of the belt in a groove, as everything is counted positive: $\\varphi$ in the direction of \
+    travel, the penetration $x$ from the pulley's radius $R$ inwards, the inclination $\\theta$ outwards, shear outwards \
+    on the front face, the groove's $n$ outwards and its $t$ against the travel. $T$ is the tractive tension, in which \
+    the belt's momentum is counted; a span has neither $n$ nor $t$.";
+
 /// Lays lines out in one format.
 struct Page {
     format: Format,
@@ -277,12 +286,18 @@ impl Page {
         let marks = "Each equation says whether it is typed in or derived, or stands as the thesis prints it.";
         match self.format {
             Format::Text => format!("{}\n\n{note}\n{marks}\n", title.replace('`', "")),
-            Format::Markdown => format!("# {title}\n\n{note}\n{marks}\n"),
+            Format::Markdown => format!(
+                "# {title}\n\n{note}\n{marks}\n\n![Forces on an element of the belt](figures/{FIGURE}.svg)\n\n\
+                 *{CAPTION}*\n"
+            ),
             Format::Latex => {
                 let title = title.replace('`', "");
                 format!(
-                    "\\documentclass{{article}}\n\\usepackage{{amsmath}}\n\\begin{{document}}\n\\title{{{title}}}\n\
-                     \\maketitle\n{note}\n{marks}\n"
+                    "\\documentclass{{article}}\n\\usepackage{{amsmath}}\n\\usepackage{{graphicx}}\n\
+                     \\begin{{document}}\n\\title{{{title}}}\n\\maketitle\n{note}\n{marks}\n\n\
+                     % docs/figures/{FIGURE}.svg as a PDF file\n\\begin{{figure}}[ht]\n\\centering\n\
+                     \\IfFileExists{{{FIGURE}.pdf}}{{\\includegraphics[width=0.8\\linewidth]{{{FIGURE}}}}}{{}}\n\
+                     \\caption{{{CAPTION}}}\n\\end{{figure}}\n"
                 )
             }
         }

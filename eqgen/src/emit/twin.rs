@@ -33,7 +33,8 @@ pub fn file(name: &str, models: &[Model]) -> Result<SourceFile, Error> {
     let error = |error: syn::Error| Error::Tokens { file: name.clone(), message: error.to_string() };
     let parsed: syn::File = syn::parse2(tokens).map_err(error)?;
     let head = "// Slow twins of all kernels, for tests: inputs in the plan's order, then rows or equations.\n\
-                // Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.\n";
+                // Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it \
+                anew.\n";
     Ok(SourceFile { name, text: format!("{head}\n{}", prettyplease::unparse(&parsed)) })
 }
 

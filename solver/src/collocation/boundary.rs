@@ -60,6 +60,12 @@ impl<P: Problem + ?Sized> System<'_, P> {
         sizes
     }
 
+    /// Boundary residuals relative to the largest term of their equations, at the iterate whose values `work` holds.
+    pub(crate) fn boundary_residuals(&self, work: &Work, scales: &Scales) -> impl Iterator<Item = f64> {
+        let sizes = self.boundary_sizes(work, scales);
+        work.g.iter().zip(sizes).map(|(&residual, size)| size.relative(residual))
+    }
+
     fn integral_sizes(&self, work: &Work, scales: &Scales) -> Vec<IntegralSize> {
         let mut sizes = vec![IntegralSize::default(); self.layout.integrals()];
         for (index, plan) in self.plan.regions.iter().enumerate() {

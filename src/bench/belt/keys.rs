@@ -28,12 +28,12 @@ const fn entry(path: &'static str, kind: QuantityKind, example: &'static str, do
 pub static TABLE: [Entry; 43] = [
     entry("name", QuantityKind::Text, "\"CVTech\"", "what the belt is called"),
     entry("source", QuantityKind::Text, "\"...\"", "where the numbers come from"),
-    entry("temperature", QuantityKind::Temperature, "\"60 degC\"", "temperature of the belt in use; --temperature goes before \
-        it"),
+    entry("temperature", QuantityKind::Temperature, "\"60 degC\"",
+        "temperature of the belt in use; --temperature goes before it"),
     entry("rubber.poisson_ratio", kind(NUMBER, Range { low: RangeEnd::Open(-1.0), high: RangeEnd::Closed(0.5) }), "0.5",
         "ν of the rubber (4.3); 0.5 if it is not given"),
-    entry("rubber.test.temperature", QuantityKind::Temperature, "\"25 degC\"", "one [[rubber.test]] for each temperature \
-        tested"),
+    entry("rubber.test.temperature", QuantityKind::Temperature, "\"25 degC\"",
+        "one [[rubber.test]] for each temperature tested"),
     entry("rubber.test.storage_modulus", MPA, "\"46.71 MPa\"", "G' in shear"),
     entry("rubber.test.loss_modulus", MPA, "\"5.7 MPa\"", "G'' in shear"),
     entry("rubber.test.storage_over_loss", PLAIN, "8.2", "G'/G'', in place of G''"),
@@ -47,8 +47,8 @@ pub static TABLE: [Entry; 43] = [
         "yarns across the belt"),
     entry("yarns.linear_density", kind(Unit::new("den", -3, 1.0, 9000.0, Dimension::MASS_PER_LENGTH),
         Range::POSITIVE), "\"1500 den\"", "of one yarn"),
-    entry("yarns.specific_modulus", QuantityKind::SpecificModulus, "\"555 g/den\"", "tensile modulus over linear density; \"49 \
-        N/tex\" as well"),
+    entry("yarns.specific_modulus", QuantityKind::SpecificModulus, "\"555 g/den\"",
+        "tensile modulus over linear density; \"49 N/tex\" as well"),
     entry("yarns.gravity", kind(Unit::decimal("m/s^2", 0, ACCELERATION), Range::positive_to(100.0)),
         "\"9.80665 m/s^2\"",
         "that makes grams of a data sheet forces; standard gravity if it is not given"),
@@ -59,8 +59,8 @@ pub static TABLE: [Entry; 43] = [
     entry("tension.length", MM, "\"152.66 mm\"", "L of the unloaded sample, or of a segment"),
     entry("tension.stiffness", kind(Unit::decimal("kN/m", 3, STIFFNESS), Range::POSITIVE), "\"54690 kN/m\"",
         "of a sample or segment of that length, in place of force and elongation"),
-    entry("tension.csv", QuantityKind::Text, "\"tension.csv\"", "elongation, force with a header such as `mm,N`, in place of \
-        both"),
+    entry("tension.csv", QuantityKind::Text, "\"tension.csv\"",
+        "elongation, force with a header such as `mm,N`, in place of both"),
     entry("bending.temperature", QuantityKind::Temperature, "\"60 degC\"", "of the bending test or simulation"),
     entry("bending.moment", kind(Unit::decimal("N*m", 0, Dimension::TORQUE), Range::POSITIVE), "\"0.05 N*m\"",
         "M on the rubber alone if there is a section [section], else on the whole belt"),
@@ -79,7 +79,8 @@ pub static TABLE: [Entry; 43] = [
     entry("lateral.temperature", QuantityKind::Temperature, "\"25 degC\"", "of the test of the lateral stiffness"),
     entry("lateral.slope", kind(Unit::decimal("N/mm", 3, STIFFNESS), Range::POSITIVE), "\"1747 N/mm\"",
         "m, load per displacement between the two wedges"),
-    entry("lateral.csv", QuantityKind::Text, "\"lateral.csv\"", "displacement, load with a header such as `mm,N`, in place of \
+    entry("lateral.csv", QuantityKind::Text, "\"lateral.csv\"",
+        "displacement, load with a header such as `mm,N`, in place of \
         the slope"),
     entry("lateral.from", kind(Unit::decimal("N", 0, Dimension::FORCE), Range { low: RangeEnd::Closed(0.0),
         high: RangeEnd::None }),

@@ -54,8 +54,8 @@ impl Section {
     /// The section with a second moment of area about its centroid, m⁴; lengths in m, the half angle in rad.
     ///
     /// # Errors
-    /// [`BenchProblem::Unusable`] where no trapezoid has it: less than the rectangle alone has, or more than the wedge that
-    /// ends in an edge.
+    /// [`BenchProblem::Unusable`] where no trapezoid has it: less than the rectangle alone has, or more than the
+    /// wedge that ends in an edge.
     pub fn equivalent(width: f64, cord_depth: f64, half_angle: f64, about_centroid: f64) -> Result<Self, BenchError> {
         let of = |height| Self::of_height(width, cord_depth, half_angle, height);
         // The wedge ends in an edge; one with parallel flanks anywhere, and 100 widths are no belt's.

@@ -9,7 +9,8 @@ use std::fmt::Write;
 const RPM: f64 = 60.0 / TAU;
 
 /// Header of the table of operating points; the last three columns are standard errors of the means.
-const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,secondary_torque_sd,n_torque,duration_s,primary_rpm_se,secondary_rpm_se,secondary_torque_se";
+const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,\
+    secondary_torque_sd,n_torque,duration_s,primary_rpm_se,secondary_rpm_se,secondary_torque_se";
 
 /// The table of operating points that `sheave compare` reads; points without both speeds and torque are left out, and
 /// counted.

@@ -105,8 +105,8 @@ impl<'a> Held<'a> {
         Ok(Self { case, actuation, whole, target, torque, direction, clamp, options })
     }
 
-    /// `count` places at the most, evenly spaced in the travel of the primary but for the stops, from the low stop to the
-    /// high one.
+    /// `count` places at the most, evenly spaced in the travel of the primary but for the stops, from the low stop to
+    /// the high one.
     pub fn points(&self, count: usize) -> Result<Vec<InversePoint>, InverseError> {
         let slope = 2.0 * libm::tan(self.case.sheave.half_angle);
         let (closed, start) = (self.actuation.closed_radius, self.actuation.start_radius);

@@ -1,0 +1,66 @@
+//! Designs of the survey that stand for a class each: what kept them from being solved or settled before.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+
+use sheave::case::Resolved;
+use sheave::design::{LimitKind, LimitOptions, Verdict, largest_torque, smallest_slack_tension, verdict};
+use sheave::drive::{Constant, Question, Route, SolveOptions, solve};
+
+#[path = "../benches/designs/mod.rs"]
+mod designs;
+
+/// Of seed 2, as the survey solves it.
+fn case(index: u64) -> Resolved {
+    designs::case("consistent", &designs::design(2, index)).unwrap()
+}
+
+fn options() -> SolveOptions {
+    SolveOptions { tolerance: 1e-3, ..SolveOptions::default() }
+}
+
+/// In engine braking the secondary runs away where the primary slips: the belt that it drives is stretched by its own
+/// inertia, and the curve to the primary's rest takes some tens of solutions rather than some hundreds.
+#[test]
+fn the_slip_limit_of_engine_braking_is_followed_to_the_rest_of_the_primary() {
+    let options = LimitOptions { solve: options(), least_speed_efficiency: 0.0 };
+    for (index, torque, tension) in [(24, -22.564, 667.27), (149, -16.175, 958.9)] {
+        let case = case(index);
+        let given = Question::of(&case).constants;
+        let (largest, curve) = largest_torque(&case, &options).unwrap();
+        assert_eq!(largest.kind, LimitKind::Collapse, "{index}");
+        assert!((largest.value / torque - 1.0).abs() < 1e-3, "{index}: {}", largest.value);
+        assert!(curve.points.len() < 60, "{index}: {}", curve.points.len());
+        assert!(curve.points.last().unwrap().state.speed_efficiency < 0.011, "{index}");
+        let (smallest, _) = smallest_slack_tension(&case, &options).unwrap();
+        assert!((smallest.value / tension - 1.0).abs() < 1e-3, "{index}: {}", smallest.value);
+        // The same limit, from two sides: what is asked for lies beyond it.
+        assert!(largest.value > given[Constant::PrimaryTorque] && smallest.value > given[Constant::SlackTension]);
+    }
+}
+
+/// What lies beyond its slip limit by less than a hundredth is told, too.
+#[test]
+fn a_brake_just_beyond_its_slip_limit_is_told() {
+    let case = case(264);
+    let failure = solve(&case, &options()).unwrap_err();
+    match verdict(&case, &failure, &options()) {
+        Verdict::Tension { given, limit } => {
+            assert!(limit.value > given && limit.value < 1.01 * given, "{given}: {}", limit.value);
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// Where friction is steep, the kinks of its law are what Newton's iteration fails at: a law without them leads there.
+#[test]
+fn smooth_friction_leads_to_small_slip_thresholds() {
+    for index in [163, 190] {
+        let solved = solve(&case(index), &options()).unwrap_or_else(|failure| {
+            panic!("{failure}: sheave solve --tol 1e-3 {}", designs::settings(&designs::design(2, index)))
+        });
+        assert_eq!(solved.route, Some(Route::Smooth), "{index}");
+        // The solution is that of the case's own law.
+        assert!(
+            solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case(index)).constants
+        );
+    }
+}
