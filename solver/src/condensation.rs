@@ -44,14 +44,9 @@ impl Condensation {
         let (mut work, mut stats) = (system.work(), Stats::default());
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
         let undefined = |error| newton(NewtonError::NonFinite(error), &system);
-        let incomplete = system.complete(&mut x);
+        system.complete(&mut x, &mut stats);
         system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
         let mut factorisation = Factorisation::new(&system);
-        if incomplete {
-            factorisation.condense(&system, &work, system.scales(&x));
-            system.settle(&factorisation, &mut x, &mut work, f64::INFINITY, &mut stats).map_err(undefined)?;
-            system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
-        }
         factorisation.condense(&system, &work, system.scales(&x));
         stats.factorisations += 1;
         let right = factorisation.split(2 * system.plan.states(), solution.unknowns());

@@ -129,16 +129,11 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     /// As [`at`](Self::at), whatever the rank of the Newton matrix.
     fn perhaps_singular(system: System<'p, P>, mut x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
         let mut work = system.work();
-        let incomplete = system.complete(&mut x);
+        system.complete(&mut x, &mut stats);
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
         let undefined = |error| newton(NewtonError::NonFinite(error), &system);
         system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
         let mut factorisation = Factorisation::new(&system);
-        if incomplete {
-            factorisation.condense(&system, &work, system.scales(&x));
-            system.settle(&factorisation, &mut x, &mut work, f64::INFINITY, &mut stats).map_err(undefined)?;
-            system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
-        }
         factorisation.factor(&system, &work, system.scales(&x));
         stats.factorisations += 1;
         Ok(Self { system, x, work, factorisation, stats })
@@ -185,7 +180,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
-            let extension = extended.extension(&mut stats).map_err(undefined)?;
+            let extension = extended.extension(&self.factorisation.scales, &mut stats).map_err(undefined)?;
             let measured = extended.defects(&extension, &self.factorisation.scales, &mut stats);
             defects.push(measured.map_err(undefined)?);
             extensions.push(extension);

@@ -9,6 +9,7 @@ mod closing;
 mod names;
 
 use crate::budget::Budget;
+use crate::collocation::coupled::Settled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
@@ -56,7 +57,7 @@ const STAGNANT: f64 = 1e-3;
 
 /// Where nothing is known of the states at inner stages, their equations are solved first if that changes no state by
 /// more than this: a guess that is a solution at its nodes is one then. Else they are solved with all others.
-const SETTLED_FROM: f64 = 0.05;
+const SETTLED_FROM: f64 = 0.3;
 
 /// How often a singular matrix is stepped away from in one iteration.
 const ESCAPES: usize = 6;
@@ -179,7 +180,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         // The last damping factor, correction and simplified correction: they predict the next damping factor.
         let mut before: Option<(f64, f64, Correction)> = None;
         let mut taken: Option<Taken> = None;
-        let mut incomplete = self.system.complete(&mut x);
+        let mut incomplete = self.system.interpolate(&mut x, self.stats);
         loop {
             if let Err(error) = self.linearise(&x) {
                 x = self.escape(&x, &mut taken, error)?;
@@ -187,8 +188,10 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 continue;
             }
             if std::mem::take(&mut incomplete) {
-                let settled = self.system.settle(&self.factorisation, &mut x, &mut self.work, SETTLED_FROM, self.stats);
-                settled.map_err(NewtonError::NonFinite)?;
+                if let Err(error) = self.settle(&mut x) {
+                    x = self.escape(&x, &mut taken, error)?;
+                    continue;
+                }
             }
             let dx = self.correction();
             let size = self.system.norm(&dx);
@@ -256,6 +259,24 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         self.stats.factorisations += 1;
         let (rank, size) = self.factorisation.rank();
         if rank < size { Err(self.factorisation.singular(self.system)) } else { Ok(()) }
+    }
+
+    /// Solves the stage equations first, where nothing is known of the states at inner stages and that does not change
+    /// much: see [`SETTLED_FROM`].
+    fn settle(&mut self, x: &mut Iterate) -> Result<(), NewtonError> {
+        let origin = x.inner.clone();
+        let settled = self.system.settle(&self.factorisation, x, &mut self.work, SETTLED_FROM, self.stats);
+        if let Settled::From(size) = settled {
+            x.inner = origin;
+            if size < SETTLED_FROM {
+                // It needs more than one matrix.
+                self.system.meet(x, SETTLED_FROM, self.stats);
+                self.iteration -= 1;
+                self.stats.newton_iterations -= 1;
+                self.linearise(x)?;
+            }
+        }
+        Ok(())
     }
 
     fn evaluate(&mut self, x: &Iterate, derivatives: Derivatives) -> Result<(), NonFinite> {

@@ -1,12 +1,13 @@
 //! Where Newton's iteration starts: a guess, or a solution carried to other meshes.
 
 use crate::collocation::Iterate;
+use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
 use crate::guess::{Guess, RegionGuess};
 use crate::measure::Solved;
 use crate::mesh::split;
 use crate::problem::Problem;
-use crate::solution::RegionSolution;
+use crate::solution::{RegionSolution, Solution};
 use crate::tableau::Tableau;
 
 /// Where Newton's iteration is to start.
@@ -18,12 +19,34 @@ pub(crate) struct Start {
 
 /// The solution on other meshes.
 pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>) -> Start {
+    carried(solved, meshes, solved.system.tableau)
+}
+
+/// The same, for another method.
+pub(crate) fn carried<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>, tableau: &Tableau) -> Start {
     let old = solved.regions();
     let regions = old.iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
     let mut start = Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() });
-    if solved.system.tableau.coupled {
-        let inner = old.iter().zip(&start.grids).map(|(old, grid)| old.sampled_inside(grid, solved.system.tableau));
+    if tableau.coupled {
+        let inner = old.iter().zip(&start.grids).map(|(old, grid)| old.sampled_inside(grid, tableau));
         start.x.inner = inner.collect();
+    }
+    start
+}
+
+/// A guess on the meshes of a solution that is near: where inner stages are unknowns, they are those of the solution,
+/// moved as the nodes beside them are.
+pub(crate) fn near(solution: &Solution, guess: &Guess) -> Start {
+    let (mut start, tableau) = (Start::from(guess), solution.order().tableau());
+    if tableau.coupled {
+        let old = Guess::from(solution).iterate(&start.grids);
+        for (index, (grid, region)) in start.grids.iter().zip(solution.regions()).enumerate() {
+            let moved: Vec<f64> = start.x.y[index].iter().zip(&old.y[index]).map(|(new, old)| new - old).collect();
+            let mut inner = region.sampled_inside(grid, tableau);
+            let moves = interpolated(tableau, grid, &moved, None);
+            inner.iter_mut().zip(&moves).for_each(|(inner, moved)| *inner += moved);
+            start.x.inner.push(inner);
+        }
     }
     start
 }

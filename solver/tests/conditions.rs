@@ -150,3 +150,12 @@ fn a_singular_matrix_at_an_iterate_is_stepped_away_from() {
         assert!(solution.stats().newton_iterations <= 20, "{:?}", solution.stats());
     }
 }
+
+/// The example says how an algebraic equation is stated beside differential ones; it asserts the known solution.
+#[path = "../examples/algebraic.rs"]
+mod algebraic;
+
+#[test]
+fn an_algebraic_equation_of_index_1_holds_by_its_derivative_and_one_end() {
+    algebraic::main().unwrap();
+}

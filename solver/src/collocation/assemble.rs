@@ -8,6 +8,7 @@ use crate::linear::chain::Block;
 use crate::linear::qr;
 use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::tableau::Tableau;
 
@@ -38,6 +39,30 @@ pub(crate) struct Assembly<'a> {
     /// The stage's dY/d(...), then the sums over stages.
     sum: Vec<Lane>,
     coupling: Coupling,
+}
+
+/// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what it
+/// is called from: that would make compiling half as long again, and the work is in sums as long as the equations are many.
+struct Couple<'a, 'b> {
+    assembly: &'a mut Assembly<'b>,
+    t: usize,
+    coupled: &'a mut [Lane],
+}
+
+impl Couple<'_, '_> {
+    #[inline(never)]
+    fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
+impl Job for Couple<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.assembly.differentiate_coupled(self.t, self.coupled);
+    }
 }
 
 impl<'a> Assembly<'a> {
@@ -101,7 +126,7 @@ impl<'a> Assembly<'a> {
             self.differentiate_stage(n, all, p, t, stage, h);
         }
         if self.tableau.coupled {
-            self.differentiate_coupled(n, all, p, t, h, coupled);
+            Couple { assembly: self, t, coupled }.vectorised();
         }
         self.combine(n, all, p, h, block);
         for (i, scale) in row_scale.iter_mut().enumerate() {
@@ -166,9 +191,9 @@ impl<'a> Assembly<'a> {
 
     /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled).
     #[inline(always)]
-    fn differentiate_coupled(&mut self, n: usize, all: usize, p: usize, t: usize, h: Lane, coupled: &mut [Lane]) {
-        // Both are known when compiled if the number of states is.
-        let (inner, m) = (COUPLED, COUPLED * n);
+    fn differentiate_coupled(&mut self, t: usize, coupled: &mut [Lane]) {
+        let (n, p, h) = (self.plan.n, self.plan.columns.len(), Lane(self.h[t]));
+        let (all, inner, m) = (n + self.plan.active.len(), COUPLED, COUPLED * n);
         self.left[2 * all * n..].fill(Lane::ZERO);
         self.right[2 * all * n..].fill(Lane::ZERO);
         self.by_constant[2 * all * p..].fill(Lane::ZERO);

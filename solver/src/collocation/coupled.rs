@@ -15,11 +15,11 @@ use super::factor::{Factorisation, RegionFactor};
 use super::grid::Grid;
 use super::plan::RegionPlan;
 use super::{Iterate, System};
-use crate::error::NonFinite;
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, largest, vectorised};
-use crate::problem::Problem;
+use crate::mesh;
+use crate::problem::{Points, Problem};
 use crate::stats::Stats;
 use crate::tableau::Tableau;
 
@@ -73,6 +73,13 @@ impl Coupling {
         let (moves, slopes) = rest.split_at_mut(m * self.columns);
         Parts { qr, moves, slopes }
     }
+}
+
+/// How far the stage equations have been solved.
+pub(crate) enum Settled {
+    Met,
+    /// Not far enough; the size of the first change.
+    From(f64),
 }
 
 /// From the right-hand sides of the stage equations to z, and to what z adds to those of the intervals and integrals.
@@ -169,29 +176,65 @@ impl RegionFactor {
     }
 }
 
-/// How often the stage equations are solved for given nodes at most.
+/// Corrections with one matrix at most,
 const ROUNDS: usize = 12;
+/// and matrices, where the stage equations are solved for given nodes.
+const MATRICES: usize = 4;
 /// Stage equations are met if no state would change by more than this, in typical magnitudes,
 const MET: f64 = 1e-14;
 /// and as well as rounding lets them be if it would not by more than this.
 const NEARLY_MET: f64 = 1e-9;
+/// Slopes that the right-hand side has at the nodes are believed where they move a state by no more than this, in its
+/// largest magnitude, from what the neighbouring nodes say.
+const BELIEVED: f64 = 0.3;
 
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes.
-    pub(crate) fn complete(&self, x: &mut Iterate) -> bool {
+    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes. Whether
+    /// it was so.
+    pub(crate) fn interpolate(&self, x: &mut Iterate, stats: &mut Stats) -> bool {
         let missing = self.tableau.coupled && x.inner.is_empty();
         if missing {
-            let regions = self.grids.iter().zip(&x.y);
-            x.inner = regions.map(|(grid, y)| interpolated(self.tableau, grid, y)).collect();
+            let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
+                let len = grid.node_stride();
+                let at = Points { len, stride: len, s: &grid.s, y };
+                let mut f = vec![0.0; self.layout.regions[region].rows() * len];
+                stats.rhs_points += len;
+                self.problem.rhs(region, &at, &x.constants, &mut f);
+                interpolated(self.tableau, grid, y, Some(&f))
+            });
+            x.inner = regions.collect();
         }
         missing
     }
 
-    /// Solves the stage equations for given nodes, with the factors held, unless the first change exceeds `limit`: then
-    /// nothing is done. `work` holds the residual at `x`, and does so on exit; its derivatives stay as they are.
-    ///
-    /// # Errors
-    /// A value that is not finite.
+    /// As [`interpolate`](Self::interpolate), then solves the stage equations for given nodes.
+    pub(crate) fn complete(&self, x: &mut Iterate, stats: &mut Stats) {
+        if self.interpolate(x, stats) {
+            self.meet(x, f64::INFINITY, stats);
+        }
+    }
+
+    /// Solves the stage equations for given nodes, unless that would at first change a state by `limit` typical magnitudes
+    /// or more, or does not converge: then nothing is done.
+    pub(crate) fn meet(&self, x: &mut Iterate, mut limit: f64, stats: &mut Stats) {
+        let (origin, mut work, mut factorisation) = (x.inner.clone(), self.work(), Factorisation::new(self));
+        for _ in 0..MATRICES {
+            // What is undefined here is so where the iteration starts, which will say so.
+            if self.evaluate(x, Derivatives::Planned, &mut work, stats).is_err() {
+                break;
+            }
+            factorisation.condense(self, &work, self.scales(x));
+            match self.settle(&factorisation, x, &mut work, limit, stats) {
+                Settled::Met => return,
+                Settled::From(size) if size < limit => limit = 0.5 * size,
+                Settled::From(_) => break,
+            }
+        }
+        x.inner = origin;
+    }
+
+    /// Solves the stage equations for given nodes, with the factors held, as long as every change is less than half the
+    /// one before. `work` holds the residual at `x`.
     pub(crate) fn settle(
         &self,
         factorisation: &Factorisation,
@@ -199,29 +242,27 @@ impl<P: Problem + ?Sized> System<'_, P> {
         work: &mut Work,
         limit: f64,
         stats: &mut Stats,
-    ) -> Result<(), NonFinite> {
-        let (origin, mut last) = (x.inner.clone(), limit);
+    ) -> Settled {
+        let (mut first, mut last) = (None, limit);
         for _ in 0..ROUNDS {
             let changes = factorisation.stage_correction(self, work);
             let size = largest(changes.iter().flatten().copied(), &[]);
+            let from = *first.get_or_insert(size);
             if size <= MET {
-                return Ok(());
+                return Settled::Met;
             }
             if !(size < last) {
-                if last > NEARLY_MET && x.inner != origin {
-                    x.inner = origin;
-                    self.evaluate(x, Derivatives::None, work, stats)?;
-                }
-                return Ok(());
+                return if last <= NEARLY_MET { Settled::Met } else { Settled::From(from) };
             }
             last = 0.5 * size;
+            let before = x.inner.clone();
             self.step_inner(x, &factorisation.scales.states, 1.0, &changes);
             if self.evaluate(x, Derivatives::None, work, stats).is_err() {
-                x.inner = origin;
-                return self.evaluate(x, Derivatives::None, work, stats);
+                x.inner = before;
+                return Settled::From(from);
             }
         }
-        Ok(())
+        Settled::From(first.unwrap_or(limit))
     }
 
     /// `x.inner += factor * scale * inner`.
@@ -242,7 +283,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 /// Row by row in working order, `m * interval_stride`, to interval by interval in units of the scales.
-pub(super) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Vec<Lane> {
+pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Vec<Lane> {
     let values = values.as_chunks::<W>().0;
     let steps = values.len() / m;
     let at = (0..steps).flat_map(|t| (0..m).map(move |row| (t, row)));
@@ -256,24 +297,32 @@ pub(crate) fn unscaled(lanes: &[Lane], d: &[f64], m: usize) -> Vec<f64> {
     at.flat_map(|(row, t)| lanes[t * m + row].times(d[row % d.len()]).0).collect()
 }
 
-/// By cubics with the slopes of parabolas through neighbouring nodes.
-fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64]) -> Vec<f64> {
-    let (len, mesh) = (grid.interval_stride(), &grid.mesh);
-    let states = y.len() / grid.node_stride();
+/// By cubics with the slopes of parabolas through neighbouring nodes, or with `f` (component by component in working
+/// order) where those are to be believed.
+pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Vec<f64> {
+    let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
+    let states = y.len() / stride;
     let mut out = vec![0.0; tableau.unknown_stages() * states * len];
-    for (i, y) in y.chunks_exact(grid.node_stride()).enumerate() {
+    for (i, y) in y.chunks_exact(stride).enumerate() {
         let values = grid.unpack(y);
-        let slopes = crate::mesh::slopes(mesh, &values);
+        let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
+        let slopes = mesh::slopes(mesh, &values);
+        let given = f.map(|f| grid.unpack(&f[i * stride..(i + 1) * stride]));
+        let ends = |j: usize, h: f64| {
+            let own = [h * slopes[j], h * slopes[j + 1]];
+            let given = given.as_ref().map(|given| [h * given[j], h * given[j + 1]]);
+            let near = |given: &[f64; 2]| own.iter().zip(given).all(|(a, b)| (a - b).abs() <= BELIEVED * size);
+            given.filter(near).unwrap_or(own)
+        };
         for (stage, &c) in tableau.c[2..].iter().enumerate() {
             let basis = super::interpolant::Basis::value(c);
             let out = &mut out[(stage * states + i) * len..][..len];
             for (p, out) in out.iter_mut().enumerate() {
+                let j = grid.index(p);
                 // Padding repeats the last node.
-                let j = p % W * grid.steps + p / W;
                 *out = if j < grid.intervals() {
-                    let h = mesh[j + 1] - mesh[j];
-                    let sloped = h * (basis.left * slopes[j] + basis.right * slopes[j + 1]);
-                    values[j] + basis.rise * (values[j + 1] - values[j]) + sloped
+                    let [left, right] = ends(j, mesh[j + 1] - mesh[j]);
+                    values[j] + basis.rise * (values[j + 1] - values[j]) + basis.left * left + basis.right * right
                 } else {
                     values[grid.intervals()]
                 };

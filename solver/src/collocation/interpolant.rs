@@ -6,16 +6,13 @@
 //! S(σ) = H(σ) + σ²(1-σ)² [α + β τ + γ τ² + δ τ³],      τ = σ - 1/2
 //! ```
 //!
-//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from the slopes at two points (bootstrapping
-//! as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497), so that the defect is O(h⁴).
+//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from the
+//! slopes at two points (bootstrapping as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497), so
+//! that the defect is O(h⁴).
 //! Order 6: S takes at the middle the value
 //! `(y_0 + y_1)/2 + h [(f_0 - f_1)/24 + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at
 //! 1/4 and 3/4 cancel, and the slope there; both are accurate to O(h⁶), and the defect is O(h⁵).
-//! Order 8: the collocation polynomial S₅, of degree 5, is accurate to O(h⁶), and its leading error is even in τ, as are
-//! then those of slopes `f(S₅)`. So α and γ, which the differences of slopes at places τ and -τ determine, can be had
-//! from S₅ as if that were accurate to O(h⁷): from its stages and from f at τ = ±1/5. They tell what S₅ is in error by to
-//! leading order, which ∂f/∂y at the middle turns into what the slopes are in error by there and, in their even part, at
-//! τ = ±1/5: without that error the one gives β, the other δ. S is accurate to O(h⁸), its defect to O(h⁷).
+//! Order 8: see [`corrected`](super::corrected).
 
 use super::evaluate::Stages;
 use super::{Iterate, Scales, System};
@@ -24,13 +21,10 @@ use crate::linear::scalar::W;
 use crate::linear::simd::elementwise;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
-use crate::tableau::{LOBATTO_OFFSET, QUARTIC_OFFSET, QUARTIC_SLOPE};
+use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
 
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// Places on both sides of the middle at which order 8 evaluates slopes of its extension.
-const PAIR_OFFSET: f64 = 0.2;
 
 /// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
@@ -124,10 +118,10 @@ pub(crate) struct Defects {
 }
 
 /// Points and results of one evaluation at the same σ in all intervals; reused from one to the next.
-struct Sample {
+pub(super) struct Sample {
     s: Vec<f64>,
     y: Vec<f64>,
-    f: Vec<f64>,
+    pub(super) f: Vec<f64>,
 }
 
 /// One region at a converged iterate.
@@ -141,12 +135,12 @@ pub(crate) struct Extended<'a, 'p, P: Problem + ?Sized> {
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// # Errors
     /// The right-hand side is undefined between the collocation points.
-    pub(crate) fn extension(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
+    pub(crate) fn extension(&self, scales: &Scales, stats: &mut Stats) -> Result<Extension, NonFinite> {
         let len = self.n() * self.intervals();
         let mut extension =
             Extension { alpha: vec![0.0; len], beta: vec![0.0; len], gamma: Vec::new(), delta: Vec::new() };
         if self.system.tableau.coupled {
-            self.match_slopes(&mut extension, stats)?;
+            self.correct(&mut extension, &scales.states[self.region], stats)?;
             return Ok(extension);
         }
         if self.system.tableau.order == 6 {
@@ -197,103 +191,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok(())
     }
 
-    /// α and γ from S₅, then β from the slope at the middle, then δ: see the module's head.
-    fn match_slopes(&self, extension: &mut Extension, stats: &mut Stats) -> Result<(), NonFinite> {
-        let (len, intervals) = (extension.alpha.len(), self.intervals());
-        // With q = 1/4 - τ², h times slopes at ±τ less those of the cubic are 4τq [-α + (q/2 - τ²) γ] in their odd part,
-        // and q (q - 4τ²) β + τ² q (3q - 4τ²) δ in their even part; at the middle β/16.
-        let factors = |t: f64| (4.0 * t * (0.25 - t * t), 0.5 * (0.25 - t * t) - t * t, 0.25 - t * t);
-        let (odd, bend, q) = factors(LOBATTO_OFFSET);
-        let even = q * (q - 4.0 * LOBATTO_OFFSET * LOBATTO_OFFSET);
-        let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), Basis::slope(0.5 + LOBATTO_OFFSET));
-        let (mut low, mut high) = (vec![0.0; intervals], vec![0.0; intervals]);
-        let mut stage_odd = vec![0.0; len];
-        for i in 0..self.n() {
-            let span = i * intervals..(i + 1) * intervals;
-            let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
-            self.weigh(None, &below, i, &mut low);
-            self.weigh(None, &above, i, &mut high);
-            let inputs = [self.h(), k2, k3, &low, &high];
-            elementwise(&mut stage_odd[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
-                0.5 * ((h * k3 - high) - (h * k2 - low)) / odd
-            });
-            elementwise(&mut extension.beta[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
-                0.5 * ((h * k3 - high) + (h * k2 - low)) / even
-            });
-            elementwise(&mut extension.alpha[span.clone()], [&stage_odd[span]], |_, [odd]| -odd);
-        }
-        let (pair, pair_bend, pair_q) = factors(PAIR_OFFSET);
-        let (pair_odd, mut pair_even) = self.pair(extension, stats)?;
-        extension.gamma = vec![0.0; len];
-        elementwise(&mut extension.gamma, [&pair_odd, &stage_odd], |_, [here, stage]| {
-            (here / pair - stage) / (pair_bend - bend)
-        });
-        elementwise(&mut extension.alpha, [&stage_odd, &extension.gamma], |_, [stage, gamma]| bend * gamma - stage);
-        // What α and γ have moved S by, in its even part, at the middle and at the pair; and by that its slopes.
-        let square = PAIR_OFFSET * PAIR_OFFSET;
-        let mut moved = vec![0.0; len];
-        let moved_inputs = [&extension.alpha[..], &stage_odd, &extension.gamma];
-        elementwise(&mut moved, moved_inputs, |_, [alpha, odd, gamma]| {
-            pair_q * pair_q * (alpha + odd + square * gamma)
-        });
-        self.add_slopes_of(&moved, &mut pair_even);
-        elementwise(&mut moved, [&extension.alpha, &stage_odd], |_, [alpha, odd]| (alpha + odd) / 16.0);
-        extension.beta.fill(0.0);
-        self.add_slopes_of(&moved, &mut extension.beta);
-        let slope = Basis::slope(0.5);
-        for i in 0..self.n() {
-            let span = i * intervals..(i + 1) * intervals;
-            self.weigh(None, &slope, i, &mut low);
-            let k4 = self.stages.slope(4, i, intervals);
-            elementwise(&mut extension.beta[span], [self.h(), k4, &low], |more, [h, k4, cubic]| {
-                16.0 * (h * k4 + more - cubic)
-            });
-        }
-        extension.delta = vec![0.0; len];
-        let (of_beta, of_delta) = (pair_q * (pair_q - 4.0 * square), square * pair_q * (3.0 * pair_q - 4.0 * square));
-        elementwise(&mut extension.delta, [&pair_even, &extension.beta], |_, [even, beta]| {
-            (even - of_beta * beta) / of_delta
-        });
-        Ok(())
-    }
-
-    /// `out += h J change`, with J at the middles.
-    fn add_slopes_of(&self, change: &[f64], out: &mut [f64]) {
-        let (n, intervals) = (self.n(), self.intervals());
-        let dy = &self.stages.inner[2].dy;
-        let pattern = &self.system.layout.regions[self.region].state_pattern;
-        for (entry, &(row, state)) in pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
-            let change = &change[state * intervals..(state + 1) * intervals];
-            let out = &mut out[row * intervals..(row + 1) * intervals];
-            elementwise(out, [self.h(), &dy[entry * intervals..], change], |sum, [h, dy, change]| {
-                sum + h * dy * change
-            });
-        }
-    }
-
-    /// The odd and the even part of h times the slopes f(S) at τ = ±[`PAIR_OFFSET`], less those of the cubic: of all
-    /// states and intervals.
-    fn pair(&self, extension: &Extension, stats: &mut Stats) -> Result<(Vec<f64>, Vec<f64>), NonFinite> {
-        let mut sample = self.room();
-        let (len, intervals) = (extension.alpha.len(), self.intervals());
-        let (mut odd, mut even) = (vec![0.0; len], vec![0.0; len]);
-        let mut cubic = vec![0.0; intervals];
-        for sign in [-1.0, 1.0] {
-            let sigma = 0.5 + sign * PAIR_OFFSET;
-            self.sample(Some(extension), sigma, &mut sample, stats)?;
-            let slope = Basis::slope(sigma);
-            for i in 0..self.n() {
-                let span = i * intervals..(i + 1) * intervals;
-                self.weigh(None, &slope, i, &mut cubic);
-                let inputs = [self.h(), &sample.f[span.clone()], &cubic];
-                elementwise(&mut odd[span.clone()], inputs, |sum, [h, f, cubic]| sum + 0.5 * sign * (h * f - cubic));
-                elementwise(&mut even[span], inputs, |sum, [h, f, cubic]| sum + 0.5 * (h * f - cubic));
-            }
-        }
-        Ok((odd, even))
-    }
-
-    fn n(&self) -> usize {
+    pub(super) fn n(&self) -> usize {
         self.system.plan.regions[self.region].n
     }
 
@@ -301,11 +199,11 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         self.system.grids[self.region].node_stride()
     }
 
-    fn intervals(&self) -> usize {
+    pub(super) fn intervals(&self) -> usize {
         self.system.grids[self.region].interval_stride()
     }
 
-    fn h(&self) -> &[f64] {
+    pub(super) fn h(&self) -> &[f64] {
         &self.system.grids[self.region].h
     }
 
@@ -316,7 +214,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 
     /// The weighted sums of a basis (without `y_0`), component `i`, all intervals. Without extension: of the cubic.
-    fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
+    pub(super) fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
         let (y0, y1) = self.values(i);
         let (f0, f1) = (self.stages.slope(0, i, out.len()), self.stages.slope(1, i, out.len()));
         elementwise(out, [y0, y1, f0, f1, self.h()], |_, [y0, y1, f0, f1, h]| {
@@ -336,13 +234,13 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 
     /// Room for [`sample`](Self::sample).
-    fn room(&self) -> Sample {
+    pub(super) fn room(&self) -> Sample {
         let (intervals, plan) = (self.intervals(), &self.system.plan.regions[self.region]);
         Sample { s: vec![0.0; intervals], y: vec![0.0; plan.n * intervals], f: vec![0.0; plan.rows * intervals] }
     }
 
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
-    fn sample(
+    pub(super) fn sample(
         &self,
         extension: Option<&Extension>,
         sigma: f64,
@@ -491,6 +389,19 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             }
         }
         integrated
+    }
+
+    /// What the defect moves the inner stages by, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' - f(S)) ds`, as
+    /// [`Iterate::inner`] stands: right-hand sides of the linearised stage equations.
+    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Vec<f64> {
+        let tableau = self.system.tableau;
+        let len = self.n() * self.intervals();
+        let mut out = vec![0.0; tableau.unknown_stages() * len];
+        for (out, &c) in out.chunks_exact_mut(len).zip(&tableau.c[2..]) {
+            self.improvement(extension, defects, c, out);
+            elementwise(out, [&defects.integrated], |improvement, [whole]| -improvement - c * whole);
+        }
+        out
     }
 
     /// `S̃ - S` at one σ in all intervals.

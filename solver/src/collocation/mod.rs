@@ -2,6 +2,7 @@
 
 pub(crate) mod assemble;
 pub(crate) mod boundary;
+mod corrected;
 pub(crate) mod coupled;
 pub(crate) mod evaluate;
 pub(crate) mod factor;

@@ -150,13 +150,9 @@ fn setup<'a>(
 fn met(setup: &mut Setup<'_>, x: &Iterate) -> Iterate {
     let Setup { system, work, .. } = setup;
     let (mut x, mut stats) = (Iterate { inner: Vec::new(), ..x.clone() }, Stats::default());
-    if system.complete(&mut x) {
-        for _ in 0..4 {
-            let mut factorisation = Factorisation::new(system);
-            system.evaluate(&x, Derivatives::Planned, work, &mut stats).unwrap();
-            factorisation.condense(system, work, system.scales(&x));
-            system.settle(&factorisation, &mut x, work, f64::INFINITY, &mut stats).unwrap();
-        }
+    if system.tableau.coupled {
+        system.complete(&mut x, &mut stats);
+        system.evaluate(&x, Derivatives::None, work, &mut stats).unwrap();
         let psi = work.regions.iter().flat_map(|stages| &stages.psi);
         assert!(psi.fold(0.0, |max: f64, psi| max.max(psi.abs())) < 1e-12);
     }

@@ -2,7 +2,6 @@
 
 use super::Run;
 use crate::collocation::evaluate::Derivatives;
-use crate::collocation::factor::Factorisation;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Solved, intervals};
 use crate::newton::Converged;
@@ -52,13 +51,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let mut work = system.work();
         let undefined =
             |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(&system.grids) };
-        let incomplete = system.complete(&mut x);
+        system.complete(&mut x, &mut self.stats);
         system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined)?;
-        if incomplete {
-            let mut factorisation = Factorisation::new(&system);
-            factorisation.condense(&system, &work, system.scales(&x));
-            system.settle(&factorisation, &mut x, &mut work, f64::INFINITY, &mut self.stats).map_err(undefined)?;
-        }
         let converged = Converged::known(&system, x, work);
         let solved = Solved::new(system, converged, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
@@ -94,7 +88,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             regions: solved.regions(),
             constants: solved.converged.x.constants.clone(),
             unknowns: self.plan.unknowns.clone(),
-            order: self.options.order,
+            order: self.order,
             max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
             max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,

@@ -90,7 +90,13 @@ fn a_rough_guess_of_a_periodic_orbit_leads_to_it_from_nearly_every_mesh() {
         case = case.intervals(intervals);
         for order in [Order::Four, Order::Six, Order::Eight] {
             let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
-            let Ok(solution) = run(&case, None, &options).solution else { continue };
+            let solution = match run(&case, None, &options).solution {
+                Ok(solution) => solution,
+                Err(reason) => {
+                    println!("{intervals} intervals, {order:?}: {reason}");
+                    continue;
+                }
+            };
             assert_eq!(solution.accuracy(), Accuracy::Met);
             let periods = solution.constants()[case.unknowns[0]] / period;
             assert!((periods - periods.round()).abs() < 1e-5 && periods.round() != 0.0, "{periods}");
