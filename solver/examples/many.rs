@@ -1,5 +1,5 @@
-//! Bratu's problem, `u'' = -λ exp(u)`, `u(0) = u(1) = 0`, from thirteen guesses at each of three λ, all in parallel: below
-//! λ = 3.5138 it has two solutions, and which is found depends on the guess.
+//! Bratu's problem, `u'' = -λ exp(u)`, `u(0) = u(1) = 0`, from thirteen guesses at each of three λ, all in parallel:
+//! below λ = 3.5138 it has two solutions, and which is found depends on the guess.
 //!
 //! ```text
 //! cargo run --release -p sheave-solver --features rayon --example many

@@ -13,9 +13,9 @@ pub enum Order {
     Four,
     /// Five-stage mono-implicit Runge-Kutta: fewer intervals where the solution is smooth.
     Six,
-    /// Five-stage Lobatto IIIA: a third of the intervals of order 6 where solutions are smooth, and half of its evaluations
-    /// to nine digits. Each interval has three points inside whose states are unknowns, which are eliminated interval
-    /// by interval. Where the iteration fails, order 6 finds where it is to start from.
+    /// Five-stage Lobatto IIIA: a third of the intervals of order 6 where solutions are smooth, and half of its
+    /// evaluations to nine digits. Each interval has three points inside whose states are unknowns, which are
+    /// eliminated interval by interval. Where the iteration fails, order 6 finds where it is to start from.
     Eight,
 }
 

@@ -110,8 +110,8 @@ pub(crate) struct Rescue {
     pub(crate) attempts: &'static [(Order, bool)],
 }
 
-/// What is tried from the guess after an iteration that insists on progress. Order 8, on a few long intervals, is more easily
-/// led astray: order 6 finds where it is to start from.
+/// What is tried from the guess after an iteration that insists on progress. Order 8, on a few long intervals, is
+/// more easily led astray: order 6 finds where it is to start from.
 fn attempts(order: Order) -> &'static [(Order, bool)] {
     match order {
         Order::Four => &[(Order::Four, false)],

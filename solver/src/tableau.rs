@@ -82,9 +82,9 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     ],
 };
 
-/// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14 and
-/// 1/2. E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", Springer 1996, section IV.5. The stages
-/// stand in a form that treats both ends alike, with `v_r = c_r`: of Lobatto's coefficients `a_rj` those of
+/// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
+/// and 1/2. E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", Springer 1996, section IV.5. The
+/// stages stand in a form that treats both ends alike, with `v_r = c_r`: of Lobatto's coefficients `a_rj` those of
 /// `c_r (y_1 - y_0 - h Σ_j b_j K_j) = 0` are taken off, `x_rj = a_rj - c_r b_j`.
 pub(crate) static ORDER_8: Tableau = Tableau {
     order: 8,

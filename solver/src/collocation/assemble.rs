@@ -41,8 +41,8 @@ pub(crate) struct Assembly<'a> {
     coupling: Coupling,
 }
 
-/// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what it
-/// is called from: that would make compiling half as long again, and the work is in sums as long as the equations are many.
+/// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what
+/// it is called from: compiling those is what most of the crate's build time goes into.
 struct Couple<'a, 'b> {
     assembly: &'a mut Assembly<'b>,
     t: usize,

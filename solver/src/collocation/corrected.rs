@@ -1,6 +1,6 @@
 //! The continuous extension of order 8: the collocation polynomial, corrected by collocation at more points.
 //!
-//! The collocation polynomial S₅, of degree 5, is accurate to O(h⁶). What it lacks is sought among the
+//! The collocation polynomial S₅, of degree 5, is accurate to O(h⁶). What it lacks is sought among
 //! `E(σ) = σ²(1-σ)² [a + b τ + c τ² + d τ³]`, which change neither values nor slopes at the nodes, by collocation of the
 //! linearised equations
 //!
@@ -8,10 +8,10 @@
 //! E'(σ_k) - h J(σ_k) E(σ_k) = h f(S₅(σ_k)) - S₅'(σ_k)
 //! ```
 //!
-//! at the points σ_k that are neither an end nor the middle among the seven of Lobatto. Then `S = S₅ + E` is accurate to
-//! O(h⁸) and its defect to O(h⁷), the leading term of which is a multiple of Lobatto's polynomial: odd, and as small as
-//! can be. As the equations are solved, and slopes not evaluated one after the other, nothing is multiplied by h J: where
-//! that is large, S follows what f asks of it between the nodes.
+//! at the points σ_k that are neither an end nor the middle among the seven of Lobatto. Then `S = S₅ + E` is accurate
+//! to O(h⁸) and its defect to O(h⁷), the leading term of which is a multiple of Lobatto's polynomial: odd, and as
+//! small as can be. As the equations are solved, and slopes not evaluated one after the other, nothing is multiplied
+//! by h J: where that is large, S follows what f asks of it between the nodes.
 
 use super::evaluate::{Batch, Stages};
 use super::interpolant::{Basis, Extended, Extension};

@@ -1,7 +1,7 @@
 //! Inner stages that depend on each other: their states are unknowns, eliminated interval by interval.
 //!
-//! With `Y_i` the states at the inner stages and `ψ_i = Y_i - (1 - v_i) y_0 - v_i y_1 - h Σ_j x_ij K_j` their residuals,
-//! the linearised stage equations of an interval
+//! With `Y_i` the states at the inner stages and `ψ_i = Y_i - (1 - v_i) y_0 - v_i y_1 - h Σ_j x_ij K_j` their
+//! residuals, the linearised stage equations of an interval
 //!
 //! ```text
 //! dY_i - h Σ_j x_ij J_j dY_j = (1 - v_i + h x_i0 J_0) dy_0 + (v_i + h x_i1 J_1) dy_1 + h Σ_j x_ij ∂f_j/∂c dc - ψ_i
@@ -189,8 +189,8 @@ const NEARLY_MET: f64 = 1e-9;
 const BELIEVED: f64 = 0.3;
 
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes. Whether
-    /// it was so.
+    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes.
+    /// Whether it was so.
     pub(crate) fn interpolate(&self, x: &mut Iterate, stats: &mut Stats) -> bool {
         let missing = self.tableau.coupled && x.inner.is_empty();
         if missing {
@@ -214,8 +214,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
         }
     }
 
-    /// Solves the stage equations for given nodes, unless that would at first change a state by `limit` typical magnitudes
-    /// or more, or does not converge: then nothing is done.
+    /// Solves the stage equations for given nodes, unless that would at first change a state by `limit` typical
+    /// magnitudes or more, or does not converge: then nothing is done.
     pub(crate) fn meet(&self, x: &mut Iterate, mut limit: f64, stats: &mut Stats) {
         let (origin, mut work, mut factorisation) = (x.inner.clone(), self.work(), Factorisation::new(self));
         for _ in 0..MATRICES {

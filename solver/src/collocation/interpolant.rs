@@ -6,13 +6,11 @@
 //! S(σ) = H(σ) + σ²(1-σ)² [α + β τ + γ τ² + δ τ³],      τ = σ - 1/2
 //! ```
 //!
-//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from the
-//! slopes at two points (bootstrapping as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497), so
-//! that the defect is O(h⁴).
-//! Order 6: S takes at the middle the value
-//! `(y_0 + y_1)/2 + h [(f_0 - f_1)/24 + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at
-//! 1/4 and 3/4 cancel, and the slope there; both are accurate to O(h⁶), and the defect is O(h⁵).
-//! Order 8: see [`corrected`](super::corrected).
+//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from
+//! the slopes at two points (bootstrapping as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996)
+//! 479-497), so that the defect is O(h⁴). Order 6: S takes at the middle the value `(y_0 + y_1)/2 + h [(f_0 - f_1)/24
+//! + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at 1/4 and 3/4 cancel, and the slope there;
+//! both are accurate to O(h⁶), and the defect is O(h⁵). Order 8: see [`corrected`](super::corrected).
 
 use super::evaluate::Stages;
 use super::{Iterate, Scales, System};

@@ -68,7 +68,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
     /// `h Σ b dK` of all rows, integrands included: `rows * interval_stride`, when the constants move at the rates
     /// `direction` and the nodes at `nodes` (component by component in working order), if they move at all. `inner`:
-    /// the rates of the inner stages' states, as [`Iterate::inner`](super::Iterate::inner) stands, if they are unknowns.
+    /// the rates of the inner stages' states, as [`Iterate::inner`](super::Iterate::inner) stands, if they are
+    /// unknowns.
     pub(crate) fn weighted_rates(
         &self,
         index: usize,
