@@ -187,11 +187,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 before = None;
                 continue;
             }
-            if std::mem::take(&mut incomplete) {
-                if let Err(error) = self.settle(&mut x) {
-                    x = self.escape(&x, &mut taken, error)?;
-                    continue;
-                }
+            if std::mem::take(&mut incomplete)
+                && let Err(error) = self.settle(&mut x)
+            {
+                x = self.escape(&x, &mut taken, error)?;
+                continue;
             }
             let dx = self.correction();
             let size = self.system.norm(&dx);
