@@ -60,6 +60,31 @@ pub fn quoted(text: &str) -> Cow<'_, str> {
     }
 }
 
+/// The text without one pair of quotes around it.
+///
+/// ```
+/// assert_eq!(sheave::text::unquoted("\"3 kg\""), "3 kg");
+/// ```
+pub fn unquoted(text: &str) -> &str {
+    let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
+    inside('"').or_else(|| inside('\'')).unwrap_or(text)
+}
+
+/// A symbol with every index as `_{..}`, as texts of figures have it.
+///
+/// ```
+/// assert_eq!(sheave::text::subscripted("R_S/R_P"), "R_{S}/R_{P}");
+/// ```
+pub fn subscripted(symbol: &str) -> String {
+    let mut parts = symbol.split('_');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (index, rest) = part.split_at(part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len()));
+        text += &format!("_{{{index}}}{rest}");
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -180,7 +180,7 @@ impl BeltMap {
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         for axis in self.0.axes() {
-            dict.set_item(axis.key().path(), axis.unit())?;
+            dict.set_item(axis.key().path(), axis.unit().as_ref())?;
         }
         Ok(dict)
     }

@@ -6,6 +6,7 @@ use crate::case::{Key, Resolved, Setting};
 use crate::drive::Solved;
 use crate::model::{Constant, Output};
 use crate::study::Axis;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Breakpoints of a range whose number is not given.
@@ -95,8 +96,8 @@ impl MapAxis {
     }
 
     /// SI unit of the breakpoints, as files state it; `1` for a pure number.
-    pub fn unit(&self) -> &'static str {
-        super::file::unit(self.key)
+    pub fn unit(&self) -> Cow<'static, str> {
+        self.key.entry().si_unit()
     }
 
     /// Where the map has nodes, SI, increasing; three at the least.

@@ -7,10 +7,11 @@ use super::axis::MapAxis;
 use super::error::MapFileError;
 use super::map::BeltMap;
 use super::quantity::{Node, Quantity, Sample};
+#[cfg(feature = "parquet")]
+use super::record::ATTRIBUTE;
 use super::record::{STATUS, cells, columns, slope_name};
 use super::report::Report;
-use crate::case::{Key, ValueKind};
-use crate::quantity::Dimension;
+use crate::case::Key;
 use crate::study::{Cell, Table, write_csv};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -19,9 +20,6 @@ use std::path::Path;
 
 /// What the first line of a map as CSV begins with.
 const MAGIC: &str = "# sheave belt map ";
-/// Where other formats have the same.
-#[cfg(any(feature = "netcdf", feature = "parquet"))]
-pub(super) const ATTRIBUTE: &str = "sheave_belt_map";
 /// Version of the format.
 const VERSION: usize = 1;
 /// Longest first line, and most nodes, that are read.
@@ -95,28 +93,10 @@ impl MapFormat {
     }
 }
 
-/// SI unit of a key, as files state it.
-pub(super) fn unit(key: Key) -> &'static str {
-    let ValueKind::Quantity { unit, .. } = key.entry().kind else { return "1" };
-    match unit.scale.dimension {
-        Dimension::NONE => "1",
-        Dimension::LENGTH => "m",
-        Dimension::ANGULAR_SPEED => "rad/s",
-        Dimension::FORCE => "N",
-        Dimension::TORQUE => "N*m",
-        Dimension::PRESSURE => "Pa",
-        Dimension::SPEED => "m/s",
-        Dimension::MASS_PER_LENGTH => "kg/m",
-        Dimension::BENDING_STIFFNESS => "N*m^2",
-        Dimension::ANGLE => "rad",
-        _ => "SI",
-    }
-}
-
 impl BeltMap {
     /// What a file says of the map, as one line.
     pub(super) fn head(&self) -> io::Result<String> {
-        let axis = |axis: &MapAxis| Named { name: axis.key().path().to_owned(), unit: unit(axis.key()).to_owned() };
+        let axis = |axis: &MapAxis| Named { name: axis.key().path().to_owned(), unit: axis.unit().into_owned() };
         let quantity = |quantity: &Quantity| Named { name: quantity.name().into(), unit: quantity.unit().into() };
         let head = Head {
             version: VERSION,

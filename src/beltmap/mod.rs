@@ -16,15 +16,16 @@ mod hermite;
 mod map;
 #[cfg(feature = "netcdf")]
 mod netcdf;
+mod plan;
 mod quantity;
 mod record;
 mod report;
 mod utilization;
 
 pub use axis::{FIRST_BREAKPOINTS, MAX_AXES, MapAxis};
-pub use build::{Keep, KeepNothing, MapOptions, MapPlan, Progress};
 pub use error::{MapError, MapFileError, Outside};
 pub use file::MapFormat;
 pub use map::{BeltMap, MapPoint};
+pub use plan::{Keep, KeepNothing, MapOptions, MapPlan, Progress};
 pub use quantity::{Measure, Quantity};
 pub use report::{ErrorReport, QuantityError, Report};

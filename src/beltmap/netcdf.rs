@@ -1,9 +1,9 @@
 //! Maps as NetCDF in its classic format: one array a quantity over the axes' breakpoints, as lookup tables take them.
 
 use super::axis::MapAxis;
-use super::file::{ATTRIBUTE, unit};
 use super::map::BeltMap;
 use super::quantity::{Node, Quantity};
+use super::record::{ATTRIBUTE, STATUS, flag_meanings};
 use netcdf3::{DataSet, FileWriter, Version};
 use std::io::{self, Write};
 
@@ -21,8 +21,8 @@ struct Variable {
 pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
     let axes: Vec<String> = map.axes.iter().map(|axis| axis.key().entry().name().to_owned()).collect();
     let variables = variables(map, &axes);
-    let status: Vec<i8> = map.nodes.iter().map(|node| i8::try_from(node.number()).unwrap_or(i8::MAX)).collect();
-    let data = data_set(map, &axes, &variables).map_err(|error| io::Error::other(format!("{error:?}")))?;
+    let status: Vec<i8> = map.nodes.iter().map(Node::number).collect();
+    let data = data_set(map, map.head()?, &axes, &variables).map_err(|error| io::Error::other(format!("{error:?}")))?;
     // The crate writes where it can seek.
     let file = tempfile::NamedTempFile::new()?;
     let written = || -> Result<(), netcdf3::WriteError> {
@@ -41,8 +41,6 @@ pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Resu
     io::copy(&mut file.reopen()?, to)?;
     Ok(())
 }
-
-const STATUS: &str = "status";
 
 fn name(of: &str) -> String {
     of.replace('.', "_")
@@ -74,31 +72,37 @@ fn variables(map: &BeltMap, axes: &[String]) -> Vec<Variable> {
 }
 
 fn slope_unit(quantity: Quantity, axis: &MapAxis) -> String {
-    match unit(axis.key()) {
+    match axis.unit().as_ref() {
         "1" => quantity.unit().to_owned(),
         unit => format!("{}/({unit})", quantity.unit()),
     }
 }
 
-fn data_set(map: &BeltMap, axes: &[String], variables: &[Variable]) -> Result<DataSet, netcdf3::InvalidDataSet> {
+/// The file without its numbers; `head` is what it says of the map, as one line.
+fn data_set(
+    map: &BeltMap,
+    head: String,
+    axes: &[String],
+    variables: &[Variable],
+) -> Result<DataSet, netcdf3::InvalidDataSet> {
     let mut data = DataSet::new();
     data.add_global_attr_string("title", "belt map of a rubber V-belt CVT")?;
     data.add_global_attr_string("source", concat!("sheave ", env!("CARGO_PKG_VERSION")))?;
     data.add_global_attr_f64("accuracy", vec![map.report.accuracy])?;
     data.add_global_attr_f64("largest_error", vec![map.report.error.largest])?;
     data.add_global_attr_f64("largest_error_of_linear_interpolation", vec![map.report.linear_error.largest])?;
-    data.add_global_attr_string(ATTRIBUTE, map.head().unwrap_or_default())?;
+    data.add_global_attr_string(ATTRIBUTE, head)?;
     for (axis, name) in map.axes.iter().zip(axes) {
         data.add_fixed_dim(name, axis.len())?;
     }
     for (axis, name) in map.axes.iter().zip(axes) {
         data.add_var_f64(name, &[name])?;
-        data.add_var_attr_string(name, "units", unit(axis.key()))?;
+        data.add_var_attr_string(name, "units", axis.unit().as_ref())?;
         data.add_var_attr_string(name, "long_name", axis.key().entry().doc)?;
     }
     data.add_var_i8(STATUS, axes)?;
     data.add_var_attr_i8(STATUS, "flag_values", vec![0, 1, 2, 3])?;
-    data.add_var_attr_string(STATUS, "flag_meanings", "solved slipping no_solution no_drive")?;
+    data.add_var_attr_string(STATUS, "flag_meanings", flag_meanings())?;
     for variable in variables {
         data.add_var_f64(&variable.name, axes)?;
         data.add_var_attr_string(&variable.name, "units", &variable.unit)?;

@@ -8,8 +8,21 @@ use serde_json::Number;
 /// The column that says what a point has.
 pub(super) const STATUS: &str = "status";
 
-/// Names of what a point has.
-const NAMES: [&str; 4] = ["solved", "slipping", "no_solution", "no_drive"];
+/// Where files of other formats than CSV have what they say of their map.
+#[cfg(any(feature = "netcdf", feature = "parquet"))]
+pub(super) const ATTRIBUTE: &str = "sheave_belt_map";
+
+/// Names of what a point has, in the order of their numbers: 0 solved, 1 slipping, 2 no solution, 3 no drive.
+const SOLVED: &str = "solved";
+const SLIPPING: &str = "slipping";
+const UNSOLVED: &str = "no_solution";
+const NO_DRIVE: &str = "no_drive";
+
+/// The names with their numbers as a NetCDF attribute has them, separated by blanks.
+#[cfg(feature = "netcdf")]
+pub(super) fn flag_meanings() -> String {
+    [SOLVED, SLIPPING, UNSOLVED, NO_DRIVE].join(" ")
+}
 
 /// A point with its number and what it has.
 pub(super) struct PointRow<'a> {
@@ -22,11 +35,17 @@ pub(super) struct PointRow<'a> {
 impl Node {
     /// Its name in files.
     pub(super) fn name(&self) -> &'static str {
-        NAMES[self.number()]
+        match self {
+            Self::Solved(_) => SOLVED,
+            Self::Slipping => SLIPPING,
+            Self::Unsolved => UNSOLVED,
+            Self::NoDrive => NO_DRIVE,
+        }
     }
 
-    /// Its number in files that have no names: 0 solved, 1 slipping, 2 no solution, 3 no drive.
-    pub(super) fn number(&self) -> usize {
+    /// Its number in files that have no names.
+    #[cfg(feature = "netcdf")]
+    pub(super) fn number(&self) -> i8 {
         match self {
             Self::Solved(_) => 0,
             Self::Slipping => 1,
@@ -38,10 +57,10 @@ impl Node {
     /// The point with this name, which has `sample` if it is solved.
     pub(super) fn named(name: &str, sample: Option<Sample>) -> Option<Self> {
         match name {
-            "solved" => sample.map(Self::Solved),
-            "slipping" => Some(Self::Slipping),
-            "no_solution" => Some(Self::Unsolved),
-            "no_drive" => Some(Self::NoDrive),
+            SOLVED => sample.map(Self::Solved),
+            SLIPPING => Some(Self::Slipping),
+            UNSOLVED => Some(Self::Unsolved),
+            NO_DRIVE => Some(Self::NoDrive),
             _ => None,
         }
     }

@@ -1,7 +1,7 @@
 //! Whether belt, radii and centre distance that are given go together, and what is only partly given.
 
-use super::file::Case;
 use super::geometry::pitch_length;
+use super::given::Case;
 use super::keys::Key;
 use crate::model::Free;
 

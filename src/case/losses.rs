@@ -1,11 +1,11 @@
 //! What a case says of losses besides friction.
 
 use super::error::CaseError;
-use super::file::Case;
+use super::given::Case;
 use super::grid::Grid;
 use super::keys::Key;
 use super::loss_tangent::LossTangent;
-use super::resolve::Setting;
+use super::setting::Setting;
 use crate::model::{Edition, Include};
 
 /// Losses besides friction.

@@ -32,9 +32,9 @@
 #[cfg(feature = "cli")]
 mod diagnostic;
 mod error;
-mod file;
 mod fits;
 pub mod geometry;
+mod given;
 mod grid;
 mod keys;
 mod loss_tangent;
@@ -46,18 +46,21 @@ mod place;
 mod posed;
 mod range;
 pub(crate) mod raw;
+mod read;
 mod resolve;
 #[cfg(feature = "schema")]
 mod schema;
+mod setting;
 mod swap;
 mod tables;
 mod text;
 mod thermal;
+mod value;
 
 pub use crate::model::{Bending, Choice, Edition, Ends, Free, Friction, Include, ModelChoices, Shear, Spans};
 pub use error::{CaseError, CaseProblem};
-pub use file::Case;
 pub use fits::PITCH_TOLERANCE;
+pub use given::Case;
 pub use grid::{Grid, GridError, Rated};
 pub use keys::{Entry, Key, TABLE, ValueKind, sections};
 pub use loss_tangent::LossTangent;
@@ -67,7 +70,8 @@ pub use operating::{Clamp, Fourth, Load, Margin, OperatingPoint, Speed};
 pub use parts::{Actuation, Parts};
 pub use place::{Place, Placed, Source};
 pub use range::{Range, RangeEnd};
-pub use resolve::{BeltProperties, Drive, Resolved, Setting, Sheave};
+pub use resolve::{BeltProperties, Drive, Resolved, Sheave};
+pub use setting::Setting;
 pub use swap::GivenSwap;
 pub use tables::Over;
 pub use thermal::{Softened, Stiffnesses, Surface, Thermal};

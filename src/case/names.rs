@@ -2,6 +2,7 @@
 
 use super::keys::Key;
 use crate::model::{Constant, Output};
+use crate::text::subscripted;
 
 impl Key {
     /// The key that gives a constant; `None` for those that are found unless something else is prescribed.
@@ -66,16 +67,5 @@ pub fn output_axis_label(output: Output) -> String {
     let place = ["primary.", "secondary.", "tight_span.", "slack_span."].iter().any(|of| symbol.name.starts_with(of));
     let what = if place { symbol.name.replace(['.', '_'], " ") } else { symbol.doc.to_owned() };
     let unit = if symbol.unit.is_empty() { String::new() } else { format!(" ({})", symbol.unit) };
-    format!("{what} {}{unit}", marked(symbol.symbol))
-}
-
-/// A symbol with every index as `_{..}`, as texts of figures have it.
-pub(super) fn marked(symbol: &str) -> String {
-    let mut parts = symbol.split('_');
-    let mut marked = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (index, rest) = part.split_at(part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len()));
-        marked += &format!("_{{{index}}}{rest}");
-    }
-    marked
+    format!("{what} {}{unit}", subscripted(symbol.symbol))
 }

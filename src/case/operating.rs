@@ -1,7 +1,7 @@
 //! The operating point: a speed, a load and a clamp, each given in one of several ways.
 
 use super::error::CaseError;
-use super::file::Case;
+use super::given::Case;
 use super::keys::Key;
 use crate::model::Free;
 

@@ -1,10 +1,10 @@
 //! Parts of a whole drive that a case may have: actuators, engine, vehicle.
 
 use super::error::{CaseError, CaseProblem};
-use super::file::Case;
 use super::geometry::radius_beside;
+use super::given::Case;
 use super::keys::{Key, TABLE};
-use super::resolve::Setting;
+use super::setting::Setting;
 use crate::actuator::{
     ActuatorError, AngleFrom, CamArm, Flyweights, Helix, Mechanism, PrimaryActuator, Profile, RollerArm,
     SecondaryActuator, Shift, Spring, travel,

@@ -1,7 +1,7 @@
 //! Valid cases whose question has no answer whatever the numbers.
 
 use super::error::{CaseError, CaseProblem};
-use super::file::Case;
+use super::given::Case;
 use super::keys::Key;
 use super::resolve::Resolved;
 use crate::model::IllPosed;

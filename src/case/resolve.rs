@@ -1,13 +1,13 @@
 //! From what was written to a case in which everything is decided, in SI.
 
 use super::error::{CaseError, CaseProblem};
-use super::file::{Case, SWAP};
 use super::geometry::{NoRadii, radii_of_ratio, radius_beside};
-use super::grid::Grid;
+use super::given::{Case, SWAP};
 use super::keys::Key;
 use super::losses::{Losses, losses};
 use super::operating::OperatingPoint;
 use super::parts::{Parts, parts};
+use super::setting::Setting;
 use super::swap::GivenSwap;
 use super::thermal::{Stiffnesses, Thermal, thermal};
 use crate::model::{Bending, Edition, Ends, Free, Friction, ModelChoices, Shear, Spans};
@@ -84,20 +84,6 @@ pub struct Drive {
     pub free: Option<Free>,
 }
 
-/// The value of a key.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Setting {
-    /// In SI.
-    Number(f64),
-    /// In SI.
-    List(Vec<f64>),
-    /// One of the key's choices.
-    Name(&'static str),
-    /// A table in SI.
-    Table(Grid),
-}
-
 impl Case {
     /// Decides everything: the base case's values for keys that were not given, the edition's choices, the radii.
     ///
@@ -132,19 +118,6 @@ impl Case {
             swaps: self.swaps.iter().map(|(swap, _)| swap.clone()).collect(),
             found: Vec::new(),
         })
-    }
-
-    /// The quantity given for `key`, or the base case's; not a number where neither exists, which no caller asks for.
-    pub(super) fn value(&self, key: Key) -> f64 {
-        self.quantity(key).or(key.entry().base()).unwrap_or(f64::NAN)
-    }
-
-    pub(super) fn conflict(&self, first: Key, second: Key, reason: &'static str) -> CaseError {
-        CaseError::new(CaseProblem::Conflict { first, second, reason }, self.places([first, second]))
-    }
-
-    pub(super) fn missing(&self, key: Key, missing: &'static str) -> CaseError {
-        CaseError::new(CaseProblem::Missing { key, given: self.written(key), missing }, self.places([key]))
     }
 
     fn model(&self, edition: Edition) -> Result<ModelChoices, CaseError> {

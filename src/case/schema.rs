@@ -1,6 +1,6 @@
 //! The JSON Schema of a resolved case, from the one table of keys.
 
-use super::file::SWAP;
+use super::given::SWAP;
 use super::keys::{TABLE, ValueKind};
 use super::resolve::Resolved;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

@@ -1,11 +1,11 @@
 //! Tables that stand in place of a number: `loss_tangent = { frequency = [..], temperature = [..], value = [[..]] }`.
 
 use super::error::{CaseError, CaseProblem};
-use super::file::quantity_value;
 use super::grid::{Grid, GridError, KEYS};
 use super::keys::Key;
 use super::place::Place;
 use super::raw::{Raw, in_order, kind, raw};
+use super::value::quantity_value;
 use crate::quantity::{self, Dimension};
 use crate::text::quoted;
 use toml::Spanned;

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::file::{Case, SWAP, Value, unquoted};
+use super::given::{Case, SWAP, Value};
 use super::keys::{Entry, Key, ValueKind};
 use crate::quantity;
+use crate::text::unquoted;
 
 /// Characters of a quantity that is kept as it was written; no TOML string needs to escape them.
 fn is_plain(text: &str) -> bool {

@@ -1,10 +1,10 @@
 //! What a case says of the belt's temperature: how its stiffnesses change with it, and of heat.
 
 use super::error::CaseError;
-use super::file::Case;
+use super::given::Case;
 use super::grid::Grid;
 use super::keys::Key;
-use super::resolve::Setting;
+use super::setting::Setting;
 
 /// Stiffnesses of the belt that are given over its temperature, and the temperature at which all are given that are
 /// not.

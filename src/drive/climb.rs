@@ -71,7 +71,7 @@ pub(super) fn climb(
         Some(solution) => Ok((solution, climb.stats, climb.steps)),
         // Where friction was another, what was reached says nothing of the case.
         None if smoothed.is_some() => Err(again.failure),
-        None => Err(Failure::farther(Some(lost.failure), again.failure)),
+        None => Err(Failure::farther(Some(lost.failure), again.failure, target)),
     }
 }
 

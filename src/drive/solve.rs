@@ -102,8 +102,14 @@ pub fn solve_question(model: &ModelChoices, question: &Question, options: &Solve
     question.check(model)?;
     let mut budget = Budget::new(options.work_limit);
     match attempt(model, question, options, Routes::UntilThere, &mut budget) {
-        Err(failure) if failure.is_at(question) => at_another_tolerance(model, question, options, &mut budget)
-            .unwrap_or_else(|| attempt(model, question, options, Routes::All, &mut budget)),
+        Err(failure) if failure.is_at(question) => match at_another_tolerance(model, question, options, &mut budget) {
+            Some(answer) => answer,
+            // What little work may be left finds no more than a beginning: what was found before tells more.
+            None => attempt(model, question, options, Routes::All, &mut budget).map_err(|again| match again {
+                Failure::Cancelled => again,
+                again => Failure::farther(Some(failure), again, &question.constants),
+            }),
+        },
         answer => answer,
     }
 }
@@ -194,13 +200,13 @@ fn attempt(
     if question.is_ordinary() {
         return ordinary(model, question, options, routes, budget);
     }
-    let mut failure = None;
+    let (target, mut failure) = (&question.constants, None);
     let (mut factors, mut first) = (VecDeque::from(TENSIONS), true);
     while let Some(factor) = factors.pop_front() {
         let near = match near(model, question, factor, options, budget) {
             Ok(near) => near,
             Err(next) => {
-                failure = Some(Failure::farther(failure, next));
+                failure = Some(Failure::farther(failure, next, target));
                 continue;
             }
         };
@@ -216,7 +222,7 @@ fn attempt(
             budget.take(&given, &left);
             match answer {
                 Ok(solved) => return Ok(solved),
-                Err(next) => failure = Some(Failure::farther(failure, next)),
+                Err(next) => failure = Some(Failure::farther(failure, next, target)),
             }
         }
         if is_cancelled() || budget.is_spent() {
@@ -362,7 +368,7 @@ fn ordinary(
                     tracing::debug!("the solver says: {words}");
                 }
                 let there = next.is_at(question);
-                failure = Some(Failure::farther(failure, next));
+                failure = Some(Failure::farther(failure, next, target));
                 if there && routes == Routes::UntilThere {
                     break;
                 }

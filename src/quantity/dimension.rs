@@ -1,5 +1,6 @@
 //! Dimensions as exponents of base dimensions.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// Exponents of length, mass, time, plane angle and temperature.
@@ -20,31 +21,31 @@ pub struct Dimension {
     pub temperature: i8,
 }
 
-/// Dimensions with a name that people use.
-const NAMED: [(Dimension, &str); 23] = [
-    (Dimension::NONE, "a plain number"),
-    (Dimension::LENGTH, "a length"),
-    (Dimension::MASS, "a mass"),
-    (Dimension::TIME, "a time"),
-    (Dimension::ANGLE, "an angle"),
-    (Dimension::ANGULAR_SPEED, "an angular speed"),
-    (Dimension::SPEED, "a speed"),
-    (Dimension::FREQUENCY, "a frequency"),
-    (Dimension::FORCE, "a force"),
-    (Dimension::TORQUE, "a torque"),
-    (Dimension::PRESSURE, "a pressure"),
-    (Dimension::POWER, "a power"),
-    (Dimension::MASS_PER_LENGTH, "a mass per length"),
-    (Dimension::BENDING_STIFFNESS, "a bending stiffness"),
-    (Dimension::SPRING_RATE, "a force per length"),
-    (Dimension::TORSION_RATE, "a torque per angle"),
-    (Dimension::AREA, "an area"),
-    (Dimension::DENSITY, "a density"),
-    (Dimension::DRAG_PER_SPEED, "a torque over a speed"),
-    (Dimension::TEMPERATURE, "a temperature"),
-    (Dimension::PER_TEMPERATURE, "a share per kelvin"),
-    (Dimension::HEAT_TRANSFER, "a power over a difference of temperatures"),
-    (Dimension::HEAT_TRANSFER_PER_AREA, "a power over an area and a difference of temperatures"),
+/// Dimensions with a name that people use, and the unit in which files state them.
+const NAMED: [(Dimension, &str, &str); 23] = [
+    (Dimension::NONE, "a plain number", "1"),
+    (Dimension::LENGTH, "a length", "m"),
+    (Dimension::MASS, "a mass", "kg"),
+    (Dimension::TIME, "a time", "s"),
+    (Dimension::ANGLE, "an angle", "rad"),
+    (Dimension::ANGULAR_SPEED, "an angular speed", "rad/s"),
+    (Dimension::SPEED, "a speed", "m/s"),
+    (Dimension::FREQUENCY, "a frequency", "1/s"),
+    (Dimension::FORCE, "a force", "N"),
+    (Dimension::TORQUE, "a torque", "N*m"),
+    (Dimension::PRESSURE, "a pressure", "Pa"),
+    (Dimension::POWER, "a power", "W"),
+    (Dimension::MASS_PER_LENGTH, "a mass per length", "kg/m"),
+    (Dimension::BENDING_STIFFNESS, "a bending stiffness", "N*m^2"),
+    (Dimension::SPRING_RATE, "a force per length", "N/m"),
+    (Dimension::TORSION_RATE, "a torque per angle", "N*m/rad"),
+    (Dimension::AREA, "an area", "m^2"),
+    (Dimension::DENSITY, "a density", "kg/m^3"),
+    (Dimension::DRAG_PER_SPEED, "a torque over a speed", "N*m*s"),
+    (Dimension::TEMPERATURE, "a temperature", "K"),
+    (Dimension::PER_TEMPERATURE, "a share per kelvin", "1/K"),
+    (Dimension::HEAT_TRANSFER, "a power over a difference of temperatures", "W/K"),
+    (Dimension::HEAT_TRANSFER_PER_AREA, "a power over an area and a difference of temperatures", "W/(m^2*K)"),
 ];
 
 impl Dimension {
@@ -122,22 +123,40 @@ impl From<generated::Dimension> for Dimension {
     }
 }
 
-impl fmt::Display for Dimension {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| dimension == self) {
-            return f.write_str(name);
+impl Dimension {
+    /// The coherent SI unit as files state it, `N*m`; `1` for a plain number, a product of base units for a dimension
+    /// without a name.
+    ///
+    /// ```
+    /// use sheave::quantity::Dimension;
+    /// assert_eq!(Dimension::TORQUE.si_unit(), "N*m");
+    /// assert_eq!(Dimension::new(1, 0, -2, 0).si_unit(), "m*s^-2");
+    /// ```
+    pub fn si_unit(self) -> Cow<'static, str> {
+        match NAMED.iter().find(|(dimension, ..)| *dimension == self) {
+            Some((.., unit)) => Cow::Borrowed(unit),
+            None => Cow::Owned(self.product()),
         }
-        f.write_str("a quantity in ")?;
+    }
+
+    /// The base units with their exponents.
+    fn product(self) -> String {
         let exponents =
             [("m", self.length), ("kg", self.mass), ("s", self.time), ("rad", self.angle), ("K", self.temperature)];
-        let mut separator = "";
-        for (symbol, exponent) in exponents.into_iter().filter(|(_, exponent)| *exponent != 0) {
-            write!(f, "{separator}{symbol}")?;
-            if exponent != 1 {
-                write!(f, "^{exponent}")?;
-            }
-            separator = "*";
+        let power = |(symbol, exponent): (&str, i8)| match exponent {
+            0 => None,
+            1 => Some(symbol.to_owned()),
+            _ => Some(format!("{symbol}^{exponent}")),
+        };
+        exponents.into_iter().filter_map(power).collect::<Vec<_>>().join("*")
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match NAMED.iter().find(|(dimension, ..)| dimension == self) {
+            Some((_, words, _)) => f.write_str(words),
+            None => write!(f, "a quantity in {}", self.product()),
         }
-        Ok(())
     }
 }

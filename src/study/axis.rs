@@ -3,6 +3,7 @@
 use super::error::StudyError;
 use crate::case::{Case, CaseError, Key, Setting, ValueKind};
 use crate::quantity;
+use crate::text::unquoted;
 
 /// Points of a grid that is still believed to be meant.
 pub const MAX_POINTS: usize = 1_000_000;
@@ -118,7 +119,7 @@ fn one(text: &str) -> Result<(Key, Vec<Setting>), StudyError> {
 
 /// `A,B,C`.
 fn list(key: Key, text: &str) -> Result<Vec<Setting>, StudyError> {
-    let texts: Vec<&str> = text.split(',').map(unquoted).collect();
+    let texts: Vec<&str> = text.split(',').map(bare).collect();
     let ValueKind::Quantity { .. } = key.entry().kind else {
         let names = texts.iter().map(|text| {
             Case::base().set(key.path(), text)?;
@@ -142,7 +143,7 @@ fn range(key: Key, text: &str, from: &str, rest: &str) -> Result<Vec<Setting>, S
             (to, count.ok_or_else(|| StudyError::Count { text: text.into(), given: given.trim().into() })?)
         }
     };
-    let (from, to) = (unquoted(from), unquoted(to));
+    let (from, to) = (bare(from), bare(to));
     let unit = unit_of(to);
     let (from, to) = (quantity_in(key, from, unit)?, quantity_in(key, to, unit)?);
     let last = points.saturating_sub(1);
@@ -172,10 +173,8 @@ fn unit_of(text: &str) -> &str {
 }
 
 /// The text without blanks and one pair of quotes around it.
-fn unquoted(text: &str) -> &str {
-    let text = text.trim();
-    let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
-    inside('"').or_else(|| inside('\'')).unwrap_or(text).trim()
+fn bare(text: &str) -> &str {
+    unquoted(text.trim()).trim()
 }
 
 #[cfg(test)]

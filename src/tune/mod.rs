@@ -11,9 +11,11 @@ mod parts;
 mod screen;
 mod search;
 mod show;
+mod unfit;
 
 pub use error::TuneError;
 pub use parts::{MAX_CANDIDATES, Part, PartKind, PartsBox};
-pub use screen::{Screen, ShiftPoint, Unfit};
+pub use screen::Screen;
 pub use search::{Confirmed, Merits, Ranking, Refused, Tune, TuneOptions, TunePlan};
 pub use show::{pareto_figure, summary, table};
+pub use unfit::{ShiftPoint, Unfit};

@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::error::TuneError;
 use super::parts::PartsBox;
-use super::screen::{Screen, ShiftPoint, ends, ratios};
+use super::screen::{Screen, ends, ratios};
+use super::unfit::ShiftPoint;
 use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan};
 use crate::cancel::is_cancelled;
 use crate::case::{Case, Key, Resolved};

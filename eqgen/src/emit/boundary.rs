@@ -8,7 +8,7 @@ use super::import::Import;
 use super::jacobian::{Jacobian, jacobian};
 use super::{Emitted, pairs, symbols, vocabulary};
 use crate::error::Error;
-use crate::physics::boundary::Belt;
+use crate::physics::model::BeltTheory;
 use crate::physics::model::{BoundaryModel, Role};
 
 /// Emits residuals and their derivatives in all ends, integrals and constants.
@@ -115,7 +115,7 @@ fn kernel(model: &BoundaryModel, entries: &Jacobian) -> Result<TokenStream, Erro
     let (kind, set) = match model.role {
         Role::Conditions => (quote!(BoundaryKernel), set),
         Role::Outputs(belt) => {
-            let belt = format_ident!("{}", if belt == Belt::Beam { "Beam" } else { "String" });
+            let belt = format_ident!("{}", if belt == BeltTheory::Beam { "Beam" } else { "String" });
             let outputs = vocabulary::list("Output", &model.equations)?;
             let set = quote!(OutputKernel { theory: BeltTheory::#belt, outputs: #outputs, set: #set });
             (quote!(OutputKernel), set)

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use super::{Provenance, SourceFile, literal};
 use crate::error::Error;
-use crate::physics::boundary::Belt;
+use crate::physics::model::BeltTheory;
 use crate::physics::model::{Model, Role};
 use crate::physics::notation::Symbol;
 use crate::physics::outputs;
@@ -159,7 +159,7 @@ fn item(vocabulary: &Vocabulary) -> Result<TokenStream, Error> {
 
 /// Which outputs which belts have.
 fn belts(symbols: &[Symbol]) -> TokenStream {
-    let sets = [Belt::Beam, Belt::String].map(outputs::of);
+    let sets = [BeltTheory::Beam, BeltTheory::String].map(outputs::of);
     let arms = symbols.iter().map(|symbol| {
         let variant = Ident::new(&symbol.variant, Span::call_site());
         let has = sets.each_ref().map(|set| set.iter().any(|other| other.variant == symbol.variant));

@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::beam::{Bending, Shear};
 use super::kinematics::SLOPE;
-use super::model::{BoundaryModel, Role};
+use super::model::{BeltTheory, BoundaryModel, Role};
 use super::{contact, notation, span, string};
 use crate::derive::substitute;
 use crate::dimension::{Dimension, Dimensions};
@@ -50,23 +50,13 @@ pub const CONSTANTS: [&str; 21] = [
     "T_slack",
 ];
 
-/// What the belt is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Belt {
-    /// It resists bending.
-    Beam,
-    /// It does not.
-    String,
-}
-
-impl Belt {
-    fn states(self, is_contact: bool) -> &'static [&'static str] {
-        match (self, is_contact) {
-            (Belt::Beam, true) => &contact::STATES,
-            (Belt::Beam, false) => &span::STATES,
-            (Belt::String, true) => &string::CONTACT_STATES,
-            (Belt::String, false) => &string::SPAN_STATES,
-        }
+/// States of a region of a belt.
+fn states(belt: BeltTheory, is_contact: bool) -> &'static [&'static str] {
+    match (belt, is_contact) {
+        (BeltTheory::Beam, true) => &contact::STATES,
+        (BeltTheory::Beam, false) => &span::STATES,
+        (BeltTheory::String, true) => &string::CONTACT_STATES,
+        (BeltTheory::String, false) => &string::SPAN_STATES,
     }
 }
 
@@ -170,7 +160,7 @@ impl Interface {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn model(ends: Ends, shear: Shear) -> Result<BoundaryModel, Error> {
-    let mut set = Equations::new(Belt::Beam)?;
+    let mut set = Equations::new(BeltTheory::Beam)?;
     for end in &INTERFACES {
         set.penetration(end)?;
     }
@@ -214,7 +204,7 @@ pub fn model(ends: Ends, shear: Shear) -> Result<BoundaryModel, Error> {
 /// # Errors
 /// If an equation is inconsistent; the message names it.
 pub fn string_model() -> Result<BoundaryModel, Error> {
-    let mut set = Equations::new(Belt::String)?;
+    let mut set = Equations::new(BeltTheory::String)?;
     for end in &INTERFACES {
         set.penetration(end)?;
     }
@@ -239,7 +229,7 @@ struct Equations {
 }
 
 impl Equations {
-    fn new(belt: Belt) -> Result<Self, Error> {
+    fn new(belt: BeltTheory) -> Result<Self, Error> {
         let (ends, integrals) = (end_symbols(belt), integral_symbols());
         let own = ends.iter().chain(&integrals).map(|symbol| (symbol.name.clone(), symbol.dimension));
         let extra: Dimensions = own.chain(equation_dimensions()).collect();
@@ -366,10 +356,10 @@ impl Equations {
     }
 }
 
-pub(super) fn end_symbols(belt: Belt) -> Vec<notation::Symbol> {
+pub(super) fn end_symbols(belt: BeltTheory) -> Vec<notation::Symbol> {
     let mut all = Vec::new();
     for (region, title, is_contact) in REGIONS {
-        let states = belt.states(is_contact);
+        let states = states(belt, is_contact);
         for (end, place) in [("1", "entry"), ("2", "exit")] {
             let here = states.iter().filter_map(|name| notation::find(name));
             all.extend(

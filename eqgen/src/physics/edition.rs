@@ -1,10 +1,10 @@
 //! Which choices make an edition, and the kernels that all editions together need.
 
 use super::beam::Shear;
-use super::boundary::{self, Belt, Ends};
+use super::boundary::{self, Ends};
 use super::contact;
 use super::friction::Law;
-use super::model::{BoundaryModel, Model, RegionModel};
+use super::model::{BeltTheory, BoundaryModel, Model, RegionModel};
 use super::span::{self, Equations};
 use super::{outputs, string};
 use crate::error::Error;
@@ -92,12 +92,12 @@ pub fn kernels() -> Result<Vec<Model>, Error> {
         }
     }
     all.push(Model::Boundary(boundary::model(Ends::AsPrinted, Shear::Linearised)?));
-    all.push(Model::Boundary(outputs::model(Belt::Beam)?));
+    all.push(Model::Boundary(outputs::model(BeltTheory::Beam)?));
     for law in [Law::ViscousCoulomb, Law::Tanh] {
         all.push(Model::Region(string::contact_model(law)?));
     }
     all.push(Model::Region(string::span_model()?));
     all.push(Model::Boundary(boundary::string_model()?));
-    all.push(Model::Boundary(outputs::model(Belt::String)?));
+    all.push(Model::Boundary(outputs::model(BeltTheory::String)?));
     Ok(all)
 }

@@ -1,6 +1,5 @@
 //! What is emitted: the equations of a region, and those of its boundaries.
 
-use super::boundary::Belt;
 use super::notation::Symbol;
 use crate::plan::Plan;
 
@@ -48,13 +47,22 @@ pub struct BoundaryModel {
     pub role: Role,
 }
 
+/// What a belt is taken for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BeltTheory {
+    /// A beam, which resists bending.
+    Beam,
+    /// A string, which does not.
+    String,
+}
+
 /// What the values of a set of equations are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// Residuals, which vanish at a solution.
     Conditions,
     /// Outputs of a drive with that belt.
-    Outputs(Belt),
+    Outputs(BeltTheory),
     /// Formulae in inputs of their own; the names of the enums that identify inputs and outputs.
     Formulae {
         /// Enum of the inputs, which stand in place of the constants.

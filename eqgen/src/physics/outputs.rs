@@ -1,7 +1,7 @@
 //! What a drive is asked for: every output that is a function of ends, integrals and constants, with its derivatives.
 
-use super::boundary::{Belt, CONSTANTS, end_symbols, integral_symbols};
-use super::model::{BoundaryModel, Role};
+use super::boundary::{CONSTANTS, end_symbols, integral_symbols};
+use super::model::{BeltTheory, BoundaryModel, Role};
 use super::notation::{self, Symbol};
 use crate::dimension::{Dimension, Dimensions};
 use crate::error::Error;
@@ -23,7 +23,7 @@ struct Row {
     /// Where it is defined.
     source: &'static str,
     /// The belts whose drives have it.
-    belts: &'static [Belt],
+    belts: &'static [BeltTheory],
 }
 
 /// An output of every drive.
@@ -35,7 +35,7 @@ const fn output(
     doc: &'static str,
     source: &'static str,
 ) -> Row {
-    Row { path, symbol, expression, unit, doc, source, belts: &[Belt::Beam, Belt::String] }
+    Row { path, symbol, expression, unit, doc, source, belts: &[BeltTheory::Beam, BeltTheory::String] }
 }
 
 impl Row {
@@ -50,7 +50,7 @@ impl Row {
 }
 
 /// All outputs, in the order of the generated enum: to add one, add its row. An output that only beams have is
-/// `Row { belts: &[Belt::Beam], ..output(…) }`.
+/// `Row { belts: &[BeltTheory::Beam], ..output(…) }`.
 const OUTPUTS: &[Row] = &[
     output("primary.speed", "ω_P", "omega_P", "rad/s", "speed of rotation", "5.1"),
     // Friction on the belt drives it backwards on the primary: M_P < 0.
@@ -169,7 +169,7 @@ pub fn all() -> Vec<Symbol> {
 }
 
 /// The outputs of drives with that belt.
-pub fn of(belt: Belt) -> Vec<Symbol> {
+pub fn of(belt: BeltTheory) -> Vec<Symbol> {
     OUTPUTS.iter().filter(|row| row.belts.contains(&belt)).map(Symbol::from).collect()
 }
 
@@ -192,7 +192,7 @@ impl From<&Row> for Symbol {
 ///
 /// # Errors
 /// If an expression is inconsistent; the message names it.
-pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
+pub fn model(belt: BeltTheory) -> Result<BoundaryModel, Error> {
     let (ends, integrals) = (end_symbols(belt), integral_symbols());
     let symbols = || ends.iter().chain(&integrals);
     let moment = Dimension::of_unit("N m").unwrap_or_else(|| unreachable!("a unit"));
@@ -224,7 +224,7 @@ pub fn model(belt: Belt) -> Result<BoundaryModel, Error> {
         plan.primitive(&row.step(), row.expression, row.source)?;
     }
     Ok(BoundaryModel {
-        name: if belt == Belt::Beam { "outputs" } else { "outputs_string" }.into(),
+        name: if belt == BeltTheory::Beam { "outputs" } else { "outputs_string" }.into(),
         doc: "Outputs of a drive as functions of its ends, integrals and constants.".into(),
         plan,
         ends,

@@ -6,7 +6,7 @@
 //! misses two bytes exchanged.
 
 use crate::clock::Instant;
-use crate::device::Snapshot;
+use crate::snapshot::Snapshot;
 use crate::speed::{Reading, Speed};
 
 /// The address of the microcontroller on the bus, as in Appendix G.
@@ -279,7 +279,7 @@ impl Frame {
         let torque = u16::from_be_bytes(reader.take());
         let torque_at = moment(now, u32::from_be_bytes(reader.take()));
         let [conversions, conversion_errors, reset_cause] = reader.take();
-        let counters = crate::device::Counters { conversions, conversion_errors, reset_cause };
+        let counters = crate::snapshot::Counters { conversions, conversion_errors, reset_cause };
         let permitted = is(PERMITTED);
         let torque_stale = is(TORQUE_STALE);
         let snapshot = Snapshot { now, primary, secondary, torque, torque_at, torque_stale, permitted, counters };

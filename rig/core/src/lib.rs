@@ -12,11 +12,13 @@ pub mod clock;
 pub mod device;
 pub mod frame;
 pub mod permit;
+pub mod snapshot;
 pub mod speed;
 pub mod wire;
 
 pub use clock::{Clock, Instant, TICK_MICROSECONDS, TICKS_PER_SECOND};
-pub use device::{BusAnswer, Counters, Snapshot};
+pub use device::BusAnswer;
 pub use frame::{Frame, FrameError, Identity, LegacyFrame};
 pub use permit::RunPermit;
+pub use snapshot::{Counters, Snapshot};
 pub use speed::{PulseLimits, Reading, Speed, SpeedMeter, Verdict};

@@ -1,6 +1,6 @@
 //! The comparison for people.
 
-use super::model::{Compared, Comparison};
+use super::comparison::{Compared, Comparison};
 use crate::bench::dyno::aired;
 use crate::case::Key;
 use crate::plot::{Axis, Figure, Look, Series};

@@ -6,7 +6,7 @@ use super::{BeltDrive, Idler};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Source};
 use crate::quantity::{self, Dimension, Quantity, QuantityError};
-use crate::text::quoted;
+use crate::text::{quoted, unquoted};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -195,10 +195,4 @@ fn unknown(path: &str, place: Place) -> SizeError {
     let known = if near.is_empty() { all().collect::<Vec<_>>().join(", ") } else { near.join(", ") };
     let place = Place { value: place.key.clone(), ..place };
     SizeError::new(SizeProblem::UnknownKey { path: quoted(path).into_owned(), known }, Some(place))
-}
-
-/// The text without one pair of quotes around it.
-fn unquoted(text: &str) -> &str {
-    let inside = |quote| text.strip_prefix(quote)?.strip_suffix(quote);
-    inside('"').or_else(|| inside('\'')).unwrap_or(text)
 }
