@@ -1,12 +1,16 @@
 //! A survey of drives from scooters to snowmobiles, each solved from nothing: the share that is solved, what becomes of
-//! the others, and what it costs. `cargo bench --bench survey -- SEED DESIGNS [EDITION ...] [from=I] [only=I,J]`.
+//! the others, and what it costs. `cargo bench --bench survey -- SEED DESIGNS [EDITION ...] [from=I] [only=I,J]
+//! [unproved] [solved]`.
 //!
 //! A design that is not solved is classified by proof: its geometry is refused; or its slack tension lies below the
 //! least that carries its torque, to which the drive was followed from a tighter belt (a fold of the branch, or the
 //! collapse of the secondary's speed). What is left is named as failed.
+//!
+//! With `solved`, the proofs are put to the test: designs that are solved are handed to them as if they were not, and
+//! none may be found to lie beyond a limit.
 
 use sheave::design::{Verdict, verdict};
-use sheave::drive::{Route, SolveOptions, solve};
+use sheave::drive::{Constant, Failure, Question, Route, SolveOptions, Trouble, solve};
 use std::collections::BTreeMap;
 
 mod designs;
@@ -16,6 +20,8 @@ const EDITIONS: [&str; 4] = ["consistent", "thesis", "published", "string"];
 const TOLERANCE: f64 = 1e-3;
 /// Work that each solve of a proof may take.
 const PROOF_WORK: usize = 600_000;
+/// Slip threshold at which the counts are split, m/s.
+const SPLIT: f64 = 1e-4;
 /// What became of a design.
 enum Fate {
     /// Solved, with so many Newton iterations, on that route.
@@ -28,6 +34,41 @@ enum Fate {
     Geometry(String),
     /// A solution exists, or may exist, and was not found.
     Failed(String),
+}
+
+/// What a proof says of a design that is solved, if it is said to have no solution: a proof that is wrong.
+fn refuted(edition: &str, design: &Design) -> Option<String> {
+    let resolved = case(edition, design).ok()?;
+    let constants = Question::of(&resolved).constants;
+    let failure = Failure::Lost {
+        trouble: Trouble::Unknown,
+        torque: constants[Constant::PrimaryTorque],
+        slip_threshold: constants[Constant::SlipThreshold],
+        slack_tension: constants[Constant::SlackTension],
+        cause: Box::new(solver::SolveError::Cancelled),
+    };
+    let options = SolveOptions { tolerance: TOLERANCE, work_limit: PROOF_WORK, ..SolveOptions::default() };
+    match verdict(&resolved, &failure, &options) {
+        Verdict::Open => None,
+        wrong => Some(wrong.to_string()),
+    }
+}
+
+/// Designs of small and of larger slip thresholds, each by what became of them: solved, beyond a limit, failed.
+#[derive(Default)]
+struct Split([[usize; 3]; 2]);
+
+impl Split {
+    fn count(&mut self, design: &Design, fate: &Fate) {
+        let fate = match fate {
+            Fate::Solved(..) => 0,
+            Fate::BeyondLimit(_) | Fate::Sunk(_) => 1,
+            Fate::Failed(_) => 2,
+            Fate::Geometry(_) => return,
+        };
+        let small = design.iter().any(|(key, value)| *key == "sheave.slip_threshold" && *value < SPLIT);
+        self.0[usize::from(small)][fate] += 1;
+    }
 }
 
 fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
@@ -64,21 +105,29 @@ fn main() {
     let from: u64 = option("from=").and_then(|from| from.parse().ok()).unwrap_or(0);
     let only: Option<Vec<u64>> = option("only=").map(|list| list.split(',').filter_map(|i| i.parse().ok()).collect());
     let prove = !arguments.iter().any(|argument| argument == "unproved");
+    let test_proofs = arguments.iter().any(|argument| argument == "solved");
     let named: Vec<&str> = EDITIONS.into_iter().filter(|edition| arguments.iter().any(|a| a == edition)).collect();
     let editions = if named.is_empty() { EDITIONS[..3].to_vec() } else { named };
     for edition in editions {
         let mut routes = BTreeMap::new();
-        let mut sunk = Vec::new();
+        let (mut sunk, mut split, mut wrong) = (Vec::new(), Split::default(), Vec::new());
         let (mut beyond, mut refused, mut failed, mut work) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for index in only.clone().unwrap_or_else(|| (from..from + designs).collect()) {
             let design = design(seed, index);
-            match fate(edition, &design, prove) {
+            let fate = fate(edition, &design, prove);
+            split.count(&design, &fate);
+            match fate {
                 Fate::Solved(iterations, route) => {
                     if only.is_some() {
                         println!("{edition} {index} solved in {iterations} Newton iterations by the route {route:?}");
                     }
                     *routes.entry(route).or_insert(0) += 1;
                     work.push((iterations, index));
+                    if test_proofs && let Some(proof) = refuted(edition, &design) {
+                        println!("{edition} {index} is solved, and WRONGLY said to have no solution: {proof}");
+                        println!("    {}", settings(&design));
+                        wrong.push(index);
+                    }
                     continue;
                 }
                 Fate::BeyondLimit(why) => {
@@ -122,5 +171,13 @@ fn main() {
         println!(
             "failed: {failed:?}\nbeyond the slip limit: {beyond:?}\npressed through: {sunk:?}\nrefused: {refused:?}"
         );
+        for (which, [solved, beyond, failed]) in ["of at least", "below"].into_iter().zip(split.0) {
+            println!(
+                "slip thresholds {which} {SPLIT:.0e} m/s: {solved} solved, {beyond} beyond a limit, {failed} failed"
+            );
+        }
+        if test_proofs {
+            println!("of {} that are solved, said to have no solution: {wrong:?}", work.len());
+        }
     }
 }

@@ -57,7 +57,7 @@ fn bad_input_is_status_2_with_nothing_on_standard_output() {
         (vec!["solve", "--edition", "thesi"], vec!["published", "thesis", "consistent", "string"]),
         (vec!["solve", "--tol", "1"], vec!["1e-12", "1e-1"]),
         (vec!["solve", "--tol", "nan"], vec!["1e-12", "1e-1"]),
-        (vec!["solve", "--order", "5"], vec!["4 or 6"]),
+        (vec!["solve", "--order", "5"], vec!["4, 6 or 8"]),
         (vec!["solve", "--frobnicate"], vec!["--frobnicate"]),
         (vec!["frobnicate"], vec!["frobnicate"]),
         (vec![], vec!["Usage"]),

@@ -3,10 +3,13 @@
 
 use sheave::case::Resolved;
 use sheave::design::{LimitKind, LimitOptions, Verdict, largest_torque, smallest_slack_tension, verdict};
-use sheave::drive::{Constant, Question, Route, SolveOptions, solve};
+use sheave::drive::{Constant, Failure, Question, Route, SolveOptions, Trouble, solve};
 
 #[path = "../benches/designs/mod.rs"]
 mod designs;
+
+/// Designs that are solved, near their limits and far from them.
+const SOLVED: [(&str, u64, u64); 4] = [("consistent", 2, 0), ("thesis", 3, 0), ("published", 3, 0), ("string", 1, 7)];
 
 /// Of seed 2, as the survey solves it.
 fn case(index: u64) -> Resolved {
@@ -43,24 +46,106 @@ fn a_brake_just_beyond_its_slip_limit_is_told() {
     let case = case(264);
     let failure = solve(&case, &options()).unwrap_err();
     match verdict(&case, &failure, &options()) {
-        Verdict::Tension { given, limit } => {
+        Verdict::Tension { given, limit, .. } => {
             assert!(limit.value > given && limit.value < 1.01 * given, "{given}: {}", limit.value);
         }
         other => panic!("{other}"),
     }
 }
 
-/// Where friction is steep, the kinks of its law are what Newton's iteration fails at: a law without them leads there.
+/// Where friction is steep, nodes that are added to a mesh, and the kinks of the law, are what Newton's iteration fails
+/// at: meshes that are fine before the threshold is small lead there, and a law without kinks.
 #[test]
-fn smooth_friction_leads_to_small_slip_thresholds() {
-    for index in [163, 190] {
+fn fine_meshes_and_smooth_friction_lead_to_small_slip_thresholds() {
+    let mut routes = Vec::new();
+    for index in [144, 163, 190, 254] {
         let solved = solve(&case(index), &options()).unwrap_or_else(|failure| {
             panic!("{failure}: sheave solve --tol 1e-3 {}", designs::settings(&designs::design(2, index)))
         });
-        assert_eq!(solved.route, Some(Route::Smooth), "{index}");
         // The solution is that of the case's own law.
         assert!(
             solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case(index)).constants
         );
+        routes.push(solved.route);
+    }
+    for route in [Route::Fine, Route::Smooth] {
+        assert!(routes.contains(&Some(route)), "{routes:?}");
+    }
+}
+
+/// A belt without bending stiffness comes to rest with all of the friction at hand: the weight of a law without kinks
+/// goes to zero while the mesh follows.
+#[test]
+fn a_string_is_led_from_smooth_friction_to_its_own() {
+    let case = designs::case("string", &designs::design(1, 4)).unwrap();
+    let solved = solve(&case, &options()).unwrap();
+    assert_eq!(solved.route, Some(Route::Smooth));
+    assert!(solved.solution.max_defect() <= 1e-3 && solved.question.constants == Question::of(&case).constants);
+    assert_eq!(solved.solution.constants().len(), Constant::ALL.len());
+}
+
+/// As if a case had been lost at the end of its path, for no reason that the belt shows.
+fn lost(case: &Resolved) -> Failure {
+    let given = Question::of(case).constants;
+    Failure::Lost {
+        trouble: Trouble::Unknown,
+        torque: given[Constant::PrimaryTorque],
+        slip_threshold: given[Constant::SlipThreshold],
+        slack_tension: given[Constant::SlackTension],
+        cause: Box::new(solver::SolveError::Cancelled),
+    }
+}
+
+fn proof(edition: &str, seed: u64, index: u64) -> Verdict {
+    let case = designs::case(edition, &designs::design(seed, index)).unwrap();
+    verdict(&case, &lost(&case), &SolveOptions { work_limit: 200_000, ..options() })
+}
+
+/// Where the curve is lost at the case's own slip threshold, the limit is followed there from larger ones, or so far
+/// that what is left of the way cannot bring it to the case.
+#[test]
+fn limits_are_followed_from_larger_slip_thresholds() {
+    match proof("consistent", 1, 134) {
+        Verdict::Tension { given, limit, easing: None } => {
+            assert!((limit.value / 655.602 - 1.0).abs() < 1e-4 && given < 642.0, "{given}: {}", limit.value);
+        }
+        other => panic!("{other}"),
+    }
+    match proof("thesis", 3, 115) {
+        Verdict::Tension { given, limit, easing: Some(easing) } => {
+            assert!((limit.value / 459.346 - 1.0).abs() < 1e-4 && given < 433.0, "{given}: {}", limit.value);
+            assert!(easing.slip_threshold < 1e-3 && easing.change < 1e-4, "{easing:?}");
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// A belt without bending stiffness slips, too: a fold, and a pulley at rest.
+#[test]
+fn limits_of_a_string_are_followed() {
+    match proof("string", 1, 52) {
+        Verdict::Tension { given, limit, .. } => {
+            assert_eq!(limit.kind, LimitKind::Fold);
+            assert!((limit.value / 47.68 - 1.0).abs() < 1e-3 && given < 36.0, "{given}: {}", limit.value);
+        }
+        other => panic!("{other}"),
+    }
+    match proof("string", 1, 48) {
+        Verdict::Torque { given, limit, .. } => {
+            assert_eq!(limit.kind, LimitKind::Collapse);
+            assert!((limit.value / -26.50 - 1.0).abs() < 1e-3 && given < -36.0, "{given}: {}", limit.value);
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// No proof is found against a design that is solved.
+#[test]
+fn what_is_solved_lies_before_every_limit() {
+    for (edition, seed, index) in SOLVED {
+        match proof(edition, seed, index) {
+            Verdict::Open => {}
+            wrong => panic!("{edition} {seed} {index}: {wrong}"),
+        }
     }
 }

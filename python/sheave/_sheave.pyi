@@ -555,7 +555,7 @@ def solve(
     """Solves a case.
 
     ``case`` is a path, the text of a case file, a dictionary of keys or a Case; without it, the base case is solved.
-    ``tolerance`` bounds the relative defect (1e-12 to 0.1), ``order`` is that of the collocation (4 or 6). With
+    ``tolerance`` bounds the relative defect (1e-12 to 0.1), ``order`` is that of the collocation (4, 6 or 8). With
     ``sensitivities``, the result has the derivatives of all outputs with respect to everything given. ``near`` is a
     result of a similar case from which the search starts. All other arguments are keys of the case.
 

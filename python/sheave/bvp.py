@@ -122,7 +122,7 @@ def solve(
     ``mesh`` is the first mesh, shape (m,), whose ends are the interval; ``guess`` the states on it, shape (n, m);
     ``parameters`` a guess of the unknown parameters, shape (k,). ``tol`` bounds the relative defect and the estimated
     error (SciPy's bounds the defect alone, and is 1e-3 unless it is said), ``bc_tol`` the boundary residuals, ``order``
-    is that of the collocation, 4 or 6, ``max_nodes`` limits the mesh and ``work_limit`` the evaluations in all.
+    is that of the collocation, 4, 6 or 8, ``max_nodes`` limits the mesh and ``work_limit`` the evaluations in all.
 
     ``jacobian(x, y[, p])`` gives df/dy of shape (n, n, m), with parameters a pair of it and df/dp of shape (n, k, m);
     ``boundary_jacobian(ya, yb[, p])`` gives dbc/dya, dbc/dyb of shape (n + k, n) and with parameters dbc/dp of shape (n

@@ -270,7 +270,8 @@ pub fn solve_bvp<'py>(
     let order = match order {
         4 => Order::Four,
         6 => Order::Six,
-        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4 or 6"))),
+        8 => Order::Eight,
+        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4, 6 or 8"))),
     };
     let (n, k) = (guess.len(), parameters.len());
     let (Some(first), Some(last)) = (mesh.first(), mesh.last()) else {

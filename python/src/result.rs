@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Solves a case.
 ///
 /// `case` is a path, the text of a case file, a dictionary of keys or a Case; without it, the base case is solved.
-/// `tolerance` bounds the relative defect (1e-12 to 0.1), `order` is that of the collocation (4 or 6). With
+/// `tolerance` bounds the relative defect (1e-12 to 0.1), `order` is that of the collocation (4, 6 or 8). With
 /// `sensitivities`, the result has the derivatives of all outputs with respect to everything given. `near` is a result
 /// of a similar case from which the search starts; if that does not lead to a solution, it starts from nothing. All
 /// other arguments are keys of the case. Other threads run meanwhile; Ctrl-C ends the search.
@@ -93,7 +93,8 @@ pub fn options(tolerance: f64, order: usize) -> PyResult<SolveOptions> {
     let order = match order {
         4 => Order::Four,
         6 => Order::Six,
-        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4 or 6"))),
+        8 => Order::Eight,
+        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4, 6 or 8"))),
     };
     Ok(SolveOptions { tolerance, order, ..SolveOptions::default() })
 }

@@ -103,7 +103,7 @@ impl Problem for Rings {
 
 fn main() {
     let problem = Rings::new();
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         let guess = Guess::uniform(problem.layout(), 150, &[1.0, 0.9, 1.1, 1.2, 0.2, 0.3, 0.1, 0.2], |_, s, y| {
             y.iter_mut().enumerate().for_each(|(i, y)| *y = 0.1 * s + 0.1 * i as f64);
         });

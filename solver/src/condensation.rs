@@ -37,14 +37,15 @@ impl Condensation {
         let guess = Guess::from(solution);
         check(layout, &guess, solution.unknowns(), &Default::default())?;
         let grids = guess.grids();
-        let x = guess.iterate(&grids);
+        let mut x = guess.iterate(&grids);
         let plan = Arc::new(Plan::complete(layout));
         let magnitudes = Magnitudes::stated(layout);
         let mut system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
         let (mut work, mut stats) = (system.work(), Stats::default());
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        let evaluated = system.evaluate(&x, Derivatives::All, &mut work, &mut stats);
-        evaluated.map_err(|error| newton(NewtonError::NonFinite(error), &system))?;
+        let undefined = |error| newton(NewtonError::NonFinite(error), &system);
+        system.complete(&mut x, &mut stats);
+        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
         let mut factorisation = Factorisation::new(&system);
         factorisation.condense(&system, &work, system.scales(&x));
         stats.factorisations += 1;

@@ -42,6 +42,7 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
         let grids = self.system.grids.iter().zip(&self.system.plan.regions);
         Rhs {
             regions: grids.clone().map(|(grid, plan)| vec![Lane::ZERO; grid.steps * plan.n]).collect(),
+            inner: Vec::new(),
             integrals: grids.map(|(_, plan)| vec![0.0; plan.active.len()]).collect(),
             boundary: vec![0.0; self.system.layout.equations.len()],
         }
@@ -57,6 +58,8 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
             let mut dx = self.factorisation.solve(&self.system, rhs);
             dx.u.iter_mut().flatten().for_each(|lane| *lane = lane.abs());
             dx.c.iter_mut().for_each(|c| *c = c.abs());
+            // Nodes stand for what is between them.
+            dx.inner.clear();
             match &mut sums {
                 None => sums = Some(dx),
                 Some(sums) => {
@@ -140,6 +143,7 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
         Weights {
             unknowns: Correction {
                 u: grids.clone().map(|(grid, plan)| vec![Lane::ZERO; (grid.steps + 1) * plan.n]).collect(),
+                inner: Vec::new(),
                 c: vec![0.0; self.system.plan.unknowns.len()],
             },
             integrals: grids.map(|(_, plan)| vec![0.0; plan.active.len()]).collect(),

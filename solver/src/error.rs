@@ -165,8 +165,8 @@ impl SolveError {
                  layer is, or allow more intervals."
             }
             Self::MeshLimit { .. } => {
-                "Allow more intervals, use order six, or ask for less; near 1e-12 rounding is the limit. A kink in the \
-                 right-hand side costs many intervals: make its place the end of a region."
+                "Allow more intervals, use a higher order, or ask for less; near 1e-12 rounding is the limit. A kink in \
+                 the right-hand side costs many intervals: make its place the end of a region."
             }
             Self::Boundary { .. } => "Scale the boundary equation or its states, or loosen boundary_tolerance.",
             Self::Count { .. } => {
@@ -182,8 +182,8 @@ impl SolveError {
                  accept_inaccurate."
             }
             Self::Inaccurate { .. } => {
-                "Allow more intervals and meshes, or use order six; an error estimate near 1 means that the solution \
-                 may be spurious. To have the solution as it is, set accept_inaccurate."
+                "Allow more intervals and meshes, or use a higher order; an error estimate near 1 means that the \
+                 solution may be spurious. To have the solution as it is, set accept_inaccurate."
             }
             Self::WorkLimit { .. } => {
                 "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge \

@@ -87,7 +87,8 @@ impl Guess {
 
     pub(crate) fn iterate(&self, grids: &[Grid]) -> Iterate {
         let pack = |(region, grid): (&RegionGuess, &Grid)| region.states.iter().flat_map(|y| grid.pack(y)).collect();
-        Iterate { y: self.regions.iter().zip(grids).map(pack).collect(), constants: self.constants.clone() }
+        let y = self.regions.iter().zip(grids).map(pack).collect();
+        Iterate { y, inner: Vec::new(), constants: self.constants.clone() }
     }
 
     /// Intervals of all regions.

@@ -55,6 +55,8 @@ mod guess;
 mod linear;
 mod linearisation;
 mod magnitude;
+#[cfg(feature = "rayon")]
+mod many;
 mod measure;
 pub mod mesh;
 pub mod model;
@@ -91,6 +93,8 @@ pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
 pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
+#[cfg(feature = "rayon")]
+pub use many::solve_many;
 pub use observer::{Event, Observer, Silent};
 pub use options::{ComponentTolerance, Control, Options, Order, Which};
 pub use orientation::{BranchCheck, Orientation};

@@ -1,5 +1,6 @@
 //! The linearised problem at a solution: sensitivities, forward and adjoint.
 
+use crate::collocation::coupled::unscaled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs, input_scales};
 use crate::collocation::interpolant::Extended;
@@ -126,11 +127,12 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     }
 
     /// As [`at`](Self::at), whatever the rank of the Newton matrix.
-    fn perhaps_singular(system: System<'p, P>, x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
+    fn perhaps_singular(system: System<'p, P>, mut x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
         let mut work = system.work();
+        system.complete(&mut x, &mut stats);
         let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        let evaluated = system.evaluate(&x, Derivatives::All, &mut work, &mut stats);
-        evaluated.map_err(|error| newton(NewtonError::NonFinite(error), &system))?;
+        let undefined = |error| newton(NewtonError::NonFinite(error), &system);
+        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
         let mut factorisation = Factorisation::new(&system);
         factorisation.factor(&system, &work, system.scales(&x));
         stats.factorisations += 1;
@@ -178,7 +180,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
-            let extension = extended.extension(&mut stats).map_err(undefined)?;
+            let extension = extended.extension(&self.factorisation.scales, &mut stats).map_err(undefined)?;
             let measured = extended.defects(&extension, &self.factorisation.scales, &mut stats);
             defects.push(measured.map_err(undefined)?);
             extensions.push(extension);
@@ -207,7 +209,9 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
                 }
             }
             let stages = &self.work.regions[region];
-            let rates = self.system.weighted_rates(region, stages, Some(&nodes), &constants);
+            let m = self.factorisation.regions[region].coupling.m;
+            let inner = dx.inner.get(region).map_or_else(Vec::new, |inner| unscaled(inner, &scales.states[region], m));
+            let rates = self.system.weighted_rates(region, stages, Some(&nodes), &inner, &constants);
             let len = grid.interval_stride();
             TangentRegion {
                 states: nodes.chunks_exact(grid.node_stride()).map(|y| grid.unpack(y)).collect(),
@@ -248,8 +252,9 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             plan.active.iter().map(|&k| integrals[plan.first_integral + k]).collect()
         };
         let integrals = plan.regions.iter().map(active).collect();
-        let multipliers =
-            self.factorisation.solve_transposed(&self.system, Weights { unknowns: Correction { u, c }, integrals });
+        let multipliers = self
+            .factorisation
+            .solve_transposed(&self.system, Weights { unknowns: Correction { u, inner: Vec::new(), c }, integrals });
         self.pull_back(&multipliers, &mut gradient);
         for &unknown in &plan.unknowns {
             gradient[unknown] = 0.0;
@@ -280,7 +285,8 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         if weights.iter().all(|&weight| weight == 0.0) {
             return vec![0.0; plan.n * grid.node_stride()];
         }
-        let mut nodes = self.system.pull_back(region, &self.work.regions[region], &weights, gradient);
+        let factor = (&self.factorisation.regions[region], &self.factorisation.scales.states[region][..]);
+        let mut nodes = self.system.pull_back(region, &self.work.regions[region], factor, &weights, gradient);
         // What stands on padding belongs to the last node.
         for component in nodes.chunks_exact_mut(grid.node_stride()) {
             for j in grid.intervals()..len {
@@ -305,7 +311,8 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             for (&k, &weight) in plan.active.iter().zip(&multipliers.integrals[region]) {
                 weights[(plan.n + k) * len..(plan.n + k + 1) * len].fill(weight);
             }
-            self.system.pull_back(region, &self.work.regions[region], &weights, gradient);
+            let factor = (&self.factorisation.regions[region], &self.factorisation.scales.states[region][..]);
+            self.system.pull_back(region, &self.work.regions[region], factor, &weights, gradient);
         }
         let first = layout.ends() + layout.integrals();
         for (&(equation, input), &value) in layout.boundary_pattern.iter().zip(&self.work.dz) {

@@ -1,5 +1,6 @@
 //! How good a converged iterate is: its defects, and the error they cause.
 
+use crate::collocation::coupled::scaled;
 use crate::collocation::evaluate::Work;
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
@@ -33,7 +34,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         for region in 0..system.grids.len() {
             let extended =
                 Extended { system: &system, region, x: &converged.x, stages: &converged.work.regions[region] };
-            let extension = extended.extension(stats);
+            let extension = extended.extension(converged.scales(), stats);
             let measured = extension.and_then(|extension| {
                 let defects = extended.defects(&extension, converged.scales(), stats)?;
                 Ok((extension, defects))
@@ -105,16 +106,22 @@ impl Error {
         (extensions, defects): (&[Extension], &[Defects]),
         stats: &mut Stats,
     ) -> Self {
-        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
+        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
         let mut integrals = Vec::new();
         for (region, defects) in defects.iter().enumerate() {
-            let integrated: Cow<'_, [f64]> = if system.tableau.order == 4 {
+            let extended = Extended { system, region, x, stages: &work.regions[region] };
+            let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
+            let integrated: Cow<'_, [f64]> = if system.tableau.coupled {
+                // The stages follow the defects as their equations say.
+                let moments = extended.moments(&extensions[region], defects);
+                let m = factorisation.regions[region].coupling.m;
+                rhs.inner.push(scaled(&moments, &factorisation.scales.states[region], m, 1.0));
+                Cow::Borrowed(&defects.integrated)
+            } else if system.tableau.order == 4 {
                 Cow::Borrowed(&defects.integrated)
             } else {
-                let extended = Extended { system, region, x, stages: &work.regions[region] };
                 Cow::Owned(extended.improved(&extensions[region], defects))
             };
-            let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
             let len = grid.interval_stride();
             let mut lanes = vec![Lane::ZERO; grid.steps * plan.n];
             for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
@@ -124,7 +131,11 @@ impl Error {
                 }
             }
             rhs.regions.push(lanes);
-            let sums: Vec<f64> = integrated.chunks_exact(len).skip(plan.n).map(|parts| parts.iter().sum()).collect();
+            let mut sums: Vec<f64> =
+                integrated.chunks_exact(len).skip(plan.n).map(|parts| parts.iter().sum()).collect();
+            if let Some(sum) = sums.last_mut().filter(|_| system.plan.by_quadrature) {
+                *sum = 0.0;
+            }
             rhs.integrals.push(plan.active.iter().map(|&k| sums[k]).collect());
             integrals.push(sums);
         }

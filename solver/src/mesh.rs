@@ -60,6 +60,23 @@ pub(crate) fn equidistribute(mesh: &[f64], wanted: &[f64], intervals: usize) -> 
     out
 }
 
+/// Slopes at the nodes of the parabolas through each node and its neighbours.
+pub(crate) fn slopes(mesh: &[f64], values: &[f64]) -> Vec<f64> {
+    let secants: Vec<f64> =
+        mesh.windows(2).zip(values.windows(2)).map(|(s, y)| (y[1] - y[0]) / (s[1] - s[0])).collect();
+    let last = mesh.len() - 1;
+    (0..=last)
+        .map(|j| match j {
+            0 => secants[0],
+            _ if j == last => secants[last - 1],
+            _ => {
+                let (left, right) = (mesh[j] - mesh[j - 1], mesh[j + 1] - mesh[j]);
+                (secants[j - 1] * right + secants[j] * left) / (left + right)
+            }
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,6 +9,7 @@ mod closing;
 mod names;
 
 use crate::budget::Budget;
+use crate::collocation::coupled::Settled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
@@ -53,6 +54,10 @@ const FORCED_DAMPING: f64 = 1.0 / 16.0;
 /// Below this size a correction that does not contract is taken for the effect of rounding or of a kink: the iterate is
 /// good enough to measure the mesh with, if not for a solution.
 const STAGNANT: f64 = 1e-3;
+
+/// Where nothing is known of the states at inner stages, their equations are solved first if that changes no state by
+/// more than this: a guess that is a solution at its nodes is one then. Else they are solved with all others.
+const SETTLED_FROM: f64 = 0.3;
 
 /// How often a singular matrix is stepped away from in one iteration.
 const ESCAPES: usize = 6;
@@ -175,10 +180,17 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         // The last damping factor, correction and simplified correction: they predict the next damping factor.
         let mut before: Option<(f64, f64, Correction)> = None;
         let mut taken: Option<Taken> = None;
+        let mut incomplete = self.system.interpolate(&mut x, self.stats);
         loop {
             if let Err(error) = self.linearise(&x) {
                 x = self.escape(&x, &mut taken, error)?;
                 before = None;
+                continue;
+            }
+            if std::mem::take(&mut incomplete)
+                && let Err(error) = self.settle(&mut x)
+            {
+                x = self.escape(&x, &mut taken, error)?;
                 continue;
             }
             let dx = self.correction();
@@ -247,6 +259,24 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         self.stats.factorisations += 1;
         let (rank, size) = self.factorisation.rank();
         if rank < size { Err(self.factorisation.singular(self.system)) } else { Ok(()) }
+    }
+
+    /// Solves the stage equations first, where nothing is known of the states at inner stages and that does not change
+    /// much: see [`SETTLED_FROM`].
+    fn settle(&mut self, x: &mut Iterate) -> Result<(), NewtonError> {
+        let origin = x.inner.clone();
+        let settled = self.system.settle(&self.factorisation, x, &mut self.work, SETTLED_FROM, self.stats);
+        if let Settled::From(size) = settled {
+            x.inner = origin;
+            if size < SETTLED_FROM {
+                // It needs more than one matrix.
+                self.system.meet(x, SETTLED_FROM, self.stats);
+                self.iteration -= 1;
+                self.stats.newton_iterations -= 1;
+                self.linearise(x)?;
+            }
+        }
+        Ok(())
     }
 
     fn evaluate(&mut self, x: &Iterate, derivatives: Derivatives) -> Result<(), NonFinite> {

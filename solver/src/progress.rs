@@ -2,7 +2,7 @@
 
 use crate::error::{NewtonError, SolveError};
 use crate::measure::Solved;
-use crate::options::Options;
+use crate::options::{Options, Order};
 use crate::phase::Phase;
 use crate::problem::Problem;
 use crate::refine::{Measure, Rounding, measure};
@@ -27,6 +27,9 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// The solution that the present meshes were made from, while the tolerance is not met.
     pub(crate) coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
+    /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
+    /// again would do so again.
+    pub(crate) shrunk: bool,
     /// What the defects were held to on the last meshes that were too coarse, and the largest there.
     last_defect: Option<(f64, f64)>,
     /// Meshes in a row on which the largest defect has hardly fallen.
@@ -48,7 +51,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         Self {
             phase: Phase::Search,
             first: true,
-            rescue: Rescue { halvings: 0, insistent: true, origin },
+            rescue: Rescue { halvings: 0, insistent: true, origin, attempts: attempts(options.order) },
             target: options.tolerance,
             tolerance: options.tolerance,
             fallback: None,
@@ -56,6 +59,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             stalled: 0,
             coarser: None,
             fallback_doubled: false,
+            shrunk: false,
             last_defect: None,
             creeping: 0,
         }
@@ -95,13 +99,25 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
     }
 }
 
-/// What is tried when Newton's iteration fails: halved meshes, then the same again without insisting on progress.
+/// What is tried when Newton's iteration fails: halved meshes, then what is still to be tried from the guess.
 pub(crate) struct Rescue {
     pub(crate) halvings: usize,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
     /// The guess, as long as no mesh has brought convergence.
     pub(crate) origin: Option<Start>,
+    /// Orders to begin with from the guess, and whether every step must be progress then.
+    pub(crate) attempts: &'static [(Order, bool)],
+}
+
+/// What is tried from the guess after an iteration that insists on progress. Order 8, on a few long intervals, is
+/// more easily led astray: order 6 finds where it is to start from.
+fn attempts(order: Order) -> &'static [(Order, bool)] {
+    match order {
+        Order::Four => &[(Order::Four, false)],
+        Order::Six => &[(Order::Six, false)],
+        Order::Eight => &[(Order::Six, true), (Order::Six, false), (Order::Eight, false)],
+    }
 }
 
 /// What one set of meshes has brought.

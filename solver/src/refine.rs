@@ -21,6 +21,10 @@ const MOST_PIECES: f64 = 4.0;
 const MOST_PIECES_HIGH: f64 = 6.0;
 /// Intervals grow at most by this factor: a small defect says little about much longer intervals.
 const LONGER: f64 = 8.0;
+/// Larger defects are far from the asymptotic regime: what they say of other lengths is not to be trusted.
+const ASYMPTOTIC: f64 = 0.1;
+/// Where no more than this fraction of the intervals is needed, all are redistributed, even if few fail.
+const SPARSE: f64 = 0.6;
 /// Fewest intervals that redistribution makes.
 const FEWEST: usize = 4;
 
@@ -87,11 +91,13 @@ pub(crate) struct Wish {
     pub max_intervals: usize,
     /// Whether intervals are split where they are if few are too long; if not, all are redistributed.
     pub split_few: bool,
+    /// Whether intervals are redistributed, even if few are too long, where far fewer would do.
+    pub shrink: bool,
 }
 
 /// Decides on one region's mesh.
 pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
-    let &Wish { tolerance, order, max_intervals, split_few } = wish;
+    let &Wish { tolerance, order, max_intervals, split_few, shrink } = wish;
     let intervals = mesh.len() - 1;
     if measure.largest <= tolerance {
         if intervals <= 4 * FEWEST || surely_fits(measure, wish) {
@@ -105,6 +111,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
     // Right after a redistribution, the intervals that still fail are all of the same kind.
     let few = split_few && (failing as f64 <= FEW * intervals as f64 || failing <= 2);
+    // Meshes that had to grow to find a layer are too fine elsewhere: at high orders it shows.
+    let trusted = shrink && measure.largest <= ASYMPTOTIC;
+    let lengths = (!few || trusted).then(|| wanted(mesh, measure, wish));
+    let few = few && !lengths.as_ref().is_some_and(|(_, count)| trusted && *count < SPARSE * intervals as f64);
     let most_pieces = if order > 4.0 { MOST_PIECES_HIGH } else { MOST_PIECES };
     let split_into = |&defect: &f64| {
         if defect <= tolerance {
@@ -118,9 +128,8 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let new = if few && (pieces.iter().sum::<usize>() <= max_intervals || intervals >= max_intervals) {
         split(mesh, &pieces)
     } else {
-        let (wanted, count) = wanted(mesh, measure, wish);
-        // Far from the asymptotic regime the estimate is not to be trusted.
-        let growth = if measure.largest > 0.1 { 2.0 } else { 4.0 };
+        let (wanted, count) = lengths.unwrap_or_else(|| wanted(mesh, measure, wish));
+        let growth = if measure.largest > ASYMPTOTIC { 2.0 } else { 4.0 };
         let most = (growth * intervals as f64).min(max_intervals as f64);
         let least = (0.5 * intervals as f64).max(FEWEST as f64);
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
@@ -185,7 +194,7 @@ mod tests {
         measure(&defects, wish.tolerance, Rounding::Counted)
     }
 
-    const WISH: Wish = Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true };
+    const WISH: Wish = Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true, shrink: false };
 
     #[test]
     fn a_mesh_that_would_be_too_large_is_made_as_large_as_may_be() {

@@ -4,24 +4,25 @@ mod meshes;
 mod outcome;
 
 use crate::budget::Budget;
-use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
+use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, intervals};
 use crate::newton::{self, Limits};
 use crate::observer::{Event, Observer};
-use crate::options::{Control, Options};
+use crate::options::{Control, Options, Order};
 use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
 use crate::progress::{Found, Next, Progress, measured};
 use crate::refine::{Rounding, Verdict};
 use crate::solution::{MeshRecord, Shortfall};
-use crate::start::{Start, transfer};
+use crate::start::{Start, carried, transfer};
 use crate::stats::Stats;
+use crate::tableau::Tableau;
 use std::sync::Arc;
 
 /// Defects are held to no less than this: each is known to a few units in the last place at best.
@@ -30,6 +31,8 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
+/// Defects of a lower order up to which it is gone on with.
+const ROUGHLY: f64 = 1e-2;
 
 /// One solve, or the solves of one continuation: what they share, and what they have cost so far.
 pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
@@ -48,6 +51,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
+    /// That of the options, but while a start for it is sought with another.
+    order: Order,
     /// Why the last solve ended if not for a small estimated error.
     shortfall: Shortfall,
 }
@@ -73,6 +78,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             keep: true,
             check: BranchCheck::Kept,
             orientation: None,
+            order: options.order,
             shortfall: Shortfall::Uncontrolled,
         }
     }
@@ -80,12 +86,17 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     /// Solves and improves the meshes until they pass: see [`phase`](crate::phase).
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let mut progress = Progress::new(self.options, &start);
-        self.shortfall = Shortfall::Uncontrolled;
+        (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
         (self.check, self.orientation) = (BranchCheck::Kept, None);
         let mut meshes = 0;
         loop {
             let found = self.solve_on(start, &mut progress)?;
             meshes += 1;
+            if let Some(next) = self.promoted(&found, &progress) {
+                start = next;
+                progress.first = false;
+                continue;
+            }
             let finding = self.judge(&found, &progress);
             let action = action(progress.phase, finding);
             let is_last = meshes >= self.options.max_meshes && action != Action::Accept;
@@ -100,6 +111,19 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             progress.phase = phase_after(progress.phase, action);
             progress.first = false;
         }
+    }
+
+    /// What has been found with a lower order than wanted, as a start for that: once it is roughly right.
+    fn promoted(&mut self, found: &Found<'a, P>, progress: &Progress<'a, P>) -> Option<Start> {
+        let Found::Solved(solved) = found else { return None };
+        let enough = ROUGHLY.max(progress.target);
+        let rough = || measured(solved, enough, Rounding::Counted).iter().any(|measure| !(measure.largest <= enough));
+        if self.order == self.options.order || rough() {
+            return None;
+        }
+        self.order = self.options.order;
+        let meshes = solved.system.grids.iter().map(|grid| grid.mesh.clone()).collect();
+        Some(carried(solved, meshes, self.tableau()))
     }
 
     /// What has been found on the present meshes.
@@ -164,6 +188,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 }
                 match self.refined(&solved, &measures, progress) {
                     Ok(meshes) => {
+                        let count: usize = meshes.iter().map(|mesh| mesh.len() - 1).sum();
+                        progress.shrunk |= count < intervals(&solved.system.grids);
                         let start = transfer(&solved, meshes);
                         progress.coarser = Some(*solved);
                         Ok(Next::On(start))
@@ -194,7 +220,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Ok(solved);
         }
         let converged = &mut solved.converged;
-        converged.x = origin.x;
+        let inner = std::mem::take(&mut converged.x.inner);
+        converged.x = Iterate { inner, ..origin.x };
         let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
         evaluated.map_err(|error| SolveError::Newton {
             error: NewtonError::NonFinite(error),
@@ -249,15 +276,21 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
-        let solved = match progress.rescue.origin.take() {
+        // What a lower order has found is a start only.
+        let origin = if self.order == self.options.order { progress.rescue.origin.take() } else { None };
+        let solved = match origin {
             Some(origin) if progress.first && solved.converged.at_once => self.unless_worse(solved, origin)?,
             _ => solved,
         };
         Ok(Found::Solved(Box::new(solved)))
     }
 
+    fn tableau(&self) -> &'static Tableau {
+        self.order.tableau()
+    }
+
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
-        let (plan, tableau) = (self.plan.clone(), self.options.order.tableau());
+        let (plan, tableau) = (self.plan.clone(), self.tableau());
         let magnitudes = Magnitudes::new(self.layout, self.options);
         System { problem: self.problem, layout: self.layout, plan, tableau, magnitudes, grids }
     }

@@ -21,6 +21,11 @@ pub struct RegionSolution {
     /// Coefficients of the continuous extension, one an interval.
     alpha: Vec<Vec<f64>>,
     beta: Vec<Vec<f64>>,
+    /// Empty below order 8, as is δ.
+    #[cfg_attr(feature = "serde", serde(default))]
+    gamma: Vec<Vec<f64>>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    delta: Vec<Vec<f64>>,
     integrals: Vec<f64>,
     /// Integral by integral, from the start of the region to each node.
     cumulative: Vec<Vec<f64>>,
@@ -57,6 +62,8 @@ impl RegionSolution {
             f: at_nodes(&stages.nodes.f),
             alpha: on_intervals(&extension.alpha),
             beta: on_intervals(&extension.beta),
+            gamma: on_intervals(&extension.gamma),
+            delta: on_intervals(&extension.delta),
             integrals: cumulative.iter().filter_map(|sums| sums.last().copied()).collect(),
             cumulative,
         }
@@ -156,10 +163,14 @@ impl RegionSolution {
 
     fn combine(&self, basis: &Basis, i: usize, j: usize, h: f64) -> f64 {
         let (y, f) = (&self.y[i], &self.f[i]);
-        basis.rise * (y[j + 1] - y[j])
+        let quintic = basis.rise * (y[j + 1] - y[j])
             + h * (basis.left * f[j] + basis.right * f[j + 1])
             + basis.alpha * self.alpha[i][j]
-            + basis.beta * self.beta[i][j]
+            + basis.beta * self.beta[i][j];
+        match (self.gamma.get(i), self.delta.get(i)) {
+            (Some(gamma), Some(delta)) => quintic + basis.gamma * gamma[j] + basis.delta * delta[j],
+            _ => quintic,
+        }
     }
 }
 

@@ -1,25 +1,31 @@
-//! Coefficients of the mono-implicit Runge-Kutta methods, with their provenance.
+//! Coefficients of the Runge-Kutta methods, with their provenance.
 //!
 //! A method of `s` stages advances `y_0` to `y_1` over a step `h` by
 //!
 //! ```text
-//! K_r = f(t + c_r h, (1 - v_r) y_0 + v_r y_1 + h Σ_{j<r} x_rj K_j),      y_1 - y_0 = h Σ_r b_r K_r
+//! K_r = f(t + c_r h, (1 - v_r) y_0 + v_r y_1 + h Σ_j x_rj K_j),      y_1 - y_0 = h Σ_r b_r K_r
 //! ```
 //!
-//! J. R. Cash and A. Singhal, IMA J. Numer. Anal. 2 (1982) 167-182; the notation is that of W. H. Enright and
-//! P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497. The first two stages of every method here are the
-//! node values, shared by neighbouring intervals.
+//! The first two stages of every method here are the node values, shared by neighbouring intervals. In a mono-implicit
+//! method the sum goes over the stages before (`j < r`), so that the stages are functions of the nodes: J. R. Cash and
+//! A. Singhal, IMA J. Numer. Anal. 2 (1982) 167-182; the notation is that of W. H. Enright and P. H. Muir, SIAM J. Sci.
+//! Comput. 17 (1996) 479-497. Where it goes over all stages, the values at the inner ones are unknowns of their
+//! interval.
 
-/// A mono-implicit Runge-Kutta method whose first two stages are the nodes.
+use crate::collocation::coupled::COUPLED;
+
+/// A Runge-Kutta method whose first two stages are the nodes.
 #[derive(Debug)]
 pub(crate) struct Tableau {
     /// Order of the node values, of the integrals and of the dense output.
     pub order: usize,
     pub c: &'static [f64],
     pub v: &'static [f64],
-    /// `x[r]` has `r` entries.
+    /// `x[r]` has `r` entries; if the inner stages are coupled, one for each stage.
     pub x: &'static [&'static [f64]],
     pub b: &'static [f64],
+    /// Whether the inner stages depend on each other, so that their values are unknowns.
+    pub coupled: bool,
     /// Exponent of the step in the defect of the dense output.
     pub defect_order: f64,
     /// Where in the interval the defect is sampled, and the weight of each sample in its mean square.
@@ -31,6 +37,11 @@ impl Tableau {
     pub(crate) fn stages(&self) -> usize {
         self.c.len()
     }
+
+    /// Stages between the nodes whose values are unknowns.
+    pub(crate) fn unknown_stages(&self) -> usize {
+        if self.coupled { COUPLED } else { 0 }
+    }
 }
 
 /// Three-stage Lobatto IIIA, order 4: Simpson's rule with a Hermite midpoint. A. Axelsson, BIT 4 (1964) 69;
@@ -41,6 +52,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     v: &[0.0, 1.0, 0.5],
     x: &[&[], &[0.0], &[0.125, -0.125]],
     b: &[1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0],
+    coupled: false,
     defect_order: 4.0,
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
@@ -59,6 +71,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
         &[-5.0 / 24.0, 5.0 / 24.0, 2.0 / 3.0, -2.0 / 3.0],
     ],
     b: &[7.0 / 90.0, 7.0 / 90.0, 16.0 / 45.0, 16.0 / 45.0, 2.0 / 15.0],
+    coupled: false,
     defect_order: 5.0,
     // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70.
     samples: &[
@@ -68,6 +81,50 @@ pub(crate) static ORDER_6: Tableau = Tableau {
         (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
     ],
 };
+
+/// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
+/// and 1/2. E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", Springer 1996, section IV.5. The
+/// stages stand in a form that treats both ends alike, with `v_r = c_r`: of Lobatto's coefficients `a_rj` those of
+/// `c_r (y_1 - y_0 - h Σ_j b_j K_j) = 0` are taken off, `x_rj = a_rj - c_r b_j`.
+pub(crate) static ORDER_8: Tableau = Tableau {
+    order: 8,
+    c: &[0.0, 1.0, 0.5 - LOBATTO_OFFSET, 0.5 + LOBATTO_OFFSET, 0.5],
+    v: &[0.0, 1.0, 0.5 - LOBATTO_OFFSET, 0.5 + LOBATTO_OFFSET, 0.5],
+    x: &[
+        &[],
+        &[0.0],
+        &[
+            0.059_094_773_953_856_33,
+            -0.012_333_797_474_715_1,
+            0.072_739_296_745_330_79,
+            -0.036_369_648_372_665_4,
+            -0.083_130_624_851_806_6,
+        ],
+        &[
+            0.012_333_797_474_715_1,
+            -0.059_094_773_953_856_33,
+            0.036_369_648_372_665_4,
+            -0.072_739_296_745_330_79,
+            0.083_130_624_851_806_6,
+        ],
+        &[1.0 / 64.0, -1.0 / 64.0, 0.167_073_072_211_931_67, -0.167_073_072_211_931_67, 0.0],
+    ],
+    b: &[0.05, 0.05, 49.0 / 180.0, 49.0 / 180.0, 16.0 / 45.0],
+    coupled: true,
+    defect_order: 7.0,
+    // Gauss points of order 12 on [0, 1]: zeros of the Legendre polynomial of degree 6.
+    samples: &[
+        (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
+        (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
+        (0.380_690_406_958_401_55, 0.233_956_967_286_345_52),
+        (0.619_309_593_041_598_5, 0.233_956_967_286_345_52),
+        (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
+        (0.966_234_757_101_576, 0.085_662_246_189_585_17),
+    ],
+};
+
+/// `√21/14`: how far the inner Lobatto points are from the middle.
+pub(crate) const LOBATTO_OFFSET: f64 = 0.327_326_835_353_988_57;
 
 /// Offset from the middle of the two points whose slopes turn the cubic of order 4 into a quartic: `√3/6`,
 /// where the derivative of the quartic's extra term `σ²(1-σ)²` is largest. There it is `±1/(3√3)`.
@@ -82,14 +139,15 @@ mod tests {
     /// Stage `r` and the quadrature integrate polynomials exactly as far as the order conditions say.
     #[test]
     fn tableaux_meet_their_quadrature_and_stage_conditions() {
-        for tableau in [&ORDER_4, &ORDER_6] {
+        for tableau in [&ORDER_4, &ORDER_6, &ORDER_8] {
             for power in 0..tableau.order as i32 {
                 let sum: f64 = tableau.b.iter().zip(tableau.c).map(|(b, c)| b * c.powi(power)).sum();
                 assert!((sum - 1.0 / f64::from(power + 1)).abs() < 1e-15, "order {} power {power}", tableau.order);
             }
+            assert!(!tableau.coupled || tableau.stages() == COUPLED + 2);
             for r in 0..tableau.stages() {
-                // Stage order 3: y = s^q is reproduced for q <= 3 (MIRK stage conditions).
-                for q in 1..=3_i32 {
+                // y = s^q is reproduced for q <= 3 (MIRK stage conditions), by collocation of degree 5 for q <= 5.
+                for q in 1..=if tableau.coupled { 5_i32 } else { 3 } {
                     let slopes: f64 =
                         tableau.x[r].iter().zip(tableau.c).map(|(x, c)| x * f64::from(q) * c.powi(q - 1)).sum();
                     let value = tableau.v[r] + slopes;

@@ -6,7 +6,7 @@ use solver::continuation::{BranchOptions, trace};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, NewtonError, Options, Order, Problem, Region, SolveError, solve};
 
-const ORDERS: [Order; 2] = [Order::Four, Order::Six];
+const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
 
 /// `u'' = load + rate u`, `u'(0) = 0`, `∫ u = mean`.
 struct Mean {
@@ -149,4 +149,13 @@ fn a_singular_matrix_at_an_iterate_is_stepped_away_from() {
         assert!(roots.iter().any(|root| (found - root).abs() < 1e-8), "{found}");
         assert!(solution.stats().newton_iterations <= 20, "{:?}", solution.stats());
     }
+}
+
+/// The example says how an algebraic equation is stated beside differential ones; it asserts the known solution.
+#[path = "../examples/algebraic.rs"]
+mod algebraic;
+
+#[test]
+fn an_algebraic_equation_of_index_1_holds_by_its_derivative_and_one_end() {
+    algebraic::main().unwrap();
 }

@@ -29,7 +29,7 @@ fn layers_sharpen_along_the_path() {
     let problem = Differentiated::new(Corners).unwrap();
     let guess = Guess::uniform(solver::Problem::layout(&problem), 10, &[1.0], straight);
     let mut found = Vec::new();
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         let options = PathOptions { solve: Options { order, ..Options::default() }, ..PathOptions::default() };
         let followed = follow(&problem, &guess, &Ramp::new().geometric(0, 1.0, 1e-5), &[], &options).unwrap();
         for step in &followed.steps {
@@ -40,10 +40,12 @@ fn layers_sharpen_along_the_path() {
         assert_eq!(followed.solution.constants(), [1e-5]);
         found.push((1..100).map(|i| line.eval(f64::from(i) / 100.0)[0]).collect::<Vec<_>>());
     }
-    for (i, (a, b)) in (1..100).zip(found[0].iter().zip(&found[1])) {
-        let s = f64::from(i) / 100.0;
-        let outer = if s < 1.0 / 3.0 { s - 1.0 / 3.0 } else { (s - 2.0 / 3.0).max(0.0) };
-        assert!((a - b).abs() < 2e-6 && (a - outer).abs() < 1e-2, "{s}: {a} {b}");
+    for other in &found[1..] {
+        for (i, (a, b)) in (1..100).zip(found[0].iter().zip(other)) {
+            let s = f64::from(i) / 100.0;
+            let outer = if s < 1.0 / 3.0 { s - 1.0 / 3.0 } else { (s - 2.0 / 3.0).max(0.0) };
+            assert!((a - b).abs() < 2e-6 && (a - outer).abs() < 1e-2, "{s}: {a} {b}");
+        }
     }
 }
 
@@ -52,7 +54,7 @@ fn solving_again_costs_one_iteration() {
     let problem = Differentiated::new(Corners).unwrap();
     let layout = solver::Problem::layout(&problem).clone();
     let guess = Guess::uniform(&layout, 10, &[0.1], straight);
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         let options = Options { order, tolerance: 1e-7, ..Options::default() };
         let first = solve(&problem, &guess, &[], &options).unwrap();
         println!("{:?}", first.history());

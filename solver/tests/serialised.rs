@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use solver::bvp::Bvp;
+use solver::bvp::{Bvp, Formulas};
 use solver::{Accuracy, Guess, MeshRecord, Options, Order, Shortfall, Solution, solve};
 
 #[test]
@@ -14,7 +14,18 @@ fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
         |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
     )
     .given("lambda", 1.0);
-    let options = Options { order: Order::Six, tolerance: 1e-10, ..Options::default() };
+    for order in [Order::Six, Order::Eight] {
+        comes_back(&bratu, order);
+    }
+    // A guess too; and what is no solution is refused.
+    let guess: Guess = serde_json::from_str(&serde_json::to_string(&bratu.start()).unwrap()).unwrap();
+    assert_eq!(guess, bratu.start());
+    let text = serde_json::to_string(&bratu.solve(&Options::default()).unwrap()).unwrap();
+    assert!(serde_json::from_str::<Solution>(&text.replace("\"constants\"", "\"constant\"")).is_err());
+}
+
+fn comes_back<M: Formulas>(bratu: &Bvp<M>, order: Order) {
+    let options = Options { order, tolerance: 1e-10, ..Options::default() };
     let solution = bratu.solve(&options).unwrap();
     let text = serde_json::to_string(&solution).unwrap();
     let again: Solution = serde_json::from_str(&text).unwrap();
@@ -27,12 +38,8 @@ fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
         (solution.order(), solution.accuracy(), solution.stats())
     );
     assert_eq!(again.history(), solution.history());
-    let warm = solve(&bratu, &Guess::from(&again), &[], &options).unwrap();
+    let warm = solve(bratu, &Guess::from(&again), &[], &options).unwrap();
     assert_eq!(warm.stats().newton_iterations, 1);
-    // A guess too; and what is no solution is refused.
-    let guess: Guess = serde_json::from_str(&serde_json::to_string(&bratu.start()).unwrap()).unwrap();
-    assert_eq!(guess, bratu.start());
-    assert!(serde_json::from_str::<Solution>(&text.replace("\"constants\"", "\"constant\"")).is_err());
 }
 
 /// JSON has no infinity and no NaN; a mesh that failed and an estimate that is not known have them.

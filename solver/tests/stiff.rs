@@ -37,7 +37,7 @@ impl Model for Layers {
 fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     let problem = Differentiated::new(Layers).unwrap();
     let eps = 1e-6;
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         for tolerance in [1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
             let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
             let solution = solve(&problem, &guess, &[], &Options { order, tolerance, ..Options::default() }).unwrap();
@@ -80,7 +80,7 @@ impl Cash {
 /// Close to rounding a solution is as good as asked for, or refused.
 #[test]
 fn tolerances_near_rounding_are_met_or_refused() {
-    for order in [Order::Four, Order::Six] {
+    for order in [Order::Four, Order::Six, Order::Eight] {
         for (cash, eps, tolerance) in [
             (Cash::Nine, 1e-2, 1e-11),
             (Cash::Nine, 1e-2, 1e-12),

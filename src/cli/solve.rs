@@ -28,8 +28,8 @@ pub struct Arguments {
     /// Relative tolerance of the solution, from 1e-12 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = tolerance)]
     tol: f64,
-    /// Order of the collocation: 4 or 6
-    #[arg(long, value_name = "4|6", default_value = "4", value_parser = order)]
+    /// Order of the collocation: 4, 6 or 8
+    #[arg(long, value_name = "4|6|8", default_value = "4", value_parser = order)]
     order: Order,
     /// Find the clamp that leaves this share of the friction at hand in reserve, in place of the case's clamp: 20%
     #[arg(long, value_name = "R")]
@@ -175,6 +175,7 @@ fn order(text: &str) -> Result<Order, String> {
     match text {
         "4" => Ok(Order::Four),
         "6" => Ok(Order::Six),
-        _ => Err("expected 4 or 6".into()),
+        "8" => Ok(Order::Eight),
+        _ => Err("expected 4, 6 or 8".into()),
     }
 }

@@ -121,7 +121,7 @@ pub fn largest_torque(case: &Resolved, options: &LimitOptions) -> Result<(Limit,
     in_balance(case, options, |case| torque_of(case, options))
 }
 
-fn torque_of(case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
+pub(super) fn torque_of(case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
     let mut start = case.clone();
     // What the clamp suggests when nothing is known of the torque.
     start.operating_point.load = Load::SpeedRatio(1.0);
@@ -159,10 +159,12 @@ pub fn smallest_slack_tension(case: &Resolved, options: &LimitOptions) -> Result
     primary_speed(case)?;
     let mut case = case.clone();
     case.operating_point.margin = None;
-    in_balance(&case, options, |case| {
-        let (_, solved) = clamped(case, &options.solve)?;
-        limit(&case.model, &solved, (Constant::SlackTension, Output::PrimaryExitTension), false, options)
-    })
+    in_balance(&case, options, |case| tension_of(case, options))
+}
+
+pub(super) fn tension_of(case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
+    let (_, solved) = clamped(case, &options.solve)?;
+    limit(&case.model, &solved, (Constant::SlackTension, Output::PrimaryExitTension), false, options)
 }
 
 /// The smallest clamps that carry the torque of a case; the case's clamp does not matter.
@@ -194,9 +196,9 @@ pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(Clamp
 }
 
 /// A limit, the solution there and the curve on which it lies.
-struct Found {
-    limit: Limit,
-    solved: Solved,
+pub(super) struct Found {
+    pub(super) limit: Limit,
+    pub(super) solved: Solved,
     branch: Branch,
 }
 

@@ -6,6 +6,7 @@
 //! efficiency ω_S R_S/(ω_P R_P), down to the stall of the secondary (docs/operating-points.md).
 
 mod branch;
+mod eased;
 mod error;
 mod limit;
 mod map;
@@ -14,6 +15,7 @@ mod state;
 mod verdict;
 
 pub use branch::{Branch, BranchEnd, BranchPoint, Parameter};
+pub use eased::Easing;
 pub use error::DesignError;
 pub use limit::{ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, smallest_clamps, smallest_slack_tension};
 pub use map::{limit_figures, limit_map, limits, optimum_figures, optimum_map};

@@ -2,9 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::eased::{Easing, Sought, easy, followed};
 use super::limit::{Limit, LimitKind, LimitOptions, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
-use crate::drive::{Failure, SolveOptions, Trouble};
+use crate::drive::{Failure, SolveOptions, Trouble, solve};
 
 /// Share by which a limit has to lie beyond the case: limits are known to the tolerance of the solutions.
 const CLEAR: f64 = 1e-3;
@@ -12,6 +13,10 @@ const CLEAR: f64 = 1e-3;
 /// it was left: of 11 limits of the survey that were followed on from 0.1, the one that changed most changed by a share
 /// of 0.09 of the speed efficiency's change.
 const CLEAR_BRAKING: f64 = 0.1;
+
+/// Speed efficiency below which a curve in engine braking proves a limit, should it be lost: the share by which eleven
+/// limits of the survey change from there on was found to be as [`CLEAR_BRAKING`] says from 0.3 on.
+const NEARLY_AT_REST: f64 = 0.2;
 
 /// Penetration over radius beyond which a belt counts as pressed through.
 const SUNK: f64 = 1.0 / 3.0;
@@ -35,6 +40,8 @@ pub enum Verdict {
         given: f64,
         /// The smallest.
         limit: Limit,
+        /// How far it was followed in the slip threshold, if not to the case's.
+        easing: Option<Easing>,
     },
     /// From an easier load, the curve on which the torque rises ends below the case's: it is the largest that the clamp
     /// carries.
@@ -43,6 +50,8 @@ pub enum Verdict {
         given: f64,
         /// The largest, of the case's sign.
         limit: Limit,
+        /// How far it was followed in the slip threshold, if not to the case's.
+        easing: Option<Easing>,
     },
     /// Neither limit was found to lie before the case: it may have a solution.
     Open,
@@ -70,31 +79,86 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
         return Verdict::Open;
     }
     let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
-    let clear = |limit: &Limit| 1.0 + CLEAR + if torque < 0.0 { CLEAR_BRAKING * left_at(limit) } else { 0.0 };
-    let ends = |limit: &Limit| matches!(limit.kind, LimitKind::Fold | LimitKind::Collapse);
-    if let Ok((limit, _)) = smallest_slack_tension(case, &options)
-        && ends(&limit)
-        && limit.value > tension * clear(&limit)
-    {
-        return Verdict::Tension { given: tension, limit };
-    }
-    if let Ok((limit, _)) = largest_torque(case, &options)
-        && ends(&limit)
-        && limit.value.abs() * clear(&limit) < torque.abs()
-    {
-        return Verdict::Torque { given: torque, limit };
-    }
-    match failure.trouble() {
+    let search = Search { case, tension, torque, options };
+    let proof = if search.is_carried() { None } else { search.at_case().or_else(|| search.eased()) };
+    proof.unwrap_or_else(|| match failure.trouble() {
         Some(Trouble::Deep { share, .. }) if share > SUNK => Verdict::Sunk { share },
         _ => Verdict::Open,
+    })
+}
+
+/// The search for a limit before a case.
+struct Search<'a> {
+    case: &'a Resolved,
+    /// Slack tension given, N.
+    tension: f64,
+    /// Primary torque given, N·m.
+    torque: f64,
+    options: LimitOptions,
+}
+
+impl Search<'_> {
+    /// Whether the case has a solution where friction is less steep: then a limit says nothing. There are drives beside
+    /// the curve from an easier load, slipping on both pulleys, that carry more than any on it.
+    fn is_carried(&self) -> bool {
+        self.case.thermal.is_none() && solve(&easy(self.case), &self.options.solve).is_ok()
+    }
+
+    /// Limits at the slip threshold of the case itself. That of a string is followed there from larger ones at once.
+    fn at_case(&self) -> Option<Verdict> {
+        if self.case.model.bending.is_none() && self.case.thermal.is_none() {
+            return None;
+        }
+        if let Ok((limit, _)) = smallest_slack_tension(self.case, &self.options)
+            && let proof @ Some(_) = self.beyond(Sought::Tension, limit, None)
+        {
+            return proof;
+        }
+        let (limit, _) = largest_torque(self.case, &self.options).ok()?;
+        self.beyond(Sought::Torque, limit, None)
+    }
+
+    /// Limits that are followed from larger slip thresholds. Where the belt's temperature is to be found, every one is
+    /// that of another belt.
+    fn eased(&self) -> Option<Verdict> {
+        if self.case.thermal.is_some() {
+            return None;
+        }
+        [(Sought::Tension, self.tension), (Sought::Torque, self.torque)].into_iter().find_map(|(sought, given)| {
+            let (limit, easing) = followed(self.case, sought, given, &self.options)?;
+            self.beyond(sought, limit, easing)
+        })
+    }
+
+    /// The proof that a limit is, if the case lies beyond it.
+    fn beyond(&self, sought: Sought, limit: Limit, easing: Option<Easing>) -> Option<Verdict> {
+        let given = match sought {
+            Sought::Tension => self.tension,
+            Sought::Torque => self.torque,
+        };
+        let braking = if self.torque < 0.0 { CLEAR_BRAKING * left_at(&limit) } else { 0.0 };
+        let margin = CLEAR + braking + easing.map_or(0.0, |easing| easing.margin());
+        (ends(&limit, self.torque) && sought.beyond(given, limit.value) > margin).then_some(match sought {
+            Sought::Tension => Verdict::Tension { given, limit, easing },
+            Sought::Torque => Verdict::Torque { given, limit, easing },
+        })
+    }
+}
+
+/// Whether a curve was followed so far that no more than the margin of a proof is left of it.
+fn ends(limit: &Limit, torque: f64) -> bool {
+    match limit.kind {
+        LimitKind::Fold | LimitKind::Collapse => true,
+        LimitKind::Lost(_) => torque < 0.0 && limit.state.speed_efficiency <= NEARLY_AT_REST,
+        LimitKind::SpeedEfficiency => false,
     }
 }
 
 /// The speed efficiency at which a curve was left: none of it matters where the curve turned before.
 const fn left_at(limit: &Limit) -> f64 {
     match limit.kind {
-        LimitKind::Collapse => limit.state.speed_efficiency,
-        _ => 0.0,
+        LimitKind::Fold => 0.0,
+        _ => limit.state.speed_efficiency,
     }
 }
 
@@ -102,7 +166,16 @@ impl Display for Verdict {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         let end = |limit: &Limit| match limit.kind {
             LimitKind::Fold => "below it no solution is left",
+            LimitKind::Lost(_) => "there the driven pulley has nearly come to rest",
             _ => "there the driven pulley comes to rest",
+        };
+        let eased = |easing: &Option<Easing>| {
+            easing.map_or(String::new(), |easing| {
+                format!(
+                    "; followed to a slip threshold of {:.1e} m/s, on the last decade to which it changes by {:.1e}",
+                    easing.slip_threshold, easing.change
+                )
+            })
         };
         match self {
             Self::Sunk { share } => write!(
@@ -112,17 +185,19 @@ impl Display for Verdict {
                 100.0 * share
             ),
             Self::Pushed => to.write_str("a strand of the belt would be pushed"),
-            Self::Tension { given, limit } => write!(
+            Self::Tension { given, limit, easing } => write!(
                 to,
-                "this torque takes a slack tension of at least {:.2} N, and {given:.2} N is given ({})",
+                "this torque takes a slack tension of at least {:.2} N, and {given:.2} N is given ({}{})",
                 limit.value,
-                end(limit)
+                end(limit),
+                eased(easing)
             ),
-            Self::Torque { given, limit } => write!(
+            Self::Torque { given, limit, easing } => write!(
                 to,
-                "this clamp carries at most {:.2} N·m, and {given:.2} N·m is asked for ({})",
+                "this clamp carries at most {:.2} N·m, and {given:.2} N·m is asked for ({}{})",
                 limit.value,
-                if limit.kind == LimitKind::Fold { "beyond it no solution is left" } else { end(limit) }
+                if limit.kind == LimitKind::Fold { "beyond it no solution is left" } else { end(limit) },
+                eased(easing)
             ),
             Self::Open => to.write_str("no limit was found before the case: it may have a solution that was not found"),
         }

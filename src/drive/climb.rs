@@ -1,9 +1,10 @@
 //! The path along a route, from the easy drive at its beginning to the case.
 
-use solver::continuation::follow_observed;
+use solver::continuation::{Ramp, follow_observed};
 use solver::{Guess, Solution, SolveError, Stats};
 
 use super::belt::BeltProblem;
+use super::blend::Blend;
 use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
@@ -41,7 +42,7 @@ pub(super) fn climb(
     let mut part = given;
     let smoothed = route.smoothed(model, target);
     let followed = match &smoothed {
-        Some((model, target)) => Err(climb.smooth(model, target, &mut part)),
+        Some((model, target)) => climb.smooth(model, target, &mut part),
         None => {
             let begin = route.begin(target);
             climb.follow(start::guess(belt, &begin), &begin, Mesh::Coarse, &mut part)
@@ -53,7 +54,11 @@ pub(super) fn climb(
         Err(lost) => lost,
     };
     let Some(last) = lost.last.filter(|_| model.bending.is_some() && !budget.is_spent()) else {
-        return Err(lost.failure);
+        return Err(match (&smoothed, lost.failure) {
+            // Where friction was another, what was reached says nothing of the case.
+            (Some(_), Failure::Lost { cause, .. }) => climb.lost(None, cause).failure,
+            (_, failure) => failure,
+        });
     };
     if let Some(solution) = climb.leap(&last, budget) {
         return Ok((solution, climb.stats, climb.steps));
@@ -66,7 +71,7 @@ pub(super) fn climb(
         Some(solution) => Ok((solution, climb.stats, climb.steps)),
         // Where friction was another, what was reached says nothing of the case.
         None if smoothed.is_some() => Err(again.failure),
-        None => Err(Failure::farther(Some(lost.failure), again.failure)),
+        None => Err(Failure::farther(Some(lost.failure), again.failure, target)),
     }
 }
 
@@ -129,20 +134,47 @@ impl Climb<'_> {
 
     /// Follows the route with another friction law, as far as that goes: what was found last is where the path of the
     /// case's own begins. Its failure is only heard of where no work is left for that.
-    fn smooth(&mut self, model: &ModelChoices, target: &Constants, budget: &mut Budget) -> Lost {
+    fn smooth(&mut self, model: &ModelChoices, target: &Constants, budget: &mut Budget) -> Result<Solution, Lost> {
         let Some(belt) = BeltProblem::new(model, target) else {
-            return Lost { last: None, failure: Failure::NoEquations };
+            return Err(Lost { last: None, failure: Failure::NoEquations });
         };
-        let options = SolveOptions { tolerance: rough(self.options).tolerance, ..*self.options };
+        let tolerance = self.route.tolerance(self.model).unwrap_or_else(|| rough(self.options).tolerance);
+        let options = SolveOptions { tolerance, ..*self.options };
         let begin = self.route.begin(target);
         let (stats, steps) = (self.stats, self.steps);
         let mut climb = Climb { model, belt: &belt, target, options: &options, route: self.route, stats, steps };
         let followed = climb.follow(start::guess(&belt, &begin), &begin, Mesh::Coarse, budget);
         (self.stats, self.steps) = (climb.stats, climb.steps);
         match followed {
-            Ok(end) => self.lost(Some(Box::new(end)), Box::new(SolveError::Cancelled)),
-            Err(lost) => lost,
+            Ok(end) if self.model.bending.is_none() => self.sharpen(&end, budget),
+            Ok(end) => Err(self.lost(Some(Box::new(end)), Box::new(SolveError::Cancelled))),
+            Err(lost) => Err(lost),
         }
+    }
+
+    /// From a solution under the smooth law to the case's own, for a belt without bending stiffness: the smooth law's
+    /// weight goes to zero, on meshes that suit the kinks as they arise.
+    fn sharpen(&mut self, end: &Solution, budget: &mut Budget) -> Result<Solution, Lost> {
+        // What was reached under another law says nothing of the case.
+        let lost = |climb: &Self, cause| climb.lost(None, cause);
+        let Some(blend) = Blend::new(self.belt, self.model, self.target) else {
+            return Err(Lost { last: None, failure: Failure::NoEquations });
+        };
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let solver = self.options.solver();
+        let mut options = path_options(self.model, relaxed(&solver));
+        options.solve.tolerance = options.tolerance;
+        let path = Ramp::new().linear(blend.weight(), 1.0, 0.0);
+        let followed = follow_observed(&blend, &blend.begin(end), &path, &unknowns, &options, budget)
+            .map_err(|error| lost(self, error.cause))?;
+        self.stats += *followed.solution.stats();
+        self.steps += accepted(&followed);
+        let guess = blend.end(&followed.solution);
+        let solution = solver::solve_observed(self.belt, &guess, &unknowns, &relaxed(&solver), budget)
+            .map_err(|cause| lost(self, Box::new(cause)))?;
+        self.stats += *solution.stats();
+        corrected(self.belt, solution, &solver, false, &mut self.stats, budget)
+            .map_err(|(_, cause)| lost(self, Box::new(cause)))
     }
 
     fn lost(&self, last: Option<Box<Solution>>, cause: Box<SolveError>) -> Lost {
@@ -157,6 +189,8 @@ impl Climb<'_> {
         for (index, path) in stages.into_iter().enumerate() {
             let solver = if index + 1 == count { self.options.solver() } else { rough(self.options) };
             let mut options = path_options(self.model, relaxed(&solver));
+            options.tolerance =
+                self.route.tolerance(self.model).map_or(options.tolerance, |fine| fine.min(options.tolerance));
             if mesh == Mesh::Fine {
                 options.tolerance *= FINER;
                 options.max_iterations *= 2;

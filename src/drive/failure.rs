@@ -212,17 +212,31 @@ impl Failure {
         }
     }
 
-    /// That of two failures which came closer to the case: with the case's own friction if possible, then with less
-    /// tension, for it is loose belts that are lost.
-    pub(super) fn farther(first: Option<Self>, second: Self) -> Self {
-        let key = |failure: &Self| match failure {
-            Self::Unreached { .. } => (-1.0, 0.0),
-            Self::Lost { slip_threshold, slack_tension, .. } => (*slip_threshold, *slack_tension),
-            _ => (f64::INFINITY, f64::INFINITY),
-        };
+    /// That of two failures which came farther towards `target`: with the case's own friction if possible, then with
+    /// its torque, then with its tension. Any place on the path tells more than that none was found.
+    pub(super) fn farther(first: Option<Self>, second: Self, target: &Constants) -> Self {
         match first {
-            Some(first) if key(&first) <= key(&second) => first,
+            Some(first) if first.remaining(target) <= second.remaining(target) => first,
             _ => second,
+        }
+    }
+
+    /// What is left of the path to `target`, in the order in which it counts: factor on the slip threshold, share of
+    /// the torque, factor on the slack tension.
+    fn remaining(&self, target: &Constants) -> [f64; 3] {
+        match self {
+            // What is prescribed is sought from a solution that has the case's friction.
+            Self::Unreached { .. } | Self::Tolerance { .. } => [-1.0; 3],
+            Self::Lost { slip_threshold, torque, slack_tension, .. } => {
+                let factor = |here: f64, constant: Constant| libm::log(here / target[constant]).abs();
+                let torque = (torque - target[Constant::PrimaryTorque]).abs();
+                [
+                    factor(*slip_threshold, Constant::SlipThreshold),
+                    torque / target[Constant::PrimaryTorque].abs().max(f64::MIN_POSITIVE),
+                    factor(*slack_tension, Constant::SlackTension),
+                ]
+            }
+            _ => [f64::INFINITY; 3],
         }
     }
 
@@ -283,5 +297,54 @@ impl Failure {
                 cause,
             },
         }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    fn lost(slip_threshold: f64, torque: f64, slack_tension: f64) -> Failure {
+        let cause = Box::new(SolveError::Cancelled);
+        Failure::Lost { trouble: Trouble::Unknown, torque, slip_threshold, slack_tension, cause }
+    }
+
+    /// In whatever order the routes are tried, the failure that is shown is that of the place nearest the case: with
+    /// its friction first, then its torque, then its tension, from above or from below.
+    #[test]
+    fn the_failure_of_the_place_nearest_the_case_is_kept() {
+        let target = Question::of(&Case::base().resolve().expect("the base case")).constants;
+        let [friction, torque, tension] =
+            [Constant::SlipThreshold, Constant::PrimaryTorque, Constant::SlackTension].map(|given| target[given]);
+        let start = || Failure::Start { trouble: Trouble::Work, cause: Box::new(SolveError::Cancelled) };
+        let nearest_last = [
+            start(),
+            lost(1.0, torque, tension),
+            lost(10.0 * friction, 0.1 * torque, 2.0 * tension),
+            lost(friction, 0.5 * torque, tension),
+            lost(friction, torque, 0.4 * tension),
+            lost(friction, torque, 2.0 * tension),
+            lost(friction, torque, tension),
+        ];
+        let key = |failure: &Failure| failure.to_string();
+        for (at, far) in nearest_last.iter().enumerate() {
+            for near in nearest_last.iter().skip(at + 1) {
+                let copy = |failure: &Failure| match failure {
+                    Failure::Lost { slip_threshold, torque, slack_tension, .. } => {
+                        lost(*slip_threshold, *torque, *slack_tension)
+                    }
+                    _ => start(),
+                };
+                for (first, second) in [(far, near), (near, far)] {
+                    let kept = Failure::farther(Some(copy(first)), copy(second), &target);
+                    assert_eq!(key(&kept), key(near), "{} and {}", key(first), key(second));
+                }
+            }
+        }
+        // Of two that are as near, the first.
+        let kept = Failure::farther(Some(lost(1.0, torque, 2.0 * tension)), lost(1.0, torque, 0.5 * tension), &target);
+        assert_eq!(key(&kept), key(&lost(1.0, torque, 2.0 * tension)));
     }
 }

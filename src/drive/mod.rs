@@ -4,6 +4,7 @@ mod accuracy;
 mod approach;
 mod ask;
 mod belt;
+mod blend;
 mod branch;
 mod budget;
 mod climb;

@@ -5,8 +5,8 @@ use solver::continuation::Ramp;
 
 use super::start;
 use super::tuning::{
-    DEEPEST, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE, SMOOTH_THRESHOLD, THRESHOLD,
-    TIGHT, TORQUE,
+    DEEPEST, FINE_TOLERANCE, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE,
+    SMOOTH_THRESHOLD, STRING_FINE_TOLERANCE, STRING_SMOOTH_THRESHOLD, THRESHOLD, TIGHT, TORQUE, TWO_PARTS,
 };
 use crate::case::{Friction, ModelChoices};
 use crate::model::{Constant, Constants};
@@ -16,6 +16,8 @@ use crate::model::{Constant, Constants};
 pub enum Route {
     /// At the case's slack tension, or as near to it as the straight belt permits.
     Direct,
+    /// The same on meshes that are fine before the slip threshold is small.
+    Fine,
     /// From a tighter belt.
     Tight,
     /// From a larger slip threshold.
@@ -28,19 +30,29 @@ pub enum Route {
     Loose,
     /// With the last of the slip threshold's way behind that of the tension.
     Late,
-    /// With a friction law without kinks, to which the case's own is the last step.
+    /// With a friction law without kinks, on fine meshes, to which the case's own is the last step.
     Smooth,
 }
 
 impl Route {
     /// All routes, in the order in which they are tried.
-    pub const ALL: [Self; 8] =
-        [Self::Direct, Self::Smooth, Self::Tight, Self::Late, Self::Threshold, Self::Speed, Self::Bending, Self::Loose];
+    pub const ALL: [Self; 9] = [
+        Self::Direct,
+        Self::Fine,
+        Self::Smooth,
+        Self::Tight,
+        Self::Late,
+        Self::Threshold,
+        Self::Speed,
+        Self::Bending,
+        Self::Loose,
+    ];
 
     /// Name in messages and tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Direct => "direct",
+            Self::Fine => "fine meshes",
             Self::Tight => "tight",
             Self::Threshold => "slip threshold",
             Self::Speed => "speed",
@@ -52,19 +64,41 @@ impl Route {
     }
 
     /// Whether the route is another than the direct one for drives of a model: only friction with kinks can be
-    /// smoothed, and a string has only the one path.
+    /// smoothed, and the meshes of a string are fine on every route.
     pub(super) fn is_for(self, model: &ModelChoices) -> bool {
-        self != Self::Smooth || (model.friction == Friction::ViscousCoulomb && model.bending.is_some())
+        match self {
+            Self::Smooth => model.friction == Friction::ViscousCoulomb,
+            Self::Fine => model.bending.is_some(),
+            _ => true,
+        }
+    }
+
+    /// So many parts of the work of all routes may this one take.
+    pub(super) const fn parts(self) -> usize {
+        match self {
+            Self::Direct | Self::Fine | Self::Smooth => TWO_PARTS,
+            Self::Tight | Self::Late | Self::Threshold | Self::Speed | Self::Bending | Self::Loose => 1,
+        }
+    }
+
+    /// The tolerance of the slip threshold's way, if it is tighter than on other routes. Where the belt adheres at a
+    /// small threshold, a node that is added to the mesh lies many thresholds beside the solution, which Newton's
+    /// iteration does not survive: nodes are to be there before.
+    pub(super) fn tolerance(self, model: &ModelChoices) -> Option<f64> {
+        let fine = if model.bending.is_some() { FINE_TOLERANCE } else { STRING_FINE_TOLERANCE };
+        matches!(self, Self::Fine | Self::Smooth).then_some(fine)
     }
 
     /// The drive with the friction law of which the route is followed, and what the constants are at its end, if that
-    /// law is not the case's: μ tanh(4|v|/v_thr), which at a slip threshold four times the case's is as steep at rest.
+    /// law is not the case's: μ tanh(4|v|/v_thr).
     pub(super) fn smoothed(self, model: &ModelChoices, target: &Constants) -> Option<(ModelChoices, Constants)> {
-        (self == Self::Smooth).then(|| {
-            let mut target = target.clone();
-            target[Constant::SlipThreshold] *= SMOOTH_THRESHOLD;
-            (ModelChoices { friction: Friction::Tanh, ..*model }, target)
-        })
+        if self != Self::Smooth {
+            return None;
+        }
+        let (model, threshold) = smooth_law(model)?;
+        let mut target = target.clone();
+        target[Constant::SlipThreshold] *= threshold;
+        Some((model, target))
     }
 
     /// The easy drive from which the case is approached.
@@ -134,4 +168,12 @@ impl Route {
         }
         stages
     }
+}
+
+/// A model with the friction law μ tanh(4|v|/v_thr), which has no kinks, in place of that of `model`, and its slip
+/// threshold over the case's; nothing if its own has none.
+pub(super) fn smooth_law(model: &ModelChoices) -> Option<(ModelChoices, f64)> {
+    let threshold = if model.bending.is_some() { SMOOTH_THRESHOLD } else { STRING_SMOOTH_THRESHOLD };
+    let smooth = ModelChoices { friction: Friction::Tanh, ..*model };
+    (model.friction == Friction::ViscousCoulomb).then_some((smooth, threshold))
 }

@@ -53,7 +53,7 @@ impl Code {
         let tolerances = (3..=11).map(|digits| 10.0_f64.powi(-digits));
         let with = |tolerance: f64| -> Vec<Configuration> {
             match self {
-                Self::Here => [Order::Four, Order::Six]
+                Self::Here => [Order::Four, Order::Six, Order::Eight]
                     .into_iter()
                     .flat_map(|order| [5, 10, 20].map(|intervals| Configuration::Here { order, tolerance, intervals }))
                     .collect(),

@@ -1,11 +1,14 @@
 //! Coefficients of the linearised interval equations: the chain rule through the stages.
 
+use super::coupled::{COUPLED, Coupling, Parts};
 use super::evaluate::Stages;
 use super::plan::RegionPlan;
 use super::{Scales, System};
 use crate::linear::chain::Block;
+use crate::linear::qr;
 use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::tableau::Tableau;
 
@@ -35,6 +38,31 @@ pub(crate) struct Assembly<'a> {
     by_constant: Vec<Lane>,
     /// The stage's dY/d(...), then the sums over stages.
     sum: Vec<Lane>,
+    coupling: Coupling,
+}
+
+/// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what
+/// it is called from: compiling those is what most of the crate's build time goes into.
+struct Couple<'a, 'b> {
+    assembly: &'a mut Assembly<'b>,
+    t: usize,
+    coupled: &'a mut [Lane],
+}
+
+impl Couple<'_, '_> {
+    #[inline(never)]
+    fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
+impl Job for Couple<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.assembly.differentiate_coupled(self.t, self.coupled);
+    }
 }
 
 impl<'a> Assembly<'a> {
@@ -74,19 +102,31 @@ impl<'a> Assembly<'a> {
             right: vec![Lane::ZERO; count * rows * n],
             by_constant: vec![Lane::ZERO; count * rows * p],
             sum: vec![Lane::ZERO; rows * n.max(p)],
+            coupling: Coupling::new(system.tableau, plan),
         }
     }
 
     /// Writes interval `t` of every stretch, its equations divided by `row_scale` (out, `n` entries) so that no
-    /// coefficient of a node exceeds 1.
+    /// coefficient of a node exceeds 1. `coupled`: what is kept of its inner stages, if they are unknowns.
     #[inline(always)]
-    pub(crate) fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>, row_scale: &mut [Lane]) {
+    pub(crate) fn fill<R: Rows>(
+        &mut self,
+        rows: R,
+        t: usize,
+        block: &mut Block<Lane>,
+        row_scale: &mut [Lane],
+        coupled: &mut [Lane],
+    ) {
         let n = rows.n();
         let all = n + self.plan.active.len();
         let p = self.plan.columns.len();
         let h = Lane(self.h[t]);
-        for stage in 0..self.tableau.stages() {
+        let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };
+        for stage in 0..known {
             self.differentiate_stage(n, all, p, t, stage, h);
+        }
+        if self.tableau.coupled {
+            Couple { assembly: self, t, coupled }.vectorised();
         }
         self.combine(n, all, p, h, block);
         for (i, scale) in row_scale.iter_mut().enumerate() {
@@ -147,6 +187,84 @@ impl<'a> Assembly<'a> {
         chain.apply(n, sum, &mut self.right[before..here]);
         argument(&self.by_constant, n, all * p, p, h, known(None), sum);
         chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
+    }
+
+    /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled).
+    #[inline(always)]
+    fn differentiate_coupled(&mut self, t: usize, coupled: &mut [Lane]) {
+        let (n, p, h) = (self.plan.n, self.plan.columns.len(), Lane(self.h[t]));
+        let (all, inner, m) = (n + self.plan.active.len(), COUPLED, COUPLED * n);
+        self.left[2 * all * n..].fill(Lane::ZERO);
+        self.right[2 * all * n..].fill(Lane::ZERO);
+        self.by_constant[2 * all * p..].fill(Lane::ZERO);
+        let Parts { qr, moves, slopes } = self.coupling.parts_mut(m, coupled);
+        slopes.fill(Lane::ZERO);
+        let matrix = qr::matrix(m, qr);
+        matrix.fill(Lane::ZERO);
+        add_to_diagonal(matrix, m, 1.0);
+        for (j, batch) in self.stages.inner.iter().enumerate() {
+            let (dy, dc) = (batch.dy.as_chunks::<W>().0, batch.dc.as_chunks::<W>().0);
+            for entry in &self.constants {
+                let value = Lane(dc[entry.from * self.steps + t]).times(entry.factor);
+                self.by_constant[(j + 2) * all * p + entry.row * p + entry.column] += value;
+            }
+            for entry in &self.states {
+                let value = Lane(dy[entry.from * self.steps + t]).times(entry.factor) * h;
+                let column = j * n + entry.column;
+                slopes[column * all + entry.row] += value.times(self.tableau.b[j + 2]);
+                if entry.row < n {
+                    for i in 0..inner {
+                        matrix[column * m + i * n + entry.row] -= value.times(self.tableau.x[i + 2][j + 2]);
+                    }
+                }
+            }
+        }
+        qr::factor(m, qr);
+        self.move_stages(n, all, p, h, moves);
+        for column in moves.chunks_exact_mut(m) {
+            qr::solve(m, qr, column);
+        }
+        for (j, batch) in self.stages.inner.iter().enumerate() {
+            let dy = batch.dy.as_chunks::<W>().0;
+            let (first, first_constant) = ((j + 2) * all * n, (j + 2) * all * p);
+            for entry in &self.states {
+                let value = Lane(dy[entry.from * self.steps + t]).times(entry.factor);
+                let (row, at) = (entry.row, j * n + entry.column);
+                for q in 0..n {
+                    self.left[first + row * n + q] += value * moves[q * m + at];
+                    self.right[first + row * n + q] += value * moves[(n + q) * m + at];
+                }
+                for q in 0..p {
+                    self.by_constant[first_constant + row * p + q] += value * moves[(2 * n + q) * m + at];
+                }
+            }
+        }
+    }
+
+    /// The right-hand sides of the stage equations when nodes and constants move, by columns of `m`.
+    #[inline(always)]
+    fn move_stages(&self, n: usize, all: usize, p: usize, h: Lane, moves: &mut [Lane]) {
+        let m = COUPLED * n;
+        for i in 0..COUPLED {
+            let (x, v) = (self.tableau.x[i + 2], self.tableau.v[i + 2]);
+            let (by_left, by_right) = (h.times(x[0]), h.times(x[1]));
+            for q in 0..n {
+                for row in 0..n {
+                    let same = if row == q { Lane::ONE } else { Lane::ZERO };
+                    moves[q * m + i * n + row] = same.times(1.0 - v) + by_left * self.left[row * n + q];
+                    moves[(n + q) * m + i * n + row] = same.times(v) + by_right * self.right[(all + row) * n + q];
+                }
+            }
+            for q in 0..p {
+                for row in 0..n {
+                    let mut sum = Lane::ZERO;
+                    for (j, &x) in x.iter().enumerate() {
+                        sum += self.by_constant[(j * all + row) * p + q].times(x);
+                    }
+                    moves[(2 * n + q) * m + i * n + row] = h * sum;
+                }
+            }
+        }
     }
 
     /// `A = -I - h Σ b dK/dy_0`, `B = I - h Σ b dK/dy_1`, `C = -h Σ b dK/dc`; functionals `h Σ b dQ`.

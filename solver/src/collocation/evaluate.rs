@@ -27,6 +27,8 @@ pub(crate) struct Stages {
     pub inner: Vec<Batch>,
     /// Interval residuals `y_1 - y_0 - h Σ b K`, `n * interval_stride`.
     pub phi: Vec<f64>,
+    /// Residuals of the stage equations, as [`Iterate::inner`] stands; empty if that is.
+    pub psi: Vec<f64>,
 }
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
@@ -81,7 +83,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
                     *s = grid.s[p] + c * grid.h[p];
                 }
             }
-            Stages { nodes: batch(grid.node_stride(), false), inner, phi: vec![0.0; plan.n * stride] }
+            let psi = vec![0.0; self.tableau.unknown_stages() * plan.n * stride];
+            Stages { nodes: batch(grid.node_stride(), false), inner, phi: vec![0.0; plan.n * stride], psi }
         });
         Work {
             regions: regions.collect(),
@@ -137,8 +140,14 @@ impl<P: Problem + ?Sized> System<'_, P> {
         self.call(region, at, &x.constants, derivatives, &mut stages.nodes, stats)?;
         for stage in 2..self.tableau.stages() {
             let mut batch = std::mem::take(&mut stages.inner[stage - 2]);
-            self.stage_points(region, stage, &x.y[region], stages, &mut batch.y);
             let stride = grid.interval_stride();
+            if self.tableau.coupled {
+                let first = (stage - 2) * batch.y.len();
+                let len = batch.y.len();
+                batch.y.copy_from_slice(&x.inner[region][first..first + len]);
+            } else {
+                self.stage_points(region, stage, &x.y[region], stages, &mut batch.y);
+            }
             let (s, y) = (std::mem::take(&mut batch.s), std::mem::take(&mut batch.y));
             let at = Points { len: stride, stride, s: &s, y: &y };
             let outcome = self.call(region, at, &x.constants, derivatives, &mut batch, stats);
@@ -147,7 +156,21 @@ impl<P: Problem + ?Sized> System<'_, P> {
             outcome?;
         }
         self.interval_residuals(region, &x.y[region], stages);
+        if self.tableau.coupled {
+            self.stage_residuals(region, x, stages);
+        }
         Ok(())
+    }
+
+    /// `Y - (1 - v) y_0 - v y_1 - h Σ x K` of all inner stages.
+    fn stage_residuals(&self, region: usize, x: &Iterate, stages: &mut Stages) {
+        let len = stages.phi.len();
+        let mut psi = std::mem::take(&mut stages.psi);
+        for (stage, out) in psi.chunks_exact_mut(len).enumerate() {
+            self.stage_points(region, stage + 2, &x.y[region], stages, out);
+            elementwise(out, [&x.inner[region][stage * len..]], |point, [y]| y - point);
+        }
+        stages.psi = psi;
     }
 
     /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals.

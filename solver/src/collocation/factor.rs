@@ -3,6 +3,7 @@
 mod region;
 
 use super::assemble::Assembly;
+use super::coupled::{Coupling, Inward, Outward, scaled};
 use super::evaluate::Work;
 use super::plan::RegionPlan;
 use super::{Correction, Scales, System};
@@ -20,6 +21,10 @@ pub(crate) struct RegionFactor {
     pub top: Chain<f64>,
     /// What the interval equations were multiplied by, `steps * n`.
     pub row_scale: Vec<Lane>,
+    /// Of the inner stages whose states are unknowns.
+    pub coupling: Coupling,
+    /// What is kept of them, interval by interval; empty if there are none.
+    pub coupled: Vec<Lane>,
 }
 
 /// Right-hand sides in dimensionless equations.
@@ -27,6 +32,8 @@ pub(crate) struct RegionFactor {
 pub(crate) struct Rhs {
     /// Interval equations, `steps * n` a region, before [`RegionFactor::row_scale`].
     pub regions: Vec<Vec<Lane>>,
+    /// Stage equations, where the inner stages' states are unknowns: `steps * m` a region. Empty where they are met.
+    pub inner: Vec<Vec<Lane>>,
     /// What the integrals change by beside what the states and unknowns do to them, per region, active ones.
     pub integrals: Vec<Vec<f64>>,
     /// Boundary equations.
@@ -48,10 +55,16 @@ pub(crate) struct Factorisation {
 impl Factorisation {
     /// Memory for [`factor`](Self::factor).
     pub(crate) fn new<P: Problem + ?Sized>(system: &System<'_, P>) -> Self {
-        let regions = system.plan.regions.iter().zip(&system.grids).map(|(plan, grid)| RegionFactor {
-            lanes: Chain::new(plan.sizes(), grid.steps),
-            top: Chain::new(plan.sizes(), W),
-            row_scale: vec![Lane::ZERO; grid.steps * plan.n],
+        let regions = system.plan.regions.iter().zip(&system.grids).map(|(plan, grid)| {
+            let coupling = Coupling::new(system.tableau, plan);
+            let kept = if coupling.m > 0 { coupling.len() } else { 0 };
+            RegionFactor {
+                lanes: Chain::new(plan.sizes(), grid.steps),
+                top: Chain::new(plan.sizes(), W),
+                row_scale: vec![Lane::ZERO; grid.steps * plan.n],
+                coupling,
+                coupled: vec![Lane::ZERO; grid.steps * kept],
+            }
         });
         Self {
             scales: Scales { states: Vec::new(), constants: Vec::new() },
@@ -180,14 +193,40 @@ impl Factorisation {
         });
         let rhs = Rhs {
             regions: regions.collect(),
+            inner: self.stage_rhs(work),
             integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),
             boundary: work.g.iter().map(|g| -g).collect(),
         };
         self.solve(system, rhs)
     }
 
+    /// Minus the residuals of the stage equations in `work`; empty if there are none.
+    fn stage_rhs(&self, work: &Work) -> Vec<Vec<Lane>> {
+        let coupled = self.regions.iter().zip(&work.regions).zip(&self.scales.states);
+        let coupled = coupled.filter(|((factor, _), _)| factor.coupling.m > 0);
+        coupled.map(|((factor, stages), d)| scaled(&stages.psi, d, factor.coupling.m, -1.0)).collect()
+    }
+
+    /// The change of the inner stages' states that cancels the residuals of the stage equations in `work`, the nodes
+    /// given.
+    pub(crate) fn stage_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> Vec<Vec<Lane>> {
+        let mut inner = self.stage_rhs(work);
+        for ((inner, factor), (grid, plan)) in
+            inner.iter_mut().zip(&self.regions).zip(system.grids.iter().zip(&system.plan.regions))
+        {
+            let mut rhs = vec![Lane::ZERO; grid.steps * plan.n];
+            Inward { factor, inner, rhs: &mut rhs, functionals: &mut [] }.vectorised();
+        }
+        inner
+    }
+
     /// Solves one linear system.
     pub(crate) fn solve<P: Problem + ?Sized>(&self, system: &System<'_, P>, mut rhs: Rhs) -> Correction {
+        for (((inner, factor), lanes), functionals) in
+            rhs.inner.iter_mut().zip(&self.regions).zip(&mut rhs.regions).zip(&mut rhs.integrals)
+        {
+            Inward { factor, inner, rhs: lanes, functionals }.vectorised();
+        }
         let mut dense = Vec::with_capacity(self.dense.len());
         let mut tops = Vec::new();
         for (factor, (lanes, functionals)) in
@@ -202,7 +241,7 @@ impl Factorisation {
         }
         dense.extend_from_slice(&rhs.boundary);
         self.border.solve(&mut dense);
-        self.interiors(system, &rhs.regions, &tops, dense)
+        self.interiors(system, &rhs.regions, &tops, dense, rhs.inner)
     }
 
     /// The direction that a singular matrix does not see, its largest end or unknown 1.
@@ -210,7 +249,7 @@ impl Factorisation {
         let grids = system.grids.iter().zip(&system.plan.regions);
         let rhs: Vec<Vec<Lane>> = grids.map(|(grid, plan)| vec![Lane::ZERO; grid.steps * plan.n]).collect();
         let tops: Vec<Vec<f64>> = system.plan.regions.iter().map(|plan| vec![0.0; W * plan.n]).collect();
-        self.interiors(system, &rhs, &tops, self.null_vector())
+        self.interiors(system, &rhs, &tops, self.null_vector(), Vec::new())
     }
 
     /// All nodes, from the ends and unknowns and from what elimination has left of the right-hand sides.
@@ -220,7 +259,12 @@ impl Factorisation {
         rhs: &[Vec<Lane>],
         tops: &[Vec<f64>],
         mut dense: Vec<f64>,
+        mut inner: Vec<Vec<Lane>>,
     ) -> Correction {
+        if inner.is_empty() && system.tableau.coupled {
+            let sizes = self.regions.iter().zip(&system.grids);
+            inner = sizes.map(|(factor, grid)| vec![Lane::ZERO; grid.steps * factor.coupling.m]).collect();
+        }
         let c = dense.split_off(2 * system.plan.states());
         let mut u = Vec::new();
         for (region, plan) in system.plan.regions.iter().enumerate() {
@@ -240,9 +284,12 @@ impl Factorisation {
             };
             backward.vectorised();
             repeat_last(grid, last, &mut nodes);
+            if let Some(inner) = inner.get_mut(region) {
+                Outward { factor: &self.regions[region], u: &nodes, constants: &constants, inner }.vectorised();
+            }
             u.push(nodes);
         }
-        Correction { u, c }
+        Correction { u, inner, c }
     }
 }
 

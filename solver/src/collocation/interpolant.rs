@@ -3,14 +3,14 @@
 //! On an interval, with `σ = (s - t_j)/h` and H the cubic Hermite interpolant of node values and slopes,
 //!
 //! ```text
-//! S(σ) = H(σ) + σ²(1-σ)² [α + β (σ - 1/2)]
+//! S(σ) = H(σ) + σ²(1-σ)² [α + β τ + γ τ² + δ τ³],      τ = σ - 1/2
 //! ```
 //!
-//! is continuously differentiable for any α, β. Order 4: β = 0, and α from the slopes at two points (bootstrapping
-//! as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996) 479-497), so that the defect is O(h⁴).
-//! Order 6: S takes at the middle the value
-//! `(y_0 + y_1)/2 + h [(f_0 - f_1)/24 + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at
-//! 1/4 and 3/4 cancel, and the slope there; both are accurate to O(h⁶), and the defect is O(h⁵).
+//! is continuously differentiable for any α, β, γ, δ; the last two are for order 8 alone. Order 4: β = 0, and α from
+//! the slopes at two points (bootstrapping as in W. H. Enright and P. H. Muir, SIAM J. Sci. Comput. 17 (1996)
+//! 479-497), so that the defect is O(h⁴). Order 6: S takes at the middle the value `(y_0 + y_1)/2 + h [(f_0 - f_1)/24
+//! + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at 1/4 and 3/4 cancel, and the slope there;
+//! both are accurate to O(h⁶), and the defect is O(h⁵). Order 8: see [`corrected`](super::corrected).
 
 use super::evaluate::Stages;
 use super::{Iterate, Scales, System};
@@ -24,14 +24,17 @@ use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// α and β of all intervals of a region, component by component in working order.
+/// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
 pub(crate) struct Extension {
     pub alpha: Vec<f64>,
     pub beta: Vec<f64>,
+    /// Empty below order 8, as is δ.
+    pub gamma: Vec<f64>,
+    pub delta: Vec<f64>,
 }
 
-/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β` in S and in its derivatives at one σ.
+/// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β`, `γ`, `δ` in S and in its derivatives at one σ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Basis {
     pub rise: f64,
@@ -39,6 +42,8 @@ pub(crate) struct Basis {
     pub right: f64,
     pub alpha: f64,
     pub beta: f64,
+    pub gamma: f64,
+    pub delta: f64,
 }
 
 impl Basis {
@@ -46,33 +51,46 @@ impl Basis {
     #[inline]
     pub(crate) fn value(x: f64) -> Self {
         let z = 1.0 - x;
-        let bump = x * x * z * z;
-        Self { rise: x * x * (3.0 - 2.0 * x), left: x * z * z, right: -x * x * z, alpha: bump, beta: bump * (x - 0.5) }
+        let (bump, t) = (x * x * z * z, x - 0.5);
+        Self {
+            rise: x * x * (3.0 - 2.0 * x),
+            left: x * z * z,
+            right: -x * x * z,
+            alpha: bump,
+            beta: bump * t,
+            gamma: bump * t * t,
+            delta: bump * t * t * t,
+        }
     }
 
     /// Weights in dS/dσ; that of `y_0` is 0.
     #[inline]
     pub(crate) fn slope(x: f64) -> Self {
         let z = 1.0 - x;
-        let bump = 2.0 * x * z * (1.0 - 2.0 * x);
+        let (value, bump, t) = (x * x * z * z, 2.0 * x * z * (1.0 - 2.0 * x), x - 0.5);
         Self {
             rise: 6.0 * x * z,
             left: z * (1.0 - 3.0 * x),
             right: -x * (2.0 - 3.0 * x),
             alpha: bump,
-            beta: bump * (x - 0.5) + x * x * z * z,
+            beta: bump * t + value,
+            gamma: bump * t * t + 2.0 * value * t,
+            delta: bump * t * t * t + 3.0 * value * t * t,
         }
     }
 
     /// Weights in d²S/dσ²; that of `y_0` is 0.
     pub(crate) fn curvature(x: f64) -> Self {
         let (slope, curvature) = (2.0 * x * (1.0 - x) * (1.0 - 2.0 * x), 2.0 - 12.0 * x * (1.0 - x));
+        let (value, t) = (x * x * (1.0 - x) * (1.0 - x), x - 0.5);
         Self {
             rise: 6.0 - 12.0 * x,
             left: 6.0 * x - 4.0,
             right: 6.0 * x - 2.0,
             alpha: curvature,
-            beta: curvature * (x - 0.5) + 2.0 * slope,
+            beta: curvature * t + 2.0 * slope,
+            gamma: curvature * t * t + 4.0 * slope * t + 2.0 * value,
+            delta: curvature * t * t * t + 6.0 * slope * t * t + 6.0 * value * t,
         }
     }
 }
@@ -98,10 +116,10 @@ pub(crate) struct Defects {
 }
 
 /// Points and results of one evaluation at the same σ in all intervals; reused from one to the next.
-struct Sample {
+pub(super) struct Sample {
     s: Vec<f64>,
     y: Vec<f64>,
-    f: Vec<f64>,
+    pub(super) f: Vec<f64>,
 }
 
 /// One region at a converged iterate.
@@ -115,9 +133,14 @@ pub(crate) struct Extended<'a, 'p, P: Problem + ?Sized> {
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// # Errors
     /// The right-hand side is undefined between the collocation points.
-    pub(crate) fn extension(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
+    pub(crate) fn extension(&self, scales: &Scales, stats: &mut Stats) -> Result<Extension, NonFinite> {
         let len = self.n() * self.intervals();
-        let mut extension = Extension { alpha: vec![0.0; len], beta: vec![0.0; len] };
+        let mut extension =
+            Extension { alpha: vec![0.0; len], beta: vec![0.0; len], gamma: Vec::new(), delta: Vec::new() };
+        if self.system.tableau.coupled {
+            self.correct(&mut extension, &scales.states[self.region], stats)?;
+            return Ok(extension);
+        }
         if self.system.tableau.order == 6 {
             self.match_middle(&mut extension, stats)?;
             return Ok(extension);
@@ -166,7 +189,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok(())
     }
 
-    fn n(&self) -> usize {
+    pub(super) fn n(&self) -> usize {
         self.system.plan.regions[self.region].n
     }
 
@@ -174,11 +197,11 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         self.system.grids[self.region].node_stride()
     }
 
-    fn intervals(&self) -> usize {
+    pub(super) fn intervals(&self) -> usize {
         self.system.grids[self.region].interval_stride()
     }
 
-    fn h(&self) -> &[f64] {
+    pub(super) fn h(&self) -> &[f64] {
         &self.system.grids[self.region].h
     }
 
@@ -189,28 +212,33 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 
     /// The weighted sums of a basis (without `y_0`), component `i`, all intervals. Without extension: of the cubic.
-    fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
+    pub(super) fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
         let (y0, y1) = self.values(i);
         let (f0, f1) = (self.stages.slope(0, i, out.len()), self.stages.slope(1, i, out.len()));
         elementwise(out, [y0, y1, f0, f1, self.h()], |_, [y0, y1, f0, f1, h]| {
             basis.rise * (y1 - y0) + h * (basis.left * f0 + basis.right * f1)
         });
-        if let Some(Extension { alpha, beta }) = extension {
+        if let Some(Extension { alpha, beta, gamma, delta }) = extension {
             let first = i * out.len();
             elementwise(out, [&alpha[first..], &beta[first..]], |cubic, [alpha, beta]| {
                 cubic + basis.alpha * alpha + basis.beta * beta
             });
+            if !delta.is_empty() {
+                elementwise(out, [&gamma[first..], &delta[first..]], |quintic, [gamma, delta]| {
+                    quintic + basis.gamma * gamma + basis.delta * delta
+                });
+            }
         }
     }
 
     /// Room for [`sample`](Self::sample).
-    fn room(&self) -> Sample {
+    pub(super) fn room(&self) -> Sample {
         let (intervals, plan) = (self.intervals(), &self.system.plan.regions[self.region]);
         Sample { s: vec![0.0; intervals], y: vec![0.0; plan.n * intervals], f: vec![0.0; plan.rows * intervals] }
     }
 
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
-    fn sample(
+    pub(super) fn sample(
         &self,
         extension: Option<&Extension>,
         sigma: f64,
@@ -359,6 +387,19 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             }
         }
         integrated
+    }
+
+    /// What the defect moves the inner stages by, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' - f(S)) ds`, as
+    /// [`Iterate::inner`] stands: right-hand sides of the linearised stage equations.
+    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Vec<f64> {
+        let tableau = self.system.tableau;
+        let len = self.n() * self.intervals();
+        let mut out = vec![0.0; tableau.unknown_stages() * len];
+        for (out, &c) in out.chunks_exact_mut(len).zip(&tableau.c[2..]) {
+            self.improvement(extension, defects, c, out);
+            elementwise(out, [&defects.integrated], |improvement, [whole]| -improvement - c * whole);
+        }
+        out
     }
 
     /// `S̃ - S` at one σ in all intervals.

@@ -2,6 +2,8 @@
 
 pub(crate) mod assemble;
 pub(crate) mod boundary;
+mod corrected;
+pub(crate) mod coupled;
 pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
@@ -34,6 +36,9 @@ pub(crate) struct System<'p, P: Problem + ?Sized> {
 pub(crate) struct Iterate {
     /// Per region, `n * node_stride`.
     pub y: Vec<Vec<f64>>,
+    /// Where the inner stages' states are unknowns: per region, stage by stage, component by component,
+    /// `m * interval_stride`. Else empty; also if nothing is known of them yet, see [`System::complete`].
+    pub inner: Vec<Vec<f64>>,
     /// All constants of the layout.
     pub constants: Vec<f64>,
 }
@@ -52,6 +57,8 @@ pub(crate) struct Scales {
 pub(crate) struct Correction {
     /// Per region, `(steps + 1) * n` vectors of lanes.
     pub u: Vec<Vec<Lane>>,
+    /// Where the inner stages' states are unknowns: per region, interval by interval, `m` vectors of lanes. Else empty.
+    pub inner: Vec<Vec<Lane>>,
     /// One for each unknown constant.
     pub c: Vec<f64>,
 }
@@ -84,6 +91,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 }
             }
         }
+        self.step_inner(&mut next, &scales.states, factor, &dx.inner);
         for (&index, c) in self.plan.unknowns.iter().zip(&dx.c) {
             next.constants[index] += factor * scales.constants[index] * c;
         }
@@ -116,13 +124,33 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 }
             }
             sum += total.iter().sum::<f64>();
+            if let (Some(a), Some(b)) = (a.inner.get(region), b.inner.get(region)) {
+                unknowns += n;
+                sum += self.inner_sum(region, a, b, &f);
+            }
         }
         (sum / unknowns.max(1) as f64).sqrt()
     }
 
+    /// Mean over the inner stages of the sums over intervals that [`norm_of`](Self::norm_of) is made of.
+    fn inner_sum(&self, region: usize, a: &[Lane], b: &[Lane], f: impl Fn(f64, f64) -> f64) -> f64 {
+        let stages = self.tableau.unknown_stages();
+        let m = stages * self.plan.regions[region].n;
+        let mut total = [0.0; W];
+        let intervals = a.chunks_exact(m).zip(b.chunks_exact(m));
+        for ((a, b), weight) in intervals.zip(self.grids[region].weight.as_chunks::<W>().0) {
+            for (a, b) in a.iter().zip(b) {
+                for l in 0..W {
+                    total[l] += weight[l] * f(a.0[l], b.0[l]).powi(2);
+                }
+            }
+        }
+        total.iter().sum::<f64>() / stages as f64
+    }
+
     /// Largest component; NaN if any is not finite.
     pub(crate) fn largest(&self, dx: &Correction) -> f64 {
-        largest(dx.u.iter().flatten().copied(), &dx.c)
+        largest(dx.u.iter().chain(&dx.inner).flatten().copied(), &dx.c)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Derivatives of the collocation equations and integrals along a direction, and the transpose.
 
+use super::coupled::{scaled, unscaled};
 use super::evaluate::{Batch, Stages, Work};
-use super::factor::Rhs;
+use super::factor::{RegionFactor, Rhs};
 use super::{Scales, System};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::elementwise;
@@ -12,9 +13,13 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// solution is the tangent of the solution along that direction. `work` must hold derivatives with respect to
     /// all constants.
     pub(crate) fn parameter_rhs(&self, work: &Work, scales: &Scales, direction: &[f64]) -> Rhs {
-        let mut rhs = Rhs { regions: Vec::new(), integrals: Vec::new(), boundary: vec![0.0; work.g.len()] };
+        let boundary = vec![0.0; work.g.len()];
+        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary };
         for (index, stages) in work.regions.iter().enumerate() {
             let (lanes, integrals) = self.region_rhs(index, stages, scales, direction);
+            if self.tableau.coupled {
+                rhs.inner.push(self.stage_rates(index, stages, &scales.states[index], direction));
+            }
             rhs.regions.push(lanes);
             rhs.integrals.push(integrals);
         }
@@ -30,7 +35,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Vec<Lane>, Vec<f64>) {
         let (plan, grid) = (&self.plan.regions[index], &self.grids[index]);
         let (n, len) = (plan.n, grid.interval_stride());
-        let sums = self.weighted_rates(index, stages, None, direction);
+        let sums = self.weighted_rates(index, stages, None, &[], direction);
         let mut lanes = vec![Lane::ZERO; grid.steps * n];
         for (i, scale) in scales.states[index].iter().enumerate() {
             let (rates, _) = sums[i * len..(i + 1) * len].as_chunks::<W>();
@@ -42,13 +47,35 @@ impl<P: Problem + ?Sized> System<'_, P> {
         (lanes, plan.active.iter().map(integral).collect())
     }
 
+    /// `h Σ x ∂f/∂c · direction` of all inner stages, in dimensionless stage equations.
+    fn stage_rates(&self, index: usize, stages: &Stages, d: &[f64], direction: &[f64]) -> Vec<Lane> {
+        let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
+        let (rows, len, m) = (region.rows(), h.len(), self.tableau.unknown_stages() * d.len());
+        let mut out = vec![0.0; m * len];
+        let mut rates = vec![0.0; rows * len];
+        for stage in 0..self.tableau.stages() {
+            let (batch, stride, offset) = stages.batch(stage, len);
+            rates.fill(0.0);
+            explicit_rates(region, batch, stride, offset, direction, &mut rates);
+            for (out, x) in out.chunks_exact_mut(d.len() * len).zip(&self.tableau.x[2..]) {
+                for (out, rates) in out.chunks_exact_mut(len).zip(rates.chunks_exact(len)) {
+                    elementwise(out, [h, rates], |sum, [h, rate]| sum + x[stage] * h * rate);
+                }
+            }
+        }
+        scaled(&out, d, m, 1.0)
+    }
+
     /// `h Σ b dK` of all rows, integrands included: `rows * interval_stride`, when the constants move at the rates
-    /// `direction` and the nodes at `nodes` (component by component in working order), if they move at all.
+    /// `direction` and the nodes at `nodes` (component by component in working order), if they move at all. `inner`:
+    /// the rates of the inner stages' states, as [`Iterate::inner`](super::Iterate::inner) stands, if they are
+    /// unknowns.
     pub(crate) fn weighted_rates(
         &self,
         index: usize,
         stages: &Stages,
         nodes: Option<&[f64]>,
+        inner: &[f64],
         direction: &[f64],
     ) -> Vec<f64> {
         let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
@@ -62,19 +89,24 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let (batch, stride, offset) = stages.batch(stage, len);
             explicit_rates(region, batch, stride, offset, direction, out);
             shift.fill(0.0);
-            if let Some(nodes) = nodes {
+            let unknown = self.tableau.coupled && stage >= 2;
+            if unknown && !inner.is_empty() {
+                shift.copy_from_slice(&inner[(stage - 2) * n * len..][..n * len]);
+            }
+            if let Some(nodes) = nodes.filter(|_| !unknown) {
                 let v = self.tableau.v[stage];
                 for (shift, du) in shift.chunks_exact_mut(len).zip(nodes.chunks_exact(len + W)) {
                     elementwise(shift, [du, &du[W..]], |_, [left, right]| (1.0 - v) * left + v * right);
                 }
             }
-            for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            let explicit = if unknown { &[][..] } else { self.tableau.x[stage] };
+            for (earlier, &weight) in explicit.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 let earlier = &known[earlier * rows * len..];
                 for (shift, earlier) in shift.chunks_exact_mut(len).zip(earlier.chunks_exact(len)) {
                     elementwise(shift, [h, earlier], |shift, [h, earlier]| shift + weight * h * earlier);
                 }
             }
-            if stage >= 2 || nodes.is_some() {
+            if (stage >= 2 && !self.tableau.coupled) || nodes.is_some() {
                 chain(region, batch, stride, offset, &shift, out);
             }
             let b = self.tableau.b[stage];
@@ -86,8 +118,17 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 
     /// The transpose of [`weighted_rates`](Self::weighted_rates): weights on all rows (`rows * interval_stride`) become
-    /// weights on the nodes (component by component in working order) and are added to those on the constants.
-    pub(crate) fn pull_back(&self, index: usize, stages: &Stages, weights: &[f64], constants: &mut [f64]) -> Vec<f64> {
+    /// weights on the nodes (component by component in working order) and are added to those on the constants. Stages
+    /// whose states are unknowns follow nodes and constants as their equations say, which `factor` has factored, in
+    /// units of `d`.
+    pub(crate) fn pull_back(
+        &self,
+        index: usize,
+        stages: &Stages,
+        (factor, d): (&RegionFactor, &[f64]),
+        weights: &[f64],
+        constants: &mut [f64],
+    ) -> Vec<f64> {
         let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
         let (n, rows, len) = (region.states.len(), region.rows(), h.len());
         let mut nodes = vec![0.0; n * (len + W)];
@@ -97,21 +138,22 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 elementwise(out, [h, weights], |_, [h, weight]| b * h * weight);
             }
         }
+        let explicit = if self.tableau.coupled {
+            self.pull_back_inner(index, stages, (factor, d), &mut rates, &mut nodes);
+            for (stage, rates) in rates.chunks_exact(rows * len).enumerate().skip(2) {
+                weigh_constants(region, stages.batch(stage, len), rates, constants);
+            }
+            2
+        } else {
+            self.tableau.stages()
+        };
         let mut shift = vec![0.0; n * len];
-        for stage in (0..self.tableau.stages()).rev() {
+        for stage in (0..explicit).rev() {
             let (known, rest) = rates.split_at_mut(stage * rows * len);
             let out = &rest[..rows * len];
-            let (batch, stride, offset) = stages.batch(stage, len);
-            for (entry, &(row, constant)) in region.constant_pattern.iter().enumerate() {
-                let values = &batch.dc[entry * stride + offset..][..len];
-                constants[constant] += out[row * len..].iter().zip(values).map(|(a, b)| a * b).sum::<f64>();
-            }
+            weigh_constants(region, stages.batch(stage, len), out, constants);
             shift.fill(0.0);
-            for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
-                let values = &batch.dy[entry * stride + offset..][..len];
-                let (shift, out) = (&mut shift[state * len..(state + 1) * len], &out[row * len..(row + 1) * len]);
-                elementwise(shift, [values, out], |shift, [value, out]| shift + value * out);
-            }
+            weigh_states(region, stages.batch(stage, len), out, &mut shift);
             let v = self.tableau.v[stage];
             for (nodes, shift) in nodes.chunks_exact_mut(len + W).zip(shift.chunks_exact(len)) {
                 for p in 0..len {
@@ -127,6 +169,69 @@ impl<P: Problem + ?Sized> System<'_, P> {
             }
         }
         nodes
+    }
+
+    /// From weights on the slopes of the inner stages, through the transposed stage equations, to weights on the nodes
+    /// and on the slopes of all stages: both are added to.
+    fn pull_back_inner(
+        &self,
+        index: usize,
+        stages: &Stages,
+        (factor, d): (&RegionFactor, &[f64]),
+        rates: &mut [f64],
+        nodes: &mut [f64],
+    ) {
+        let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
+        let (n, rows, len) = (d.len(), region.rows(), h.len());
+        let m = self.tableau.unknown_stages() * n;
+        let mut weights = vec![0.0; m * len];
+        for (inner, weights) in weights.chunks_exact_mut(n * len).enumerate() {
+            let slopes = &rates[(inner + 2) * rows * len..][..rows * len];
+            weigh_states(region, stages.batch(inner + 2, len), slopes, weights);
+        }
+        // The factored equations are in units of d, their transposes in units of 1/d.
+        let reciprocals: Vec<f64> = d.iter().map(|d| 1.0 / d).collect();
+        let mut lanes = scaled(&weights, &reciprocals, m, 1.0);
+        factor.solve_stages_transposed(&mut lanes);
+        let weights = unscaled(&lanes, &reciprocals, m);
+        for (inner, weights) in weights.chunks_exact(n * len).enumerate() {
+            let (x, v) = (self.tableau.x[inner + 2], self.tableau.v[inner + 2]);
+            for (nodes, weights) in nodes.chunks_exact_mut(len + W).zip(weights.chunks_exact(len)) {
+                for p in 0..len {
+                    nodes[p] += (1.0 - v) * weights[p];
+                    nodes[p + W] += v * weights[p];
+                }
+            }
+            for (rates, x) in rates.chunks_exact_mut(rows * len).zip(x) {
+                for (rates, weights) in rates.chunks_exact_mut(len).zip(weights.chunks_exact(len)) {
+                    elementwise(rates, [h, weights], |rate, [h, weight]| rate + x * h * weight);
+                }
+            }
+        }
+    }
+}
+
+/// `constants += (∂f/∂c)ᵀ weights`.
+fn weigh_constants(
+    region: &Region,
+    (batch, stride, offset): (&Batch, usize, usize),
+    weights: &[f64],
+    constants: &mut [f64],
+) {
+    let len = weights.len() / region.rows();
+    for (entry, &(row, constant)) in region.constant_pattern.iter().enumerate() {
+        let values = &batch.dc[entry * stride + offset..][..len];
+        constants[constant] += weights[row * len..].iter().zip(values).map(|(a, b)| a * b).sum::<f64>();
+    }
+}
+
+/// `states += Jᵀ weights`.
+fn weigh_states(region: &Region, (batch, stride, offset): (&Batch, usize, usize), weights: &[f64], states: &mut [f64]) {
+    let len = weights.len() / region.rows();
+    for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
+        let values = &batch.dy[entry * stride + offset..][..len];
+        let (states, weights) = (&mut states[state * len..(state + 1) * len], &weights[row * len..(row + 1) * len]);
+        elementwise(states, [values, weights], |sum, [value, weight]| sum + value * weight);
     }
 }
 

@@ -42,9 +42,16 @@ pub(crate) struct Plan {
     pub regions: Vec<RegionPlan>,
     /// Indices into the layout's constants.
     pub unknowns: Vec<usize>,
+    /// Whether the last integral of each region is what the method's quadrature says, by definition: it has no error.
+    pub by_quadrature: bool,
 }
 
 impl Plan {
+    /// As [`new`](Self::new), with [`by_quadrature`](Self::by_quadrature).
+    pub(crate) fn defining(layout: &Layout, unknowns: &[usize]) -> Self {
+        Self { by_quadrature: true, ..Self::new(layout, unknowns) }
+    }
+
     /// What Newton's iteration needs. `unknowns` must be distinct indices of constants.
     pub(crate) fn new(layout: &Layout, unknowns: &[usize]) -> Self {
         let ends = layout.ends();
@@ -101,7 +108,7 @@ impl Plan {
             first_end += 2 * n;
             first_integral += k;
         }
-        Self { regions, unknowns: unknowns.to_vec() }
+        Self { regions, unknowns: unknowns.to_vec(), by_quadrature: false }
     }
 
     /// Σ n_r.

@@ -11,7 +11,7 @@ use crate::magnitude::Magnitudes;
 use crate::model::{Differentiated, Model, Scalar};
 use crate::problem::{Layout, Problem, Region};
 use crate::stats::Stats;
-use crate::tableau::{ORDER_4, ORDER_6, Tableau};
+use crate::tableau::{ORDER_4, ORDER_6, ORDER_8, Tableau};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -143,11 +143,25 @@ fn setup<'a>(
     let system =
         System { problem, layout, plan: Arc::new(plan), tableau, magnitudes: Magnitudes::stated(layout), grids };
     let work = system.work();
-    Setup { system, x: Iterate { y, constants }, work }
+    Setup { system, x: Iterate { y, inner: Vec::new(), constants }, work }
+}
+
+/// With inner stages, where their states are unknowns, that follow from nodes and constants.
+fn met(setup: &mut Setup<'_>, x: &Iterate) -> Iterate {
+    let Setup { system, work, .. } = setup;
+    let (mut x, mut stats) = (Iterate { inner: Vec::new(), ..x.clone() }, Stats::default());
+    if system.tableau.coupled {
+        system.complete(&mut x, &mut stats);
+        system.evaluate(&x, Derivatives::None, work, &mut stats).unwrap();
+        let psi = work.regions.iter().flat_map(|stages| &stages.psi);
+        assert!(psi.fold(0.0, |max: f64, psi| max.max(psi.abs())) < 1e-12);
+    }
+    x
 }
 
 /// Residual in dimensionless equations, interval equations region by region and node by node, then boundary.
 fn residual(setup: &mut Setup<'_>, x: &Iterate) -> Vec<f64> {
+    let x = &met(setup, x);
     let Setup { system, work, .. } = setup;
     system.evaluate(x, Derivatives::None, work, &mut Stats::default()).unwrap();
     let mut out = Vec::new();
@@ -177,7 +191,7 @@ fn direction(system: &System<'_, Differentiated<Mixed>>, v: &[f64]) -> Correctio
                 .collect()
         })
         .collect();
-    Correction { u, c: rest.to_vec() }
+    Correction { u, inner: Vec::new(), c: rest.to_vec() }
 }
 
 fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64> {
@@ -193,12 +207,13 @@ fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64>
 }
 
 fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals: &[usize], nonlinear: bool, seed: u64) {
-    for tableau in [&ORDER_4, &ORDER_6] {
+    for tableau in [&ORDER_4, &ORDER_6, &ORDER_8] {
         let problem = Differentiated::new(Mixed::new(sizes, constants, nonlinear, seed)).unwrap();
         let chosen: Vec<usize> = (0..unknowns).rev().collect();
         let plan = Plan::new(problem.layout(), &chosen);
         let mut setup = setup(&problem, plan, intervals, tableau, seed);
         let x = setup.x.clone();
+        let x = met(&mut setup, &x);
         let size: usize =
             setup.system.grids.iter().zip(sizes).map(|(g, s)| g.mesh.len() * s.0).sum::<usize>() + unknowns;
         setup.system.evaluate(&x, Derivatives::Planned, &mut setup.work, &mut Stats::default()).unwrap();
@@ -206,6 +221,9 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
         factorisation.factor(&setup.system, &setup.work, setup.system.scales(&x));
         let found = flat(&setup.system, &factorisation.newton_correction(&setup.system, &setup.work));
         check_transpose(&setup, &factorisation, seed);
+        if !nonlinear {
+            one_step_suffices(&mut setup, &x, seed);
+        }
         // The dense Newton matrix, column by column from differences of the residual.
         let base = residual(&mut setup, &x);
         let step = if nonlinear { 1e-6 } else { 1.0 };
@@ -230,12 +248,36 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
     }
 }
 
+/// Newton's first step solves a linear problem, whatever the states at nodes and inner stages.
+fn one_step_suffices(setup: &mut Setup<'_>, x: &Iterate, seed: u64) {
+    let Setup { system, work, .. } = setup;
+    let (mut x, mut random, mut stats) = (x.clone(), Random(seed ^ 0x1234), Stats::default());
+    x.inner.iter_mut().flatten().for_each(|y| *y += random.next());
+    system.evaluate(&x, Derivatives::Planned, work, &mut stats).unwrap();
+    let mut factorisation = Factorisation::new(system);
+    factorisation.factor(system, work, system.scales(&x));
+    let dx = factorisation.newton_correction(system, work);
+    let x = system.stepped(&x, &factorisation.scales, 1.0, &dx);
+    system.evaluate(&x, Derivatives::None, work, &mut stats).unwrap();
+    let scale = system.largest(&dx).max(1.0);
+    for (stages, grid) in work.regions.iter().zip(&system.grids) {
+        // Padding has no equations of its own.
+        let rows =
+            stages.phi.chunks_exact(grid.interval_stride()).chain(stages.psi.chunks_exact(grid.interval_stride()));
+        for row in rows {
+            assert!((0..grid.intervals()).all(|j| row[grid.position(j)].abs() < 1e-9 * scale), "{row:?}");
+        }
+    }
+    assert!(work.g.iter().all(|g| g.abs() < 1e-9 * scale), "{:?}", work.g);
+}
+
 /// `w · solve(r) = solve_transposed(w) · r` for random weights and right-hand sides.
 fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) {
     let system = &setup.system;
     let mut random = Random(seed ^ 0xabcd);
     let mut values = |len: usize| -> Vec<f64> { (0..len).map(|_| random.next()).collect() };
     let rhs = Rhs {
+        inner: Vec::new(),
         regions: system
             .grids
             .iter()
@@ -264,6 +306,7 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
                 .zip(&system.grids)
                 .map(|(plan, grid)| vec![Lane([0.0; W]); (grid.steps + 1) * plan.n])
                 .collect(),
+            inner: Vec::new(),
             c: values(system.plan.unknowns.len()),
         },
         integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),

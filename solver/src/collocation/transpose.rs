@@ -138,7 +138,7 @@ impl Factorisation {
             let functionals = &w.integrals[region];
             Forward { factor: &self.regions[region], rhs: &mut lanes[region], top, functionals }.vectorised();
         }
-        Rhs { regions: lanes, integrals: w.integrals, boundary }
+        Rhs { regions: lanes, inner: Vec::new(), integrals: w.integrals, boundary }
     }
 }
 

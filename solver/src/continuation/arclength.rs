@@ -7,7 +7,9 @@
 //! ```
 //!
 //! with the tangent τ of unit length in this inner product. The sum over nodes is stated as one more integral of each
-//! region, so that the solver needs no other equation than those it has, and folds are regular points.
+//! region, so that the solver needs no other equation than those it has, and folds are regular points. What the
+//! method's quadrature makes of the integral is the distance, by definition: no mesh is refined for it, and that τ is
+//! linear between the nodes is no error.
 
 use crate::guess::{Guess, RegionGuess};
 use crate::orientation::Orientation;

@@ -8,6 +8,7 @@
 //! arclength, since t need not grow all the way. S. Smale, J. Math. Econ. 3 (1976) 107-120; H. B. Keller (1977).
 
 use crate::guess::Guess;
+use crate::mesh::slopes;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 
 /// See the module's head. `t` is the last of the constants.
@@ -135,23 +136,6 @@ impl<P: Problem + ?Sized> Problem for Homotopy<'_, P> {
         g.iter_mut().zip(&self.g).for_each(|(g, first)| *g -= rest * first);
         added.copy_from_slice(&self.g);
     }
-}
-
-/// Slopes at the nodes of the parabolas through each node and its neighbours.
-fn slopes(mesh: &[f64], values: &[f64]) -> Vec<f64> {
-    let secants: Vec<f64> =
-        mesh.windows(2).zip(values.windows(2)).map(|(s, y)| (y[1] - y[0]) / (s[1] - s[0])).collect();
-    let last = mesh.len() - 1;
-    (0..=last)
-        .map(|j| match j {
-            0 => secants[0],
-            _ if j == last => secants[last - 1],
-            _ => {
-                let (left, right) = (mesh[j] - mesh[j - 1], mesh[j + 1] - mesh[j]);
-                (secants[j - 1] * right + secants[j] * left) / (left + right)
-            }
-        })
-        .collect()
 }
 
 fn trapezoid(mesh: &[f64], values: &[f64]) -> f64 {

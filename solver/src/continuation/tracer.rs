@@ -18,7 +18,7 @@ use crate::problem::Problem;
 use crate::run::Run;
 use crate::solution::Solution;
 use crate::solve::{check, solve_within};
-use crate::start::Start;
+use crate::start::{self, Start};
 use crate::stats::Stats;
 
 /// One tracing: what it was asked, and what it has found.
@@ -222,9 +222,10 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let mut constants: Vec<f64> = rates.map(|(c, rate)| c + (step - known) * rate).collect();
         constants.push(step);
         let guess = Guess { regions: near.moved(step - known), constants };
-        let plan = Plan::new(problem.layout(), &self.extended);
+        let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
-        let outcome = run.refine(Start::from(&guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
+        let outcome =
+            run.refine(start::near(&near.solution, &guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
         let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;
         drop(run);

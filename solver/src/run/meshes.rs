@@ -4,9 +4,10 @@ use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
 use crate::collocation::grid::Grid;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Solved, intervals};
+use crate::options::Order;
 use crate::phase::Action;
 use crate::problem::Problem;
-use crate::progress::{Next, Progress, Rescue, measured};
+use crate::progress::{Next, Progress, measured};
 use crate::refine::{Measure, Verdict, Wish, verdict};
 use crate::solution::Shortfall;
 use crate::start::{Start, halved, transfer};
@@ -14,7 +15,7 @@ use crate::start::{Start, halved, transfer};
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
     pub(super) fn rescued(
-        &self,
+        &mut self,
         action: Action,
         failed: Start,
         error: NewtonError,
@@ -31,7 +32,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
-            NewtonError::NonFinite(_) => true,
+            // What a lower order runs into says nothing of the next attempt.
+            NewtonError::NonFinite(_) => self.order == self.options.order,
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         let rescue = &mut progress.rescue;
@@ -39,10 +41,13 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             rescue.halvings += 1;
             return Ok(Next::On(halved(&failed)));
         }
-        match rescue.origin.take() {
-            Some(origin) if !hopeless => {
-                *rescue = Rescue { halvings: 0, insistent: false, origin: None };
-                Ok(Next::On(origin))
+        match (&rescue.origin, rescue.attempts.split_first()) {
+            (Some(origin), Some((&(order, insistent), attempts))) if !hopeless => {
+                let mut start = origin.clone();
+                start.x.inner.clear();
+                (rescue.halvings, rescue.insistent, rescue.attempts) = (0, insistent, attempts);
+                self.order = order;
+                Ok(Next::On(start))
             }
             _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
         }
@@ -89,9 +94,10 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     ) -> Vec<Verdict> {
         let wish = Wish {
             tolerance: progress.target,
-            order: self.options.order.tableau().defect_order,
+            order: self.tableau().defect_order,
             max_intervals: self.options.max_intervals,
             split_few: progress.split_few(),
+            shrink: self.order != Order::Four && !progress.shrunk,
         };
         let regions = solved.system.grids.iter().zip(measures);
         regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()

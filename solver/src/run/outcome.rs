@@ -46,13 +46,13 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     }
 
     /// A solution known to be one, without an iteration; its error is not estimated.
-    pub(crate) fn as_it_stands(&mut self, Start { grids, x }: Start) -> Result<Solution, SolveError> {
+    pub(crate) fn as_it_stands(&mut self, Start { grids, mut x }: Start) -> Result<Solution, SolveError> {
         let system = self.system(grids);
         let mut work = system.work();
-        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(|error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&system.grids),
-        })?;
+        let undefined =
+            |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(&system.grids) };
+        system.complete(&mut x, &mut self.stats);
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined)?;
         let converged = Converged::known(&system, x, work);
         let solved = Solved::new(system, converged, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
@@ -88,7 +88,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             regions: solved.regions(),
             constants: solved.converged.x.constants.clone(),
             unknowns: self.plan.unknowns.clone(),
-            order: self.options.order,
+            order: self.order,
             max_defect: measures.iter().fold(0.0, |max, measure| max.max(measure.largest)),
             max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,

@@ -31,8 +31,9 @@ impl Job for FactorRegion<'_, '_> {
 
 #[inline(always)]
 fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFactor) {
-    let RegionFactor { lanes, top, row_scale } = factor;
-    lanes.factor(rows, Stretches { assembly, row_scale });
+    let RegionFactor { lanes, top, row_scale, coupling, coupled } = factor;
+    let kept = if coupling.m > 0 { coupling.len() } else { 0 };
+    lanes.factor(rows, Stretches { assembly, row_scale, coupled, kept });
     top.factor(rows, Reduced(&lanes.end));
 }
 
@@ -40,13 +41,17 @@ fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFa
 struct Stretches<'a, 'b> {
     assembly: Assembly<'a>,
     row_scale: &'b mut [Lane],
+    coupled: &'b mut [Lane],
+    /// Values of `coupled` an interval.
+    kept: usize,
 }
 
 impl Intervals<Lane> for Stretches<'_, '_> {
     #[inline(always)]
     fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>) {
         let n = rows.n();
-        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n]);
+        let coupled = &mut self.coupled[t * self.kept..(t + 1) * self.kept];
+        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n], coupled);
     }
 }
 

@@ -1,0 +1,277 @@
+//! The continuous extension of order 8: the collocation polynomial, corrected by collocation at more points.
+//!
+//! The collocation polynomial S₅, of degree 5, is accurate to O(h⁶). What it lacks is sought among
+//! `E(σ) = σ²(1-σ)² [a + b τ + c τ² + d τ³]`, which change neither values nor slopes at the nodes, by collocation of the
+//! linearised equations
+//!
+//! ```text
+//! E'(σ_k) - h J(σ_k) E(σ_k) = h f(S₅(σ_k)) - S₅'(σ_k)
+//! ```
+//!
+//! at the points σ_k that are neither an end nor the middle among the seven of Lobatto. Then `S = S₅ + E` is accurate
+//! to O(h⁸) and its defect to O(h⁷), the leading term of which is a multiple of Lobatto's polynomial: odd, and as
+//! small as can be. As the equations are solved, and slopes not evaluated one after the other, nothing is multiplied
+//! by h J: where that is large, S follows what f asks of it between the nodes.
+
+use super::evaluate::{Batch, Stages};
+use super::interpolant::{Basis, Extended, Extension};
+use crate::error::NonFinite;
+use crate::linear::qr;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, elementwise, vectorised};
+use crate::problem::Problem;
+use crate::stats::Stats;
+use crate::tableau::{LOBATTO_OFFSET, Tableau};
+
+/// Offsets from the middle of the points of collocation, to both sides: Lobatto's seven are these, the ends and the
+/// middle.
+const OFFSETS: [f64; 2] = [0.234_424_396_735_357_1, 0.415_111_948_139_283_5];
+/// Points of collocation.
+const POINTS: usize = 4;
+/// Stages of the method whose derivatives are interpolated.
+const STAGES: usize = 5;
+
+/// τ of the points: [`OFFSETS`] to the left, then to the right.
+fn offset(k: usize) -> f64 {
+    if k < 2 { -OFFSETS[k] } else { OFFSETS[k - 2] }
+}
+
+/// a, b, c, d from the slopes at the points.
+#[inline]
+fn of_slopes(slopes: [f64; POINTS]) -> [f64; POINTS] {
+    let basis = OFFSETS.map(|t| Basis::slope(0.5 + t));
+    let odd = [0, 1].map(|k| 0.5 * (slopes[k + 2] - slopes[k]));
+    let even = [0, 1].map(|k| 0.5 * (slopes[k + 2] + slopes[k]));
+    let solved = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+        let determinant = p[0] * q[1] - p[1] * q[0];
+        [(r[0] * q[1] - r[1] * q[0]) / determinant, (p[0] * r[1] - p[1] * r[0]) / determinant]
+    };
+    let [a, c] = solved(basis.map(|basis| basis.alpha), basis.map(|basis| basis.gamma), odd);
+    let [b, d] = solved(basis.map(|basis| basis.beta), basis.map(|basis| basis.delta), even);
+    [a, b, c, d]
+}
+
+/// What values at the points follow from slopes of 1 at each of them.
+fn values_of_slopes() -> [[f64; POINTS]; POINTS] {
+    let mut out = [[0.0; POINTS]; POINTS];
+    for l in 0..POINTS {
+        let mut slopes = [0.0; POINTS];
+        slopes[l] = 1.0;
+        let [a, b, c, d] = of_slopes(slopes);
+        for (k, out) in out.iter_mut().enumerate() {
+            let basis = Basis::value(0.5 + offset(k));
+            out[l] = basis.alpha * a + basis.beta * b + basis.gamma * c + basis.delta * d;
+        }
+    }
+    out
+}
+
+/// Lagrange's weights of the stages at each point.
+fn weights_of_stages(tableau: &Tableau) -> [[f64; STAGES]; POINTS] {
+    let mut out = [[1.0; STAGES]; POINTS];
+    for (k, out) in out.iter_mut().enumerate() {
+        for (j, weight) in out.iter_mut().enumerate() {
+            for (i, c) in tableau.c.iter().enumerate().filter(|&(i, _)| i != j) {
+                *weight *= (0.5 + offset(k) - c) / (tableau.c[j] - tableau.c[i]);
+            }
+        }
+    }
+    out
+}
+
+impl<P: Problem + ?Sized> Extended<'_, '_, P> {
+    /// α to δ, `scales` of the states: see the module's head.
+    pub(super) fn correct(
+        &self,
+        extension: &mut Extension,
+        scales: &[f64],
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        self.collocate(extension);
+        let (n, intervals) = (self.n(), self.intervals());
+        let mut sample = self.room();
+        // h f(S₅) - S₅' point by point, then E.
+        let mut points = vec![0.0; POINTS * n * intervals];
+        for (k, points) in points.chunks_exact_mut(n * intervals).enumerate() {
+            let sigma = 0.5 + offset(k);
+            let slope = Basis::slope(sigma);
+            self.sample(Some(extension), sigma, &mut sample, stats)?;
+            for (i, out) in points.chunks_exact_mut(intervals).enumerate() {
+                self.weigh(Some(extension), &slope, i, out);
+                let f = &sample.f[i * intervals..];
+                elementwise(out, [self.h(), f], |slope, [h, f]| h * f - slope);
+            }
+        }
+        let pattern = &self.system.layout.regions[self.region].state_pattern;
+        let stages = self.stages;
+        let correct = Correct {
+            pattern,
+            stages,
+            h: self.h(),
+            scales,
+            of_stages: weights_of_stages(self.system.tableau),
+            points: &mut points,
+        };
+        correct.vectorised();
+        self.add(extension, &points);
+        Ok(())
+    }
+
+    /// α and β of the collocation polynomial, from the slopes at the outer two of the inner stages.
+    fn collocate(&self, extension: &mut Extension) {
+        let intervals = self.intervals();
+        let basis = Basis::slope(0.5 + LOBATTO_OFFSET);
+        let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), basis);
+        let (mut low, mut high) = (vec![0.0; intervals], vec![0.0; intervals]);
+        for i in 0..self.n() {
+            let span = i * intervals..(i + 1) * intervals;
+            let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
+            self.weigh(None, &below, i, &mut low);
+            self.weigh(None, &above, i, &mut high);
+            let inputs = [self.h(), k2, k3, &low, &high];
+            elementwise(&mut extension.alpha[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
+                0.5 * ((h * k3 - high) - (h * k2 - low)) / basis.alpha
+            });
+            elementwise(&mut extension.beta[span], inputs, |_, [h, k2, k3, low, high]| {
+                0.5 * ((h * k3 - high) + (h * k2 - low)) / basis.beta
+            });
+        }
+    }
+
+    /// Adds what has the values E at the points.
+    fn add(&self, extension: &mut Extension, points: &[f64]) {
+        let len = extension.alpha.len();
+        let point = |k: usize| &points[k * len..(k + 1) * len];
+        let inputs = [point(0), point(1), point(2), point(3)];
+        let bump = OFFSETS.map(|t| Basis::value(0.5 + t).alpha);
+        let square = OFFSETS.map(|t| t * t);
+        // a + c τ² and b + d τ² at both offsets, and from them a, b, c, d.
+        let even = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] + e[k]) / bump[k]);
+        let odd = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] - e[k]) / (bump[k] * OFFSETS[k]));
+        let bend = |at: [f64; 2]| (at[1] - at[0]) / (square[1] - square[0]);
+        extension.gamma = vec![0.0; len];
+        extension.delta = vec![0.0; len];
+        elementwise(&mut extension.gamma, inputs, |_, e| bend(even(e)));
+        elementwise(&mut extension.delta, inputs, |_, e| bend(odd(e)));
+        elementwise(&mut extension.alpha, inputs, |alpha, e| alpha + even(e)[0] - square[0] * bend(even(e)));
+        elementwise(&mut extension.beta, inputs, |beta, e| beta + odd(e)[0] - square[0] * bend(odd(e)));
+    }
+}
+
+/// Solves for E at the points, interval by interval.
+struct Correct<'a> {
+    pattern: &'a [(usize, usize)],
+    stages: &'a Stages,
+    h: &'a [f64],
+    scales: &'a [f64],
+    of_stages: [[f64; STAGES]; POINTS],
+    /// Point by point, component by component in working order: the slopes wanted of E, on exit E.
+    points: &'a mut [f64],
+}
+
+impl Correct<'_> {
+    fn vectorised(self) {
+        vectorised(self);
+    }
+
+    /// Derivatives of one entry at the points, in vectors.
+    #[inline(always)]
+    fn derivatives(&self, entry: usize, t: usize) -> [Lane; POINTS] {
+        let at = |batch: &Batch, steps: usize, t: usize| Lane(batch.dy.as_chunks::<W>().0[entry * steps + t]);
+        let steps = self.h.len() / W;
+        let mut known = [Lane::ZERO; STAGES];
+        known[0] = at(&self.stages.nodes, steps + 1, t);
+        known[1] = at(&self.stages.nodes, steps + 1, t + 1);
+        for (known, batch) in known[2..].iter_mut().zip(&self.stages.inner) {
+            *known = at(batch, steps, t);
+        }
+        self.of_stages.map(|weights| {
+            let mut sum = Lane::ZERO;
+            for (value, weight) in known.iter().zip(weights) {
+                sum += value.times(weight);
+            }
+            sum
+        })
+    }
+}
+
+impl Job for Correct<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let n = self.scales.len();
+        let (m, steps) = (POINTS * n, self.h.len() / W);
+        let from_slopes = values_of_slopes();
+        let (mut data, mut x) = (vec![Lane::ZERO; qr::room(m)], vec![Lane::ZERO; m]);
+        for t in 0..steps {
+            let h = Lane(self.h.as_chunks::<W>().0[t]);
+            let matrix = qr::matrix(m, &mut data);
+            matrix.fill(Lane::ZERO);
+            for i in 0..m {
+                matrix[i * m + i] = Lane::ONE;
+            }
+            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
+                let factor = h.times(self.scales[state] / self.scales[row]);
+                for (l, derivative) in self.derivatives(entry, t).into_iter().enumerate() {
+                    let value = derivative * factor;
+                    for (k, weights) in from_slopes.iter().enumerate() {
+                        matrix[(l * n + state) * m + k * n + row] -= value.times(weights[l]);
+                    }
+                }
+            }
+            qr::factor(m, &mut data);
+            let points = self.points.as_chunks::<W>().0;
+            for (k, weights) in from_slopes.iter().enumerate() {
+                for (i, scale) in self.scales.iter().enumerate() {
+                    let mut sum = Lane::ZERO;
+                    for (l, weight) in weights.iter().enumerate() {
+                        sum += Lane(points[(l * n + i) * steps + t]).times(weight / scale);
+                    }
+                    x[k * n + i] = sum;
+                }
+            }
+            qr::solve(m, &data, &mut x);
+            let points = self.points.as_chunks_mut::<W>().0;
+            for (at, x) in x.iter().enumerate() {
+                points[at * steps + t] = x.times(self.scales[at % n]).0;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tableau::ORDER_8;
+
+    #[test]
+    fn values_follow_from_slopes_and_stages_determine_quartics() {
+        let (a, b, c, d) = (0.3, -1.2, 2.5, 0.7);
+        let weigh = |basis: Basis| basis.alpha * a + basis.beta * b + basis.gamma * c + basis.delta * d;
+        let slopes = [0, 1, 2, 3].map(|k| weigh(Basis::slope(0.5 + offset(k))));
+        for (found, wanted) in of_slopes(slopes).into_iter().zip([a, b, c, d]) {
+            assert!((found - wanted).abs() < 1e-13, "{found} is not {wanted}");
+        }
+        for (k, weights) in values_of_slopes().into_iter().enumerate() {
+            let value: f64 = weights.iter().zip(slopes).map(|(weight, slope)| weight * slope).sum();
+            assert!((value - weigh(Basis::value(0.5 + offset(k)))).abs() < 1e-15);
+        }
+        for (k, weights) in weights_of_stages(&ORDER_8).into_iter().enumerate() {
+            for power in 0..STAGES as i32 {
+                let value: f64 = weights.iter().zip(ORDER_8.c).map(|(weight, c)| weight * c.powi(power)).sum();
+                assert!((value - (0.5 + offset(k)).powi(power)).abs() < 1e-14);
+            }
+        }
+    }
+
+    /// The points, the ends and the middle are those of Lobatto: zeros of σ(1-σ) P₆'(2σ-1).
+    #[test]
+    fn points_are_lobattos() {
+        for t in OFFSETS {
+            let x = 2.0 * t;
+            // P₆' = 21/8 x (33 x⁴ - 30 x² + 5).
+            assert!((33.0 * x.powi(4) - 30.0 * x * x + 5.0).abs() < 1e-14);
+        }
+    }
+}

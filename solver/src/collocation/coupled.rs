@@ -1,0 +1,333 @@
+//! Inner stages that depend on each other: their states are unknowns, eliminated interval by interval.
+//!
+//! With `Y_i` the states at the inner stages and `ψ_i = Y_i - (1 - v_i) y_0 - v_i y_1 - h Σ_j x_ij K_j` their
+//! residuals, the linearised stage equations of an interval
+//!
+//! ```text
+//! dY_i - h Σ_j x_ij J_j dY_j = (1 - v_i + h x_i0 J_0) dy_0 + (v_i + h x_i1 J_1) dy_1 + h Σ_j x_ij ∂f_j/∂c dc - ψ_i
+//! ```
+//!
+//! (j on the left over the inner stages) are solved for `dY = z + D [dy_0; dy_1; dc]`. What is left of the interval's
+//! equations has nodes and constants only, and `h Σ_j b_j J_j z_j` on its right-hand side.
+
+use super::evaluate::{Derivatives, Work};
+use super::factor::{Factorisation, RegionFactor};
+use super::grid::Grid;
+use super::plan::RegionPlan;
+use super::{Iterate, System};
+use crate::linear::qr;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, largest, vectorised};
+use crate::mesh;
+use crate::problem::{Points, Problem};
+use crate::stats::Stats;
+use crate::tableau::Tableau;
+
+/// Inner stages of the methods whose inner stages are coupled.
+pub(crate) const COUPLED: usize = 3;
+
+/// Sizes of one interval's share.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Coupling {
+    /// Unknowns of the interval: states at its inner stages. 0 if they are functions of the nodes.
+    pub m: usize,
+    /// States.
+    n: usize,
+    /// Columns of D: both nodes, and the unknown constants.
+    columns: usize,
+    /// States and active integrals.
+    all: usize,
+}
+
+/// What is kept of one interval.
+pub(crate) struct Parts<S> {
+    /// The stage equations, factored.
+    pub qr: S,
+    /// D by columns of `m`.
+    pub moves: S,
+    /// `h b_j J_j` by columns of `all`, one a stage and state.
+    pub slopes: S,
+}
+
+impl Coupling {
+    pub(crate) fn new(tableau: &Tableau, plan: &RegionPlan) -> Self {
+        let n = plan.n;
+        Self { m: tableau.unknown_stages() * n, n, columns: 2 * n + plan.columns.len(), all: n + plan.active.len() }
+    }
+
+    /// Values that are kept of one interval.
+    pub(crate) fn len(self) -> usize {
+        qr::room(self.m) + self.m * (self.columns + self.all)
+    }
+
+    #[inline(always)]
+    fn parts<T>(self, data: &[T]) -> Parts<&[T]> {
+        let (qr, rest) = data.split_at(qr::room(self.m));
+        let (moves, slopes) = rest.split_at(self.m * self.columns);
+        Parts { qr, moves, slopes }
+    }
+
+    #[inline(always)]
+    pub(crate) fn parts_mut<T>(self, m: usize, data: &mut [T]) -> Parts<&mut [T]> {
+        let (qr, rest) = data.split_at_mut(qr::room(m));
+        let (moves, slopes) = rest.split_at_mut(m * self.columns);
+        Parts { qr, moves, slopes }
+    }
+}
+
+/// How far the stage equations have been solved.
+pub(crate) enum Settled {
+    Met,
+    /// Not far enough; the size of the first change.
+    From(f64),
+}
+
+/// From the right-hand sides of the stage equations to z, and to what z adds to those of the intervals and integrals.
+pub(super) struct Inward<'a> {
+    pub factor: &'a RegionFactor,
+    /// `m` an interval; on exit z.
+    pub inner: &'a mut [Lane],
+    /// `n` an interval.
+    pub rhs: &'a mut [Lane],
+    pub functionals: &'a mut [f64],
+}
+
+impl Inward<'_> {
+    pub(super) fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
+impl Job for Inward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let RegionFactor { coupling, coupled, .. } = self.factor;
+        let (m, n, all) = (coupling.m, coupling.n, coupling.all);
+        let mut sums = vec![Lane::ZERO; all - n];
+        let steps = self.inner.chunks_exact_mut(m).zip(self.rhs.chunks_exact_mut(n));
+        for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
+            let Parts { qr, slopes, .. } = coupling.parts(data);
+            qr::solve(m, qr, z);
+            for (&z, slopes) in z.iter().zip(slopes.chunks_exact(all)) {
+                for i in 0..n {
+                    rhs[i] += slopes[i] * z;
+                }
+                for (sum, &slope) in sums.iter_mut().zip(&slopes[n..]) {
+                    *sum += slope * z;
+                }
+            }
+        }
+        for (functional, sum) in self.functionals.iter_mut().zip(&sums) {
+            *functional += sum.0.iter().sum::<f64>();
+        }
+    }
+}
+
+/// From z and the changes of nodes and constants to those of the inner stages.
+pub(super) struct Outward<'a> {
+    pub factor: &'a RegionFactor,
+    /// `n` a node.
+    pub u: &'a [Lane],
+    pub constants: &'a [f64],
+    /// `m` an interval: z, on exit dY.
+    pub inner: &'a mut [Lane],
+}
+
+impl Outward<'_> {
+    pub(super) fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
+impl Job for Outward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let RegionFactor { coupling, coupled, .. } = self.factor;
+        let (m, n) = (coupling.m, coupling.n);
+        let data = coupled.chunks_exact(coupling.len());
+        for (t, (inner, data)) in self.inner.chunks_exact_mut(m).zip(data).enumerate() {
+            let moves = coupling.parts(data).moves;
+            let (nodes, by_constant) = moves.split_at(2 * n * m);
+            for (column, &u) in nodes.chunks_exact(m).zip(&self.u[t * n..(t + 2) * n]) {
+                for i in 0..m {
+                    inner[i] += column[i] * u;
+                }
+            }
+            for (column, &c) in by_constant.chunks_exact(m).zip(self.constants) {
+                for i in 0..m {
+                    inner[i] += column[i].times(c);
+                }
+            }
+        }
+    }
+}
+
+impl RegionFactor {
+    /// Solves the transposed stage equations of all intervals; `weights`: `m` an interval.
+    pub(super) fn solve_stages_transposed(&self, weights: &mut [Lane]) {
+        let data = self.coupled.chunks_exact(self.coupling.len());
+        for (weights, data) in weights.chunks_exact_mut(self.coupling.m).zip(data) {
+            qr::solve_transposed(self.coupling.m, self.coupling.parts(data).qr, weights);
+        }
+    }
+}
+
+/// Corrections with one matrix at most,
+const ROUNDS: usize = 12;
+/// and matrices, where the stage equations are solved for given nodes.
+const MATRICES: usize = 4;
+/// Stage equations are met if no state would change by more than this, in typical magnitudes,
+const MET: f64 = 1e-14;
+/// and as well as rounding lets them be if it would not by more than this.
+const NEARLY_MET: f64 = 1e-9;
+/// Slopes that the right-hand side has at the nodes are believed where they move a state by no more than this, in its
+/// largest magnitude, from what the neighbouring nodes say.
+const BELIEVED: f64 = 0.3;
+
+impl<P: Problem + ?Sized> System<'_, P> {
+    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes.
+    /// Whether it was so.
+    pub(crate) fn interpolate(&self, x: &mut Iterate, stats: &mut Stats) -> bool {
+        let missing = self.tableau.coupled && x.inner.is_empty();
+        if missing {
+            let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
+                let len = grid.node_stride();
+                let at = Points { len, stride: len, s: &grid.s, y };
+                let mut f = vec![0.0; self.layout.regions[region].rows() * len];
+                stats.rhs_points += len;
+                self.problem.rhs(region, &at, &x.constants, &mut f);
+                interpolated(self.tableau, grid, y, Some(&f))
+            });
+            x.inner = regions.collect();
+        }
+        missing
+    }
+
+    /// As [`interpolate`](Self::interpolate), then solves the stage equations for given nodes.
+    pub(crate) fn complete(&self, x: &mut Iterate, stats: &mut Stats) {
+        if self.interpolate(x, stats) {
+            self.meet(x, f64::INFINITY, stats);
+        }
+    }
+
+    /// Solves the stage equations for given nodes, unless that would at first change a state by `limit` typical
+    /// magnitudes or more, or does not converge: then nothing is done.
+    pub(crate) fn meet(&self, x: &mut Iterate, mut limit: f64, stats: &mut Stats) {
+        let (origin, mut work, mut factorisation) = (x.inner.clone(), self.work(), Factorisation::new(self));
+        for _ in 0..MATRICES {
+            // What is undefined here is so where the iteration starts, which will say so.
+            if self.evaluate(x, Derivatives::Planned, &mut work, stats).is_err() {
+                break;
+            }
+            factorisation.condense(self, &work, self.scales(x));
+            match self.settle(&factorisation, x, &mut work, limit, stats) {
+                Settled::Met => return,
+                Settled::From(size) if size < limit => limit = 0.5 * size,
+                Settled::From(_) => break,
+            }
+        }
+        x.inner = origin;
+    }
+
+    /// Solves the stage equations for given nodes, with the factors held, as long as every change is less than half the
+    /// one before. `work` holds the residual at `x`.
+    pub(crate) fn settle(
+        &self,
+        factorisation: &Factorisation,
+        x: &mut Iterate,
+        work: &mut Work,
+        limit: f64,
+        stats: &mut Stats,
+    ) -> Settled {
+        let (mut first, mut last) = (None, limit);
+        for _ in 0..ROUNDS {
+            let changes = factorisation.stage_correction(self, work);
+            let size = largest(changes.iter().flatten().copied(), &[]);
+            let from = *first.get_or_insert(size);
+            if size <= MET {
+                return Settled::Met;
+            }
+            if !(size < last) {
+                return if last <= NEARLY_MET { Settled::Met } else { Settled::From(from) };
+            }
+            last = 0.5 * size;
+            let before = x.inner.clone();
+            self.step_inner(x, &factorisation.scales.states, 1.0, &changes);
+            if self.evaluate(x, Derivatives::None, work, stats).is_err() {
+                x.inner = before;
+                return Settled::From(from);
+            }
+        }
+        Settled::From(first.unwrap_or(limit))
+    }
+
+    /// `x.inner += factor * scale * inner`.
+    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Vec<f64>], factor: f64, inner: &[Vec<Lane>]) {
+        for ((values, changes), d) in x.inner.iter_mut().zip(inner).zip(scales) {
+            let m = self.tableau.unknown_stages() * d.len();
+            let steps = changes.len() / m;
+            for (row, values) in values.as_chunks_mut::<W>().0.chunks_exact_mut(steps).enumerate() {
+                let factor = factor * d[row % d.len()];
+                for (values, changes) in values.iter_mut().zip(changes.chunks_exact(m)) {
+                    for (value, change) in values.iter_mut().zip(changes[row].0) {
+                        *value += factor * change;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Row by row in working order, `m * interval_stride`, to interval by interval in units of the scales.
+pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Vec<Lane> {
+    let values = values.as_chunks::<W>().0;
+    let steps = values.len() / m;
+    let at = (0..steps).flat_map(|t| (0..m).map(move |row| (t, row)));
+    at.map(|(t, row)| Lane(values[row * steps + t]).times(factor / d[row % d.len()])).collect()
+}
+
+/// The reverse of [`scaled`].
+pub(crate) fn unscaled(lanes: &[Lane], d: &[f64], m: usize) -> Vec<f64> {
+    let steps = lanes.len() / m;
+    let at = (0..m).flat_map(|row| (0..steps).map(move |t| (row, t)));
+    at.flat_map(|(row, t)| lanes[t * m + row].times(d[row % d.len()]).0).collect()
+}
+
+/// By cubics with the slopes of parabolas through neighbouring nodes, or with `f` (component by component in working
+/// order) where those are to be believed.
+pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Vec<f64> {
+    let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
+    let states = y.len() / stride;
+    let mut out = vec![0.0; tableau.unknown_stages() * states * len];
+    for (i, y) in y.chunks_exact(stride).enumerate() {
+        let values = grid.unpack(y);
+        let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
+        let slopes = mesh::slopes(mesh, &values);
+        let given = f.map(|f| grid.unpack(&f[i * stride..(i + 1) * stride]));
+        let ends = |j: usize, h: f64| {
+            let own = [h * slopes[j], h * slopes[j + 1]];
+            let given = given.as_ref().map(|given| [h * given[j], h * given[j + 1]]);
+            let near = |given: &[f64; 2]| own.iter().zip(given).all(|(a, b)| (a - b).abs() <= BELIEVED * size);
+            given.filter(near).unwrap_or(own)
+        };
+        for (stage, &c) in tableau.c[2..].iter().enumerate() {
+            let basis = super::interpolant::Basis::value(c);
+            let out = &mut out[(stage * states + i) * len..][..len];
+            for (p, out) in out.iter_mut().enumerate() {
+                let j = grid.index(p);
+                // Padding repeats the last node.
+                *out = if j < grid.intervals() {
+                    let [left, right] = ends(j, mesh[j + 1] - mesh[j]);
+                    values[j] + basis.rise * (values[j + 1] - values[j]) + basis.left * left + basis.right * right
+                } else {
+                    values[grid.intervals()]
+                };
+            }
+        }
+    }
+    out
+}
