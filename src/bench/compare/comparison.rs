@@ -33,7 +33,7 @@ pub struct Options {
     pub radii: Radii,
     /// Whether input power comes from an engine's curve whose scale is not known.
     pub scaled: bool,
-    /// Keys that are fitted: those of a case, or [`ENGINE_SCALE`].
+    /// Keys that are fitted: those of a case, or [`ENGINE_SCALE`](super::ENGINE_SCALE).
     pub fit: Vec<String>,
 }
 
