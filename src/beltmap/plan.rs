@@ -18,7 +18,8 @@ pub struct MapOptions {
     pub solve: SolveOptions,
     /// Nodes and check points at most.
     pub max_points: usize,
-    /// Speed efficiency below which a drive counts as slipping, unless [`WANTED_RESERVE`](crate::result::WANTED_RESERVE) of the friction at hand is
+    /// Speed efficiency below which a drive counts as slipping, unless
+    /// [`WANTED_RESERVE`](crate::result::WANTED_RESERVE) of the friction at hand is
     /// left: a belt that sinks into its groove has 0.94 at a ratio of 3 and less than 0.9 at 3.8 without slipping.
     pub least_speed_efficiency: f64,
     /// Threads; all cores if not given.
