@@ -138,7 +138,8 @@ class BeltResult:
 
 @final
 class Energy:
-    """The energy audit: power in = power out + friction loss + strain energy flux, for full shear with continuous ends."""
+    """The energy audit, for full shear with continuous ends:
+    power in = power out + friction loss + strain energy flux."""
 
     @property
     def power_in(self) -> float:

@@ -452,7 +452,8 @@ view! {
 }
 
 view! {
-    /// The energy audit: power in = power out + friction loss + strain energy flux, for full shear with continuous ends.
+    /// The energy audit, for full shear with continuous ends:
+    /// power in = power out + friction loss + strain energy flux.
     Energy of result::Energy {
         /// Power into the primary, W.
         power_in: f64,
