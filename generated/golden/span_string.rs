@@ -84,6 +84,7 @@ impl Sweep for Value {
         let u3 = Real::splat(uniforms[4]);
         at.write_f(0, Real::splat(0.0));
         at.write_f(1, Real::splat(0.0));
+        at.write_f(5, Real::splat(0.0));
         let vartheta = at.state::<Real>(1);
         let (sin_vartheta, cos_vartheta) = sin_cos(vartheta);
         at.write_f(2, cos_vartheta);
@@ -92,7 +93,6 @@ impl Sweep for Value {
         let F = u2 * (u1 + m_o * tau);
         let L_o_hat_1 = u3 * reciprocal(EA + F);
         at.write_f(4, L_o_hat_1);
-        at.write_f(5, Real::splat(0.0));
     }
 }
 ///Right-hand side, integrands, and their derivatives in states and default unknowns. (6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once)
@@ -141,27 +141,27 @@ impl Sweep for Derivatives {
         let u11 = Real::splat(uniforms[8]);
         at.write_f(0, Real::splat(0.0));
         at.write_f(1, Real::splat(0.0));
+        at.write_f(5, Real::splat(0.0));
         let vartheta = at.state::<Real>(1);
         let (sin_vartheta, cos_vartheta) = sin_cos(vartheta);
         at.write_f(2, cos_vartheta);
+        at.write_dy(1, cos_vartheta);
         at.write_f(3, sin_vartheta);
+        let d_X_hat_1_d_vartheta = -sin_vartheta;
+        at.write_dy(0, d_X_hat_1_d_vartheta);
         let tau = at.state::<Real>(0);
         let t2 = u1 + m_o * tau;
         let F = u4 * t2;
         let t3 = reciprocal(EA + F);
         let L_o_hat_1 = u5 * t3;
         at.write_f(4, L_o_hat_1);
-        at.write_f(5, Real::splat(0.0));
-        let d_X_hat_1_d_vartheta = -sin_vartheta;
-        at.write_dy(0, d_X_hat_1_d_vartheta);
-        at.write_dy(1, cos_vartheta);
         let t4 = t3 * t3;
+        let d_L_o_hat_1_d_flow = -(u11 * ((u7 * t2 + u8) * t4));
+        at.write_dc(1, d_L_o_hat_1_d_flow);
         let d_L_o_hat_1_d_tau = -(u10 * t4);
         at.write_dy(2, d_L_o_hat_1_d_tau);
         let d_L_o_hat_1_d_L = EA * t3;
         at.write_dc(0, d_L_o_hat_1_d_L);
-        let d_L_o_hat_1_d_flow = -(u11 * ((u7 * t2 + u8) * t4));
-        at.write_dc(1, d_L_o_hat_1_d_flow);
     }
 }
 ///Right-hand side, integrands, and their derivatives in states and all constants. (15 add, 22 mul, 1 div, 0 sqrt, 1 fn a point; 32 once)
@@ -252,10 +252,14 @@ impl Sweep for AllDerivatives {
         let u23 = Real::splat(uniforms[18]);
         at.write_f(0, Real::splat(0.0));
         at.write_f(1, Real::splat(0.0));
+        at.write_f(5, Real::splat(0.0));
         let vartheta = at.state::<Real>(1);
         let (sin_vartheta, cos_vartheta) = sin_cos(vartheta);
         at.write_f(2, cos_vartheta);
+        at.write_dy(1, cos_vartheta);
         at.write_f(3, sin_vartheta);
+        let d_X_hat_1_d_vartheta = -sin_vartheta;
+        at.write_dy(0, d_X_hat_1_d_vartheta);
         let tau = at.state::<Real>(0);
         let t2 = u3 + m_o * tau;
         let F = u6 * t2;
@@ -263,28 +267,24 @@ impl Sweep for AllDerivatives {
         let t4 = reciprocal(t3);
         let L_o_hat_1 = u8 * t4;
         at.write_f(4, L_o_hat_1);
-        at.write_f(5, Real::splat(0.0));
-        let d_X_hat_1_d_vartheta = -sin_vartheta;
-        at.write_dy(0, d_X_hat_1_d_vartheta);
-        at.write_dy(1, cos_vartheta);
         let t5 = t4 * t4;
-        let d_L_o_hat_1_d_tau = -(u20 * t5);
-        at.write_dy(2, d_L_o_hat_1_d_tau);
         let d_L_o_hat_1_d_L = EA * t4;
         at.write_dc(0, d_L_o_hat_1_d_L);
-        let t6 = u13 * t2 + u14;
-        let t7 = t6 * t5;
-        let d_L_o_hat_1_d_flow = -(u21 * t7);
-        at.write_dc(1, d_L_o_hat_1_d_flow);
-        let t8 = u19 * t5;
-        let t9 = (u7 - u17 * t3) * (u18 * t5) + (u5 * t2 - u11 * t2) * t8;
-        let d_L_o_hat_1_d_EA = -t9;
+        let d_L_o_hat_1_d_tau = -(u20 * t5);
+        at.write_dy(2, d_L_o_hat_1_d_tau);
+        let t6 = u19 * t5;
+        let t7 = (u7 - u17 * t3) * (u18 * t5) + (u5 * t2 - u11 * t2) * t6;
+        let d_L_o_hat_1_d_EA = -t7;
         at.write_dc(2, d_L_o_hat_1_d_EA);
-        let d_L_o_hat_1_d_m_o = -(t8 * (u6 * tau - u16 * t2 + u9 * t6));
+        let t8 = u13 * t2 + u14;
+        let d_L_o_hat_1_d_m_o = -(t6 * (u6 * tau - u16 * t2 + u9 * t8));
         at.write_dc(3, d_L_o_hat_1_d_m_o);
-        let d_L_o_hat_1_d_R_P = -(u22 * t7);
+        let t9 = t8 * t5;
+        let d_L_o_hat_1_d_flow = -(u21 * t9);
+        at.write_dc(1, d_L_o_hat_1_d_flow);
+        let d_L_o_hat_1_d_R_P = -(u22 * t9);
         at.write_dc(4, d_L_o_hat_1_d_R_P);
-        let d_L_o_hat_1_d_omega_P = -(u23 * t7);
+        let d_L_o_hat_1_d_omega_P = -(u23 * t9);
         at.write_dc(5, d_L_o_hat_1_d_omega_P);
     }
 }
@@ -320,12 +320,12 @@ impl Sweep for Fields {
         let u1 = Real::splat(uniforms[2]);
         let u3 = Real::splat(uniforms[3]);
         let V_T = Real::splat(uniforms[4]);
+        at.write_field(2, Real::splat(0.0));
+        at.write_field(3, Real::splat(0.0));
         let tau = at.state::<Real>(0);
         let F = u3 * (u1 + m_o * tau);
         at.write_field(0, F);
         let V = V_T * (tau + EA);
         at.write_field(1, V);
-        at.write_field(2, Real::splat(0.0));
-        at.write_field(3, Real::splat(0.0));
     }
 }

@@ -6,12 +6,15 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::graph::{Graph, Node, Operation};
+use super::schedule::{self, Statement, Target};
 
 /// An unnamed operation that is used once is written into its use, up to this many operations in one expression.
 const LONGEST_EXPRESSION: usize = 8;
 
 /// What a function writes, in order: a node, and the statement that stores the value of an expression.
-pub type Outputs<'a> = Vec<(Node, Box<dyn Fn(TokenStream) -> TokenStream + 'a>)>;
+pub type Outputs<'a> = Vec<Output<'a>>;
+
+type Output<'a> = (Node, Box<dyn Fn(TokenStream) -> TokenStream + 'a>);
 
 /// Operations of a function, those done once a batch apart.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -45,6 +48,7 @@ impl std::fmt::Display for Count {
 }
 
 /// One function's statements.
+#[derive(Clone)]
 pub struct Body<'a> {
     graph: &'a Graph,
     inputs: &'a [String],
@@ -58,6 +62,8 @@ pub struct Body<'a> {
     once: bool,
     count: Count,
     statements: Vec<TokenStream>,
+    /// What each statement binds and reads.
+    lives: Vec<Statement>,
 }
 
 /// The two halves of a batch function.
@@ -91,19 +97,25 @@ pub fn batch(graph: &Graph, inputs: &[String], outputs: Outputs<'_>, load: &dyn 
             quote!(constants[#place])
         }));
     }
-    let mut body = Body::new(graph, inputs, "t", false, &roots);
-    body.taken = once.taken.clone();
+    let mut start = Body::new(graph, inputs, "t", false, &roots);
+    start.taken = once.taken.clone();
     for (place, &node) in shared.iter().enumerate() {
         let place = Literal::usize_unsuffixed(place);
         // A handed-over value keeps its name, if it has one.
         let name = once.names.get(&node).cloned().unwrap_or_else(|| format_ident!("w{}", values.len()));
-        body.statements.push(quote!(let #name = Real::splat(uniforms[#place]);));
-        body.names.insert(node, name);
-        body.emitted.insert(node);
+        start.statements.push(quote!(let #name = Real::splat(uniforms[#place]);));
+        start.names.insert(node, name);
+        start.emitted.insert(node);
     }
-    for (node, store) in &outputs {
-        let value = body.value(*node, load);
-        body.statements.push(store(value));
+    // Once as the outputs ask for it, to know the statements; then in the order that keeps few values waiting.
+    let mut draft = start.clone();
+    outputs.iter().enumerate().for_each(|(place, output)| draft.store(place, output, load));
+    let mut body = start;
+    for place in schedule::order(&draft.lives) {
+        match &draft.lives[place].target {
+            Target::Values(nodes) => nodes.iter().for_each(|&node| body.require(node, load)),
+            Target::Output(place) => body.store(*place, &outputs[*place], load),
+        }
     }
     let mut count = body.count;
     count.uniform = once.count.uniform;
@@ -120,10 +132,7 @@ pub fn scalar(
 ) -> (TokenStream, Count) {
     let roots: Vec<Node> = outputs.iter().map(|(node, _)| *node).collect();
     let mut body = Body::new(graph, inputs, "t", true, &roots);
-    for (node, store) in &outputs {
-        let value = body.value(*node, load);
-        body.statements.push(store(value));
-    }
+    outputs.iter().enumerate().for_each(|(place, output)| body.store(place, output, load));
     let statements = body.statements;
     (quote!(#(#statements)*), body.count)
 }
@@ -190,7 +199,39 @@ impl<'a> Body<'a> {
             once,
             count: Count::default(),
             statements: Vec::new(),
+            lives: Vec::new(),
         }
+    }
+
+    /// Stores an output.
+    fn store(&mut self, place: usize, (node, store): &Output<'_>, load: &dyn Fn(usize) -> TokenStream) {
+        self.require(*node, load);
+        let (reads, value) = (self.reads(*node), self.expression(*node).tokens);
+        self.lives.push(Statement { target: Target::Output(place), reads });
+        self.statements.push(store(value));
+    }
+
+    /// A statement that binds one value.
+    fn bind(&mut self, node: Node, value: TokenStream) {
+        let reads = self.reads(node);
+        let name = self.fresh(node);
+        self.lives.push(Statement { target: Target::Values(vec![node]), reads });
+        self.statements.push(quote!(let #name = #value;));
+        self.names.insert(node, name);
+    }
+
+    /// The named values in the expression for a node.
+    fn reads(&self, node: Node) -> BTreeSet<Node> {
+        let mut reads = BTreeSet::new();
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            if self.names.contains_key(&node) {
+                reads.insert(node);
+            } else {
+                open.extend(self.graph.operation(node).operands());
+            }
+        }
+        reads
     }
 
     /// The value of a node, bound to a name.
@@ -199,10 +240,8 @@ impl<'a> Body<'a> {
         if self.names.contains_key(&node) || self.graph.number(node).is_some() {
             return value;
         }
-        let name = self.fresh(node);
-        self.statements.push(quote!(let #name = #value;));
-        self.names.insert(node, name.clone());
-        quote!(#name)
+        self.bind(node, value);
+        self.expression(node).tokens
     }
 
     fn value(&mut self, node: Node, load: &dyn Fn(usize) -> TokenStream) -> TokenStream {
@@ -222,9 +261,7 @@ impl<'a> Body<'a> {
         match operation {
             Operation::Constant(_) => {}
             Operation::Input(place) => {
-                let (name, value) = (self.fresh(node), load(place));
-                self.statements.push(quote!(let #name = #value;));
-                self.names.insert(node, name);
+                self.bind(node, load(place));
             }
             Operation::Sin(argument) | Operation::Cos(argument) => self.sine_and_cosine(argument),
             _ => {
@@ -233,9 +270,7 @@ impl<'a> Body<'a> {
                 let single = self.uses.get(&node).copied().unwrap_or(0) <= 1 && self.graph.name(node).is_none();
                 let short = expression.operations <= LONGEST_EXPRESSION;
                 if !(single && short || matches!(operation, Operation::Neg(_)) && self.graph.name(node).is_none()) {
-                    let (name, tokens) = (self.fresh(node), expression.tokens);
-                    self.statements.push(quote!(let #name = #tokens;));
-                    self.names.insert(node, name);
+                    self.bind(node, expression.tokens);
                 }
             }
         }
@@ -245,7 +280,9 @@ impl<'a> Body<'a> {
     fn sine_and_cosine(&mut self, argument: Node) {
         let find = |operation| self.graph.find(operation).filter(|node| self.uses.contains_key(node));
         let (sine, cosine) = (find(Operation::Sin(argument)), find(Operation::Cos(argument)));
-        let of = self.expression(argument).tokens;
+        let (of, reads) = (self.expression(argument).tokens, self.reads(argument));
+        let target = Target::Values(sine.into_iter().chain(cosine).collect());
+        self.lives.push(Statement { target, reads });
         let label = self.names.get(&argument).map_or_else(|| format!("{}", self.temporaries), Ident::to_string);
         let mut bind = |node: Option<Node>, function: &str| match node {
             Some(node) => {

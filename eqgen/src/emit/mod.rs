@@ -6,6 +6,7 @@ mod graph;
 mod import;
 mod jacobian;
 mod region;
+mod schedule;
 mod twin;
 mod vocabulary;
 
