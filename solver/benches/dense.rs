@@ -1,8 +1,8 @@
 //! What the feature `faer` gains: the small dense system of ends and constants, factored and solved by faer and by
 //! nalgebra, over its number of unknowns. `cargo bench -p sheave-solver --bench dense`.
 //!
-//! A problem of four regions with five states has 30 to 60 unknowns there; a large border (many constants, conditions at
-//! many places) has more.
+//! A problem of four regions with five states has 30 to 60 unknowns there; a large border (many constants, conditions
+//! at many places) has more.
 
 use std::hint::black_box;
 use std::time::Instant;

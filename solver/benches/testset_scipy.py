@@ -6,8 +6,9 @@
     VENV/bin/python testset_scipy.py samples           > samples.json   right-hand sides and conditions at scattered
                                                                         points
 
-`run`: tolerance 1e-6, 21 uniform nodes, at most 100,000 nodes, a cap of 20 s a run, SciPy's own finite differences; seconds
-are the best of up to seven solves in a process of its own. `samples`: for checking another transcription against this one.
+`run`: tolerance 1e-6, 21 uniform nodes, at most 100,000 nodes, a cap of 20 s a run, SciPy's own finite differences;
+seconds are the best of up to seven solves in a process of its own. `samples`: for checking another transcription
+against this one.
 
 A problem of two regions is stacked on one interval [0, 1]; its right-hand side carries the region's length.
 """

@@ -165,8 +165,8 @@ impl SolveError {
                  layer is, or allow more intervals."
             }
             Self::MeshLimit { .. } => {
-                "Allow more intervals, use a higher order, or ask for less; near 1e-12 rounding is the limit. A kink in \
-                 the right-hand side costs many intervals: make its place the end of a region."
+                "Allow more intervals, use a higher order, or ask for less; near 1e-12 rounding is the limit. A kink \
+                 in the right-hand side costs many intervals: make its place the end of a region."
             }
             Self::Boundary { .. } => "Scale the boundary equation or its states, or loosen boundary_tolerance.",
             Self::Count { .. } => {

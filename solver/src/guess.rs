@@ -86,7 +86,7 @@ impl Guess {
     }
 
     pub(crate) fn iterate(&self, grids: &[Grid]) -> Iterate {
-        let pack = |(region, grid): (&RegionGuess, &Grid)| region.states.iter().flat_map(|y| grid.pack(y)).collect();
+        let pack = |(region, grid): (&RegionGuess, &Grid)| grid.pack_all(&region.states);
         let y = self.regions.iter().zip(grids).map(pack).collect();
         Iterate { y, inner: Vec::new(), constants: self.constants.clone() }
     }

@@ -180,9 +180,9 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
-            let extension = extended.extension(&self.factorisation.scales, &mut stats).map_err(undefined)?;
-            let measured = extended.defects(&extension, &self.factorisation.scales, &mut stats);
-            defects.push(measured.map_err(undefined)?);
+            let judged = extended.judged(&self.factorisation.scales, f64::INFINITY, &mut stats);
+            let (extension, defect) = judged.map_err(undefined)?;
+            defects.push(defect);
             extensions.push(extension);
         }
         let judged = (&extensions[..], &defects[..]);

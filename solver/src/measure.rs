@@ -1,10 +1,11 @@
 //! How good a converged iterate is: its defects, and the error they cause.
 
 use crate::collocation::coupled::scaled;
+use crate::collocation::defect::Defects;
 use crate::collocation::evaluate::Work;
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
-use crate::collocation::interpolant::{Defects, Extended, Extension};
+use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::RegionGuess;
@@ -27,18 +28,21 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
 }
 
 impl<'a, P: Problem + ?Sized> Solved<'a, P> {
+    /// `limit`: what defects may be at most. Where they are far larger, less is spent on knowing them.
+    ///
     /// # Errors
     /// The right-hand side is undefined between the collocation points.
-    pub(crate) fn new(system: System<'a, P>, converged: Converged, stats: &mut Stats) -> Result<Self, SolveError> {
+    pub(crate) fn new(
+        system: System<'a, P>,
+        converged: Converged,
+        limit: f64,
+        stats: &mut Stats,
+    ) -> Result<Self, SolveError> {
         let (mut extensions, mut defects) = (Vec::new(), Vec::new());
         for region in 0..system.grids.len() {
             let extended =
                 Extended { system: &system, region, x: &converged.x, stages: &converged.work.regions[region] };
-            let extension = extended.extension(converged.scales(), stats);
-            let measured = extension.and_then(|extension| {
-                let defects = extended.defects(&extension, converged.scales(), stats)?;
-                Ok((extension, defects))
-            });
+            let measured = extended.judged(converged.scales(), limit, stats);
             let (extension, defect) = measured.map_err(|error| SolveError::Newton {
                 error: NewtonError::NonFinite(error),
                 intervals: intervals(&system.grids),
@@ -82,11 +86,22 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
-    pub(crate) fn worst_boundary_residual(&self) -> (f64, String) {
+    pub(crate) fn worst_boundary_residual(&self) -> (f64, usize) {
         let Converged { work, factorisation, .. } = &self.converged;
         let residuals = self.system.boundary_residuals(work, &factorisation.scales);
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        worst.map_or((0.0, String::new()), |(i, residual)| (residual, self.system.layout.equations[i].clone()))
+        worst.map_or((0.0, 0), |(equation, residual)| (residual, equation))
+    }
+}
+
+/// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a
+/// linear one: what is left is rounding.
+const LINEAR: f64 = 1e-9;
+
+impl Converged {
+    /// Whether the problem is linear as far as the iteration tells.
+    pub(crate) fn seems_linear(&self) -> bool {
+        self.contraction <= LINEAR
     }
 }
 

@@ -79,6 +79,8 @@ pub(crate) struct Converged {
     pub contraction: f64,
     /// The first correction was already negligible.
     pub at_once: bool,
+    /// Newton iterations that it took.
+    pub iterations: usize,
     /// No step was damped, and none was taken away from a singular matrix.
     pub full_steps: bool,
     /// The iteration ended short of its tolerance, at a correction small enough to go on with.
@@ -403,6 +405,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             factorisation: self.factorisation,
             contraction: self.contraction.unwrap_or(0.0),
             at_once: self.iteration == 1 && self.contraction.is_none(),
+            iterations: self.iteration,
             full_steps: self.full_steps && self.escapes == 0,
             stagnated,
         })
@@ -451,7 +454,16 @@ impl Converged {
     pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
         let mut factorisation = Factorisation::new(system);
         factorisation.scales = system.scales(&x);
-        Self { x, work, factorisation, contraction: 0.0, at_once: true, full_steps: true, stagnated: None }
+        Self {
+            x,
+            work,
+            factorisation,
+            contraction: 0.0,
+            at_once: true,
+            iterations: 0,
+            full_steps: true,
+            stagnated: None,
+        }
     }
 
     /// The scales a converged iterate was solved with.

@@ -46,12 +46,11 @@ const CREEPING: usize = 2;
 const STUCK: usize = 5;
 
 impl<P: Problem + ?Sized> Progress<'_, P> {
-    pub(crate) fn new(options: &Options, start: &Start) -> Self {
-        let origin = (options.rescues > 0).then(|| start.clone());
+    pub(crate) fn new(options: &Options) -> Self {
         Self {
             phase: Phase::Search,
             first: true,
-            rescue: Rescue { halvings: 0, insistent: true, origin, attempts: attempts(options.order) },
+            rescue: Rescue { halvings: 0, insistent: true, origin: None, attempts: attempts(options.order) },
             target: options.tolerance,
             tolerance: options.tolerance,
             fallback: None,
@@ -104,7 +103,7 @@ pub(crate) struct Rescue {
     pub(crate) halvings: usize,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
-    /// The guess, as long as no mesh has brought convergence.
+    /// The guess, if it has not brought convergence on its own mesh and as long as no other has.
     pub(crate) origin: Option<Start>,
     /// Orders to begin with from the guess, and whether every step must be progress then.
     pub(crate) attempts: &'static [(Order, bool)],

@@ -6,11 +6,15 @@
 //! error is bounded by ∫|G| |defect| for a Green's function G, the defect is split into a part that is small
 //! everywhere and one whose integral is small; both are held to the tolerance.
 
-use crate::collocation::interpolant::Defects;
+use crate::collocation::defect::Defects;
+use crate::linear::scalar::W;
 use crate::mesh::{equidistribute, grade, needed, split};
 
 /// Defects aim at this fraction of the tolerance.
 const SAFETY: f64 = 0.4;
+/// At higher orders and where the problem is linear, intervals aim at this fraction of the length that would just do:
+/// some more intervals cost less than one mesh more on which a few are still too long.
+const SHORTER: f64 = 0.725;
 /// A mesh with more than this many times the needed intervals is coarsened.
 const GROSSLY: f64 = 4.0;
 /// If at most this fraction of the intervals fails, they are split where they are.
@@ -23,8 +27,16 @@ const MOST_PIECES_HIGH: f64 = 6.0;
 const LONGER: f64 = 8.0;
 /// Larger defects are far from the asymptotic regime: what they say of other lengths is not to be trusted.
 const ASYMPTOTIC: f64 = 0.1;
+/// How many times as many intervals there may be on the next mesh: within the asymptotic regime,
+const GROWTH: f64 = 4.0;
+/// outside of it,
+const GROWTH_UNRESOLVED: f64 = 2.0;
+/// and there at the higher orders, where a rough mesh has few intervals, if the problem is linear.
+const GROWTH_LINEAR: f64 = 3.0;
 /// Where no more than this fraction of the intervals is needed, all are redistributed, even if few fail.
 const SPARSE: f64 = 0.6;
+/// Exponent of the interval length in the defect at order 4.
+const LOW: f64 = 4.0;
 /// Fewest intervals that redistribution makes.
 const FEWEST: usize = 4;
 
@@ -93,11 +105,25 @@ pub(crate) struct Wish {
     pub split_few: bool,
     /// Whether intervals are redistributed, even if few are too long, where far fewer would do.
     pub shrink: bool,
+    /// Whether the problem is linear as far as is known: then no iteration can fail to follow from one mesh to the next.
+    pub linear: bool,
+}
+
+impl Wish {
+    /// Whether meshes may be chosen freely: see [`linear`](Self::linear).
+    fn is_free(&self) -> bool {
+        self.linear && self.order > LOW
+    }
+
+    /// The fraction of the tolerance that defects aim at.
+    fn safety(&self) -> f64 {
+        if self.is_free() { libm::pow(SHORTER, self.order) } else { SAFETY }
+    }
 }
 
 /// Decides on one region's mesh.
 pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
-    let &Wish { tolerance, order, max_intervals, split_few, shrink } = wish;
+    let &Wish { tolerance, order, max_intervals, split_few, shrink, .. } = wish;
     let intervals = mesh.len() - 1;
     if measure.largest <= tolerance {
         if intervals <= 4 * FEWEST || surely_fits(measure, wish) {
@@ -115,12 +141,13 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let trusted = shrink && measure.largest <= ASYMPTOTIC;
     let lengths = (!few || trusted).then(|| wanted(mesh, measure, wish));
     let few = few && !lengths.as_ref().is_some_and(|(_, count)| trusted && *count < SPARSE * intervals as f64);
-    let most_pieces = if order > 4.0 { MOST_PIECES_HIGH } else { MOST_PIECES };
+    let safety = wish.safety();
+    let most_pieces = if order > LOW { MOST_PIECES_HIGH } else { MOST_PIECES };
     let split_into = |&defect: &f64| {
         if defect <= tolerance {
             1
         } else {
-            libm::pow(defect / (SAFETY * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
+            libm::pow(defect / (safety * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = if few { measure.defects.iter().map(split_into).collect() } else { Vec::new() };
@@ -129,11 +156,18 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         split(mesh, &pieces)
     } else {
         let (wanted, count) = lengths.unwrap_or_else(|| wanted(mesh, measure, wish));
-        let growth = if measure.largest > ASYMPTOTIC { 2.0 } else { 4.0 };
+        let growth = match measure.largest > ASYMPTOTIC {
+            false => GROWTH,
+            true if wish.is_free() => GROWTH_LINEAR,
+            true => GROWTH_UNRESOLVED,
+        };
         let most = (growth * intervals as f64).min(max_intervals as f64);
         let least = (0.5 * intervals as f64).max(FEWEST as f64);
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
-        equidistribute(mesh, &wanted, target.clamp(least.min(most), most) as usize)
+        let count = target.clamp(least.min(most), most) as usize;
+        // So many are worked on side by side: filling up costs nothing.
+        let full = if wish.is_free() { count.next_multiple_of(W).min(max_intervals) } else { count };
+        equidistribute(mesh, &wanted, full)
     };
     let new = distinct(new);
     if new.len() - 1 > max_intervals || (new.len() == mesh.len() && intervals >= max_intervals) || new == mesh {
@@ -148,8 +182,9 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
     let negligible = libm::pow(LONGER, -order);
+    let goal = wish.safety() * tolerance;
     let length_of = |j: usize| {
-        let excess = measure.defects[j] / (SAFETY * tolerance);
+        let excess = measure.defects[j] / goal;
         (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
@@ -161,7 +196,7 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
 /// Whether a mesh is needed as it is without counting: half of its intervals may not grow to more than twice their
 /// length, so that more than a quarter of their number is needed.
 fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
-    let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * SAFETY * wish.tolerance;
+    let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * wish.safety() * wish.tolerance;
     2 * measure.defects.iter().filter(|&&defect| defect >= least).count() >= measure.defects.len()
 }
 
@@ -194,7 +229,8 @@ mod tests {
         measure(&defects, wish.tolerance, Rounding::Counted)
     }
 
-    const WISH: Wish = Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true, shrink: false };
+    const WISH: Wish =
+        Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true, shrink: false, linear: false };
 
     #[test]
     fn a_mesh_that_would_be_too_large_is_made_as_large_as_may_be() {

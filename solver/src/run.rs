@@ -46,6 +46,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub history: Vec<MeshRecord>,
     /// Newton's first contraction on the first mesh of the last solve; infinite if it failed.
     pub contraction: f64,
+    /// Newton iterations on that mesh; 0 if it failed.
+    pub iterations: usize,
     /// Whether a guess that is a solution already keeps its mesh, whatever its estimated error.
     pub keep: bool,
     /// Whether the last solve's solution is the one that its start leads to.
@@ -75,6 +77,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             stats: Stats::default(),
             history: Vec::new(),
             contraction: 0.0,
+            iterations: 0,
             keep: true,
             check: BranchCheck::Kept,
             orientation: None,
@@ -85,7 +88,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// Solves and improves the meshes until they pass: see [`phase`](crate::phase).
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
-        let mut progress = Progress::new(self.options, &start);
+        let mut progress = Progress::new(self.options);
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
         (self.check, self.orientation) = (BranchCheck::Kept, None);
         let mut meshes = 0;
@@ -214,20 +217,20 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// A guess that was a solution, without its negligible correction if that makes a defect exceed the tolerance:
     /// where the equations are stiff, they tell more of a solution than the tolerance of Newton's iteration.
-    fn unless_worse(&mut self, mut solved: Solved<'a, P>, origin: Start) -> Result<Solved<'a, P>, SolveError> {
+    fn unless_worse(&mut self, mut solved: Solved<'a, P>, origin: Iterate) -> Result<Solved<'a, P>, SolveError> {
         let tolerance = self.options.tolerance;
         if measured(&solved, tolerance, Rounding::Counted).iter().all(|measure| measure.largest <= tolerance) {
             return Ok(solved);
         }
         let converged = &mut solved.converged;
         let inner = std::mem::take(&mut converged.x.inner);
-        converged.x = Iterate { inner, ..origin.x };
+        converged.x = Iterate { inner, ..origin };
         let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
         evaluated.map_err(|error| SolveError::Newton {
             error: NewtonError::NonFinite(error),
             intervals: intervals(&solved.system.grids),
         })?;
-        Solved::new(solved.system, solved.converged, &mut self.stats)
+        Solved::new(solved.system, solved.converged, tolerance, &mut self.stats)
     }
 
     /// Newton's iteration on one set of meshes.
@@ -243,6 +246,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
+            self.iterations = outcome.as_ref().map_or(0, |converged| converged.iterations);
         }
         let mut record = MeshRecord {
             intervals: system.grids.iter().map(Grid::intervals).collect(),
@@ -256,7 +260,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
                 return match failure {
                     newton::Failure::Newton(error) => {
-                        Ok(Found::Failed(Box::new(Start { grids: system.grids, x }), error))
+                        let failed = Start { grids: system.grids, x };
+                        if progress.first && self.options.rescues > 0 {
+                            progress.rescue.origin = Some(failed.clone());
+                        }
+                        Ok(Found::Failed(Box::new(failed), error))
                     }
                     newton::Failure::Interrupted(error) => Err(error),
                 };
@@ -266,7 +274,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
         self.check = self.check.and(check).across(self.orientation, orientation);
         self.orientation = orientation.or(self.orientation);
-        let solved = match Solved::new(system, converged, &mut self.stats) {
+        // What is known of a rough solution is where a nonlinear iteration starts on the next mesh.
+        let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };
+        let solved = match Solved::new(system, converged, limit, &mut self.stats) {
             Ok(solved) => solved,
             Err(error) => return Ok(Found::Undefined(error)),
         };
@@ -277,11 +287,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
         // What a lower order has found is a start only.
-        let origin = if self.order == self.options.order { progress.rescue.origin.take() } else { None };
-        let solved = match origin {
-            Some(origin) if progress.first && solved.converged.at_once => self.unless_worse(solved, origin)?,
-            _ => solved,
-        };
+        if self.order == self.options.order {
+            progress.rescue.origin = None;
+        }
+        let known = progress.first && solved.converged.at_once && self.options.rescues > 0;
+        let solved = if known { self.unless_worse(solved, x)? } else { solved };
         Ok(Found::Solved(Box::new(solved)))
     }
 

@@ -136,17 +136,38 @@ impl RegionSolution {
         (0..self.states()).map(|i| self.combine(&basis, i, j, h) / (h * h)).collect()
     }
 
-    /// States at increasing places, state by state.
-    pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
-        let mut after = 0;
-        let mut places = Vec::with_capacity(mesh.len());
-        for &s in mesh {
-            after += self.mesh[after..].iter().take_while(|&&node| node <= s).count();
-            let (j, h, sigma) = self.place(after, s);
-            places.push((j, h, Basis::value(sigma)));
+    /// States at many places, state by state: value `i * s.len() + j` is that of state `i` at `s[j]`. As
+    /// [`eval_into`](Self::eval_into) for each place, to the same bits, and many times as fast where places increase.
+    pub fn eval_many(&self, s: &[f64]) -> Vec<f64> {
+        let places = self.places(s);
+        let mut values = Vec::with_capacity(self.states() * s.len());
+        for i in 0..self.states() {
+            values.extend(places.iter().map(|(j, h, basis)| self.y[i][*j] + self.combine(basis, i, *j, *h)));
         }
+        values
+    }
+
+    /// The same, each state by itself.
+    pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
+        let places = self.places(mesh);
         let along = |i: usize| places.iter().map(move |(j, h, basis)| self.y[i][*j] + self.combine(basis, i, *j, *h));
         (0..self.states()).map(|i| along(i).collect()).collect()
+    }
+
+    /// Intervals, their lengths, and the weights of what stands there, for places in any order.
+    fn places(&self, s: &[f64]) -> Vec<(usize, f64, Basis)> {
+        let mut after = 0;
+        let place = |&s: &f64| {
+            // Nodes at or before the place: to be counted on from those of the last, unless this one lies before it.
+            if self.mesh[..after].last().is_some_and(|node| !(*node <= s)) {
+                after = self.mesh.partition_point(|&node| node <= s);
+            } else {
+                after += self.mesh[after..].iter().take_while(|&&node| node <= s).count();
+            }
+            let (j, h, sigma) = self.place(after, s);
+            (j, h, Basis::value(sigma))
+        };
+        s.iter().map(place).collect()
     }
 
     /// Interval, its length, and the place in it.
@@ -180,7 +201,8 @@ impl RegionSolution {
 pub struct MeshRecord {
     /// Intervals of each region.
     pub intervals: Vec<usize>,
-    /// Largest defect of each region on that mesh; infinite if Newton's iteration failed.
+    /// Largest defect of each region on that mesh; infinite if Newton's iteration failed. On a rough mesh of order 8 it
+    /// is that of the collocation polynomial, which is larger than that of the extension.
     #[cfg_attr(feature = "serde", serde(with = "crate::serialised::defects"))]
     pub defects: Vec<f64>,
     /// Newton iterations on it.

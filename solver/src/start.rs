@@ -3,9 +3,12 @@
 use crate::collocation::Iterate;
 use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
+use crate::collocation::interpolant::{Basis, Extension};
 use crate::guess::{Guess, RegionGuess};
+use crate::linear::scalar::W;
 use crate::measure::Solved;
 use crate::mesh::split;
+use crate::newton::Converged;
 use crate::problem::Problem;
 use crate::solution::{RegionSolution, Solution};
 use crate::tableau::Tableau;
@@ -24,14 +27,101 @@ pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<
 
 /// The same, for another method.
 pub(crate) fn carried<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>, tableau: &Tableau) -> Start {
-    let old = solved.regions();
-    let regions = old.iter().zip(meshes).map(|(old, mesh)| old.sampled(mesh)).collect();
-    let mut start = Start::from(&Guess { regions, constants: solved.converged.x.constants.clone() });
-    if tableau.coupled {
-        let inner = old.iter().zip(&start.grids).map(|(old, grid)| old.sampled_inside(grid, tableau));
-        start.x.inner = inner.collect();
+    let Converged { x, work, .. } = &solved.converged;
+    let grids: Vec<Grid> = meshes.into_iter().map(Grid::new).collect();
+    let (mut y, mut inner) = (Vec::with_capacity(grids.len()), Vec::new());
+    for (region, new) in grids.iter().enumerate() {
+        let old = Packed {
+            grid: &solved.system.grids[region],
+            states: solved.system.plan.regions[region].n,
+            y: &x.y[region],
+            f: &work.regions[region].nodes.f,
+            extension: &solved.extensions[region],
+        };
+        let (nodes, stages) = old.sampled(new, tableau);
+        y.push(nodes);
+        if tableau.coupled {
+            inner.push(stages);
+        }
     }
-    start
+    Start { grids, x: Iterate { y, inner, constants: x.constants.clone() } }
+}
+
+/// A region's solution in working order.
+struct Packed<'a> {
+    grid: &'a Grid,
+    states: usize,
+    y: &'a [f64],
+    /// Right-hand sides at the nodes.
+    f: &'a [f64],
+    extension: &'a Extension,
+}
+
+/// An interval: its index and its working position, by stretch and step.
+#[derive(Default)]
+struct Interval {
+    index: usize,
+    stretch: usize,
+    step: usize,
+}
+
+impl Packed<'_> {
+    /// At the nodes of another mesh and at the inner stages there that are unknowns, as an [`Iterate`] has them. Old
+    /// nodes keep their values exactly.
+    fn sampled(&self, new: &Grid, tableau: &Tableau) -> (Vec<f64>, Vec<f64>) {
+        let (nodes, len, stages) = (new.node_stride(), new.interval_stride(), tableau.unknown_stages());
+        let (mut y, mut inner) = (vec![0.0; self.states * nodes], vec![0.0; stages * self.states * len]);
+        let mut order: Vec<usize> = (0..stages).collect();
+        order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
+        let mut interval = Interval::default();
+        for (j, p) in new.positions() {
+            // Padding repeats the last node.
+            let s = new.mesh[j.min(new.intervals())];
+            let length = if j < new.intervals() { new.mesh[j + 1] - s } else { 0.0 };
+            self.write(s, &mut interval, &mut y[p..], nodes);
+            if p < len {
+                for &stage in &order {
+                    let out = &mut inner[stage * self.states * len + p..];
+                    self.write(s + tableau.c[stage + 2] * length, &mut interval, out, len);
+                }
+            }
+        }
+        // The last row repeats the first of the next stretch.
+        for y in y.chunks_exact_mut(nodes) {
+            y.copy_within(1..W, len);
+        }
+        (y, inner)
+    }
+
+    /// The states at `s`, which is not to the left of the interval given, each `stride` after the one before.
+    fn write(&self, s: f64, interval: &mut Interval, out: &mut [f64], stride: usize) {
+        let mesh = &self.grid.mesh;
+        while interval.index + 1 < self.grid.intervals() && mesh[interval.index + 1] <= s {
+            interval.index += 1;
+            interval.step += 1;
+            if interval.step == self.grid.steps {
+                (interval.stretch, interval.step) = (interval.stretch + 1, 0);
+            }
+        }
+        let (nodes, len) = (self.grid.node_stride(), self.grid.interval_stride());
+        let p = interval.step * W + interval.stretch;
+        let left = mesh[interval.index];
+        let h = mesh[interval.index + 1] - left;
+        let basis = Basis::value((s - left) / h);
+        let Extension { alpha, beta, gamma, delta } = self.extension;
+        for (i, out) in out.iter_mut().step_by(stride).enumerate().take(self.states) {
+            let (node, at) = (i * nodes + p, i * len + p);
+            let (y0, y1, f0, f1) = (self.y[node], self.y[node + W], self.f[node], self.f[node + W]);
+            let mut rise = basis.rise * (y1 - y0)
+                + h * (basis.left * f0 + basis.right * f1)
+                + basis.alpha * alpha[at]
+                + basis.beta * beta[at];
+            if let (Some(gamma), Some(delta)) = (gamma.get(at), delta.get(at)) {
+                rise += basis.gamma * gamma + basis.delta * delta;
+            }
+            *out = y0 + rise;
+        }
+    }
 }
 
 /// A guess on the meshes of a solution that is near: where inner stages are unknowns, they are those of the solution,
@@ -78,12 +168,6 @@ impl From<&Guess> for Start {
 }
 
 impl RegionSolution {
-    /// The solution at other nodes; old nodes keep their values exactly.
-    pub(crate) fn sampled(&self, mesh: Vec<f64>) -> RegionGuess {
-        let states = self.eval_along(&mesh);
-        RegionGuess { mesh, states }
-    }
-
     /// The solution at the inner stages of a mesh, as [`Iterate::inner`] stands.
     fn sampled_inside(&self, grid: &Grid, tableau: &Tableau) -> Vec<f64> {
         let (len, states, stages) = (grid.interval_stride(), self.states(), tableau.unknown_stages());

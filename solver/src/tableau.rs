@@ -13,6 +13,7 @@
 //! interval.
 
 use crate::collocation::coupled::COUPLED;
+use std::sync::OnceLock;
 
 /// A Runge-Kutta method whose first two stages are the nodes.
 #[derive(Debug)]
@@ -30,6 +31,8 @@ pub(crate) struct Tableau {
     pub defect_order: f64,
     /// Where in the interval the defect is sampled, and the weight of each sample in its mean square.
     pub samples: &'static [(f64, f64)],
+    /// See [`partial_integrals`](Self::partial_integrals).
+    pub partial: OnceLock<Vec<Vec<f64>>>,
 }
 
 impl Tableau {
@@ -42,6 +45,25 @@ impl Tableau {
     pub(crate) fn unknown_stages(&self) -> usize {
         if self.coupled { COUPLED } else { 0 }
     }
+
+    /// Weights that integrate from 0 to the place of each stage the polynomial through 0, 1 and the samples, in this
+    /// order.
+    pub(crate) fn partial_integrals(&self) -> &[Vec<f64>] {
+        self.partial.get_or_init(|| self.c.iter().map(|&end| partial_integrals(self.samples, end)).collect())
+    }
+}
+
+/// The samples are the points of a Gauss rule, which is exact for these integrals.
+fn partial_integrals(samples: &[(f64, f64)], end: f64) -> Vec<f64> {
+    let places = samples.iter().map(|sample| sample.0);
+    let nodes: Vec<f64> = std::iter::once(0.0).chain(places).chain(std::iter::once(1.0)).collect();
+    let lagrange = |k: usize, x: f64| -> f64 {
+        let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
+        others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
+    };
+    let integral = |k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(k, end * x)).sum();
+    let last = nodes.len() - 1;
+    [0, last].into_iter().chain(1..last).map(integral).collect()
 }
 
 /// Three-stage Lobatto IIIA, order 4: Simpson's rule with a Hermite midpoint. A. Axelsson, BIT 4 (1964) 69;
@@ -56,6 +78,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     defect_order: 4.0,
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
+    partial: OnceLock::new(),
 };
 
 /// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
@@ -80,6 +103,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
         (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
         (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
     ],
+    partial: OnceLock::new(),
 };
 
 /// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
@@ -121,6 +145,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
         (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
         (0.966_234_757_101_576, 0.085_662_246_189_585_17),
     ],
+    partial: OnceLock::new(),
 };
 
 /// `√21/14`: how far the inner Lobatto points are from the middle.

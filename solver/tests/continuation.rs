@@ -2,7 +2,7 @@
 
 use solver::continuation::{PathOptions, Ramp, follow};
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Guess, Layout, Options, Order, Region, solve};
+use solver::{Guess, Layout, Options, Order, Points, Problem, Region, Scope, solve};
 
 /// Lagerstrom and Cole: `ε u'' = u (1 - u')`, `u(0) = -1/3`, `u(1) = 1/3`: corner layers at 1/3 and 2/3.
 struct Corners;
@@ -63,4 +63,53 @@ fn solving_again_costs_one_iteration() {
         assert_eq!(again.stats().meshes, 1);
         assert_eq!(again.regions()[0].mesh(), first.regions()[0].mesh());
     }
+}
+
+/// `y' = 0` with `y + saw(y) = c`: slopes of 1/10 and 19/10 by turns, two hundred kinks.
+struct Saw(Layout);
+
+const TOOTH: f64 = 0.01;
+
+impl Problem for Saw {
+    fn layout(&self) -> &Layout {
+        &self.0
+    }
+    fn rhs(&self, _: usize, _: &Points<'_>, _: &[f64], f: &mut [f64]) {
+        f.fill(0.0);
+    }
+    fn rhs_jacobian(
+        &self,
+        _: usize,
+        _: &Points<'_>,
+        _: &[f64],
+        _: Scope,
+        f: &mut [f64],
+        dy: &mut [f64],
+        dc: &mut [f64],
+    ) {
+        [f, dy, dc].into_iter().for_each(|values| values.fill(0.0));
+    }
+    fn boundary(&self, ends: &[f64], _: &[f64], constants: &[f64], g: &mut [f64]) {
+        let place = (ends[0] / TOOTH).rem_euclid(1.0);
+        g[0] = ends[0] + 0.9 * TOOTH * place.min(1.0 - place) - constants[0];
+    }
+    fn boundary_jacobian(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64], dz: &mut [f64]) {
+        self.boundary(ends, integrals, constants, g);
+        let rises = (ends[0] / TOOTH).rem_euclid(1.0) < 0.5;
+        dz.copy_from_slice(&[if rises { 1.9 } else { 0.1 }, 0.0, -1.0]);
+    }
+}
+
+/// Where every step crosses kinks, no step is short enough for the first correction to contract; how long the iteration
+/// takes says how long the next may be.
+#[test]
+fn kinks_do_not_shorten_the_steps_of_a_path_without_end() {
+    let region = Region::dense("line", (0.0, 1.0), &["y"], &[], 1);
+    let problem = Saw(Layout::dense(vec![region], &["c"], &["saw"]));
+    let guess = Guess::uniform(problem.layout(), 4, &[0.0], |_, _, y| y[0] = 0.0);
+    let followed = follow(&problem, &guess, &Ramp::new().linear(0, 0.0, 1.0), &[], &PathOptions::default()).unwrap();
+    let crossed = followed.steps.iter().filter(|step| step.accepted && step.contraction >= 1.0).count();
+    println!("{} steps, {crossed} across kinks", followed.steps.len());
+    assert!((followed.solution.regions()[0].state(0)[0] - 1.0).abs() < 1e-6);
+    assert!(crossed >= 3 && followed.steps.len() < 70, "{crossed} of {}", followed.steps.len());
 }

@@ -55,7 +55,7 @@ impl Code {
             match self {
                 Self::Here => [Order::Four, Order::Six, Order::Eight]
                     .into_iter()
-                    .flat_map(|order| [5, 10, 20].map(|intervals| Configuration::Here { order, tolerance, intervals }))
+                    .flat_map(|order| [4, 8, 16].map(|intervals| Configuration::Here { order, tolerance, intervals }))
                     .collect(),
                 Self::Colnew => (3..=7)
                     .flat_map(|points| {

@@ -28,9 +28,10 @@ pub use number::Number;
 pub use singular::SingularTermError;
 
 use crate::error::SolveError;
-use crate::guess::Guess;
+use crate::guess::{Guess, RegionGuess};
+use crate::mesh;
 use crate::options::Options;
-use crate::problem::{Layout, Points, Problem, Region, Scope};
+use crate::problem::{Constant, Layout, Points, Problem, Region, Scope, State};
 use crate::solution::Solution;
 use crate::solve::solve;
 use singular::SingularTerm;
@@ -146,11 +147,11 @@ impl<M: Formulas> Bvp<M> {
 
     /// The guess as the library's other functions take it.
     pub fn start(&self) -> Guess {
-        let mut guess = Guess::uniform(&self.layout, self.intervals, &self.parameters, |_, _, y| y.fill(0.0));
-        if let (Some(region), Some(states)) = (guess.regions.first_mut(), &self.states) {
-            region.states.clone_from(states);
-        }
-        guess
+        let region = &self.layout.regions[0];
+        let mesh = mesh::uniform(region.interval, self.intervals);
+        let zero = || vec![vec![0.0; mesh.len()]; region.states.len()];
+        let states = self.states.clone().unwrap_or_else(zero);
+        Guess { regions: vec![RegionGuess { mesh, states }], constants: self.parameters.clone() }
     }
 
     /// Indices of the unknown parameters among all.
@@ -167,17 +168,41 @@ impl<M: Formulas> Bvp<M> {
     }
 }
 
+/// Values of one point that need no memory of their own.
+const ROOM: usize = 64;
+
+/// So many values: of `room`, or where that is too small of `more`.
+fn buffer<'a>(room: &'a mut [f64; ROOM], more: &'a mut Vec<f64>, len: usize) -> &'a mut [f64] {
+    if let Some(room) = room.get_mut(..len) {
+        return room;
+    }
+    more.resize(len, 0.0);
+    more
+}
+
 fn layout(states: &[&str], interval: (f64, f64), parameters: &[&str], unknowns: usize) -> Layout {
-    let region = Region::dense("interval", interval, states, &[], parameters.len());
-    let equations: Vec<String> = (1..=states.len() + unknowns).map(|number| format!("condition {number}")).collect();
-    let equations: Vec<&str> = equations.iter().map(String::as_str).collect();
-    let mut layout = Layout::dense(vec![region], parameters, &equations);
-    layout.boundary_pattern.sort_by_key(|&(row, input)| (input, row));
+    let (n, count) = (states.len(), states.len() + unknowns);
     // By columns, as the formulas write them.
-    let region = &mut layout.regions[0];
-    region.state_pattern.sort_by_key(|&(row, state)| (state, row));
-    region.constant_pattern.sort_by_key(|&(row, constant)| (constant, row));
-    layout
+    let by_columns = |rows: usize, columns: usize| -> Vec<(usize, usize)> {
+        let mut all = Vec::with_capacity(rows * columns);
+        (0..columns).for_each(|column| all.extend((0..rows).map(|row| (row, column))));
+        all
+    };
+    let region = Region {
+        name: "interval".to_owned(),
+        interval,
+        states: states.iter().map(|&name| State { name: name.to_owned(), scale: None }).collect(),
+        integrals: Vec::new(),
+        state_pattern: by_columns(n, n),
+        constant_pattern: by_columns(n, parameters.len()),
+        default_entries: n * parameters.len(),
+    };
+    Layout {
+        regions: vec![region],
+        constants: parameters.iter().map(|&name| Constant { name: name.to_owned(), scale: None }).collect(),
+        equations: (1..=count).map(|number| format!("condition {number}")).collect(),
+        boundary_pattern: by_columns(count, 2 * n + parameters.len()),
+    }
 }
 
 impl<M: Formulas> Problem for Bvp<M> {
@@ -187,12 +212,13 @@ impl<M: Formulas> Problem for Bvp<M> {
 
     fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
         let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
-        let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
+        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
+        let (y, out) = buffer(&mut room, &mut more, 2 * n).split_at_mut(n);
         for j in 0..at.len {
             y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
-            self.formulas.rhs(at.s[j], &y, constants, &mut out);
+            self.formulas.rhs(at.s[j], y, constants, out);
             if let Some(term) = &self.singular {
-                term.complete(at.s[j] - start, &y, &mut out);
+                term.complete(at.s[j] - start, y, out);
             }
             out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
         }
@@ -209,14 +235,15 @@ impl<M: Formulas> Problem for Bvp<M> {
         dc: &mut [f64],
     ) {
         let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
-        let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
-        let mut columns = vec![0.0; n * (n + constants.len())];
+        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
+        let (y, rest) = buffer(&mut room, &mut more, n * (n + 2 + constants.len())).split_at_mut(n);
+        let (out, columns) = rest.split_at_mut(n);
         for j in 0..at.len {
             y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
-            self.formulas.rhs_derivatives(at.s[j], &y, constants, &mut out, &mut columns);
+            self.formulas.rhs_derivatives(at.s[j], y, constants, out, columns);
             if let Some(term) = &self.singular {
-                term.complete(at.s[j] - start, &y, &mut out);
-                term.complete_derivatives(at.s[j] - start, &mut columns);
+                term.complete(at.s[j] - start, y, out);
+                term.complete_derivatives(at.s[j] - start, columns);
             }
             out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
             let (states, parameters) = columns.split_at(n * n);

@@ -61,7 +61,12 @@ impl Job for Couple<'_, '_> {
 
     #[inline(always)]
     fn run(self) {
-        self.assembly.differentiate_coupled(self.t, self.coupled);
+        // Compiled once more each where the sizes are those of one or two equations of second order.
+        match (self.assembly.plan.n, self.assembly.plan.active.len(), self.assembly.plan.columns.len()) {
+            (2, 0, 0) => self.assembly.differentiate_coupled((2, 0, 0), self.t, self.coupled),
+            (4, 0, 0) => self.assembly.differentiate_coupled((4, 0, 0), self.t, self.coupled),
+            sizes => self.assembly.differentiate_coupled(sizes, self.t, self.coupled),
+        }
     }
 }
 
@@ -189,11 +194,11 @@ impl<'a> Assembly<'a> {
         chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
     }
 
-    /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled).
+    /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled). `n` states, `k` active
+    /// integrals, `p` constants.
     #[inline(always)]
-    fn differentiate_coupled(&mut self, t: usize, coupled: &mut [Lane]) {
-        let (n, p, h) = (self.plan.n, self.plan.columns.len(), Lane(self.h[t]));
-        let (all, inner, m) = (n + self.plan.active.len(), COUPLED, COUPLED * n);
+    fn differentiate_coupled(&mut self, (n, k, p): (usize, usize, usize), t: usize, coupled: &mut [Lane]) {
+        let (h, all, inner, m) = (Lane(self.h[t]), n + k, COUPLED, COUPLED * n);
         self.left[2 * all * n..].fill(Lane::ZERO);
         self.right[2 * all * n..].fill(Lane::ZERO);
         self.by_constant[2 * all * p..].fill(Lane::ZERO);

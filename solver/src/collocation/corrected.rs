@@ -1,8 +1,8 @@
 //! The continuous extension of order 8: the collocation polynomial, corrected by collocation at more points.
 //!
 //! The collocation polynomial S₅, of degree 5, is accurate to O(h⁶). What it lacks is sought among
-//! `E(σ) = σ²(1-σ)² [a + b τ + c τ² + d τ³]`, which change neither values nor slopes at the nodes, by collocation of the
-//! linearised equations
+//! `E(σ) = σ²(1-σ)² [a + b τ + c τ² + d τ³]`, which change neither values nor slopes at the nodes, by collocation of
+//! the linearised equations
 //!
 //! ```text
 //! E'(σ_k) - h J(σ_k) E(σ_k) = h f(S₅(σ_k)) - S₅'(σ_k)
@@ -13,19 +13,23 @@
 //! small as can be. As the equations are solved, and slopes not evaluated one after the other, nothing is multiplied
 //! by h J: where that is large, S follows what f asks of it between the nodes.
 
-use super::evaluate::{Batch, Stages};
-use super::interpolant::{Basis, Extended, Extension};
+use super::defect::Tally;
+use super::evaluate::Stages;
+use super::interpolant::{Basis, Extended, Extension, Sample};
 use crate::error::NonFinite;
 use crate::linear::qr;
-use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::scalar::{Lane, Scalar, W, zeros};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
 use crate::tableau::{LOBATTO_OFFSET, Tableau};
+use std::sync::OnceLock;
 
 /// Offsets from the middle of the points of collocation, to both sides: Lobatto's seven are these, the ends and the
 /// middle.
 const OFFSETS: [f64; 2] = [0.234_424_396_735_357_1, 0.415_111_948_139_283_5];
+/// Their weights in Lobatto's rule: at the ends and in the middle the collocation polynomial has no defect.
+const WEIGHTS: [f64; 2] = [0.215_872_690_604_931_3, 0.138_413_023_680_782_97];
 /// Points of collocation.
 const POINTS: usize = 4;
 /// Stages of the method whose derivatives are interpolated.
@@ -80,41 +84,43 @@ fn weights_of_stages(tableau: &Tableau) -> [[f64; STAGES]; POINTS] {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    /// α to δ, `scales` of the states: see the module's head.
-    pub(super) fn correct(
+    /// The collocation polynomial S₅, and what it lacks at the points: `h f(S₅) - S₅'` point by point, component by
+    /// component in working order. Its defects are counted.
+    pub(super) fn collocated(
         &self,
         extension: &mut Extension,
         scales: &[f64],
+        tally: &mut Tally,
+        sample: &mut Sample,
         stats: &mut Stats,
-    ) -> Result<(), NonFinite> {
+    ) -> Result<Vec<f64>, NonFinite> {
         self.collocate(extension);
         let (n, intervals) = (self.n(), self.intervals());
-        let mut sample = self.room();
-        // h f(S₅) - S₅' point by point, then E.
-        let mut points = vec![0.0; POINTS * n * intervals];
+        let (mut points, mut f) = (zeros(POINTS * n * intervals), self.room_of_slopes());
         for (k, points) in points.chunks_exact_mut(n * intervals).enumerate() {
             let sigma = 0.5 + offset(k);
             let slope = Basis::slope(sigma);
-            self.sample(Some(extension), sigma, &mut sample, stats)?;
+            self.sample(Some(extension), sigma, (&mut *sample, &mut f), stats)?;
             for (i, out) in points.chunks_exact_mut(intervals).enumerate() {
                 self.weigh(Some(extension), &slope, i, out);
-                let f = &sample.f[i * intervals..];
+                self.count(tally, i, scales[i], WEIGHTS[k % 2], out, &f);
+                let f = &f[i * intervals..];
                 elementwise(out, [self.h(), f], |slope, [h, f]| h * f - slope);
             }
         }
+        tally.weigh_by(2.0 * (WEIGHTS[0] + WEIGHTS[1]));
+        Ok(points)
+    }
+
+    /// From S₅ to S, α to δ; `points`: what S₅ lacks there.
+    pub(super) fn correct(&self, extension: &mut Extension, scales: &[f64], points: &mut [f64]) {
         let pattern = &self.system.layout.regions[self.region].state_pattern;
-        let stages = self.stages;
-        let correct = Correct {
-            pattern,
-            stages,
-            h: self.h(),
-            scales,
+        let weights = POINT_WEIGHTS.get_or_init(|| PointWeights {
             of_stages: weights_of_stages(self.system.tableau),
-            points: &mut points,
-        };
-        correct.vectorised();
-        self.add(extension, &points);
-        Ok(())
+            of_slopes: values_of_slopes(),
+        });
+        Correct { pattern, stages: self.stages, h: self.h(), scales, weights, points }.vectorised();
+        self.add(extension, points);
     }
 
     /// α and β of the collocation polynomial, from the slopes at the outer two of the inner stages.
@@ -122,7 +128,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let intervals = self.intervals();
         let basis = Basis::slope(0.5 + LOBATTO_OFFSET);
         let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), basis);
-        let (mut low, mut high) = (vec![0.0; intervals], vec![0.0; intervals]);
+        let (mut low, mut high) = (zeros(intervals), zeros(intervals));
         for i in 0..self.n() {
             let span = i * intervals..(i + 1) * intervals;
             let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
@@ -149,8 +155,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let even = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] + e[k]) / bump[k]);
         let odd = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] - e[k]) / (bump[k] * OFFSETS[k]));
         let bend = |at: [f64; 2]| (at[1] - at[0]) / (square[1] - square[0]);
-        extension.gamma = vec![0.0; len];
-        extension.delta = vec![0.0; len];
+        extension.gamma = zeros(len);
+        extension.delta = zeros(len);
         elementwise(&mut extension.gamma, inputs, |_, e| bend(even(e)));
         elementwise(&mut extension.delta, inputs, |_, e| bend(odd(e)));
         elementwise(&mut extension.alpha, inputs, |alpha, e| alpha + even(e)[0] - square[0] * bend(even(e)));
@@ -158,13 +164,23 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 }
 
+/// What is the same in every solve.
+struct PointWeights {
+    /// See [`weights_of_stages`].
+    of_stages: [[f64; STAGES]; POINTS],
+    /// See [`values_of_slopes`].
+    of_slopes: [[f64; POINTS]; POINTS],
+}
+
+static POINT_WEIGHTS: OnceLock<PointWeights> = OnceLock::new();
+
 /// Solves for E at the points, interval by interval.
 struct Correct<'a> {
     pattern: &'a [(usize, usize)],
     stages: &'a Stages,
     h: &'a [f64],
     scales: &'a [f64],
-    of_stages: [[f64; STAGES]; POINTS],
+    weights: &'a PointWeights,
     /// Point by point, component by component in working order: the slopes wanted of E, on exit E.
     points: &'a mut [f64],
 }
@@ -177,21 +193,20 @@ impl Correct<'_> {
     /// Derivatives of one entry at the points, in vectors.
     #[inline(always)]
     fn derivatives(&self, entry: usize, t: usize) -> [Lane; POINTS] {
-        let at = |batch: &Batch, steps: usize, t: usize| Lane(batch.dy.as_chunks::<W>().0[entry * steps + t]);
         let steps = self.h.len() / W;
         let mut known = [Lane::ZERO; STAGES];
-        known[0] = at(&self.stages.nodes, steps + 1, t);
-        known[1] = at(&self.stages.nodes, steps + 1, t + 1);
+        let nodes = &self.stages.nodes.dy.as_chunks::<W>().0[entry * (steps + 1) + t..][..2];
+        (known[0], known[1]) = (Lane(nodes[0]), Lane(nodes[1]));
         for (known, batch) in known[2..].iter_mut().zip(&self.stages.inner) {
-            *known = at(batch, steps, t);
+            *known = Lane(batch.dy.as_chunks::<W>().0[entry * steps + t]);
         }
-        self.of_stages.map(|weights| {
-            let mut sum = Lane::ZERO;
-            for (value, weight) in known.iter().zip(weights) {
-                sum += value.times(weight);
+        let mut out = [Lane::ZERO; POINTS];
+        for (out, weights) in out.iter_mut().zip(&self.weights.of_stages) {
+            for (known, &weight) in known.iter().zip(weights) {
+                *out += known.times(weight);
             }
-            sum
-        })
+        }
+        out
     }
 }
 
@@ -200,9 +215,20 @@ impl Job for Correct<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let n = self.scales.len();
+        // Compiled once more each where the sizes are those of one or two equations of second order.
+        match self.scales.len() {
+            2 => self.solve(2),
+            4 => self.solve(4),
+            n => self.solve(n),
+        }
+    }
+}
+
+impl Correct<'_> {
+    #[inline(always)]
+    fn solve(self, n: usize) {
         let (m, steps) = (POINTS * n, self.h.len() / W);
-        let from_slopes = values_of_slopes();
+        let from_slopes = &self.weights.of_slopes;
         let (mut data, mut x) = (vec![Lane::ZERO; qr::room(m)], vec![Lane::ZERO; m]);
         for t in 0..steps {
             let h = Lane(self.h.as_chunks::<W>().0[t]);
@@ -213,8 +239,9 @@ impl Job for Correct<'_> {
             }
             for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
                 let factor = h.times(self.scales[state] / self.scales[row]);
-                for (l, derivative) in self.derivatives(entry, t).into_iter().enumerate() {
-                    let value = derivative * factor;
+                let derivatives = self.derivatives(entry, t);
+                for l in 0..POINTS {
+                    let value = derivatives[l] * factor;
                     for (k, weights) in from_slopes.iter().enumerate() {
                         matrix[(l * n + state) * m + k * n + row] -= value.times(weights[l]);
                     }

@@ -103,8 +103,24 @@ impl Job for Inward<'_> {
 
     #[inline(always)]
     fn run(self) {
+        // Compiled once more each where the sizes are those of one or two equations of second order.
+        match (self.factor.coupling.m, self.factor.coupling.n, self.factor.coupling.all) {
+            (SMALL_M, 2, 2) => self.eliminate(SMALL_M, 2, 2),
+            (MEDIUM_M, 4, 4) => self.eliminate(MEDIUM_M, 4, 4),
+            (m, n, all) => self.eliminate(m, n, all),
+        }
+    }
+}
+
+/// Unknowns of an interval with two states,
+const SMALL_M: usize = 2 * COUPLED;
+/// and with four.
+const MEDIUM_M: usize = 4 * COUPLED;
+
+impl Inward<'_> {
+    #[inline(always)]
+    fn eliminate(self, m: usize, n: usize, all: usize) {
         let RegionFactor { coupling, coupled, .. } = self.factor;
-        let (m, n, all) = (coupling.m, coupling.n, coupling.all);
         let mut sums = vec![Lane::ZERO; all - n];
         let steps = self.inner.chunks_exact_mut(m).zip(self.rhs.chunks_exact_mut(n));
         for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
@@ -146,8 +162,18 @@ impl Job for Outward<'_> {
 
     #[inline(always)]
     fn run(self) {
+        match (self.factor.coupling.m, self.factor.coupling.n) {
+            (SMALL_M, 2) => self.substitute(SMALL_M, 2),
+            (MEDIUM_M, 4) => self.substitute(MEDIUM_M, 4),
+            (m, n) => self.substitute(m, n),
+        }
+    }
+}
+
+impl Outward<'_> {
+    #[inline(always)]
+    fn substitute(self, m: usize, n: usize) {
         let RegionFactor { coupling, coupled, .. } = self.factor;
-        let (m, n) = (coupling.m, coupling.n);
         let data = coupled.chunks_exact(coupling.len());
         for (t, (inner, data)) in self.inner.chunks_exact_mut(m).zip(data).enumerate() {
             let moves = coupling.parts(data).moves;
@@ -285,9 +311,14 @@ impl<P: Problem + ?Sized> System<'_, P> {
 /// Row by row in working order, `m * interval_stride`, to interval by interval in units of the scales.
 pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Vec<Lane> {
     let values = values.as_chunks::<W>().0;
-    let steps = values.len() / m;
-    let at = (0..steps).flat_map(|t| (0..m).map(move |row| (t, row)));
-    at.map(|(t, row)| Lane(values[row * steps + t]).times(factor / d[row % d.len()])).collect()
+    let mut out = vec![Lane::ZERO; values.len()];
+    for (row, values) in values.chunks_exact(values.len() / m).enumerate() {
+        let factor = factor / d[row % d.len()];
+        for (out, value) in out.chunks_exact_mut(m).zip(values) {
+            out[row] = Lane(*value).times(factor);
+        }
+    }
+    out
 }
 
 /// The reverse of [`scaled`].

@@ -2,8 +2,8 @@
 
 use super::{Iterate, System};
 use crate::error::NonFinite;
-use crate::linear::scalar::W;
-use crate::linear::simd::elementwise;
+use crate::linear::scalar::{Lane, Scalar, W, zeros};
+use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
 
@@ -70,28 +70,28 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(crate) fn work(&self) -> Work {
         let regions = self.plan.regions.iter().zip(&self.grids).map(|(plan, grid)| {
             let batch = |stride: usize, own_points: bool| Batch {
-                s: vec![0.0; if own_points { stride } else { 0 }],
-                y: vec![0.0; if own_points { plan.n * stride } else { 0 }],
-                f: vec![0.0; plan.rows * stride],
-                dy: vec![0.0; plan.state_nonzeros * stride],
-                dc: vec![0.0; plan.constant_nonzeros * stride],
+                s: zeros(if own_points { stride } else { 0 }),
+                y: zeros(if own_points { plan.n * stride } else { 0 }),
+                f: zeros(plan.rows * stride),
+                dy: zeros(plan.state_nonzeros * stride),
+                dc: zeros(plan.constant_nonzeros * stride),
             };
             let stride = grid.interval_stride();
-            let mut inner = vec![batch(stride, true); self.tableau.stages() - 2];
-            for (batch, &c) in inner.iter_mut().zip(&self.tableau.c[2..]) {
-                for (p, s) in batch.s.iter_mut().enumerate() {
-                    *s = grid.s[p] + c * grid.h[p];
-                }
-            }
-            let psi = vec![0.0; self.tableau.unknown_stages() * plan.n * stride];
-            Stages { nodes: batch(grid.node_stride(), false), inner, phi: vec![0.0; plan.n * stride], psi }
+            let at = |c: f64| {
+                let mut batch = batch(stride, true);
+                elementwise(&mut batch.s, [&grid.s, &grid.h], |_, [s, h]| s + c * h);
+                batch
+            };
+            let inner = self.tableau.c[2..].iter().map(|&c| at(c)).collect();
+            let psi = zeros(self.tableau.unknown_stages() * plan.n * stride);
+            Stages { nodes: batch(grid.node_stride(), false), inner, phi: zeros(plan.n * stride), psi }
         });
         Work {
             regions: regions.collect(),
-            ends: vec![0.0; self.layout.ends()],
-            integrals: vec![0.0; self.layout.integrals()],
-            g: vec![0.0; self.layout.equations.len()],
-            dz: vec![0.0; self.layout.boundary_pattern.len()],
+            ends: zeros(self.layout.ends()),
+            integrals: zeros(self.layout.integrals()),
+            g: zeros(self.layout.equations.len()),
+            dz: zeros(self.layout.boundary_pattern.len()),
         }
     }
 
@@ -179,11 +179,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
         let v = self.tableau.v[stage];
         for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
-            let left = &y[i * nodes..][..intervals];
-            let right = &y[i * nodes + W..][..intervals];
-            out.fill(0.0);
-            add_slopes(self.tableau.x[stage], stages, i, out);
-            elementwise(out, [left, right, &grid.h], |sum, [left, right, h]| (1.0 - v) * left + v * right + h * sum);
+            let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
+            advance(stages, i, self.tableau.x[stage], out, [1.0 - v, v], ends, (1.0, &grid.h));
         }
     }
 
@@ -193,17 +190,17 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
         let mut phi = std::mem::take(&mut stages.phi);
         for (i, out) in phi.chunks_exact_mut(intervals).enumerate() {
-            let left = &y[i * nodes..][..intervals];
-            let right = &y[i * nodes + W..][..intervals];
-            out.fill(0.0);
-            add_slopes(self.tableau.b, stages, i, out);
-            elementwise(out, [left, right, &grid.h], |sum, [left, right, h]| right - left - h * sum);
+            let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
+            advance(stages, i, self.tableau.b, out, [-1.0, 1.0], ends, (-1.0, &grid.h));
         }
         stages.phi = phi;
     }
 
     fn integrate(&self, region: usize, work: &mut Work) {
         let plan = &self.plan.regions[region];
+        if plan.n == plan.rows {
+            return;
+        }
         let h = &self.grids[region].h;
         let mut sums = vec![0.0; h.len()];
         for row in plan.n..plan.rows {
@@ -285,6 +282,83 @@ fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {
         if weight != 0.0 {
             let slopes = stages.slope(stage, row, out.len());
             elementwise(out, [slopes], |out, [slope]| out + weight * slope);
+        }
+    }
+}
+
+/// `ends · (y_0, y_1) + sign h Σ w K` of one row, all intervals, at once.
+#[inline]
+fn advance(
+    stages: &Stages,
+    row: usize,
+    weights: &[f64],
+    out: &mut [f64],
+    factors: [f64; 2],
+    ends: [&[f64]; 2],
+    (sign, h): (f64, &[f64]),
+) {
+    let (mut used, mut count) = ([(0, 0.0); MOST_STAGES], 0);
+    for (stage, &weight) in weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+        used[count] = (stage, weight);
+        count += 1;
+    }
+    let run = Advance { stages, row, out, factors, ends, sign, h };
+    match count {
+        2 => run.over([used[0], used[1]]),
+        3 => run.over([used[0], used[1], used[2]]),
+        4 => run.over([used[0], used[1], used[2], used[3]]),
+        _ => run.over(used),
+    }
+}
+
+/// Stages of a method at most; fewer are filled up by the first node's, with the weight 0.
+const MOST_STAGES: usize = 5;
+
+struct Advance<'a> {
+    stages: &'a Stages,
+    row: usize,
+    out: &'a mut [f64],
+    factors: [f64; 2],
+    ends: [&'a [f64]; 2],
+    sign: f64,
+    h: &'a [f64],
+}
+
+impl Advance<'_> {
+    #[inline]
+    fn over<const S: usize>(self, used: [(usize, f64); S]) {
+        let slopes = used.map(|(stage, _)| self.stages.slope(stage, self.row, self.out.len()));
+        vectorised(Sum { advance: self, slopes, weights: used.map(|(_, weight)| weight) });
+    }
+}
+
+struct Sum<'a, const S: usize> {
+    advance: Advance<'a>,
+    slopes: [&'a [f64]; S],
+    weights: [f64; S],
+}
+
+impl<'a, const S: usize> Job for Sum<'a, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Advance { out, factors, ends, sign, h, .. } = self.advance;
+        let (out, _) = out.as_chunks_mut::<W>();
+        let steps = out.len();
+        let lanes = |values: &'a [f64]| &values.as_chunks::<W>().0[..steps];
+        let (left, right, h) = (lanes(ends[0]), lanes(ends[1]), lanes(h));
+        let mut slopes = [h; S];
+        for (lanes_of, slope) in slopes.iter_mut().zip(self.slopes) {
+            *lanes_of = lanes(slope);
+        }
+        for t in 0..steps {
+            let mut sum = Lane::ZERO;
+            for (slope, &weight) in slopes.iter().zip(&self.weights) {
+                sum += Lane(slope[t]).times(weight);
+            }
+            let ends = Lane(left[t]).times(factors[0]) + Lane(right[t]).times(factors[1]);
+            out[t] = (ends + Lane(h[t]).times(sign) * sum).0;
         }
     }
 }

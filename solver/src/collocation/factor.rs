@@ -227,8 +227,8 @@ impl Factorisation {
         {
             Inward { factor, inner, rhs: lanes, functionals }.vectorised();
         }
-        let mut dense = Vec::with_capacity(self.dense.len());
-        let mut tops = Vec::new();
+        let mut dense = Vec::with_capacity(self.border.size());
+        let mut tops = Vec::with_capacity(self.regions.len());
         for (factor, (lanes, functionals)) in
             self.regions.iter().zip(rhs.regions.iter_mut().zip(rhs.integrals.iter_mut()))
         {
@@ -266,7 +266,7 @@ impl Factorisation {
             inner = sizes.map(|(factor, grid)| vec![Lane::ZERO; grid.steps * factor.coupling.m]).collect();
         }
         let c = dense.split_off(2 * system.plan.states());
-        let mut u = Vec::new();
+        let mut u = Vec::with_capacity(system.grids.len());
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let grid = &system.grids[region];
             let mut nodes = vec![Lane::ZERO; (grid.steps + 1) * plan.n];
@@ -316,7 +316,12 @@ fn repeat_last(grid: &super::grid::Grid, last: &[f64], nodes: &mut [Lane]) {
 
 /// Typical magnitudes of all ends.
 pub(crate) fn input_scales(scales: &Scales) -> Vec<f64> {
-    scales.states.iter().flat_map(|d| d.iter().chain(d).copied()).collect()
+    let mut out = Vec::with_capacity(scales.states.iter().map(|d| 2 * d.len()).sum());
+    for d in &scales.states {
+        out.extend_from_slice(d);
+        out.extend_from_slice(d);
+    }
+    out
 }
 
 /// Region and active index of a global integral.

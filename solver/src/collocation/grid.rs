@@ -28,9 +28,9 @@ impl Grid {
         let mut grid = Self { steps, s: Vec::new(), h: Vec::new(), weight: Vec::new(), mesh };
         grid.s = grid.pack(&grid.mesh);
         grid.weight = vec![0.0; grid.node_stride()];
-        for j in 0..grid.mesh.len() {
-            let p = grid.node(j);
-            grid.weight[p] = 1.0 / grid.mesh.len() as f64;
+        let weight = 1.0 / grid.mesh.len() as f64;
+        for (_, p) in grid.positions().take(grid.mesh.len()) {
+            grid.weight[p] = weight;
         }
         grid.h = (0..steps * W).map(|p| grid.s[p + W] - grid.s[p]).collect();
         grid
@@ -62,6 +62,13 @@ impl Grid {
         if j >= self.steps * W { self.last() } else { self.position(j) }
     }
 
+    /// All nodes or, but for the last, intervals with their working positions, in the mesh's order; padding follows.
+    pub(crate) fn positions(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (steps, last) = (self.steps, self.last());
+        let stretches = (0..W).flat_map(move |l| (0..steps).map(move |t| t * W + l));
+        stretches.chain(std::iter::once(last)).enumerate()
+    }
+
     /// Which interval or node a working position holds; padding answers with the last.
     pub(crate) fn index(&self, p: usize) -> usize {
         (p % W * self.steps + p / W).min(self.intervals())
@@ -79,12 +86,33 @@ impl Grid {
 
     /// One component at the nodes, out of working order.
     pub(crate) fn unpack(&self, values: &[f64]) -> Vec<f64> {
-        (0..self.mesh.len()).map(|j| values[self.node(j)]).collect()
+        self.in_order(values, self.mesh.len())
     }
 
     /// One component of the intervals, out of working order.
     pub(crate) fn unpack_intervals(&self, values: &[f64]) -> Vec<f64> {
-        (0..self.intervals()).map(|j| values[self.position(j)]).collect()
+        self.in_order(values, self.intervals())
+    }
+
+    fn in_order(&self, values: &[f64], count: usize) -> Vec<f64> {
+        let mut out = Vec::with_capacity(count);
+        for l in 0..W {
+            let left = count.saturating_sub(l * self.steps).min(self.steps);
+            out.extend(values[l..].iter().step_by(W).take(left));
+        }
+        if out.len() < count {
+            out.push(values[self.last()]);
+        }
+        out
+    }
+
+    /// As [`pack`](Self::pack), all components one after the other.
+    pub(crate) fn pack_all(&self, components: &[Vec<f64>]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(components.len() * self.node_stride());
+        for values in components {
+            out.extend((0..self.node_stride()).map(|p| values[self.index(p)]));
+        }
+        out
     }
 }
 

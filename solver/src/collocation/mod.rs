@@ -4,6 +4,7 @@ pub(crate) mod assemble;
 pub(crate) mod boundary;
 mod corrected;
 pub(crate) mod coupled;
+pub(crate) mod defect;
 pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;

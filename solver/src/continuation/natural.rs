@@ -24,6 +24,15 @@ use crate::start::Start;
 use crate::stats::Stats;
 use thiserror::Error;
 
+/// After so many steps in a row whose first correction did not contract, contractions are taken to be of no use: kinks
+/// lie everywhere, or the corrections within the tolerance.
+const CROSSED: usize = 2;
+/// Shares of the iterations that a step may take, and the factor on the next step, where contractions are of no use:
+/// longer up to the first share, shorter beyond the second.
+const QUICK: f64 = 0.25;
+const SLOW: f64 = 0.5;
+const LONGER: f64 = 2.0;
+
 /// How a path is followed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathOptions {
@@ -216,6 +225,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         self.check = self.run.check;
         self.run.options = self.path_options;
         let mut step = from.step.min(1.0);
+        let mut crossed = 0;
         while lambda < 1.0 {
             if self.steps.len() > self.options.max_steps {
                 let cause = SolveError::Steps { steps: self.options.max_steps };
@@ -225,7 +235,8 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
             let next = if lambda + 1.01 * step >= 1.0 { 1.0 } else { lambda + step };
             match self.step(&here, lambda, next) {
                 Ok(solved) => {
-                    step = self.next_step(next - lambda, self.run.contraction);
+                    crossed = if self.run.contraction < 1.0 { 0 } else { crossed + 1 };
+                    step = self.next_step(next - lambda, crossed);
                     self.checked(&here, &solved, next);
                     (here, lambda) = (solved, next);
                     self.checkpoint(&here, lambda, step);
@@ -266,10 +277,21 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         Ok(Start { grids: here.system.grids.clone(), x })
     }
 
-    fn next_step(&self, step: f64, contraction: f64) -> f64 {
+    /// The next step after an accepted one, the last of `crossed` in a row whose first correction did not contract.
+    fn next_step(&self, step: f64, crossed: usize) -> f64 {
+        let contraction = self.run.contraction;
         let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
         let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
-        (step * factor.clamp(0.25, 4.0)).min(self.options.largest_step)
+        // Where no step is short enough for its first correction to contract, and the iterations converge all the same,
+        // how long they take tells more.
+        let share = self.run.iterations as f64 / self.options.max_iterations as f64;
+        let factor = match crossed < CROSSED {
+            true => factor,
+            false if share <= QUICK => LONGER,
+            false if share <= SLOW => 1.0,
+            false => 1.0 / LONGER,
+        };
+        (step * factor.clamp(0.25, 4.0)).max(self.options.smallest_step).min(self.options.largest_step)
     }
 
     fn record(&mut self, lambda: f64, before: Stats, solved: Option<&Solved<'_, P>>) {

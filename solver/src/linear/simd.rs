@@ -1,6 +1,6 @@
 //! Runs a loop with the widest vectors the processor has.
 
-use super::scalar::{Lane, Scalar};
+use super::scalar::{Lane, Scalar, W};
 
 /// A computation that is inlined into a caller compiled for more vector instructions than the crate's baseline.
 pub(crate) trait Job {
@@ -42,15 +42,39 @@ struct Elementwise<'a, const K: usize, F> {
 impl<const K: usize, F: Fn(f64, [f64; K]) -> f64> Job for Elementwise<'_, K, F> {
     type Output = ();
 
+    /// A vector at a time: what is read of it is read before anything is written, so that it need not be asked whether
+    /// inputs and output overlap.
     #[inline(always)]
     fn run(self) {
-        let inputs = self.inputs.map(|x| &x[..self.out.len()]);
-        for (p, out) in self.out.iter_mut().enumerate() {
-            let mut x = [0.0; K];
+        let Self { out, inputs, f } = self;
+        let len = out.len();
+        let mut rest = inputs;
+        for rest in &mut rest {
+            *rest = &rest[..len];
+        }
+        let (chunks, last) = out.as_chunks_mut::<W>();
+        for (q, out) in chunks.iter_mut().enumerate() {
+            let mut x = [[0.0; W]; K];
             for k in 0..K {
-                x[k] = inputs[k][p];
+                x[k].copy_from_slice(&rest[k][q * W..(q + 1) * W]);
             }
-            *out = (self.f)(*out, x);
+            let mut sum = *out;
+            for l in 0..W {
+                let mut values = [0.0; K];
+                for k in 0..K {
+                    values[k] = x[k][l];
+                }
+                sum[l] = f(sum[l], values);
+            }
+            *out = sum;
+        }
+        let done = len - last.len();
+        for (p, out) in last.iter_mut().enumerate() {
+            let mut values = [0.0; K];
+            for k in 0..K {
+                values[k] = rest[k][done + p];
+            }
+            *out = f(*out, values);
         }
     }
 }
@@ -84,7 +108,6 @@ impl<I: Iterator<Item = Lane>> Job for Largest<'_, I> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::scalar::W;
 
     #[test]
     fn the_largest_magnitude_is_found_wherever_it_stands_and_what_is_not_finite_shows() {

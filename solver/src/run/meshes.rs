@@ -98,6 +98,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             max_intervals: self.options.max_intervals,
             split_few: progress.split_few(),
             shrink: self.order != Order::Four && !progress.shrunk,
+            linear: solved.converged.seems_linear(),
         };
         let regions = solved.system.grids.iter().zip(measures);
         regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()

@@ -54,7 +54,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         system.complete(&mut x, &mut self.stats);
         system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined)?;
         let converged = Converged::known(&system, x, work);
-        let solved = Solved::new(system, converged, &mut self.stats)?;
+        let solved = Solved::new(system, converged, f64::INFINITY, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
     }
 
@@ -63,6 +63,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let (residual, equation) = solved.worst_boundary_residual();
         let tolerance = self.options.boundary_tolerance();
         if !(residual <= tolerance) {
+            let equation = self.layout.equations.get(equation).cloned().unwrap_or_default();
             return Err(SolveError::Boundary { equation, residual, tolerance });
         }
         let error_estimate = solved.error_estimate(&mut self.stats);
