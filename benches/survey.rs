@@ -1,6 +1,6 @@
 //! A survey of drives from scooters to snowmobiles, each solved from nothing: the share that is solved, what becomes of
 //! the others, and what it costs. `cargo bench --bench survey -- SEED DESIGNS [EDITION ...] [from=I] [only=I,J]
-//! [unproved] [solved]`.
+//! [work=N] [unproved] [solved]`.
 //!
 //! A design that is not solved is classified by proof: its geometry is refused; or its slack tension lies below the
 //! least that carries its torque, to which the drive was followed from a tighter belt (a fold of the branch, or the
@@ -10,7 +10,7 @@
 //! none may be found to lie beyond a limit.
 
 use sheave::design::{Verdict, verdict};
-use sheave::drive::{Constant, Failure, Question, Route, SolveOptions, Trouble, solve};
+use sheave::drive::{Constant, Failure, Question, Route, SolveOptions, Trouble, WORK_LIMIT, solve};
 use std::collections::BTreeMap;
 
 mod designs;
@@ -71,8 +71,8 @@ impl Split {
     }
 }
 
-fn fate(edition: &str, design: &Design, prove: bool) -> Fate {
-    let options = SolveOptions { tolerance: TOLERANCE, ..SolveOptions::default() };
+fn fate(edition: &str, design: &Design, work_limit: usize, prove: bool) -> Fate {
+    let options = SolveOptions { tolerance: TOLERANCE, work_limit, ..SolveOptions::default() };
     let resolved = match case(edition, design) {
         Ok(resolved) => resolved,
         Err(refusal) => return Fate::Geometry(refusal),
@@ -104,6 +104,7 @@ fn main() {
     let option = |name: &str| arguments.iter().find_map(|argument| argument.strip_prefix(name).map(str::to_owned));
     let from: u64 = option("from=").and_then(|from| from.parse().ok()).unwrap_or(0);
     let only: Option<Vec<u64>> = option("only=").map(|list| list.split(',').filter_map(|i| i.parse().ok()).collect());
+    let work_limit: usize = option("work=").and_then(|work| work.parse().ok()).unwrap_or(WORK_LIMIT);
     let prove = !arguments.iter().any(|argument| argument == "unproved");
     let test_proofs = arguments.iter().any(|argument| argument == "solved");
     let named: Vec<&str> = EDITIONS.into_iter().filter(|edition| arguments.iter().any(|a| a == edition)).collect();
@@ -114,7 +115,7 @@ fn main() {
         let (mut beyond, mut refused, mut failed, mut work) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for index in only.clone().unwrap_or_else(|| (from..from + designs).collect()) {
             let design = design(seed, index);
-            let fate = fate(edition, &design, prove);
+            let fate = fate(edition, &design, work_limit, prove);
             split.count(&design, &fate);
             match fate {
                 Fate::Solved(iterations, route) => {

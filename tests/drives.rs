@@ -154,6 +154,18 @@ fn a_solve_keeps_to_its_work_limit_and_says_so() {
     assert_eq!(short.trouble(), Some(Trouble::Work));
 }
 
+/// A search that runs out of work beside the slip limit says that the belt slips: more work would not help.
+#[test]
+fn what_the_belt_shows_comes_before_the_work_limit() {
+    let slips = case(&[("operating_point.primary_torque", "60 N*m"), ("sheave.friction_coefficient", "0.1")]);
+    for work_limit in [20_000, 30_000] {
+        let failure = solve(&slips, &SolveOptions { work_limit, ..ROUGH }).unwrap_err();
+        let out_of_work = solver::SolveError::Cancelled;
+        assert_eq!(failure.solver().map(ToString::to_string), Some(out_of_work.to_string()));
+        assert!(matches!(failure.trouble(), Some(Trouble::Slip { .. })), "{failure}");
+    }
+}
+
 /// What the result says of its errors, against a solution that is much more accurate.
 #[test]
 fn outputs_are_as_uncertain_as_they_say() {

@@ -16,8 +16,9 @@ struct Variable {
 
 /// Writes a map. Dimensions and variables are named as keys and quantities, with `_` for dots and without sections
 /// where that is one of the map's axes: `primary_axial_force(ratio, primary_torque, slack_tension)`; derivatives as
-/// `primary_axial_force_by_ratio`. A quantity that is an axis is told by its breakpoints alone. A node without a solution is not a number, and `status` says why. (Without an
-/// attribute `_FillValue`: the crate finds a variable by comparing it, and not a number equals nothing.)
+/// `primary_axial_force_by_ratio`. A quantity that is an axis is told by its breakpoints alone. A node without a
+/// solution is not a number, and `status` says why. (Without an attribute `_FillValue`: the crate finds a variable by
+/// comparing it, and not a number equals nothing.)
 pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Result<()> {
     let axes: Vec<String> = map.axes.iter().map(|axis| axis.key().entry().name().to_owned()).collect();
     let variables = variables(map, &axes);

@@ -13,7 +13,8 @@ use crate::drive::{Constant, Output, Question, Solved, approach_question};
 /// Slip threshold over the belt's speed R_P ω_P from which on limits are sought: solutions are easily found there, and
 /// limits of the survey change by a share of 1e-4 at most from there on.
 const EASY: f64 = 1e-3;
-/// Share of the limit by which a case may lie within it at a larger slip threshold, for it to be sought at smaller ones.
+/// Share of the limit by which a case may lie within it at a larger slip threshold, for it to be sought at smaller
+/// ones.
 const NEAR: f64 = 0.05;
 /// What is added to the share by which a case must lie beyond its limit, for every decade of the slip threshold that
 /// the limit was not followed, over the share by which it changed on the decade before.

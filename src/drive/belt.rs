@@ -19,8 +19,8 @@ use crate::model::{Constant, Constants, InternalError, ModelChoices, Output, Sta
 /// Laws that close the drive add an equation "law − target = 0" and a target each, behind those.
 #[derive(Debug, Clone)]
 pub struct BeltProblem {
-    regions: [BoundRegion; 4],
-    boundary: &'static BoundaryKernel,
+    pub(super) regions: [BoundRegion; 4],
+    pub(super) boundary: &'static BoundaryKernel,
     outputs: &'static OutputKernel,
     prescribed: Vec<Prescribed>,
     laws: Vec<BoundLaw>,
@@ -249,7 +249,7 @@ const LEAST_RATIO: f64 = -1e-3;
 /// Whether the constants describe a belt at all: it runs forward, more slowly than a wave along it, over positive
 /// angles and lengths and pulleys that stand apart. Velocity is quadratic in the mass flow (3.11); its other root, a
 /// belt that flows backwards under compression, satisfies the same equations and is shut out here.
-fn is_physical(constants: &[f64]) -> bool {
+pub(super) fn is_physical(constants: &[f64]) -> bool {
     let Ok(constants) = Constants::try_from(constants) else { return false };
     let value = |constant: Constant| constants[constant];
     let positive = [

@@ -110,10 +110,10 @@ impl Problem for Blend<'_> {
         };
         let (dc, by_weight) = dc.split_at_mut((entries * at.stride).min(dc.len()));
         self.own.rhs_jacobian(region, at, own, scope, f, dy, dc);
-        let (mut g, mut gy, mut gc) = (vec![0.0; f.len()], vec![0.0; dy.len()], vec![0.0; dc.len()]);
         if weight == 0.0 && by_weight.is_empty() {
             return;
         }
+        let (mut g, mut gy, mut gc) = (vec![0.0; f.len()], vec![0.0; dy.len()], vec![0.0; dc.len()]);
         self.smooth.rhs_jacobian(region, at, &smooth, scope, &mut g, &mut gy, &mut gc);
         let by_threshold = |&(_, constant): &(usize, usize)| constant == Constant::SlipThreshold.index();
         for (_, gc) in pattern.iter().zip(gc.chunks_exact_mut(at.stride)).filter(|(entry, _)| by_threshold(entry)) {

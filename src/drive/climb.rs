@@ -8,6 +8,7 @@ use super::blend::Blend;
 use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
+use super::kinks::Descent;
 use super::route::Route;
 use super::solve::{SolveOptions, path_options, rough};
 use super::solved::accepted;
@@ -20,6 +21,8 @@ use crate::model::{Constant, Constants};
 const FINER: f64 = 0.1;
 /// Share of a route's work that its first path may take, where there is another way to go on.
 const SHARE: f64 = 0.8;
+/// The same where nothing but the last solution is to be told.
+const MOST: f64 = 0.95;
 /// How far the end of the path may be from a place where it was lost, for a try to get there at once: factors on slip
 /// threshold and slack tension, and the rest of the torque on the primary's radius over the slack tension.
 const LEAP_THRESHOLD: f64 = 10.0;
@@ -42,6 +45,7 @@ pub(super) fn climb(
     let mut part = given;
     let smoothed = route.smoothed(model, target);
     let followed = match &smoothed {
+        None if route == Route::Kinks => climb.descend(&mut part),
         Some((model, target)) => climb.smooth(model, target, &mut part),
         None => {
             let begin = route.begin(target);
@@ -150,6 +154,38 @@ impl Climb<'_> {
             Ok(end) => Err(self.lost(Some(Box::new(end)), Box::new(SolveError::Cancelled))),
             Err(lost) => Err(lost),
         }
+    }
+
+    /// To the case's torque and tension at the slip threshold of the start, and from there down in the threshold with
+    /// the kinks of the friction law at nodes; at last the drive's own problem on the mesh that this leaves.
+    fn descend(&mut self, budget: &mut Budget) -> Result<Solution, Lost> {
+        let begin = self.route.begin(self.target);
+        let mut eased = self.target.clone();
+        eased[Constant::SlipThreshold] = begin[Constant::SlipThreshold];
+        let options = SolveOptions { tolerance: rough(self.options).tolerance, ..*self.options };
+        let (stats, steps) = (self.stats, self.steps);
+        let mut climb = Climb { target: &eased, options: &options, stats, steps, ..*self };
+        let followed = climb.follow(start::guess(self.belt, &begin), &begin, Mesh::Coarse, budget);
+        (self.stats, self.steps) = (climb.stats, climb.steps);
+        let from = followed?;
+        let solver = self.options.solver();
+        // Something is left to tell what was reached last.
+        let given = budget.part((MOST * budget.left() as f64) as usize);
+        let mut part = given;
+        let down = Descent::new(self.belt, self.target, &solver, &mut part).follow(from);
+        budget.take(&given, &part);
+        let Some(down) = down else { return Err(Lost { last: None, failure: Failure::NoEquations }) };
+        self.stats += down.stats;
+        self.steps += down.steps;
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let found = solver::solve_observed(self.belt, &down.guess, &unknowns, &relaxed(&solver), budget);
+        if let Some(cause) = down.lost {
+            return Err(self.lost(found.ok().map(Box::new), cause));
+        }
+        let solution = found.map_err(|cause| self.lost(None, Box::new(cause)))?;
+        self.stats += *solution.stats();
+        corrected(self.belt, solution, &solver, false, &mut self.stats, budget)
+            .map_err(|(last, cause)| self.lost(Some(last), Box::new(cause)))
     }
 
     /// From a solution under the smooth law to the case's own, for a belt without bending stiffness: the smooth law's

@@ -1,8 +1,9 @@
 //! A guess for a drive near one that is solved.
 
-use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent};
+use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::belt::BeltProblem;
+use super::moved::drift;
 use super::position::Position;
 use super::region::RegionId;
 use super::start;
@@ -44,6 +45,7 @@ pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64
     let mut guess = Guess::from(from);
     guess.constants = curve.constants();
     for (index, region) in guess.regions.iter_mut().enumerate() {
+        region.mesh = curve.places(index, &region.mesh, 1.0);
         region.states = curve.states(index);
     }
     for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
@@ -69,6 +71,8 @@ struct Curve<'a> {
     to: Position,
     ahead: Tangent,
     bend: Option<Bend<'a>>,
+    /// How far the nodes of each region move; empty where they stay. All rates are those seen from there.
+    drifts: Vec<Vec<f64>>,
 }
 
 /// Where the path came from.
@@ -102,13 +106,45 @@ impl<'a> Curve<'a> {
             let square = square_back(belt, here, position, path.to, path.unknowns)?;
             Some(Bend { before, back: tangent(position), constants: &position.drive, square })
         });
-        Ok(Self { belt, from, unknowns: path.unknowns, here: &here.drive, to, ahead, bend })
+        let drifts = vec![Vec::new(); from.regions().len()];
+        Ok(Self { belt, from, unknowns: path.unknowns, here: &here.drive, to, ahead, bend, drifts }.moving())
+    }
+
+    /// This path, seen from places that move with the kinks of friction.
+    fn moving(mut self) -> Self {
+        let Some(bend) = &mut self.bend else { return self };
+        let back = bend.square.sqrt();
+        for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
+            let index = region.index();
+            let (Some(then), Some(now)) = (bend.before.regions().get(index), self.from.regions().get(index)) else {
+                continue;
+            };
+            let (then, here) = ((then, bend.before.constants()), (now, self.from.constants()));
+            if let Some(drift) = drift(self.belt, region, then, here, back) {
+                follow(now, &drift, 1.0, self.ahead.regions.get_mut(index));
+                follow(now, &drift, -back, bend.back.regions.get_mut(index));
+                self.drifts[index] = drift;
+            }
+        }
+        self
+    }
+
+    /// Where the nodes of a region are so many steps ahead.
+    fn places(&self, region: usize, mesh: &[f64], steps: f64) -> Vec<f64> {
+        let drift = self.drifts.get(region).filter(|drift| drift.len() == mesh.len());
+        drift.map_or_else(|| mesh.to_vec(), |drift| sum(mesh, steps, drift))
+    }
+
+    /// The states of a region at the solution before, where its nodes were.
+    fn then(&self, region: usize, mesh: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let bend = self.bend.as_ref()?;
+        Some(then(bend.before, region, &self.places(region, mesh, -bend.square.sqrt())))
     }
 
     /// The states of a region at its nodes.
     fn states(&self, region: usize) -> Vec<Vec<f64>> {
         let Some(part) = self.from.regions().get(region) else { return Vec::new() };
-        let then = self.bend.as_ref().map(|bend| then(bend.before, region, part.mesh()));
+        let then = self.then(region, part.mesh());
         let row = |state: usize| {
             let rates = |tangent: &'_ Tangent| tangent.regions.get(region)?.states.get(state).cloned();
             let (ahead, back) = (rates(&self.ahead)?, self.bend.as_ref().and_then(|bend| rates(&bend.back)));
@@ -175,7 +211,7 @@ impl<'a> Curve<'a> {
         };
         let now = sliding(&self.here.0, &states)?;
         let bend = self.bend.as_ref();
-        let then = bend.and_then(|bend| sliding(&bend.constants.0, &then(bend.before, index, part.mesh())));
+        let then = bend.and_then(|bend| sliding(&bend.constants.0, &self.then(index, part.mesh())?));
         let back = bend.and_then(|bend| rate(&bend.back));
         let wanted = self.extrapolated(&now, &rate(&self.ahead)?, then.as_deref(), back.as_deref());
 
@@ -191,16 +227,20 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The states of a region of another solution at some nodes.
-fn then(before: &Solution, region: usize, mesh: &[f64]) -> Vec<Vec<f64>> {
+/// The states of a region of another solution at some places.
+fn then(before: &Solution, region: usize, places: &[f64]) -> Vec<Vec<f64>> {
     let Some(part) = before.regions().get(region) else { return Vec::new() };
-    let mut y = vec![0.0; part.states()];
-    let mut states = vec![Vec::with_capacity(mesh.len()); y.len()];
-    for s in mesh {
-        part.eval_into(*s, &mut y);
-        states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
+    part.eval_many(places).chunks_exact(places.len().max(1)).map(<[f64]>::to_vec).collect()
+}
+
+/// Adds what is seen from places that move through a solution.
+fn follow(part: &RegionSolution, drift: &[f64], factor: f64, rates: Option<&mut TangentRegion>) {
+    let states = rates.into_iter().flat_map(|rates| rates.states.iter_mut().enumerate());
+    for (state, rates) in states {
+        for ((rate, slope), drift) in rates.iter_mut().zip(part.slope(state)).zip(drift) {
+            *rate += factor * slope * drift;
+        }
     }
-    states
 }
 
 fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {

@@ -100,7 +100,12 @@ pub(super) struct BoundRegion {
 impl BoundRegion {
     /// Binds `kernel` in `region`; `None` when a local constant has no meaning there.
     pub fn new(region: RegionId, kernel: &'static RegionKernel) -> Option<Self> {
-        let sources = kernel.constants.iter().map(|local| region.source(*local)).collect::<Option<Vec<_>>>()?;
+        Self::bound(kernel, |local| region.source(local))
+    }
+
+    /// Binds `kernel` to what `source` says; `None` when that knows no meaning of a local constant.
+    pub fn bound(kernel: &'static RegionKernel, source: impl Fn(RegionConstant) -> Option<Source>) -> Option<Self> {
+        let sources = kernel.constants.iter().map(|local| source(*local)).collect::<Option<Vec<_>>>()?;
         let (mut pattern, mut gather) = (Vec::new(), Vec::<[Option<usize>; 2]>::new());
         let mut default_entries = 0;
         for (entry, &(row, local)) in kernel.constant_pattern.iter().enumerate() {

@@ -5,7 +5,7 @@ use solver::continuation::Ramp;
 
 use super::start;
 use super::tuning::{
-    DEEPEST, FINE_TOLERANCE, HARD_BENDING, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE,
+    DEEPEST, FINE_TOLERANCE, HARD_BENDING, KINK_PARTS, LARGE_THRESHOLD, LATE_THRESHOLD, LEAST_WRAPPED, LIGHT, LOOSE,
     SMOOTH_THRESHOLD, STRING_FINE_TOLERANCE, STRING_SMOOTH_THRESHOLD, THRESHOLD, TIGHT, TORQUE, TWO_PARTS,
 };
 use crate::case::{Friction, ModelChoices};
@@ -32,11 +32,14 @@ pub enum Route {
     Late,
     /// With a friction law without kinks, on fine meshes, to which the case's own is the last step.
     Smooth,
+    /// With the kinks of the friction law at nodes, for belts without bending stiffness.
+    Kinks,
 }
 
 impl Route {
     /// All routes, in the order in which they are tried.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
+        Self::Kinks,
         Self::Direct,
         Self::Fine,
         Self::Smooth,
@@ -60,22 +63,26 @@ impl Route {
             Self::Loose => "loose",
             Self::Late => "late",
             Self::Smooth => "smooth friction",
+            Self::Kinks => "kinks at nodes",
         }
     }
 
-    /// Whether the route is another than the direct one for drives of a model: only friction with kinks can be
-    /// smoothed, and the meshes of a string are fine on every route.
-    pub(super) fn is_for(self, model: &ModelChoices) -> bool {
+    /// Whether the route is another than the direct one for a drive: only friction with kinks can be smoothed or have
+    /// its kinks at nodes, the meshes of a string are fine on every route, and only what moves can be moved late.
+    pub(super) fn is_for(self, model: &ModelChoices, target: &Constants) -> bool {
         match self {
+            Self::Late => Self::splits(&self.begin(target), target),
             Self::Smooth => model.friction == Friction::ViscousCoulomb,
             Self::Fine => model.bending.is_some(),
+            Self::Kinks => model.bending.is_none() && model.friction == Friction::ViscousCoulomb,
             _ => true,
         }
     }
 
-    /// So many parts of the work of all routes may this one take.
+    /// So many parts of a solve's work may this route take, of those of all routes together.
     pub(super) const fn parts(self) -> usize {
         match self {
+            Self::Kinks => KINK_PARTS,
             Self::Direct | Self::Fine | Self::Smooth => TWO_PARTS,
             Self::Tight | Self::Late | Self::Threshold | Self::Speed | Self::Bending | Self::Loose => 1,
         }
@@ -90,7 +97,7 @@ impl Route {
     }
 
     /// The drive with the friction law of which the route is followed, and what the constants are at its end, if that
-    /// law is not the case's: μ tanh(4|v|/v_thr).
+    /// law is not the case's: μ tanh(8|v|/v_thr).
     pub(super) fn smoothed(self, model: &ModelChoices, target: &Constants) -> Option<(ModelChoices, Constants)> {
         if self != Self::Smooth {
             return None;
@@ -130,6 +137,13 @@ impl Route {
         start::stretched(&easy)
     }
 
+    /// Whether the slip threshold's way can be split by that of the tension.
+    fn splits(begin: &Constants, target: &Constants) -> bool {
+        let threshold = Constant::SlipThreshold;
+        LATE_THRESHOLD * target[threshold] < begin[threshold]
+            && target[Constant::SlackTension] < begin[Constant::SlackTension]
+    }
+
     /// The stages of the route, in order: each moves some constants to where the case has them.
     pub(super) fn stages(self, begin: &Constants, target: &Constants) -> Vec<Ramp> {
         let moves = |constant: Constant| begin[constant] != target[constant];
@@ -151,8 +165,8 @@ impl Route {
             stages.push(torque);
         }
         let threshold = Constant::SlipThreshold;
-        let late = LATE_THRESHOLD * target[threshold];
-        if self == Self::Late && late < begin[threshold] && !tighter && moves(Constant::SlackTension) {
+        if self == Self::Late && Self::splits(begin, target) {
+            let late = LATE_THRESHOLD * target[threshold];
             let stage = |from: f64, to: f64| Ramp::new().geometric(threshold.index(), from, to);
             stages.push(stage(begin[threshold], late));
             stages.push(geometric(Ramp::new(), Constant::SlackTension));

@@ -27,6 +27,8 @@ const STRING_TOLERANCE: f64 = 1e-3;
 const PATH_ITERATIONS: usize = 25;
 /// The same for a belt without bending stiffness.
 const STRING_ITERATIONS: usize = 30;
+/// Damping factor at which a step on the path counts as failed: shorter steps come sooner than such iterations end.
+const PATH_DAMPING: f64 = 1e-3;
 /// Intervals of a region on the path.
 const PATH_INTERVALS: usize = 2000;
 /// Smallest step on a stage of the path, as a share of the stage.
@@ -46,7 +48,7 @@ const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
 
 /// Work of a solve, unless asked otherwise: Newton iterations, each counted once for every mesh interval. The base case
 /// takes some thousands.
-pub const WORK_LIMIT: usize = 3_000_000;
+pub const WORK_LIMIT: usize = 6_000_000;
 
 /// How accurately, and with what.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -328,6 +330,10 @@ pub(super) fn path_options(model: &ModelChoices, solve: Options) -> PathOptions 
         // Nothing smooths a string's way into the groove: coarse meshes miss it, and Newton's iteration takes its time.
         None => (STRING_TOLERANCE, STRING_ITERATIONS),
     };
+    let solve = match model.bending {
+        Some(_) => Options { smallest_damping: PATH_DAMPING, ..solve },
+        None => solve,
+    };
     PathOptions {
         solve,
         tolerance,
@@ -349,9 +355,12 @@ fn ordinary(
     let target = &question.constants;
     let belt = BeltProblem::new(model, target).ok_or(Failure::NoEquations)?;
     let mut failure = None;
-    let all: usize = Route::ALL.into_iter().map(Route::parts).sum();
-    for route in Route::ALL.into_iter().filter(|route| route.is_for(model)) {
-        let given = budget.part(route.parts() * (options.work_limit / all));
+    let routes_to_try: Vec<Route> = Route::ALL.into_iter().filter(|route| route.is_for(model, target)).collect();
+    let mut parts: usize = routes_to_try.iter().map(|route| route.parts()).sum();
+    for route in routes_to_try {
+        // What a route leaves is for those after it.
+        let given = budget.part(route.parts() * (budget.left() / parts));
+        parts -= route.parts();
         let mut left = given;
         let climbed = climb(model, &belt, route, target, options, &mut left);
         budget.take(&given, &left);

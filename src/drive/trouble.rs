@@ -117,11 +117,12 @@ impl Trouble {
         if let Some(pushed) = Self::of_case(target) {
             return pushed;
         }
-        let stopped = matches!(cause, SolveError::Cancelled | SolveError::WorkLimit { .. });
-        if stopped {
-            return Self::Work;
+        // A search that runs out of work often does so beside a limit of the belt: what the belt shows comes first.
+        let shown = last.and_then(|last| Self::of_solution(belt, last));
+        match cause {
+            SolveError::Cancelled | SolveError::WorkLimit { .. } => shown.unwrap_or(Self::Work),
+            _ => shown.or_else(|| Self::of_groups(target)).unwrap_or(Self::Unknown),
         }
-        last.and_then(|last| Self::of_solution(belt, last)).or_else(|| Self::of_groups(target)).unwrap_or(Self::Unknown)
     }
 
     fn of_groups(target: &Constants) -> Option<Self> {

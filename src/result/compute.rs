@@ -1,5 +1,7 @@
 //! From a solution to what it means.
 
+use std::borrow::Cow;
+
 use generated::{RegionKernel, Symbol};
 use solver::{Points, Solution};
 
@@ -18,8 +20,10 @@ pub struct Sampled {
     /// Independent variable in `[0, 1]`, increasing.
     pub s: Vec<f64>,
     kernel: &'static RegionKernel,
-    states: Vec<Vec<f64>>,
-    fields: Vec<Vec<f64>>,
+    /// State by state.
+    states: Vec<f64>,
+    /// Field by field.
+    fields: Vec<f64>,
 }
 
 impl Sampled {
@@ -31,17 +35,9 @@ impl Sampled {
 
     /// Samples a region at some places.
     pub fn at(belt: &BeltProblem, solution: &Solution, region: RegionId, s: Vec<f64>) -> Self {
-        let part = &solution.regions()[region.index()];
-        let mut states = vec![Vec::with_capacity(s.len()); part.states()];
-        let mut y = vec![0.0; part.states()];
-        for &s in &s {
-            part.eval_into(s, &mut y);
-            states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));
-        }
-        let flat = states.concat();
-        let points = Points { len: s.len(), stride: s.len(), s: &s, y: &flat };
+        let states = solution.regions()[region.index()].eval_many(&s);
+        let points = Points { len: s.len(), stride: s.len(), s: &s, y: &states };
         let fields = belt.fields(region, &points, solution.constants());
-        let fields = fields.chunks_exact(s.len()).map(<[f64]>::to_vec).collect();
         Self { region, s, kernel: belt.kernel(region), states, fields }
     }
 
@@ -61,8 +57,8 @@ impl Sampled {
     /// # Errors
     /// [`InternalError::State`] if the region does not have it.
     pub fn state(&self, state: State) -> Result<&[f64], InternalError> {
-        let samples = self.kernel.state(state).and_then(|row| self.states.get(row));
-        samples.map(Vec::as_slice).ok_or(InternalError::State { region: self.region.name(), state })
+        let samples = self.kernel.state(state).and_then(|row| row_of(&self.states, row, self.s.len()));
+        samples.ok_or(InternalError::State { region: self.region.name(), state })
     }
 
     /// The samples of a derived field.
@@ -70,15 +66,16 @@ impl Sampled {
     /// # Errors
     /// [`InternalError::Field`] if the region does not have it.
     pub fn field(&self, field: Field) -> Result<&[f64], InternalError> {
-        let samples = self.kernel.field(field).and_then(|row| self.fields.get(row));
-        samples.map(Vec::as_slice).ok_or(InternalError::Field { region: self.region.name(), field })
+        let samples = self.kernel.field(field).and_then(|row| row_of(&self.fields, row, self.s.len()));
+        samples.ok_or(InternalError::Field { region: self.region.name(), field })
     }
 
     /// All states, then all fields, each with what it is.
     pub fn columns(&self) -> impl Iterator<Item = (&'static Symbol, &[f64])> {
-        let states = self.kernel.states.iter().map(|state| state.symbol()).zip(&self.states);
-        let fields = self.kernel.fields.iter().map(|field| field.symbol()).zip(&self.fields);
-        states.chain(fields).map(|(symbol, samples)| (symbol, samples.as_slice()))
+        let each = self.s.len().max(1);
+        let states = self.kernel.states.iter().map(|state| state.symbol()).zip(self.states.chunks_exact(each));
+        let fields = self.kernel.fields.iter().map(|field| field.symbol()).zip(self.fields.chunks_exact(each));
+        states.chain(fields)
     }
 }
 
@@ -96,27 +93,62 @@ pub fn refined(mesh: &[f64], inner: usize) -> Vec<f64> {
 const ROUNDS: usize = 4;
 const PARTS: usize = 16;
 
-/// The least (`sign` 1) or the largest (−1) of what `read` finds along a region, sought between the samples around the
-/// extreme one.
+/// One of many rows of so many values.
+fn row_of(values: &[f64], row: usize, each: usize) -> Option<&[f64]> {
+    values.get(row * each..(row + 1) * each)
+}
+
+/// What an extremum is sought of.
+#[derive(Debug, Clone, Copy)]
+enum Quantity {
+    /// A state.
+    State(State),
+    /// A derived field.
+    Field(Field),
+}
+
+impl Quantity {
+    /// Its values at some places of a region.
+    fn at(self, solved: &Solved, region: RegionId, s: &[f64]) -> Result<Vec<f64>, InternalError> {
+        let (belt, solution) = (&solved.belt, &solved.solution);
+        let (kernel, states) = (belt.kernel(region), solution.regions()[region.index()].eval_many(s));
+        match self {
+            Self::State(state) => kernel
+                .state(state)
+                .and_then(|row| row_of(&states, row, s.len()))
+                .map(<[f64]>::to_vec)
+                .ok_or(InternalError::State { region: region.name(), state }),
+            Self::Field(field) => {
+                let points = Points { len: s.len(), stride: s.len(), s, y: &states };
+                let fields = belt.fields(region, &points, solution.constants());
+                let values = kernel.field(field).and_then(|row| row_of(&fields, row, s.len()));
+                values.map(<[f64]>::to_vec).ok_or(InternalError::Field { region: region.name(), field })
+            }
+        }
+    }
+}
+
+/// The least (`sign` 1) or the largest (−1) of a quantity along a region, sought between samples around the extreme
+/// one: `s` and `values` are the first of them.
 fn extremum(
     solved: &Solved,
-    sampled: &Sampled,
+    region: RegionId,
+    quantity: Quantity,
     sign: f64,
-    read: impl Fn(&Sampled) -> Result<&[f64], InternalError>,
+    (s, values): (&[f64], &[f64]),
 ) -> Result<f64, InternalError> {
     let least = |values: &[f64]| {
         let values = values.iter().map(|value| sign * value).enumerate();
         values.min_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((0, f64::INFINITY))
     };
-    let (mut at, mut best) = least(read(sampled)?);
-    let mut s = sampled.s.clone();
+    let (mut at, mut best) = least(values);
+    let mut s = Cow::Borrowed(s);
     for _ in 0..ROUNDS {
         let (Some(&from), Some(&to)) = (s.get(at.saturating_sub(1)), s.get((at + 1).min(s.len() - 1))) else { break };
-        let inner = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64).collect();
-        let closer = Sampled::at(&solved.belt, &solved.solution, sampled.region, inner);
-        let (next, value) = least(read(&closer)?);
+        let inner: Vec<f64> = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64).collect();
+        let (next, value) = least(&quantity.at(solved, region, &inner)?);
         (at, best) = (next, best.min(value));
-        s = closer.s;
+        s = Cow::Owned(inner);
     }
     Ok(sign * best)
 }
@@ -159,11 +191,14 @@ impl Contact {
     fn new(solved: &Solved, constants: &Constants, region: RegionId) -> Result<Self, InternalError> {
         let sampled = Sampled::new(&solved.belt, &solved.solution, region, INNER);
         let sliding = sampled.field(Field::SlidingSpeed)?;
-        let at = |sampled: &'_ Sampled, sign: f64| extremum(solved, sampled, sign, |s| s.field(Field::SlidingSpeed));
-        let (slowest, fastest) = (at(&sampled, 1.0)?, at(&sampled, -1.0)?);
+        let speed = Quantity::Field(Field::SlidingSpeed);
+        let fastest_or_slowest = |sign: f64| extremum(solved, region, speed, sign, (&sampled.s, sliding));
+        let (slowest, fastest) = (fastest_or_slowest(1.0)?, fastest_or_slowest(-1.0)?);
+        let penetration = sampled.state(State::Penetration)?;
+        let deepest = Quantity::State(State::Penetration);
         let mean = sampled.rim_friction()?;
         Ok(Self {
-            penetration: extremum(solved, &sampled, -1.0, |s| s.state(State::Penetration))?,
+            penetration: extremum(solved, region, deepest, -1.0, (&sampled.s, penetration))?,
             slowest,
             fastest,
             adhesion: share_below(&sampled.s, sliding, constants[Constant::SlipThreshold]),
@@ -305,8 +340,10 @@ impl<'a> Reading<'a> {
     }
 
     fn span(&self, region: RegionId, arc_length: Output, unstretched: Output) -> Result<Span, InternalError> {
-        let sampled = Sampled::new(&self.solved.belt, &self.solved.solution, region, INNER);
-        let tension = |sign: f64| extremum(self.solved, &sampled, sign, |s| s.state(State::SpanTension));
+        let s = refined(self.solved.solution.regions()[region.index()].mesh(), INNER);
+        let quantity = Quantity::State(State::SpanTension);
+        let values = quantity.at(self.solved, region, &s)?;
+        let tension = |sign: f64| extremum(self.solved, region, quantity, sign, (&s, &values));
         let (min_tension, max_tension) = (tension(1.0)?, tension(-1.0)?);
         Ok(Span {
             arc_length: self.outputs.get(arc_length)?,

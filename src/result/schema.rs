@@ -170,7 +170,8 @@ pub struct BeltResult {
     pub temperature: Option<f64>,
 }
 
-/// The energy audit: power in = power out + friction loss + strain energy flux, exactly for full shear with continuous ends.
+/// The energy audit: power in = power out + friction loss + strain energy flux, exactly for full shear with continuous
+/// ends.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Energy {

@@ -80,8 +80,7 @@ pub static TABLE: [Entry; 43] = [
     entry("lateral.slope", kind(Unit::decimal("N/mm", 3, STIFFNESS), Range::POSITIVE), "\"1747 N/mm\"",
         "m, load per displacement between the two wedges"),
     entry("lateral.csv", QuantityKind::Text, "\"lateral.csv\"",
-        "displacement, load with a header such as `mm,N`, in place of \
-        the slope"),
+        "displacement, load with a header such as `mm,N`, in place of the slope"),
     entry("lateral.from", kind(Unit::decimal("N", 0, Dimension::FORCE), Range { low: RangeEnd::Closed(0.0),
         high: RangeEnd::None }),
         "\"100 N\"", "smallest load that the line is fitted to"),

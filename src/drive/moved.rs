@@ -1,0 +1,96 @@
+//! Where the belt begins to slide, and how such places move from one drive to the next.
+//!
+//! There friction reaches its full strength within one slip threshold: solutions have a kink, and meshes are fine. What
+//! is predicted at a place that the kink passes over belongs to neither side of it. So solutions are compared, and
+//! predicted, at places that move with the kinks, and the mesh goes with them.
+
+use solver::{Points, RegionSolution};
+
+use super::belt::BeltProblem;
+use super::region::RegionId;
+use crate::model::{Constant, Field};
+
+/// A piece between two kinks may become so many times as long or as short; beyond that they have not moved, but come
+/// and gone.
+const MOST_STRETCHED: f64 = 4.0;
+
+/// How far each node of a contact moves in one step ahead, if kinks move on as they have from a solution `before`, which
+/// lies `back` such steps behind; each solution with its constants. The ends stay. Nothing where kinks of the two do not
+/// belong together one by one. (How motions bend, which a third solution tells, saves no iteration of a sweep.)
+pub(super) fn drift(
+    belt: &BeltProblem,
+    region: RegionId,
+    before: (&RegionSolution, &[f64]),
+    here: (&RegionSolution, &[f64]),
+    back: f64,
+) -> Option<Vec<f64>> {
+    let mesh = here.0.mesh();
+    along(mesh, &kinks(belt, region, before)?, &kinks(belt, region, here)?, back)
+}
+
+/// As [`drift`], from the kinks themselves: `then` and `now`.
+fn along(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>> {
+    if now.is_empty() || then.len() != now.len() {
+        return None;
+    }
+    let (first, last) = (*mesh.first()?, *mesh.last()?);
+    let inner = then.iter().zip(now).map(|(then, now)| (*now, (now - then) / back));
+    let knots: Vec<(f64, f64)> = std::iter::once((first, 0.0)).chain(inner).chain([(last, 0.0)]).collect();
+    let moderate = |pair: &[(f64, f64)]| {
+        let (length, growth) = (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1);
+        let held = |to: f64| (1.0 / MOST_STRETCHED..=MOST_STRETCHED).contains(&(to / length));
+        held(length + growth) && held(length - back * growth)
+    };
+    let drift = |s: &f64| {
+        let after = knots.partition_point(|(knot, _)| knot <= s).clamp(1, knots.len() - 1);
+        let ((a, x), (b, y)) = (knots[after - 1], knots[after]);
+        x + (y - x) * (s - a) / (b - a)
+    };
+    knots.windows(2).all(moderate).then(|| mesh.iter().map(drift).collect())
+}
+
+/// Where the sliding speed passes the slip threshold along a contact.
+fn kinks(belt: &BeltProblem, region: RegionId, (part, constants): (&RegionSolution, &[f64])) -> Option<Vec<f64>> {
+    let row = belt.kernel(region).field(Field::SlidingSpeed)?;
+    let threshold = constants.get(Constant::SlipThreshold.index())?;
+    let (mesh, len) = (part.mesh(), part.mesh().len());
+    let states: Vec<f64> = (0..part.states()).flat_map(|state| part.state(state)).copied().collect();
+    let fields = belt.fields(region, &Points { len, stride: len, s: mesh, y: &states }, constants);
+    let beyond: Vec<f64> = fields.get(row * len..(row + 1) * len)?.iter().map(|speed| speed - threshold).collect();
+    Some(zeros(mesh, &beyond))
+}
+
+/// Where a function changes its sign, linear between its samples.
+fn zeros(s: &[f64], values: &[f64]) -> Vec<f64> {
+    let zero = |(s, v): (&[f64], &[f64])| {
+        let crossed = (v[0] < 0.0) != (v[1] < 0.0);
+        crossed.then(|| s[0] + (s[1] - s[0]) * v[0] / (v[0] - v[1])).filter(|zero| zero.is_finite())
+    };
+    s.windows(2).zip(values.windows(2)).filter_map(zero).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_move_with_the_kinks_and_the_ends_stay() {
+        let mesh = [0.0, 0.2, 0.3, 0.5, 0.6, 0.8, 1.0];
+        // Half a step back, so twice as far ahead.
+        let drift = along(&mesh, &[0.28, 0.61], &[0.3, 0.6], 0.5).expect("they belong together");
+        for (found, expected) in drift.iter().zip([0.0, 2.0 / 3.0 * 0.04, 0.04, 0.0, -0.02, -0.01, 0.0]) {
+            assert!((found - expected).abs() < 1e-12, "{drift:?}");
+        }
+        // One that is new, none at all, two that would pass each other, one that would pass the end.
+        for (then, now) in [(&[0.3][..], &[0.3, 0.6][..]), (&[], &[]), (&[0.2, 0.6], &[0.4, 0.5]), (&[0.5], &[0.9])] {
+            assert_eq!(along(&mesh, then, now, 1.0), None, "{then:?} {now:?}");
+        }
+    }
+
+    #[test]
+    fn zeros_are_found_between_samples() {
+        let s = [0.0, 0.25, 0.5, 1.0];
+        assert_eq!(zeros(&s, &[-1.0, -0.5, 0.5, -0.5]), [0.375, 0.75]);
+        assert!(zeros(&s, &[1.0, 2.0, 3.0, f64::NAN]).is_empty());
+    }
+}
