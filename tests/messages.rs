@@ -111,11 +111,25 @@ fn results_that_need_a_warning_have_it() {
     assert!(warned(&["solve", "--tol", "1e-3", "--sensitivities"]).contains("without either it shows nothing"));
 }
 
+/// A line whose numbers are cut after three decimals, so that the next ones, which the mesh decides, are not compared.
+fn shortened(line: &str) -> String {
+    let mut decimals = None;
+    let kept = |character: &char| {
+        decimals = match (*character, decimals) {
+            ('.', _) => Some(0),
+            ('0'..='9', Some(count)) => Some(count + 1),
+            _ => None,
+        };
+        decimals.is_none_or(|count| count <= 3)
+    };
+    line.chars().filter(kept).collect()
+}
+
 #[test]
 fn the_summary_opens_with_answers() {
-    let output = run(&["solve", "--tol", "1e-3", "--reserve", "30%"], "", &std::env::temp_dir());
+    let output = run(&["solve", "--tol", "1e-8", "--reserve", "30%"], "", &std::env::temp_dir());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let answers: Vec<&str> = text.lines().skip(2).take_while(|line| !line.is_empty()).collect();
+    let answers: Vec<String> = text.lines().skip(2).take_while(|line| !line.is_empty()).map(shortened).collect();
     insta::assert_snapshot!("answers", answers.join("\n"));
 }
 
