@@ -24,6 +24,29 @@ impl Orientation {
     }
 }
 
+/// A determinant that may be far from 1.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Determinant {
+    /// Its sign.
+    pub orientation: Option<Orientation>,
+    /// Of its magnitude.
+    pub logarithm: f64,
+}
+
+impl Determinant {
+    pub(crate) const UNKNOWN: Self = Self { orientation: None, logarithm: f64::NAN };
+
+    /// Relative to the magnitude of another; NaN if it is singular or unknown.
+    pub(crate) fn relative(&self, to: &Self) -> f64 {
+        let size = if to.logarithm.is_finite() { libm::exp(self.logarithm - to.logarithm) } else { 1.0 };
+        match self.orientation {
+            Some(Orientation::Positive) => size,
+            Some(Orientation::Negative) => -size,
+            None => f64::NAN,
+        }
+    }
+}
+
 /// Whether a solution can be vouched for as the one that its guess, or the start of its path, leads to. Where a problem
 /// has one solution only, this does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -50,6 +50,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub iterations: usize,
     /// Whether a guess that is a solution already keeps its mesh, whatever its estimated error.
     pub keep: bool,
+    /// Whether meshes that are far finer than need be are made coarser.
+    pub coarsen: bool,
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
@@ -79,6 +81,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             contraction: 0.0,
             iterations: 0,
             keep: true,
+            coarsen: true,
             check: BranchCheck::Kept,
             orientation: None,
             order: options.order,
@@ -149,7 +152,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Finding::Inaccurate;
         }
         let coarser = |verdict: &Verdict| matches!(verdict, Verdict::Coarsen(_));
-        let oversized = !known && self.verdicts(solved, &measures, progress).iter().any(coarser);
+        let oversized = self.coarsen && !known && self.verdicts(solved, &measures, progress).iter().any(coarser);
         if oversized { Finding::Oversized } else { Finding::Good }
     }
 

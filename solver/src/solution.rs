@@ -156,18 +156,31 @@ impl RegionSolution {
 
     /// Intervals, their lengths, and the weights of what stands there, for places in any order.
     fn places(&self, s: &[f64]) -> Vec<(usize, f64, Basis)> {
-        let mut after = 0;
+        let mut nodes = self.nodes_before();
         let place = |&s: &f64| {
-            // Nodes at or before the place: to be counted on from those of the last, unless this one lies before it.
+            let (j, h, sigma) = self.place(nodes(s), s);
+            (j, h, Basis::value(sigma))
+        };
+        s.iter().map(place).collect()
+    }
+
+    /// The intervals of places in any order.
+    pub(crate) fn intervals_of(&self, s: &[f64]) -> Vec<usize> {
+        let mut nodes = self.nodes_before();
+        s.iter().map(|&s| self.place(nodes(s), s).0).collect()
+    }
+
+    /// Nodes at or before a place: counted on from those of the last, unless this one lies before it.
+    fn nodes_before(&self) -> impl FnMut(f64) -> usize {
+        let mut after = 0;
+        move |s: f64| {
             if self.mesh[..after].last().is_some_and(|node| !(*node <= s)) {
                 after = self.mesh.partition_point(|&node| node <= s);
             } else {
                 after += self.mesh[after..].iter().take_while(|&&node| node <= s).count();
             }
-            let (j, h, sigma) = self.place(after, s);
-            (j, h, Basis::value(sigma))
-        };
-        s.iter().map(place).collect()
+            after
+        }
     }
 
     /// Interval, its length, and the place in it.

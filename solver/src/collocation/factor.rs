@@ -10,7 +10,7 @@ use super::{Correction, Scales, System};
 use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::orientation::Orientation;
+use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
 use region::{Backward, FactorRegion, Forward};
 
@@ -156,7 +156,18 @@ impl Factorisation {
     /// system's determinant over those of det Q is that of the boundary conditions' for the problem itself, whatever
     /// the mesh.
     pub(crate) fn orientation(&self) -> Option<Orientation> {
-        let mut sign = self.border.determinant_sign();
+        Orientation::of(self.signed(self.border.determinant_sign()))
+    }
+
+    /// The determinant, but for a positive factor that is nearly the same at neighbouring solutions on one mesh: its
+    /// sign and the logarithm of its magnitude.
+    pub(crate) fn determinant(&self) -> Determinant {
+        let orientation = self.orientation();
+        Determinant { orientation, logarithm: self.border.determinant_logarithm() }
+    }
+
+    /// What the interior's elimination makes of the sign of the dense system's determinant.
+    fn signed(&self, mut sign: f64) -> f64 {
         for region in &self.regions {
             let lanes = region.lanes.inverse_pivots().flat_map(|lane| lane.0.iter());
             let positive = lanes.chain(region.top.inverse_pivots()).filter(|pivot| **pivot > 0.0).count();
@@ -164,7 +175,7 @@ impl Factorisation {
                 sign = -sign;
             }
         }
-        Orientation::of(sign)
+        sign
     }
 
     /// A dimensionless direction in ends and unknowns that the singular dense system does not see.

@@ -12,9 +12,11 @@
 //! linear between the nodes is no error.
 
 use crate::guess::{Guess, RegionGuess};
-use crate::orientation::Orientation;
+use crate::orientation::Determinant;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 use crate::solution::Solution;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// The direction in which a branch leaves one of its points: rates of change, of unit length in the inner product of
 /// pseudo-arclength.
@@ -31,8 +33,56 @@ pub struct Direction {
 pub(crate) struct Reference {
     pub solution: Solution,
     pub direction: Direction,
-    /// Of the problem that arclength extends; none at the start, where that is not solved.
-    pub orientation: Option<Orientation>,
+    /// Of the problem that arclength extends; unknown at the start, where that is not solved.
+    pub determinant: Determinant,
+    samples: RefCell<Samples>,
+}
+
+/// The reference at batches of points: the solver asks for the same ones again and again.
+type Samples = Vec<Rc<Sampled>>;
+
+/// So many batches are kept: those of several meshes.
+const KEPT: usize = 48;
+
+/// A reference solution and its direction at one batch of points, state by state.
+#[derive(Debug)]
+struct Sampled {
+    region: usize,
+    s: Vec<f64>,
+    /// ȳ.
+    y: Vec<f64>,
+    /// τ/(ℓ Y²).
+    weights: Vec<f64>,
+}
+
+impl Reference {
+    pub(crate) fn new(solution: Solution, direction: Direction, determinant: Determinant) -> Self {
+        Self { solution, direction, determinant, samples: RefCell::default() }
+    }
+
+    /// `ȳ` and the weighted `τ` of one region at a batch of points, the weights of the states being `of_states`.
+    fn sampled(&self, region: usize, s: &[f64], of_states: &[f64]) -> Rc<Sampled> {
+        let mut samples = self.samples.borrow_mut();
+        if let Some(known) = samples.iter().find(|known| known.region == region && known.s == s) {
+            return known.clone();
+        }
+        let solution = &self.solution.regions()[region];
+        let mesh = solution.mesh();
+        let places = solution.intervals_of(s);
+        let mut weights = Vec::with_capacity(of_states.len() * s.len());
+        for (weight, values) in of_states.iter().zip(&self.direction.states[region]) {
+            weights.extend(s.iter().zip(&places).map(|(s, &j)| {
+                let part = ((s - mesh[j]) / (mesh[j + 1] - mesh[j])).clamp(0.0, 1.0);
+                weight * (values[j] + part * (values[j + 1] - values[j]))
+            }));
+        }
+        let new = Rc::new(Sampled { region, s: s.to_vec(), y: solution.eval_many(s), weights });
+        if samples.len() >= KEPT {
+            samples.clear();
+        }
+        samples.push(new.clone());
+        new
+    }
 }
 
 impl Direction {
@@ -77,30 +127,19 @@ impl<'p, P: Problem + ?Sized> Arclength<'p, P> {
         self.layout.constants.len() - 1
     }
 
-    /// `τ(s)` and `ȳ(s)` in one region.
-    fn at(&self, region: usize, s: f64, direction: &mut [f64], y: &mut [f64]) {
-        let solution = &self.reference.solution.regions()[region];
-        solution.eval_into(s, y);
-        let mesh = solution.mesh();
-        let j = mesh.partition_point(|&node| node <= s).saturating_sub(1).min(mesh.len() - 2);
-        let part = ((s - mesh[j]) / (mesh[j + 1] - mesh[j])).clamp(0.0, 1.0);
-        for (out, values) in direction.iter_mut().zip(&self.reference.direction.states[region]) {
-            *out = values[j] + part * (values[j + 1] - values[j]);
-        }
-    }
-
     /// The added integrand, and its derivatives if there is room for them.
     fn distance(&self, region: usize, at: &Points<'_>, f: &mut [f64], dy: &mut [f64]) {
-        let weights = &self.state_weights[region];
-        let (mut direction, mut y) = (vec![0.0; weights.len()], vec![0.0; weights.len()]);
-        for (p, f) in f.iter_mut().enumerate().take(at.len) {
-            self.at(region, at.s[p], &mut direction, &mut y);
-            *f = 0.0;
-            for (i, weight) in weights.iter().enumerate() {
-                *f += weight * direction[i] * (at.at(i, p) - y[i]);
-                if let Some(entry) = dy.get_mut(i * at.stride + p) {
-                    *entry = weight * direction[i];
-                }
+        let Points { len, stride, s, y } = *at;
+        let sampled = self.reference.sampled(region, &s[..len], &self.state_weights[region]);
+        let f = &mut f[..len];
+        f.fill(0.0);
+        for (i, (weights, old)) in sampled.weights.chunks_exact(len).zip(sampled.y.chunks_exact(len)).enumerate() {
+            let y = &y[i * stride..][..len];
+            for (((f, weight), y), old) in f.iter_mut().zip(weights).zip(y).zip(old) {
+                *f += weight * (y - old);
+            }
+            if let Some(entries) = dy.get_mut(i * stride..i * stride + len) {
+                entries.copy_from_slice(weights);
             }
         }
     }
@@ -229,8 +268,8 @@ fn constant_squares(layout: &Layout, solution: &Solution) -> Vec<f64> {
     constants.map(|(constant, c)| c.abs().max(constant.scale.unwrap_or(1.0)).powi(2)).collect()
 }
 
-/// Makes the direction one of unit length in the inner product of its solution.
-pub(crate) fn normalise(layout: &Layout, reference: &mut Reference) {
+/// Makes the direction one of unit length in the inner product of its solution; its length before.
+pub(crate) fn normalise(layout: &Layout, reference: &mut Reference) -> f64 {
     let weights = state_weights(layout, &reference.solution);
     let squares = constant_squares(layout, &reference.solution);
     let Reference { solution, direction: Direction { states, constants }, .. } = reference;
@@ -242,6 +281,8 @@ pub(crate) fn normalise(layout: &Layout, reference: &mut Reference) {
             sum += weight * pairs.map(|(s, v)| (s[1] - s[0]) * 0.5 * (v[0] * v[0] + v[1] * v[1])).sum::<f64>();
         }
     }
-    let factor = if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 };
+    let length = if sum > 0.0 { sum.sqrt() } else { 1.0 };
+    let factor = 1.0 / length;
     constants.iter_mut().chain(states.iter_mut().flatten().flatten()).for_each(|rate| *rate *= factor);
+    length
 }

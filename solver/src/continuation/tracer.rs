@@ -1,6 +1,7 @@
 //! Steps along a branch: predictor, corrector, step length; folds and events between two points.
 
 mod crossing;
+mod location;
 
 use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
@@ -13,13 +14,14 @@ use crate::guess::{Guess, RegionGuess};
 use crate::linearisation::{Linearisation, Tangent};
 use crate::observer::{Event, Observer};
 use crate::options::Options;
-use crate::orientation::{BranchCheck, Orientation};
+use crate::orientation::{BranchCheck, Determinant};
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::solution::Solution;
 use crate::solve::{check, solve_within};
 use crate::start::{self, Start};
 use crate::stats::Stats;
+use location::{Known, Search, Sought};
 
 /// One tracing: what it was asked, and what it has found.
 pub(super) struct Tracer<'a, 'e> {
@@ -38,14 +40,41 @@ pub(super) struct Tracer<'a, 'e> {
     check: BranchCheck,
 }
 
-/// A branch point is located to this power of two of the step.
-const BISECTIONS: usize = 22;
+/// What is located is located to this part of the step.
+const LOCATION: f64 = 1e-10;
+/// Looks for one place at most.
+const LOOKS: usize = 40;
+/// At a branch point the matrix is singular, and beside it nearly so, where Newton's iteration ends in rounding. It is
+/// looked at from so far, in parts of the step: to one side and the other, and farther off if need be,
+const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
+const DISTANCE: f64 = 1e-4;
+/// until its place changes by no more than this. The next change would be smaller by as much as the distance is.
+const SETTLED: f64 = 1e-7;
 
 /// A zero of one of the watched functions lies between two points.
 struct Crossing {
     kind: PointKind,
     /// Values at both points.
     values: (f64, f64),
+}
+
+/// Where a point is predicted from.
+#[derive(Clone, Copy)]
+struct Near<'r> {
+    point: &'r Reference,
+    /// Its distance.
+    at: f64,
+    speed: f64,
+}
+
+/// A point found at some distance from another.
+struct Advanced {
+    point: Reference,
+    /// How fast it moves along its direction as the distance grows.
+    speed: f64,
+    /// Newton's first contraction.
+    contraction: f64,
+    check: BranchCheck,
 }
 
 impl<'a, 'e> Tracer<'a, 'e> {
@@ -94,7 +123,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
         while self.points.len() < self.options.max_points {
-            let (next, contraction, check) = match self.advance(&here, step) {
+            let next = match self.advance(&here, step) {
                 Ok(found) => found,
                 Err(cause) if cause.is_interruption() => return Err(cause),
                 Err(cause) => {
@@ -106,22 +135,24 @@ impl<'a, 'e> Tracer<'a, 'e> {
                     continue;
                 }
             };
-            let crossings = self.crossings(&here, &next);
+            let crossings = self.crossings(&here, &next.point);
             let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
             // The sense of the first step is given, so that a branch point is told from one that is crossed.
-            let turned = if crossed { check } else { check.across(here.orientation, next.orientation) };
-            self.check = self.check.and(turned.placed(next.value(self.parameter)));
+            let [before, after] = [&here, &next.point].map(|point| point.determinant.orientation);
+            let turned = if crossed { next.check } else { next.check.across(before, after) };
+            self.check = self.check.and(turned.placed(next.point.value(self.parameter)));
             for crossing in crossings {
-                let (at, found) = match crossing.kind {
-                    PointKind::BranchPoint => self.locate_branch_point(&here, step, next.orientation)?,
-                    _ => self.locate(&here, step, &next, &crossing)?,
-                };
-                self.push(crossing.kind, arclength + at, &found);
+                let (at, found) = self.locate(&here, step, &next, &crossing)?;
+                match found {
+                    Some(found) => self.push(crossing.kind, arclength + at, &found),
+                    None => self.push(crossing.kind, arclength + at, &next.point),
+                }
                 if crossing.kind == PointKind::End {
                     return Ok(());
                 }
             }
             arclength += step;
+            let Advanced { point: next, contraction, .. } = next;
             self.push(PointKind::Regular, arclength, &next);
             let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
             let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
@@ -173,8 +204,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let solution = run.as_it_stands(Start::from(&from.guess))?;
         self.stats += run.stats;
         drop(run);
-        let (here, ..) = self.advance(&Reference { solution, direction, orientation: None }, 0.0)?;
-        Ok(here)
+        Ok(self.advance(&Reference::new(solution, direction, Determinant::UNKNOWN), 0.0)?.point)
     }
 
     /// The solution at the start, with the tangent of the parameter alone.
@@ -188,24 +218,31 @@ impl<'a, 'e> Tracer<'a, 'e> {
         self.stats += *linearisation.stats();
         let tangent = linearisation.sensitivity(self.parameter);
         let sign = if self.options.upwards { 1.0 } else { -1.0 };
-        Ok(self.reference(solution, &tangent, sign))
+        Ok(self.reference(solution, &tangent, sign, Determinant::UNKNOWN).0)
     }
 
-    fn reference(&self, solution: Solution, tangent: &Tangent, sign: f64) -> Reference {
+    /// A point, and how fast it moves along its direction as the tangent does.
+    fn reference(
+        &self,
+        solution: Solution,
+        tangent: &Tangent,
+        sign: f64,
+        determinant: Determinant,
+    ) -> (Reference, f64) {
         let scaled = |values: &Vec<f64>| values.iter().map(|value| sign * value).collect();
         let n = solution.constants().len();
         let direction = Direction {
             states: tangent.regions.iter().map(|region| region.states.iter().map(scaled).collect()).collect(),
             constants: tangent.constants[..n].iter().map(|rate| sign * rate).collect(),
         };
-        let mut reference = Reference { solution, direction, orientation: None };
-        normalise(self.problem.layout(), &mut reference);
-        reference
+        let mut reference = Reference::new(solution, direction, determinant);
+        let speed = normalise(self.problem.layout(), &mut reference);
+        (reference, speed)
     }
 
-    /// The solution at the distance `step`, its tangent, and Newton's first contraction.
-    fn advance(&mut self, here: &Reference, step: f64) -> Result<(Reference, f64, BranchCheck), SolveError> {
-        self.advance_from(here, step, here, 0.0)
+    /// The solution at the distance `step`, and its tangent.
+    fn advance(&mut self, here: &Reference, step: f64) -> Result<Advanced, SolveError> {
+        self.advance_from(here, step, Near { point: here, at: 0.0, speed: 1.0 }, true)
     }
 
     /// As [`advance`](Self::advance), predicted from a point known to lie at the distance `known`.
@@ -213,19 +250,19 @@ impl<'a, 'e> Tracer<'a, 'e> {
         &mut self,
         here: &Reference,
         step: f64,
-        near: &Reference,
-        known: f64,
-    ) -> Result<(Reference, f64, BranchCheck), SolveError> {
+        near: Near<'_>,
+        coarsen: bool,
+    ) -> Result<Advanced, SolveError> {
         let arclength = Arclength::new(self.problem, here);
         let problem: &dyn Problem = &arclength;
-        let rates = near.solution.constants().iter().zip(&near.direction.constants);
-        let mut constants: Vec<f64> = rates.map(|(c, rate)| c + (step - known) * rate).collect();
-        constants.push(step);
-        let guess = Guess { regions: near.moved(step - known), constants };
+        let mut guess = near.point.moved(near.speed * (step - near.at));
+        guess.constants.push(step);
         let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
+        // Places between two points are compared with each other: on one mesh, if that will do.
+        run.coarsen = coarsen;
         let outcome =
-            run.refine(start::near(&near.solution, &guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
+            run.refine(start::near(&near.point.solution, &guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
         let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;
         drop(run);
@@ -235,14 +272,14 @@ impl<'a, 'e> Tracer<'a, 'e> {
             let linearisation = Linearisation::at(solved.system, x, Stats::default())?;
             budget.charge(linearisation.stats());
             stats += *linearisation.stats();
-            Ok((solution, linearisation.sensitivity(arclength.step())))
+            let determinant = linearisation.factorisation.determinant();
+            Ok((solution, linearisation.sensitivity(arclength.step()), determinant))
         });
         self.stats += stats;
-        let (solution, tangent) = found?;
-        let orientation = solution.orientation();
+        let (solution, tangent, determinant) = found?;
         let solution = solution.restricted(self.problem.layout(), self.unknowns);
-        let reference = Reference { orientation, ..self.reference(solution, &tangent, 1.0) };
-        Ok((reference, contraction, check))
+        let (point, speed) = self.reference(solution, &tangent, 1.0, determinant);
+        Ok(Advanced { point, speed, contraction, check })
     }
 
     /// Zeros between two points, in the order in which they are passed.
@@ -267,11 +304,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn watched(&self, kind: PointKind, at: &Reference) -> f64 {
         match kind {
             PointKind::Regular => f64::NAN,
-            PointKind::BranchPoint => match at.orientation {
-                Some(Orientation::Positive) => 1.0,
-                Some(Orientation::Negative) => -1.0,
-                None => f64::NAN,
-            },
+            PointKind::BranchPoint => at.determinant.relative(&Determinant::UNKNOWN),
             PointKind::Fold => at.direction.constants[self.parameter],
             PointKind::Event(index) => self.events.get(index).map_or(f64::NAN, |event| event(&at.solution)),
             PointKind::End => {
@@ -283,74 +316,126 @@ impl<'a, 'e> Tracer<'a, 'e> {
         }
     }
 
-    /// Where the orientation changes to that `after` the step, by bisection: near a branch point the matrix is nearly
-    /// singular, and all that is asked of it is a sign.
-    fn locate_branch_point(
-        &mut self,
-        here: &Reference,
-        step: f64,
-        after: Option<Orientation>,
-    ) -> Result<(f64, Reference), SolveError> {
-        let (mut low, mut high, mut best) = (0.0, step, None);
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            match self.advance(here, middle) {
-                Ok((found, ..)) => {
-                    if found.orientation == after {
-                        high = middle;
-                    } else {
-                        low = middle;
-                    }
-                    best = Some((middle, found));
-                }
-                Err(cause) if cause.is_interruption() => return Err(cause),
-                // The matrix is singular: this is the place, as closely as it can be told.
-                Err(_) => break,
-            }
-        }
-        match best {
-            Some(found) => Ok(found),
-            None => Ok((low, self.advance(here, low)?.0)),
-        }
-    }
-
-    /// Zero of the watched function by the Illinois method (M. Dowell and P. Jarratt, BIT 11 (1971) 168-174).
-    /// Each point is predicted from the nearest that is known.
+    /// Zero of the watched function, and the point there if it is not the next. Each is predicted from the nearest that
+    /// is known.
     fn locate(
         &mut self,
         here: &Reference,
         step: f64,
-        next: &Reference,
+        next: &Advanced,
         crossing: &Crossing,
-    ) -> Result<(f64, Reference), SolveError> {
-        let (mut a, mut b) = (0.0, step);
-        let (mut fa, mut fb) = crossing.values;
-        let small = 1e-10 * (fa.abs() + fb.abs());
-        let mut best: Option<(f64, f64, Reference)> = None;
-        for _ in 0..40 {
-            let at = (a * fb - b * fa) / (fb - fa);
-            let mut near = if at <= 0.5 * step { (here, 0.0) } else { (next, step) };
-            if let Some((_, place, found)) =
-                best.as_ref().filter(|(_, place, _)| (place - at).abs() < (near.1 - at).abs())
-            {
-                near = (found, *place);
-            }
-            let (found, ..) = self.advance_from(here, at, near.0, near.1)?;
-            let f = self.watched(crossing.kind, &found);
-            if best.as_ref().is_none_or(|best| f.abs() < best.0.abs()) {
-                best = Some((f, at, found));
-            }
-            if !(f.abs() > small) || (b - a).abs() <= 1e-10 * step {
+    ) -> Result<(f64, Option<Reference>), SolveError> {
+        let kind = crossing.kind;
+        if kind == PointKind::BranchPoint {
+            return self.locate_branch_point(here, step, next).map(|(at, found)| (at, Some(found)));
+        }
+        if self.watched(kind, &next.point) == 0.0 {
+            return Ok((step, None));
+        }
+        let mut search = self.search(kind, here, step, next);
+        let mut seen: Vec<(f64, Advanced)> = Vec::new();
+        let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
+        for _ in 0..LOOKS {
+            let near = nearest(here, (step, next), &seen, at);
+            let found = self.advance_from(here, at, near, false)?;
+            let usable = search.add(self.known(kind, found.near(at), here));
+            let done = self.watched(kind, &found.point).abs() <= small;
+            seen.push((at, found));
+            let before = at;
+            at = search.next();
+            if !usable || done || search.length() <= LOCATION * step || (at - before).abs() <= LOCATION * step {
                 break;
             }
-            if f * fb < 0.0 {
-                (a, fa) = (b, fb);
-            } else {
-                fa *= 0.5;
-            }
-            (b, fb) = (at, f);
         }
-        best.map(|(_, at, found)| (at, found)).ok_or(SolveError::Cancelled)
+        let size = |(_, found): &(f64, Advanced)| self.watched(kind, &found.point).abs();
+        let best = seen.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+        best.map(|(at, found)| (at, Some(found.point))).ok_or(SolveError::Cancelled)
+    }
+
+    /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
+    /// its direction.
+    fn locate_branch_point(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        next: &Advanced,
+    ) -> Result<(f64, Reference), SolveError> {
+        let kind = PointKind::BranchPoint;
+        let mut search = self.search(kind, here, step, next);
+        let mut seen: Vec<(f64, Advanced)> = Vec::new();
+        let mut place = search.next();
+        for _ in 0..LOOKS {
+            let side = search.roomier(place);
+            let mut outcome = Err(SolveError::Cancelled);
+            for beside in BESIDE {
+                let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
+                let near = nearest(here, (step, next), &seen, at);
+                outcome = self.advance_from(here, at, near, false).map(|found| (at, found));
+                match &outcome {
+                    Err(cause) if !cause.is_interruption() => {}
+                    _ => break,
+                }
+            }
+            let (at, found) = outcome?;
+            let usable = search.add(self.known(kind, found.near(at), here));
+            seen.push((at, found));
+            let before = place;
+            place = search.next();
+            if !usable || (place - before).abs() <= SETTLED * step {
+                break;
+            }
+        }
+        let near = nearest(here, (step, next), &seen, place);
+        Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
+    }
+
+    fn search(&self, kind: PointKind, here: &Reference, step: f64, next: &Advanced) -> Search {
+        let sought = if kind == PointKind::Fold { Sought::Extremum } else { Sought::Zero };
+        let ends = [(0.0, here, 1.0), (step, &next.point, next.speed)];
+        Search::new(sought, ends.map(|(at, point, speed)| self.known(kind, Near { point, at, speed }, here)))
+    }
+
+    /// What is known of a watched function at a point. Folds are extrema of the parameter.
+    fn known(&self, kind: PointKind, Near { point, at, speed }: Near<'_>, here: &Reference) -> Known {
+        let slope = speed * point.direction.constants[self.parameter];
+        match kind {
+            PointKind::Fold => Known { at, value: point.value(self.parameter), slope: Some(slope) },
+            PointKind::End => {
+                let (low, high) = self.options.range;
+                let value = point.value(self.parameter);
+                let sign = if low - value > value - high { -1.0 } else { 1.0 };
+                Known { at, value: self.watched(kind, point), slope: Some(sign * slope) }
+            }
+            PointKind::BranchPoint => Known { at, value: point.determinant.relative(&here.determinant), slope: None },
+            _ => Known { at, value: self.watched(kind, point), slope: None },
+        }
+    }
+
+    /// A point moved along its direction by so little that it is a solution still.
+    fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
+        let plan = Plan::new(self.problem.layout(), self.unknowns);
+        let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
+        let start = start::near(&point.solution, &point.moved(by));
+        let moved = run.as_it_stands(start)?;
+        self.stats += run.stats;
+        drop(run);
+        let Solution { error_estimate, accuracy, branch_check, .. } = point.solution;
+        let solution = Solution { error_estimate, accuracy, branch_check, ..moved };
+        Ok(Reference::new(solution, point.direction.clone(), Determinant::UNKNOWN))
+    }
+}
+
+/// The nearest to a place of the ends of a step and what has been seen between them.
+fn nearest<'r>(here: &'r Reference, next: (f64, &'r Advanced), seen: &'r [(f64, Advanced)], place: f64) -> Near<'r> {
+    let first = Near { point: here, at: 0.0, speed: 1.0 };
+    let others = seen.iter().map(|(at, found)| (*at, found)).chain(std::iter::once(next));
+    let others = others.map(|(at, found)| found.near(at));
+    others.fold(first, |best, other| if (other.at - place).abs() < (best.at - place).abs() { other } else { best })
+}
+
+impl Advanced {
+    fn near(&self, at: f64) -> Near<'_> {
+        Near { point: &self.point, at, speed: self.speed }
     }
 }
 
@@ -373,17 +458,15 @@ impl Reference {
         self.solution.constants()[constant]
     }
 
-    /// The states moved along the direction.
-    fn moved(&self, step: f64) -> Vec<RegionGuess> {
-        let regions = self.solution.regions().iter().zip(&self.direction.states);
-        let moved = regions.map(|(region, direction)| RegionGuess {
-            mesh: region.mesh().to_vec(),
-            states: direction
-                .iter()
-                .enumerate()
-                .map(|(i, rates)| region.state(i).iter().zip(rates).map(|(y, rate)| y + step * rate).collect())
-                .collect(),
+    /// Moved along the direction.
+    fn moved(&self, by: f64) -> Guess {
+        let along = |(value, rate): (&f64, &f64)| value + by * rate;
+        let regions = self.solution.regions().iter().zip(&self.direction.states).map(|(region, direction)| {
+            let states = direction.iter().enumerate();
+            let states = states.map(|(i, rates)| region.state(i).iter().zip(rates).map(along).collect());
+            RegionGuess { mesh: region.mesh().to_vec(), states: states.collect() }
         });
-        moved.collect()
+        let constants = self.solution.constants().iter().zip(&self.direction.constants);
+        Guess { regions: regions.collect(), constants: constants.map(along).collect() }
     }
 }

@@ -6,6 +6,7 @@ use crate::continuation::branch::{BranchPoint, PointKind};
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::linearisation::Linearisation;
+use crate::orientation::Determinant;
 
 impl Tracer<'_, '_> {
     /// The branch point with the direction in which the crossing branch leaves it, to first order and but for a part
@@ -27,7 +28,7 @@ impl Tracer<'_, '_> {
             states: tangent.regions.iter().map(|region| region.states.iter().map(signed).collect()).collect(),
             constants: signed(&tangent.constants),
         };
-        let mut reference = Reference { solution: at.solution.clone(), direction, orientation: None };
+        let mut reference = Reference::new(at.solution.clone(), direction, Determinant::UNKNOWN);
         normalise(self.problem.layout(), &mut reference);
         Ok(reference)
     }

@@ -88,6 +88,13 @@ impl Lu {
         pivots * permutation_sign(&self.rows)
     }
 
+    /// Logarithm of the determinant's magnitude; of no meaning if the rank is deficient.
+    pub(crate) fn determinant_logarithm(&self) -> f64 {
+        let Some(factors) = &self.factors else { return f64::NEG_INFINITY };
+        let logarithms = self.scale.iter().enumerate().map(|(i, scale)| libm::log(factors.pivot(i).abs() / scale));
+        logarithms.sum()
+    }
+
     /// Number of unknowns.
     pub(crate) fn size(&self) -> usize {
         self.scale.len()
@@ -148,6 +155,8 @@ mod tests {
             lu.factor(3, &matrix);
             assert_eq!(lu.determinant_sign(), sign, "{matrix:?}");
         }
+        lu.factor(3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0]);
+        assert!((lu.determinant_logarithm() - 3.0_f64.ln()).abs() < 1e-13);
     }
 
     /// Rows 0 and 2 are multiples of each other.
