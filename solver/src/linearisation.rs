@@ -12,6 +12,7 @@ use crate::guess::Guess;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Error, intervals};
+use crate::newton::Converged;
 use crate::options::Order;
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -124,6 +125,13 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             return Err(SolveError::Newton { error, intervals });
         }
         Ok(linearisation)
+    }
+
+    /// What Newton's iteration holds, where its first correction was negligible: the equations are factored at the
+    /// solution already. Rates of integrals need derivatives that the iteration has not asked for.
+    pub(crate) fn held(system: System<'p, P>, converged: Converged) -> Self {
+        let Converged { x, work, factorisation, .. } = converged;
+        Self { system, x, work, factorisation, stats: Stats::default() }
     }
 
     /// As [`at`](Self::at), whatever the rank of the Newton matrix.

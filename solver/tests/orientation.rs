@@ -140,6 +140,33 @@ fn the_five_branch_points_of_autos_demo_are_located() {
 }
 
 #[test]
+fn branch_points_in_the_middle_of_steps_are_located_by_few_solves() {
+    let problem = Differentiated::new(Eigenvalues).unwrap();
+    let guess = Guess::uniform(problem.layout(), 32, &[0.0], |_, _, y| y.fill(0.0));
+    let options = BranchOptions {
+        solve: Options { order: Order::Eight, tolerance: 1e-12, ..Options::default() },
+        range: (0.0, 5.5),
+        // From λ = 0.95 a step leads to 1.05: in its middle the matrix is singular.
+        largest_step: 0.1,
+        ..BranchOptions::default()
+    };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let found: Vec<f64> = branch.branch_points().map(|point| point.parameter).collect();
+    assert_eq!(found.len(), 5, "{found:?}");
+    for (found, wanted) in found.iter().zip(1..) {
+        assert!((found - f64::from(wanted)).abs() < 5e-9, "{found} for {wanted}");
+    }
+    for point in branch.branch_points() {
+        assert_eq!(point.solution.constants()[0], point.parameter);
+    }
+    // One solve for every other point, and five for a branch point or the end.
+    let others = branch.points.len() - 6;
+    assert!(branch.stats.meshes <= others + 6 * 5, "{others} other points: {:?}", branch.stats);
+    // Where u vanishes, the iteration's own factorisation gives the tangent.
+    assert!(branch.stats.factorisations <= branch.stats.newton_iterations + 2, "{:?}", branch.stats);
+}
+
+#[test]
 fn the_orientation_is_that_of_the_problem_itself() {
     // u'' = -(λ π)² u: v(1) = sin(λ π)/(λ π) for v(0) = 0, v'(0) = 1 changes sign at every whole λ.
     let problem = Differentiated::new(Eigenvalues).unwrap();

@@ -83,7 +83,7 @@ pub static DEMOS: &[Demo] = &[
         fortran: BVP,
         conditions: [2, 0],
         largest_steps: &[0.2, 0.4, 0.7, 0.9],
-        largest_steps_here: &[0.1, 0.15, 0.18],
+        largest_steps_here: &[0.04, 0.08, 0.14, 0.18],
         wanted: Wanted::BranchPoints { count: 5, to: 5.5 },
     },
 ];
@@ -226,6 +226,8 @@ impl Stated {
         line.constant_pattern = vec![(1, 0)];
         line.default_entries = 0;
         let mut layout = Layout::dense(vec![line], &["lambda"], &["first", "second"]);
+        // Steps are relative to this.
+        layout.constants[0].scale = matches!(demo.wanted, Wanted::BranchPoints { .. }).then_some(5.0);
         layout.boundary_pattern =
             if demo.conditions[1] > 0 { vec![(0, 0), (0, 2), (1, 4)] } else { vec![(0, 0), (1, 2)] };
         Self { demo, layout }

@@ -27,7 +27,7 @@ pub fn configurations(demo: &Demo) -> Vec<Configuration> {
     let mut all = Vec::new();
     for order in [Order::Four, Order::Six, Order::Eight] {
         for digits in 3..=11 {
-            for intervals in [4, 8, 16, 32] {
+            for intervals in [4, 8, 12, 16, 24, 32, 48] {
                 all.extend(demo.largest_steps_here.iter().map(|&largest_step| Configuration {
                     order,
                     tolerance: 10.0_f64.powi(-digits),

@@ -12,6 +12,7 @@ use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::{Guess, RegionGuess};
 use crate::linearisation::{Linearisation, Tangent};
+use crate::measure::Solved;
 use crate::observer::{Event, Observer};
 use crate::options::Options;
 use crate::orientation::{BranchCheck, Determinant};
@@ -49,7 +50,7 @@ const LOOKS: usize = 40;
 const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
 const DISTANCE: f64 = 1e-4;
 /// until its place changes by no more than this. The next change would be smaller by as much as the distance is.
-const SETTLED: f64 = 1e-7;
+const SETTLED: f64 = 1e-8;
 
 /// A zero of one of the watched functions lies between two points.
 struct Crossing {
@@ -122,6 +123,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
 
     fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
+        let mut previous: Option<(f64, Reference)> = None;
         while self.points.len() < self.options.max_points {
             let next = match self.advance(&here, step) {
                 Ok(found) => found,
@@ -142,7 +144,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             let turned = if crossed { next.check } else { next.check.across(before, after) };
             self.check = self.check.and(turned.placed(next.point.value(self.parameter)));
             for crossing in crossings {
-                let (at, found) = self.locate(&here, step, &next, &crossing)?;
+                let (at, found) = self.locate(previous.as_ref(), &here, step, &next, &crossing)?;
                 match found {
                     Some(found) => self.push(crossing.kind, arclength + at, &found),
                     None => self.push(crossing.kind, arclength + at, &next.point),
@@ -162,7 +164,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 self.observer.checkpoint(&Checkpoint { position: arclength, step: longer, guess, direction });
             }
             self.announce(&Event::Step { step: self.points.len() - 1, lambda: next.value(self.parameter) })?;
-            (here, step) = (next, longer);
+            previous = Some((step, std::mem::replace(&mut here, next)));
+            step = longer;
         }
         Ok(())
     }
@@ -242,20 +245,22 @@ impl<'a, 'e> Tracer<'a, 'e> {
 
     /// The solution at the distance `step`, and its tangent.
     fn advance(&mut self, here: &Reference, step: f64) -> Result<Advanced, SolveError> {
-        self.advance_from(here, step, Near { point: here, at: 0.0, speed: 1.0 }, true)
+        let from = Near { point: here, at: 0.0, speed: 1.0 };
+        self.advance_from(here, step, (from, None), true)
     }
 
-    /// As [`advance`](Self::advance), predicted from a point known to lie at the distance `known`.
+    /// As [`advance`](Self::advance), predicted from one point known or between two.
     fn advance_from(
         &mut self,
         here: &Reference,
         step: f64,
-        near: Near<'_>,
+        (near, other): (Near<'_>, Option<Near<'_>>),
         coarsen: bool,
     ) -> Result<Advanced, SolveError> {
         let arclength = Arclength::new(self.problem, here);
         let problem: &dyn Problem = &arclength;
-        let mut guess = near.point.moved(near.speed * (step - near.at));
+        let between = other.and_then(|other| near.between(&other, step));
+        let mut guess = between.unwrap_or_else(|| near.point.moved(near.speed * (step - near.at)));
         guess.constants.push(step);
         let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
@@ -268,8 +273,11 @@ impl<'a, 'e> Tracer<'a, 'e> {
         drop(run);
         let budget = self.budget;
         let found = outcome.and_then(|(solution, solved)| {
-            let x = solved.converged.x;
-            let linearisation = Linearisation::at(solved.system, x, Stats::default())?;
+            let Solved { system, converged, .. } = solved;
+            let linearisation = match converged.at_once {
+                true => Linearisation::held(system, converged),
+                false => Linearisation::at(system, converged.x, Stats::default())?,
+            };
             budget.charge(linearisation.stats());
             stats += *linearisation.stats();
             let determinant = linearisation.factorisation.determinant();
@@ -320,6 +328,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// is known.
     fn locate(
         &mut self,
+        before: Option<&(f64, Reference)>,
         here: &Reference,
         step: f64,
         next: &Advanced,
@@ -327,16 +336,16 @@ impl<'a, 'e> Tracer<'a, 'e> {
     ) -> Result<(f64, Option<Reference>), SolveError> {
         let kind = crossing.kind;
         if kind == PointKind::BranchPoint {
-            return self.locate_branch_point(here, step, next).map(|(at, found)| (at, Some(found)));
+            return self.locate_branch_point(before, here, step, next).map(|(at, found)| (at, Some(found)));
         }
         if self.watched(kind, &next.point) == 0.0 {
             return Ok((step, None));
         }
-        let mut search = self.search(kind, here, step, next);
+        let mut search = self.search(kind, before, here, (step, next));
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
         let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
         for _ in 0..LOOKS {
-            let near = nearest(here, (step, next), &seen, at);
+            let near = around(here, (step, next), &seen, at);
             let found = self.advance_from(here, at, near, false)?;
             let usable = search.add(self.known(kind, found.near(at), here));
             let done = self.watched(kind, &found.point).abs() <= small;
@@ -356,12 +365,13 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// its direction.
     fn locate_branch_point(
         &mut self,
+        before: Option<&(f64, Reference)>,
         here: &Reference,
         step: f64,
         next: &Advanced,
     ) -> Result<(f64, Reference), SolveError> {
         let kind = PointKind::BranchPoint;
-        let mut search = self.search(kind, here, step, next);
+        let mut search = self.search(kind, before, here, (step, next));
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
         let mut place = search.next();
         for _ in 0..LOOKS {
@@ -369,7 +379,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             let mut outcome = Err(SolveError::Cancelled);
             for beside in BESIDE {
                 let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
-                let near = nearest(here, (step, next), &seen, at);
+                let near = around(here, (step, next), &seen, at);
                 outcome = self.advance_from(here, at, near, false).map(|found| (at, found));
                 match &outcome {
                     Err(cause) if !cause.is_interruption() => {}
@@ -385,14 +395,24 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 break;
             }
         }
-        let near = nearest(here, (step, next), &seen, place);
+        let (near, _) = around(here, (step, next), &seen, place);
         Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
     }
 
-    fn search(&self, kind: PointKind, here: &Reference, step: f64, next: &Advanced) -> Search {
+    fn search(
+        &self,
+        kind: PointKind,
+        before: Option<&(f64, Reference)>,
+        here: &Reference,
+        (step, next): (f64, &Advanced),
+    ) -> Search {
         let sought = if kind == PointKind::Fold { Sought::Extremum } else { Sought::Zero };
-        let ends = [(0.0, here, 1.0), (step, &next.point, next.speed)];
-        Search::new(sought, ends.map(|(at, point, speed)| self.known(kind, Near { point, at, speed }, here)))
+        let first = self.known(kind, Near { point: here, at: 0.0, speed: 1.0 }, here);
+        let last = self.known(kind, next.near(step), here);
+        // The distance goes on behind the step as far as the inner products of both points are alike.
+        let before = before.filter(|_| first.slope.is_none());
+        let before = before.map(|(step, point)| self.known(kind, Near { point, at: -step, speed: 1.0 }, here));
+        Search::new(sought, before.filter(|before| before.value.is_finite()), [first, last])
     }
 
     /// What is known of a watched function at a point. Folds are extrema of the parameter.
@@ -425,12 +445,55 @@ impl<'a, 'e> Tracer<'a, 'e> {
     }
 }
 
-/// The nearest to a place of the ends of a step and what has been seen between them.
-fn nearest<'r>(here: &'r Reference, next: (f64, &'r Advanced), seen: &'r [(f64, Advanced)], place: f64) -> Near<'r> {
-    let first = Near { point: here, at: 0.0, speed: 1.0 };
-    let others = seen.iter().map(|(at, found)| (*at, found)).chain(std::iter::once(next));
-    let others = others.map(|(at, found)| found.near(at));
-    others.fold(first, |best, other| if (other.at - place).abs() < (best.at - place).abs() { other } else { best })
+/// Of the ends of a step and what has been seen between them that nearest to a place, and the nearest on its other side.
+fn around<'r>(
+    here: &'r Reference,
+    (step, next): (f64, &'r Advanced),
+    seen: &'r [(f64, Advanced)],
+    place: f64,
+) -> (Near<'r>, Option<Near<'r>>) {
+    let (first, last) = (Near { point: here, at: 0.0, speed: 1.0 }, next.near(step));
+    let all = || [first, last].into_iter().chain(seen.iter().map(|(at, found)| found.near(*at)));
+    let nearer = |best: Near<'r>, other: Near<'r>| {
+        if (other.at - place).abs() < (best.at - place).abs() { other } else { best }
+    };
+    let below = all().filter(|near| near.at <= place).reduce(nearer);
+    let above = all().filter(|near| near.at > place).reduce(nearer);
+    match (below, above) {
+        (Some(below), Some(above)) if (above.at - place) < (place - below.at) => (above, Some(below)),
+        (Some(near), other) | (other, Some(near)) => (near, other),
+        (None, None) => (first, None),
+    }
+}
+
+impl Near<'_> {
+    /// The point at a place between two, by the cubic that has their values and directions; none if their meshes are
+    /// not the same.
+    fn between(&self, other: &Near<'_>, at: f64) -> Option<Guess> {
+        let length = other.at - self.at;
+        let sigma = (at - self.at) / length;
+        let (tau, square) = (1.0 - sigma, sigma * sigma);
+        let [rise, leaving, arriving] = [
+            square * (3.0 - 2.0 * sigma),
+            sigma * tau * tau * length * self.speed,
+            -square * tau * length * other.speed,
+        ];
+        let cubic =
+            |((a, from), (b, to)): ((&f64, &f64), (&f64, &f64))| a + rise * (b - a) + leaving * from + arriving * to;
+        let [one, two] = [self.point, other.point];
+        let mut regions = Vec::new();
+        for (index, (a, b)) in one.solution.regions().iter().zip(two.solution.regions()).enumerate() {
+            if a.mesh() != b.mesh() {
+                return None;
+            }
+            let rates = one.direction.states[index].iter().zip(&two.direction.states[index]).enumerate();
+            let states = rates
+                .map(|(i, (from, to))| a.state(i).iter().zip(from).zip(b.state(i).iter().zip(to)).map(cubic).collect());
+            regions.push(RegionGuess { mesh: a.mesh().to_vec(), states: states.collect() });
+        }
+        let [a, b] = [one, two].map(|point| point.solution.constants().iter().zip(&point.direction.constants));
+        Some(Guess { regions, constants: a.zip(b).map(cubic).collect() })
+    }
 }
 
 impl Advanced {

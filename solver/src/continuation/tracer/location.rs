@@ -53,9 +53,10 @@ const PATIENCE: usize = 3;
 const STEPS: usize = 100;
 
 impl Search {
-    pub(super) fn new(sought: Sought, ends: [Known; 2]) -> Self {
+    /// Between two ends, with what is known of a place outside.
+    pub(super) fn new(sought: Sought, outside: Option<Known>, ends: [Known; 2]) -> Self {
         let bracket = ends.map(|end| (end.at, sought.of(&end)));
-        Self { sought, known: ends.to_vec(), bracket, lengths: Vec::new() }
+        Self { sought, known: outside.into_iter().chain(ends).collect(), bracket, lengths: Vec::new() }
     }
 
     /// Where to look next.
@@ -189,7 +190,7 @@ mod tests {
     }
 
     fn looks(sought: Sought, f: impl Fn(f64) -> (f64, f64) + Copy, with_slope: bool, zero: f64) -> usize {
-        let mut search = Search::new(sought, [0.0, 1.0].map(|at| known(at, f, with_slope)));
+        let mut search = Search::new(sought, None, [0.0, 1.0].map(|at| known(at, f, with_slope)));
         for look in 1..60 {
             let at = search.next();
             if (at - zero).abs() < 1e-12 {
@@ -213,7 +214,7 @@ mod tests {
         assert!(looks(Sought::Zero, jump, false, 0.123) <= 50);
         // What is only a sign is halved.
         let sign = |x: f64| (if x < 0.377 { -1.0 } else { 1.0 }, 0.0);
-        let mut search = Search::new(Sought::Zero, [0.0, 1.0].map(|at| known(at, sign, false)));
+        let mut search = Search::new(Sought::Zero, None, [0.0, 1.0].map(|at| known(at, sign, false)));
         for _ in 0..60 {
             let at = search.next();
             search.add(known(at, sign, false));
