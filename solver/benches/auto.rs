@@ -7,7 +7,7 @@
 //! ... -- exp                                                 only problems whose names have this
 //! ```
 //!
-//! AUTO is looked for in the folder that `AUTO_DIR` names, then where Debian puts it. The equations are written here for
+//! AUTO is looked for in the folder that `AUTO_DIR` names, then where Debian puts it. Equations are written here for
 //! it, with their derivatives; `gfortran -O2` compiles and links them once, which no time includes. Its time is what it
 //! prints as its total time, less that of a run of the same program that ends with the first point. For every problem
 //! and accuracy all configurations of both are tried, the fastest that reaches the accuracy counts, and the two are

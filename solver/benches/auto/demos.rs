@@ -1,4 +1,4 @@
-//! Three of AUTO's demos, restated: `exp` (Bratu's problem), `int` (with an integral constraint), `bvp` (branch points).
+//! Three of AUTO's demos, restated: `exp` (Bratu's problem), `int` (an integral constraint), `bvp` (branch points).
 
 use solver::{Guess, Layout, Points, Problem, Region, Scope};
 use std::f64::consts::PI;

@@ -150,8 +150,8 @@ fn constants(demo: &Demo, configuration: &Configuration, most: usize) -> String 
     )
 }
 
-/// What AUTO has located, and its points: of each point its number, its kind, its label, λ, a norm of u, and the largest
-/// u and u', which u'(0) is here.
+/// What AUTO has located, and its points: of each its number, its kind, its label, λ, a norm of u, and the largest u
+/// and u', which u'(0) is here.
 fn read(file: &Path) -> Option<(Located, usize)> {
     let text = fs::read_to_string(file).ok()?;
     let (mut located, mut points) = (Located::default(), 0);

@@ -445,7 +445,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     }
 }
 
-/// Of the ends of a step and what has been seen between them that nearest to a place, and the nearest on its other side.
+/// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other side.
 fn around<'r>(
     here: &'r Reference,
     (step, next): (f64, &'r Advanced),
