@@ -30,11 +30,14 @@ fn main() {
 #[cfg(target_arch = "x86_64")]
 mod wide {
     use std::arch::x86_64::*;
+    use std::cell::RefCell;
     use std::hint::black_box;
     use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+    use std::thread::LocalKey;
     use std::time::Instant;
 
     use super::linear::chain::{Block, Chain, Intervals, Reduced, Sizes};
+    use super::linear::memory::{Kept, Shelf};
     use super::linear::reflect::Rows;
     use super::linear::scalar::{Lane, Scalar, W};
 
@@ -50,6 +53,16 @@ mod wide {
         const fn of(values: [f64; WIDE]) -> Self {
             // SAFETY: both are 64 bytes of plain numbers.
             Self(unsafe { std::mem::transmute::<[f64; WIDE], __m512d>(values) })
+        }
+    }
+
+    thread_local! {
+        static ROOM: RefCell<Shelf<Eight>> = const { RefCell::new(Shelf::new()) };
+    }
+
+    impl Kept for Eight {
+        fn shelf() -> &'static LocalKey<RefCell<Shelf<Self>>> {
+            &ROOM
         }
     }
 
@@ -129,9 +142,9 @@ mod wide {
     }
 
     /// Coefficients that stand in memory.
-    struct Stored<'a, T>(&'a [Block<T>]);
+    struct Stored<'a, T: Kept>(&'a [Block<T>]);
 
-    impl<T: Scalar> Intervals<T> for Stored<'_, T> {
+    impl<T: Kept> Intervals<T> for Stored<'_, T> {
         #[inline(always)]
         fn fill<R: Rows>(&mut self, _: R, t: usize, to: &mut Block<T>) {
             let Some(from) = self.0.get(t) else { return };
@@ -145,7 +158,7 @@ mod wide {
     }
 
     /// Blocks of a chain near -I, I.
-    fn blocks<T: Scalar>(sizes: Sizes, count: usize) -> Vec<Block<T>> {
+    fn blocks<T: Kept>(sizes: Sizes, count: usize) -> Vec<Block<T>> {
         let mut seed = 1_u64;
         let mut random = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -3,6 +3,7 @@
 use crate::collocation::Correction;
 use crate::collocation::factor::Rhs;
 use crate::collocation::transpose::Weights;
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linearisation::Linearisation;
 use crate::problem::Problem;
@@ -41,7 +42,7 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
     fn no_rhs(&self) -> Rhs {
         let grids = self.system.grids.iter().zip(&self.system.plan.regions);
         Rhs {
-            regions: grids.clone().map(|(grid, plan)| vec![Lane::ZERO; grid.steps * plan.n]).collect(),
+            regions: grids.clone().map(|(grid, plan)| Lanes::zeros(grid.steps * plan.n)).collect(),
             inner: Vec::new(),
             integrals: grids.map(|(_, plan)| vec![0.0; plan.active.len()]).collect(),
             boundary: vec![0.0; self.system.layout.equations.len()],
@@ -142,7 +143,7 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
         let grids = self.system.grids.iter().zip(&self.system.plan.regions);
         Weights {
             unknowns: Correction {
-                u: grids.clone().map(|(grid, plan)| vec![Lane::ZERO; (grid.steps + 1) * plan.n]).collect(),
+                u: grids.clone().map(|(grid, plan)| Lanes::zeros((grid.steps + 1) * plan.n)).collect(),
                 inner: Vec::new(),
                 c: vec![0.0; self.system.plan.unknowns.len()],
             },

@@ -9,6 +9,7 @@ use crate::collocation::transpose::Weights;
 use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Error, intervals};
@@ -337,7 +338,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
 }
 
 /// Component by component weights, in dimensionless unknowns and node by node.
-fn packed(nodes: &[f64], scales: &[f64]) -> Vec<Lane> {
+fn packed(nodes: &[f64], scales: &[f64]) -> Lanes {
     let (n, rows) = (scales.len(), nodes.len() / scales.len() / W);
     let lanes = nodes.as_chunks::<W>().0;
     (0..rows)

@@ -9,13 +9,15 @@ use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::RegionGuess;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
+use crate::refine::{Measure, Rounding};
 use crate::solution::RegionSolution;
 use crate::stats::Stats;
-use std::borrow::Cow;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 /// What Newton's iteration left on one set of meshes, with its continuous extension and defects.
 pub(crate) struct Solved<'a, P: Problem + ?Sized> {
@@ -25,6 +27,17 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     pub defects: Vec<Defects>,
     /// The estimated error, once it has been asked for.
     estimate: OnceCell<f64>,
+    /// See [`worst_boundary_residual`](Self::worst_boundary_residual).
+    boundary: OnceCell<(f64, usize)>,
+    /// The defects as last measured.
+    pub measures: RefCell<Option<Measures>>,
+}
+
+/// What defects were held to, and what they are then: one a region.
+pub(crate) struct Measures {
+    pub target: f64,
+    pub rounding: Rounding,
+    pub all: Rc<[Measure]>,
 }
 
 impl<'a, P: Problem + ?Sized> Solved<'a, P> {
@@ -50,7 +63,8 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
             extensions.push(extension);
             defects.push(defect);
         }
-        Ok(Self { system, converged, extensions, defects, estimate: OnceCell::new() })
+        let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
+        Ok(Self { system, converged, extensions, defects, estimate, boundary, measures })
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
@@ -87,6 +101,10 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
     pub(crate) fn worst_boundary_residual(&self) -> (f64, usize) {
+        *self.boundary.get_or_init(|| self.worst_residual())
+    }
+
+    fn worst_residual(&self) -> (f64, usize) {
         let Converged { work, factorisation, .. } = &self.converged;
         let residuals = self.system.boundary_residuals(work, &factorisation.scales);
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
@@ -121,24 +139,23 @@ impl Error {
         (extensions, defects): (&[Extension], &[Defects]),
         stats: &mut Stats,
     ) -> Self {
-        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.clone() };
+        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.to_vec() };
         let mut integrals = Vec::new();
         for (region, defects) in defects.iter().enumerate() {
             let extended = Extended { system, region, x, stages: &work.regions[region] };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
-            let integrated: Cow<'_, [f64]> = if system.tableau.coupled {
+            let mut improved = Numbers::default();
+            if system.tableau.coupled {
                 // The stages follow the defects as their equations say.
                 let moments = extended.moments(&extensions[region], defects);
                 let m = factorisation.regions[region].coupling.m;
                 rhs.inner.push(scaled(&moments, &factorisation.scales.states[region], m, 1.0));
-                Cow::Borrowed(&defects.integrated)
-            } else if system.tableau.order == 4 {
-                Cow::Borrowed(&defects.integrated)
-            } else {
-                Cow::Owned(extended.improved(&extensions[region], defects))
-            };
+            } else if system.tableau.order > 4 {
+                improved = extended.improved(&extensions[region], defects);
+            }
+            let integrated = if improved.is_empty() { &defects.integrated } else { &improved };
             let len = grid.interval_stride();
-            let mut lanes = vec![Lane::ZERO; grid.steps * plan.n];
+            let mut lanes = Lanes::zeros(grid.steps * plan.n);
             for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
                 let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
                 for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {

@@ -1,12 +1,13 @@
 //! Where a solve stands between two meshes.
 
 use crate::error::{NewtonError, SolveError};
-use crate::measure::Solved;
+use crate::measure::{Measures, Solved};
 use crate::options::{Options, Order};
 use crate::phase::Phase;
 use crate::problem::Problem;
 use crate::refine::{Measure, Rounding, measure};
 use crate::start::{Start, transfer, twice};
+use std::rc::Rc;
 
 /// State of one solve.
 pub(crate) struct Progress<'a, P: Problem + ?Sized> {
@@ -141,6 +142,13 @@ impl<'a, P: Problem + ?Sized> Next<'a, P> {
     }
 }
 
-pub(crate) fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64, rounding: Rounding) -> Vec<Measure> {
-    solved.defects.iter().map(|defects| measure(defects, target, rounding)).collect()
+/// The defects, as they are held to `target`: computed once for each.
+pub(crate) fn measured<P: Problem + ?Sized>(solved: &Solved<'_, P>, target: f64, rounding: Rounding) -> Rc<[Measure]> {
+    let mut known = solved.measures.borrow_mut();
+    if let Some(known) = known.as_ref().filter(|known| known.target == target && known.rounding == rounding) {
+        return Rc::clone(&known.all);
+    }
+    let all: Rc<[Measure]> = solved.defects.iter().map(|defects| measure(defects, target, rounding)).collect();
+    *known = Some(Measures { target, rounding, all: Rc::clone(&all) });
+    all
 }

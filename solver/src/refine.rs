@@ -33,6 +33,10 @@ const GROWTH: f64 = 4.0;
 const GROWTH_UNRESOLVED: f64 = 2.0;
 /// and there at the higher orders, where a rough mesh has few intervals, if the problem is linear.
 const GROWTH_LINEAR: f64 = 3.0;
+/// On such a mesh of a linear problem, intervals whose defects are that large want to be divided by this,
+const PIECES_UNRESOLVED: f64 = 8.0;
+/// and others aim at this defect at least.
+const ROUGH_GOAL: f64 = 1e-3;
 /// Where no more than this fraction of the intervals is needed, all are redistributed, even if few fail.
 const SPARSE: f64 = 0.6;
 /// Exponent of the interval length in the defect at order 4.
@@ -76,7 +80,8 @@ pub(crate) fn measure(defects: &Defects, tolerance: f64, rounding: Rounding) -> 
     };
     let relative: Vec<f64> = defects.relative.iter().zip(&defects.rounding).map(known).collect();
     let mut controlled = relative.clone();
-    let mut failing: Vec<usize> = (0..controlled.len()).filter(|&j| !(controlled[j] <= tolerance)).collect();
+    let mut failing = Vec::with_capacity(controlled.iter().filter(|&&defect| !(defect <= tolerance)).count());
+    failing.extend((0..controlled.len()).filter(|&j| !(controlled[j] <= tolerance)));
     failing.sort_by(|&i, &j| defects.contribution[i].total_cmp(&defects.contribution[j]));
     let mut integral = 0.0;
     for j in failing {
@@ -183,8 +188,14 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
     let length = mesh[intervals] - mesh[0];
     let negligible = libm::pow(LONGER, -order);
     let goal = wish.safety() * tolerance;
+    // What the mesh is to find first is where the solution varies: elsewhere it need not be good yet.
+    let rough = wish.is_free() && measure.largest > ASYMPTOTIC;
+    let goal = if rough { goal.max(ROUGH_GOAL) } else { goal };
     let length_of = |j: usize| {
         let excess = measure.defects[j] / goal;
+        if rough && measure.defects[j] > ASYMPTOTIC {
+            return (mesh[j + 1] - mesh[j]) / PIECES_UNRESOLVED;
+        }
         (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();

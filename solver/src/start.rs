@@ -5,6 +5,7 @@ use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Basis, Extension};
 use crate::guess::{Guess, RegionGuess};
+use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
 use crate::measure::Solved;
 use crate::mesh::split;
@@ -68,9 +69,9 @@ struct Interval {
 impl Packed<'_> {
     /// At the nodes of another mesh and at the inner stages there that are unknowns, as an [`Iterate`] has them. Old
     /// nodes keep their values exactly.
-    fn sampled(&self, new: &Grid, tableau: &Tableau) -> (Vec<f64>, Vec<f64>) {
+    fn sampled(&self, new: &Grid, tableau: &Tableau) -> (Numbers, Numbers) {
         let (nodes, len, stages) = (new.node_stride(), new.interval_stride(), tableau.unknown_stages());
-        let (mut y, mut inner) = (vec![0.0; self.states * nodes], vec![0.0; stages * self.states * len]);
+        let (mut y, mut inner) = (Numbers::zeros(self.states * nodes), Numbers::zeros(stages * self.states * len));
         let mut order: Vec<usize> = (0..stages).collect();
         order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
         let mut interval = Interval::default();
@@ -109,17 +110,20 @@ impl Packed<'_> {
         let h = mesh[interval.index + 1] - left;
         let basis = Basis::value((s - left) / h);
         let Extension { alpha, beta, gamma, delta } = self.extension;
-        for (i, out) in out.iter_mut().step_by(stride).enumerate().take(self.states) {
-            let (node, at) = (i * nodes + p, i * len + p);
-            let (y0, y1, f0, f1) = (self.y[node], self.y[node + W], self.f[node], self.f[node + W]);
+        // From here on all places of a state lie as far from those of the state before.
+        let (y, f, alpha, beta) = (&self.y[p..], &self.f[p..], &alpha[p..], &beta[p..]);
+        let higher = gamma.get(p..).zip(delta.get(p..)).filter(|_| !gamma.is_empty());
+        for i in 0..self.states {
+            let (node, at) = (i * nodes, i * len);
+            let (y0, y1, f0, f1) = (y[node], y[node + W], f[node], f[node + W]);
             let mut rise = basis.rise * (y1 - y0)
                 + h * (basis.left * f0 + basis.right * f1)
                 + basis.alpha * alpha[at]
                 + basis.beta * beta[at];
-            if let (Some(gamma), Some(delta)) = (gamma.get(at), delta.get(at)) {
-                rise += basis.gamma * gamma + basis.delta * delta;
+            if let Some((gamma, delta)) = higher {
+                rise += basis.gamma * gamma[at] + basis.delta * delta[at];
             }
-            *out = y0 + rise;
+            out[i * stride] = y0 + rise;
         }
     }
 }
@@ -169,7 +173,7 @@ impl From<&Guess> for Start {
 
 impl RegionSolution {
     /// The solution at the inner stages of a mesh, as [`Iterate::inner`] stands.
-    fn sampled_inside(&self, grid: &Grid, tableau: &Tableau) -> Vec<f64> {
+    fn sampled_inside(&self, grid: &Grid, tableau: &Tableau) -> Numbers {
         let (len, states, stages) = (grid.interval_stride(), self.states(), tableau.unknown_stages());
         let mut order: Vec<usize> = (0..stages).collect();
         order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
@@ -178,7 +182,7 @@ impl RegionSolution {
             order.iter().map(move |stage| s + tableau.c[stage + 2] * h)
         };
         let places: Vec<f64> = grid.mesh.windows(2).flat_map(inside).collect();
-        let mut out = vec![0.0; stages * states * len];
+        let mut out = Numbers::zeros(stages * states * len);
         for (i, values) in self.eval_along(&places).iter().enumerate() {
             for (k, &stage) in order.iter().enumerate() {
                 let out = &mut out[(stage * states + i) * len..][..len];

@@ -1,13 +1,16 @@
 //! Arithmetic of the elimination, counted by running it on numbers that count.
 
 use crate::linear::chain::{Block, Chain, Intervals, Sizes};
+use crate::linear::memory::{Kept, Shelf};
 use crate::linear::reflect::{Rows, with_rows};
 use crate::linear::scalar::Scalar;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use std::thread::LocalKey;
 
 thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
+    static ROOM: RefCell<Shelf<Counted>> = const { RefCell::new(Shelf::new()) };
 }
 
 /// A number; each operation on it is one, whatever it costs.
@@ -30,6 +33,12 @@ impl Scalar for Counted {
     /// A bit moved is no arithmetic.
     fn copysign(self, sign: Self) -> Self {
         Self(self.0.copysign(sign.0))
+    }
+}
+
+impl Kept for Counted {
+    fn shelf() -> &'static LocalKey<RefCell<Shelf<Self>>> {
+        &ROOM
     }
 }
 

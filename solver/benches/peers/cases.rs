@@ -38,6 +38,7 @@ impl Case {
     }
 
     /// `F` of states z, each u followed by its u'.
+    #[inline]
     pub fn values(&self, x: f64, z: &[f64], out: &mut [f64]) {
         match self.equations {
             Equations::One(f, _) => out[0] = f(x, z[0], z[1])[0],
@@ -49,6 +50,7 @@ impl Case {
     }
 
     /// Derivative of F with respect to z, by rows; F itself into `values`.
+    #[inline]
     pub fn derivatives(&self, x: f64, z: &[f64], values: &mut [f64], rows: &mut [f64]) {
         match self.equations {
             Equations::One(f, _) => {

@@ -1,6 +1,6 @@
 //! The three codes, each solving a case in one of its configurations.
 
-use crate::cases::{CASES, Case};
+use crate::cases::{CASES, Case, Equations};
 use crate::fortran::peers;
 use solver::bvp::{Bvp, Formulas};
 use solver::{Options, Order};
@@ -109,6 +109,9 @@ impl Formulas for System {
     fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
         let mut values = [0.0; 2];
         self.0.values(x, y, &mut values);
+        if let ([first, second], [_, slope]) = (&mut *f, y) {
+            return (*first, *second) = (*slope, values[0]);
+        }
         for i in 0..self.0.equations() {
             (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
         }
@@ -134,7 +137,16 @@ impl Formulas for System {
 }
 
 /// Derivatives of the system of first order, by columns.
+#[inline]
 fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f: Option<&mut [f64]>) {
+    if let Equations::One(formula, _) = case.equations {
+        let [value, by_u, by_slope] = formula(x, z[0], z[1]);
+        columns[..4].copy_from_slice(&[0.0, by_u, 1.0, by_slope]);
+        if let Some(f) = f {
+            (f[0], f[1]) = (z[1], value);
+        }
+        return;
+    }
     let (count, states) = (case.equations(), 2 * case.equations());
     let (mut values, mut rows) = ([0.0; 2], [0.0; 8]);
     case.derivatives(x, z, &mut values, &mut rows);

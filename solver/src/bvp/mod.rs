@@ -205,22 +205,74 @@ fn layout(states: &[&str], interval: (f64, f64), parameters: &[&str], unknowns: 
     }
 }
 
+/// The values of point `j`, one a row.
+#[inline(always)]
+fn scatter(values: &[f64], out: &mut [f64], stride: usize, j: usize) {
+    for (i, value) in values.iter().enumerate() {
+        out[i * stride + j] = *value;
+    }
+}
+
+impl<M: Formulas> Bvp<M> {
+    /// f at all points, `n` states.
+    #[inline(always)]
+    fn values(&self, n: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
+        let start = self.layout.regions[0].interval.0;
+        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
+        let (y, out) = buffer(&mut room, &mut more, 2 * n).split_at_mut(n);
+        for (j, &s) in at.s[..at.len].iter().enumerate() {
+            for (i, y) in y.iter_mut().enumerate() {
+                *y = at.at(i, j);
+            }
+            self.formulas.rhs(s, y, constants, out);
+            if let Some(term) = &self.singular {
+                term.complete(s - start, y, out);
+            }
+            scatter(out, f, at.stride, j);
+        }
+    }
+
+    /// The same with derivatives, by states and by parameters.
+    #[inline(always)]
+    fn derivatives(
+        &self,
+        n: usize,
+        at: &Points<'_>,
+        constants: &[f64],
+        (f, dy, dc): (&mut [f64], &mut [f64], &mut [f64]),
+    ) {
+        let start = self.layout.regions[0].interval.0;
+        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
+        let (y, rest) = buffer(&mut room, &mut more, n * (n + 2 + constants.len())).split_at_mut(n);
+        let (out, columns) = rest.split_at_mut(n);
+        for (j, &s) in at.s[..at.len].iter().enumerate() {
+            for (i, y) in y.iter_mut().enumerate() {
+                *y = at.at(i, j);
+            }
+            self.formulas.rhs_derivatives(s, y, constants, out, columns);
+            if let Some(term) = &self.singular {
+                term.complete(s - start, y, out);
+                term.complete_derivatives(s - start, columns);
+            }
+            scatter(out, f, at.stride, j);
+            let (states, parameters) = columns.split_at(n * n);
+            scatter(states, dy, at.stride, j);
+            scatter(parameters, dc, at.stride, j);
+        }
+    }
+}
+
 impl<M: Formulas> Problem for Bvp<M> {
     fn layout(&self) -> &Layout {
         &self.layout
     }
 
     fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
-        let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
-        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
-        let (y, out) = buffer(&mut room, &mut more, 2 * n).split_at_mut(n);
-        for j in 0..at.len {
-            y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
-            self.formulas.rhs(at.s[j], y, constants, out);
-            if let Some(term) = &self.singular {
-                term.complete(at.s[j] - start, y, out);
-            }
-            out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
+        // Compiled once more each where the states are those of one or two equations of second order.
+        match self.layout.regions[0].states.len() {
+            2 => self.values(2, at, constants, f),
+            4 => self.values(4, at, constants, f),
+            n => self.values(n, at, constants, f),
         }
     }
 
@@ -234,21 +286,10 @@ impl<M: Formulas> Problem for Bvp<M> {
         dy: &mut [f64],
         dc: &mut [f64],
     ) {
-        let (n, start) = (self.layout.regions[0].states.len(), self.layout.regions[0].interval.0);
-        let (mut room, mut more) = ([0.0; ROOM], Vec::new());
-        let (y, rest) = buffer(&mut room, &mut more, n * (n + 2 + constants.len())).split_at_mut(n);
-        let (out, columns) = rest.split_at_mut(n);
-        for j in 0..at.len {
-            y.iter_mut().enumerate().for_each(|(i, y)| *y = at.at(i, j));
-            self.formulas.rhs_derivatives(at.s[j], y, constants, out, columns);
-            if let Some(term) = &self.singular {
-                term.complete(at.s[j] - start, y, out);
-                term.complete_derivatives(at.s[j] - start, columns);
-            }
-            out.iter().enumerate().for_each(|(i, value)| f[i * at.stride + j] = *value);
-            let (states, parameters) = columns.split_at(n * n);
-            states.iter().enumerate().for_each(|(entry, value)| dy[entry * at.stride + j] = *value);
-            parameters.iter().enumerate().for_each(|(entry, value)| dc[entry * at.stride + j] = *value);
+        match self.layout.regions[0].states.len() {
+            2 => self.derivatives(2, at, constants, (f, dy, dc)),
+            4 => self.derivatives(4, at, constants, (f, dy, dc)),
+            n => self.derivatives(n, at, constants, (f, dy, dc)),
         }
     }
 

@@ -1,10 +1,11 @@
 //! Coefficients of the linearised interval equations: the chain rule through the stages.
 
 use super::coupled::{COUPLED, Coupling, Parts};
-use super::evaluate::Stages;
+use super::evaluate::{Batch, MOST_STAGES, Stages};
 use super::plan::RegionPlan;
 use super::{Scales, System};
 use crate::linear::chain::Block;
+use crate::linear::memory::Lanes;
 use crate::linear::qr;
 use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -33,11 +34,11 @@ pub(crate) struct Assembly<'a> {
     states: Vec<Entry>,
     constants: Vec<Entry>,
     /// dK/dy_0, dK/dy_1 by rows of `n`, dK/dc by rows of `p`: all stages one after the other.
-    left: Vec<Lane>,
-    right: Vec<Lane>,
-    by_constant: Vec<Lane>,
+    left: Lanes,
+    right: Lanes,
+    by_constant: Lanes,
     /// The stage's dY/d(...), then the sums over stages.
-    sum: Vec<Lane>,
+    sum: Lanes,
     coupling: Coupling,
 }
 
@@ -103,10 +104,10 @@ impl<'a> Assembly<'a> {
                     factor: constant_scale(column) / row_scale(row),
                 })
                 .collect(),
-            left: vec![Lane::ZERO; count * rows * n],
-            right: vec![Lane::ZERO; count * rows * n],
-            by_constant: vec![Lane::ZERO; count * rows * p],
-            sum: vec![Lane::ZERO; rows * n.max(p)],
+            left: Lanes::zeros(count * rows * n),
+            right: Lanes::zeros(count * rows * n),
+            by_constant: Lanes::zeros(count * rows * p),
+            sum: Lanes::zeros(rows * n.max(p)),
             coupling: Coupling::new(system.tableau, plan),
         }
     }
@@ -122,10 +123,79 @@ impl<'a> Assembly<'a> {
         row_scale: &mut [Lane],
         coupled: &mut [Lane],
     ) {
-        let n = rows.n();
-        let all = n + self.plan.active.len();
-        let p = self.plan.columns.len();
+        // Compiled once more where there are no integrals and constants, for one or two equations of second order.
+        match (rows.n(), self.plan.active.len(), self.plan.columns.len(), self.tableau.coupled) {
+            (2, 0, 0, false) => self.linearise_alone::<2>(t, block),
+            (4, 0, 0, false) => self.linearise_alone::<4>(t, block),
+            (2, 0, 0, true) => self.linearise((2, 0, 0), t, block, coupled),
+            (4, 0, 0, true) => self.linearise((4, 0, 0), t, block, coupled),
+            (n, k, p, _) => self.linearise((n, k, p), t, block, coupled),
+        }
+        scale_rows(rows.n(), self.plan.columns.len(), block, row_scale);
+    }
+
+    /// As [`linearise`](Self::linearise), where there are neither integrals nor constants and stages follow those before
+    /// them: all sizes are known when compiled.
+    #[inline(always)]
+    fn linearise_alone<const N: usize>(&self, t: usize, block: &mut Block<Lane>) {
         let h = Lane(self.h[t]);
+        let stages = self.tableau.stages().min(MOST_STAGES);
+        // By sides, stages, rows.
+        let mut moves = [[[[Lane::ZERO; N]; N]; MOST_STAGES]; 2];
+        moves[0][0] = self.jacobian(&self.stages.nodes, t, self.steps + 1);
+        moves[1][1] = self.jacobian(&self.stages.nodes, t + 1, self.steps + 1);
+        for stage in 2..stages {
+            let jacobian: [[Lane; N]; N] = self.jacobian(&self.stages.inner[stage - 2], t, self.steps);
+            let v = self.tableau.v[stage];
+            for (side, (moves, own)) in moves.iter_mut().zip([1.0 - v, v]).enumerate() {
+                let mut sum = [[Lane::ZERO; N]; N];
+                for (earlier, &weight) in self.tableau.x[stage].iter().enumerate() {
+                    // Neither node moves the other.
+                    if weight != 0.0 && earlier != 1 - side {
+                        add_times(&mut sum, h.times(weight), &moves[earlier]);
+                    }
+                }
+                for (i, row) in sum.iter_mut().enumerate() {
+                    row[i] += Lane::ONE.times(own);
+                }
+                for (row, by) in moves[stage].iter_mut().zip(&jacobian) {
+                    for (by, argument) in by.iter().zip(&sum) {
+                        for q in 0..N {
+                            row[q] += *by * argument[q];
+                        }
+                    }
+                }
+            }
+        }
+        for (side, (moves, out)) in moves.iter().zip([&mut block.a, &mut block.b]).enumerate() {
+            let mut sum = [[Lane::ZERO; N]; N];
+            for (moves, &b) in moves.iter().zip(self.tableau.b).take(stages) {
+                add_times(&mut sum, h.times(b), moves);
+            }
+            for (i, row) in sum.iter().enumerate() {
+                for (j, &value) in row.iter().enumerate() {
+                    out[j * N + i] = -value;
+                }
+                out[i * N + i] += Lane::ONE.times(if side == 0 { -1.0 } else { 1.0 });
+            }
+        }
+    }
+
+    /// Derivatives of the right-hand side at one stage, dimensionless.
+    #[inline(always)]
+    fn jacobian<const N: usize>(&self, batch: &Batch, step: usize, steps: usize) -> [[Lane; N]; N] {
+        let dy = batch.dy.as_chunks::<W>().0;
+        let mut out = [[Lane::ZERO; N]; N];
+        for entry in &self.states {
+            out[entry.row][entry.column] += Lane(dy[entry.from * steps + step]).times(entry.factor);
+        }
+        out
+    }
+
+    /// `n` states, `k` active integrals, `p` constants.
+    #[inline(always)]
+    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, coupled: &mut [Lane]) {
+        let (h, all) = (Lane(self.h[t]), n + k);
         let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };
         for stage in 0..known {
             self.differentiate_stage(n, all, p, t, stage, h);
@@ -134,21 +204,6 @@ impl<'a> Assembly<'a> {
             Couple { assembly: self, t, coupled }.vectorised();
         }
         self.combine(n, all, p, h, block);
-        for (i, scale) in row_scale.iter_mut().enumerate() {
-            let mut largest = Lane::ONE;
-            for j in 0..n {
-                largest = largest.zip(block.a[j * n + i].abs(), f64::max);
-                largest = largest.zip(block.b[j * n + i].abs(), f64::max);
-            }
-            *scale = largest.recip();
-            for j in 0..n {
-                block.a[j * n + i] = block.a[j * n + i] * *scale;
-                block.b[j * n + i] = block.b[j * n + i] * *scale;
-            }
-            for j in 0..p {
-                block.c[j * n + i] = block.c[j * n + i] * *scale;
-            }
-        }
     }
 
     /// dK = J dY + dJ/dc of one stage.
@@ -284,6 +339,36 @@ impl<'a> Assembly<'a> {
         add_to_diagonal(&mut block.b, n, 1.0);
         quadrature(&self.by_constant, p, all, b, h, sum);
         transposed(sum, n, p, &mut block.c, &mut block.fc);
+    }
+}
+
+/// Divides the equations so that no coefficient of a node exceeds 1.
+#[inline(always)]
+fn scale_rows(n: usize, p: usize, block: &mut Block<Lane>, row_scale: &mut [Lane]) {
+    for (i, scale) in row_scale.iter_mut().enumerate() {
+        let mut largest = Lane::ONE;
+        for j in 0..n {
+            largest = largest.zip(block.a[j * n + i].abs(), f64::max);
+            largest = largest.zip(block.b[j * n + i].abs(), f64::max);
+        }
+        *scale = largest.recip();
+        for j in 0..n {
+            block.a[j * n + i] = block.a[j * n + i] * *scale;
+            block.b[j * n + i] = block.b[j * n + i] * *scale;
+        }
+        for j in 0..p {
+            block.c[j * n + i] = block.c[j * n + i] * *scale;
+        }
+    }
+}
+
+/// `sum += weight * matrix`
+#[inline(always)]
+fn add_times<const N: usize>(sum: &mut [[Lane; N]; N], weight: Lane, matrix: &[[Lane; N]; N]) {
+    for (sum, row) in sum.iter_mut().zip(matrix) {
+        for q in 0..N {
+            sum[q] += weight * row[q];
+        }
     }
 }
 

@@ -17,8 +17,9 @@ use super::defect::Tally;
 use super::evaluate::Stages;
 use super::interpolant::{Basis, Extended, Extension, Sample};
 use crate::error::NonFinite;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
-use crate::linear::scalar::{Lane, Scalar, W, zeros};
+use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
@@ -93,10 +94,10 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         tally: &mut Tally,
         sample: &mut Sample,
         stats: &mut Stats,
-    ) -> Result<Vec<f64>, NonFinite> {
+    ) -> Result<Numbers, NonFinite> {
         self.collocate(extension);
         let (n, intervals) = (self.n(), self.intervals());
-        let (mut points, mut f) = (zeros(POINTS * n * intervals), self.room_of_slopes());
+        let (mut points, mut f) = (Numbers::zeros(POINTS * n * intervals), self.room_of_slopes());
         for (k, points) in points.chunks_exact_mut(n * intervals).enumerate() {
             let sigma = 0.5 + offset(k);
             let slope = Basis::slope(sigma);
@@ -128,7 +129,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let intervals = self.intervals();
         let basis = Basis::slope(0.5 + LOBATTO_OFFSET);
         let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), basis);
-        let (mut low, mut high) = (zeros(intervals), zeros(intervals));
+        let (mut low, mut high) = (Numbers::zeros(intervals), Numbers::zeros(intervals));
         for i in 0..self.n() {
             let span = i * intervals..(i + 1) * intervals;
             let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
@@ -155,8 +156,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let even = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] + e[k]) / bump[k]);
         let odd = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] - e[k]) / (bump[k] * OFFSETS[k]));
         let bend = |at: [f64; 2]| (at[1] - at[0]) / (square[1] - square[0]);
-        extension.gamma = zeros(len);
-        extension.delta = zeros(len);
+        extension.gamma = Numbers::zeros(len);
+        extension.delta = Numbers::zeros(len);
         elementwise(&mut extension.gamma, inputs, |_, e| bend(even(e)));
         elementwise(&mut extension.delta, inputs, |_, e| bend(odd(e)));
         elementwise(&mut extension.alpha, inputs, |alpha, e| alpha + even(e)[0] - square[0] * bend(even(e)));
@@ -229,7 +230,7 @@ impl Correct<'_> {
     fn solve(self, n: usize) {
         let (m, steps) = (POINTS * n, self.h.len() / W);
         let from_slopes = &self.weights.of_slopes;
-        let (mut data, mut x) = (vec![Lane::ZERO; qr::room(m)], vec![Lane::ZERO; m]);
+        let (mut data, mut x) = (Lanes::zeros(qr::room(m)), Lanes::zeros(m));
         for t in 0..steps {
             let h = Lane(self.h.as_chunks::<W>().0[t]);
             let matrix = qr::matrix(m, &mut data);

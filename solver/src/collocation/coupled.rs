@@ -15,6 +15,7 @@ use super::factor::{Factorisation, RegionFactor};
 use super::grid::Grid;
 use super::plan::RegionPlan;
 use super::{Iterate, System};
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, largest, vectorised};
@@ -121,7 +122,7 @@ impl Inward<'_> {
     #[inline(always)]
     fn eliminate(self, m: usize, n: usize, all: usize) {
         let RegionFactor { coupling, coupled, .. } = self.factor;
-        let mut sums = vec![Lane::ZERO; all - n];
+        let mut sums = Lanes::zeros(all - n);
         let steps = self.inner.chunks_exact_mut(m).zip(self.rhs.chunks_exact_mut(n));
         for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
             let Parts { qr, slopes, .. } = coupling.parts(data);
@@ -223,7 +224,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
                 let len = grid.node_stride();
                 let at = Points { len, stride: len, s: &grid.s, y };
-                let mut f = vec![0.0; self.layout.regions[region].rows() * len];
+                let mut f = Numbers::zeros(self.layout.regions[region].rows() * len);
                 stats.rhs_points += len;
                 self.problem.rhs(region, &at, &x.constants, &mut f);
                 interpolated(self.tableau, grid, y, Some(&f))
@@ -292,7 +293,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 
     /// `x.inner += factor * scale * inner`.
-    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Vec<f64>], factor: f64, inner: &[Vec<Lane>]) {
+    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Vec<f64>], factor: f64, inner: &[Lanes]) {
         for ((values, changes), d) in x.inner.iter_mut().zip(inner).zip(scales) {
             let m = self.tableau.unknown_stages() * d.len();
             let steps = changes.len() / m;
@@ -309,9 +310,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 /// Row by row in working order, `m * interval_stride`, to interval by interval in units of the scales.
-pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Vec<Lane> {
+pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Lanes {
     let values = values.as_chunks::<W>().0;
-    let mut out = vec![Lane::ZERO; values.len()];
+    let mut out = Lanes::zeros(values.len());
     for (row, values) in values.chunks_exact(values.len() / m).enumerate() {
         let factor = factor / d[row % d.len()];
         for (out, value) in out.chunks_exact_mut(m).zip(values) {
@@ -330,10 +331,10 @@ pub(crate) fn unscaled(lanes: &[Lane], d: &[f64], m: usize) -> Vec<f64> {
 
 /// By cubics with the slopes of parabolas through neighbouring nodes, or with `f` (component by component in working
 /// order) where those are to be believed.
-pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Vec<f64> {
+pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Numbers {
     let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
     let states = y.len() / stride;
-    let mut out = vec![0.0; tableau.unknown_stages() * states * len];
+    let mut out = Numbers::zeros(tableau.unknown_stages() * states * len);
     for (i, y) in y.chunks_exact(stride).enumerate() {
         let values = grid.unpack(y);
         let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));

@@ -3,13 +3,17 @@
 use super::Scales;
 use super::interpolant::{Basis, Extended, Extension, Sample};
 use crate::error::NonFinite;
-use crate::linear::scalar::{Lane, Scalar, W, zeros};
+use crate::linear::memory::Numbers;
+use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
 
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// The samples of order 6, and those of any, in the order in which they are taken.
+const INNER_FIRST: [usize; 4] = [1, 2, 0, 3];
+const IN_TURN: [usize; 6] = [0, 1, 2, 3, 4, 5];
 /// The collocation polynomial of order 8 is not corrected where its defect is as large as this: the mesh will be
 /// refined, and it says well enough where,
 const ROUGH: f64 = 0.3;
@@ -31,20 +35,20 @@ pub(crate) struct Defects {
     /// State of the largest relative defect.
     pub state: Vec<usize>,
     /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
-    /// working order. Empty on rough meshes of order 8, as are the samples.
-    pub integrated: Vec<f64>,
+    /// working order. Empty on rough meshes of orders 6 and 8, as are the samples.
+    pub integrated: Numbers,
     /// f(S) at one sample after the other, each `rows * interval_stride`, in working order.
-    pub samples: Vec<f64>,
+    pub samples: Numbers,
 }
 
 /// Weighted squares of the defects at the samples taken so far, by states and intervals in working order.
 pub(super) struct Tally {
     /// Of relative defects.
-    relative: Vec<f64>,
+    relative: Numbers,
     /// Of contributions.
-    absolute: Vec<f64>,
+    absolute: Numbers,
     /// `Σ |∂f/∂y| |y|` of each state, the larger of both nodes.
-    terms: Vec<f64>,
+    terms: Numbers,
     /// Sum of the weights.
     weight: f64,
 }
@@ -143,7 +147,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         } else {
             self.bootstrapped(&mut extension, &mut sample, stats)?;
         }
-        let defects = self.defects(&extension, states, (tally, sample), stats)?;
+        let defects = self.defects(&extension, states, (tally, sample), limit, stats)?;
         Ok((extension, defects))
     }
 
@@ -152,12 +156,22 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         extension: &Extension,
         scales: &[f64],
         (mut tally, mut sample): (Tally, Sample),
+        limit: f64,
         stats: &mut Stats,
     ) -> Result<Defects, NonFinite> {
         let intervals = self.intervals();
         let (all, rows) = (self.system.tableau.samples, self.system.plan.regions[self.region].rows);
-        let (mut samples, mut rise) = (zeros(all.len() * rows * intervals), zeros(intervals));
-        for (&(sigma, weight), f) in all.iter().zip(samples.chunks_exact_mut(rows * intervals)) {
+        let (mut samples, mut rise) = (Numbers::zeros(all.len() * rows * intervals), Numbers::zeros(intervals));
+        // Two samples tell where a mesh is rough, and say well enough where.
+        let early = self.system.tableau.order == 6 && limit <= LARGEST_LIMIT;
+        let (mut taken, turns): (f64, &[usize]) = (0.0, if early { &INNER_FIRST } else { &IN_TURN[..all.len()] });
+        for (count, &k) in turns.iter().enumerate() {
+            if early && count == 2 && tally.exceeds(ROUGH, limit) {
+                tally.weigh_by(taken);
+                return Ok(self.concluded(tally, scales));
+            }
+            let ((sigma, weight), f) = (all[k], &mut samples[k * rows * intervals..(k + 1) * rows * intervals]);
+            taken += weight;
             self.sample(Some(extension), sigma, (&mut sample, &mut *f), stats)?;
             let basis = Basis::slope(sigma);
             for (i, &scale) in scales.iter().enumerate() {
@@ -191,42 +205,41 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 
     /// What the samples say, in the mesh's order.
     fn concluded(&self, tally: Tally, scales: &[f64]) -> Defects {
-        let Tally { relative, absolute, terms, weight } = tally;
+        let Tally { mut relative, mut absolute, terms, weight } = tally;
         let (grid, intervals) = (&self.system.grids[self.region], self.intervals());
         let (count, rounding) = (grid.intervals(), self.rounding(&terms, scales));
-        let room = || Vec::with_capacity(count);
-        let (mut largest, mut contributions, mut floors, mut states) =
-            (room(), room(), room(), Vec::with_capacity(count));
-        for (_, p) in grid.positions().take(count) {
-            let (mut state, mut most, mut contribution) = (0, relative[p], 0.0_f64);
-            for i in 0..scales.len() {
-                let at = i * intervals + p;
-                if relative[at].total_cmp(&most).is_ge() {
-                    (state, most) = (i, relative[at]);
-                }
-                contribution = contribution.max(absolute[at]);
+        let (most, others) = relative.split_at_mut(intervals);
+        let (contribution, contributions) = absolute.split_at_mut(intervals);
+        let mut state = vec![0; intervals];
+        for (i, (others, contributions)) in
+            others.chunks_exact(intervals).zip(contributions.chunks_exact(intervals)).enumerate()
+        {
+            for p in 0..intervals {
+                // Written so that a NaN stays.
+                let smaller = others[p] < most[p] || most[p].is_nan();
+                (most[p], state[p]) = if smaller { (most[p], state[p]) } else { (others[p], i + 1) };
+                contribution[p] = contribution[p].max(contributions[p]);
             }
-            largest.push((most / weight).sqrt());
-            contributions.push((contribution / weight).sqrt());
+        }
+        let room = || Vec::with_capacity(count);
+        let (mut largest, mut contributed, mut floors, mut states) =
+            (room(), room(), room(), Vec::with_capacity(count));
+        grid.each(count, |p| {
+            largest.push((most[p] / weight).sqrt());
+            contributed.push((contribution[p] / weight).sqrt());
             floors.push(rounding[p]);
-            states.push(state);
-        }
-        Defects {
-            relative: largest,
-            contribution: contributions,
-            rounding: floors,
-            state: states,
-            ..Defects::default()
-        }
+            states.push(state[p]);
+        });
+        Defects { relative: largest, contribution: contributed, rounding: floors, state: states, ..Defects::default() }
     }
 
     /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It
     /// is large where intervals are short although the solution hardly varies on them, and small in a layer.
-    fn rounding(&self, terms: &[f64], scales: &[f64]) -> Vec<f64> {
+    fn rounding(&self, terms: &[f64], scales: &[f64]) -> Numbers {
         let intervals = self.intervals();
         let (a, b) = self.system.layout.regions[self.region].interval;
         let length = b - a;
-        let mut out = zeros(intervals);
+        let mut out = Numbers::zeros(intervals);
         for (i, &scale) in scales.iter().enumerate() {
             let (y0, y1) = self.values(i);
             let terms = &terms[i * intervals..(i + 1) * intervals];
@@ -241,7 +254,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// An empty tally.
     fn tally(&self) -> Tally {
         let (n, nodes, intervals) = (self.n(), self.nodes(), self.intervals());
-        let mut at_nodes = zeros(n * nodes);
+        let mut at_nodes = Numbers::zeros(n * nodes);
         let pattern = &self.system.layout.regions[self.region].state_pattern;
         for (entry, &(row, state)) in pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
             let dy = &self.stages.nodes.dy[entry * nodes..(entry + 1) * nodes];
@@ -249,18 +262,18 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             let out = &mut at_nodes[row * nodes..(row + 1) * nodes];
             elementwise(out, [dy, y], |sum, [dy, y]| sum + (dy * y).abs());
         }
-        let mut terms = zeros(n * intervals);
+        let mut terms = Numbers::zeros(n * intervals);
         for (terms, at_nodes) in terms.chunks_exact_mut(intervals).zip(at_nodes.chunks_exact(nodes)) {
             elementwise(terms, [at_nodes, &at_nodes[W..]], |_, [left, right]| left.max(right));
         }
-        Tally { relative: zeros(n * intervals), absolute: zeros(n * intervals), terms, weight: 0.0 }
+        Tally { relative: Numbers::zeros(n * intervals), absolute: Numbers::zeros(n * intervals), terms, weight: 0.0 }
     }
 
     /// From f at the samples, all rows: what the defects of the states, and the quadrature of the integrals, amount to.
-    fn integrated(&self, samples: &[f64]) -> Vec<f64> {
+    fn integrated(&self, samples: &[f64]) -> Numbers {
         let (n, intervals) = (self.n(), self.intervals());
         let rules = self.system.interval_integrals(self.region, self.stages);
-        let mut means = zeros(self.system.plan.regions[self.region].rows * intervals);
+        let mut means = Numbers::zeros(self.system.plan.regions[self.region].rows * intervals);
         for (f, &(_, weight)) in samples.chunks_exact(means.len()).zip(self.system.tableau.samples) {
             elementwise(&mut means, [f], |mean, [f]| mean + weight * f);
         }

@@ -2,7 +2,8 @@
 
 use super::{Iterate, System};
 use crate::error::NonFinite;
-use crate::linear::scalar::{Lane, Scalar, W, zeros};
+use crate::linear::memory::Numbers;
+use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
@@ -10,12 +11,12 @@ use crate::stats::Stats;
 /// Values of one batch of points.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Batch {
-    pub s: Vec<f64>,
-    pub y: Vec<f64>,
+    pub s: Numbers,
+    pub y: Numbers,
     /// Right-hand side and integrands.
-    pub f: Vec<f64>,
-    pub dy: Vec<f64>,
-    pub dc: Vec<f64>,
+    pub f: Numbers,
+    pub dy: Numbers,
+    pub dc: Numbers,
 }
 
 /// Values of one region at all its stages.
@@ -26,21 +27,21 @@ pub(crate) struct Stages {
     /// Stages 2, 3, ...
     pub inner: Vec<Batch>,
     /// Interval residuals `y_1 - y_0 - h Σ b K`, `n * interval_stride`.
-    pub phi: Vec<f64>,
+    pub phi: Numbers,
     /// Residuals of the stage equations, as [`Iterate::inner`] stands; empty if that is.
-    pub psi: Vec<f64>,
+    pub psi: Numbers,
 }
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
 #[derive(Debug, Clone)]
 pub(crate) struct Work {
     pub regions: Vec<Stages>,
-    pub ends: Vec<f64>,
-    pub integrals: Vec<f64>,
+    pub ends: Numbers,
+    pub integrals: Numbers,
     /// Boundary residuals.
-    pub g: Vec<f64>,
+    pub g: Numbers,
     /// Entries of the boundary pattern.
-    pub dz: Vec<f64>,
+    pub dz: Numbers,
 }
 
 /// Whether derivatives are wanted, and which.
@@ -70,11 +71,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(crate) fn work(&self) -> Work {
         let regions = self.plan.regions.iter().zip(&self.grids).map(|(plan, grid)| {
             let batch = |stride: usize, own_points: bool| Batch {
-                s: zeros(if own_points { stride } else { 0 }),
-                y: zeros(if own_points { plan.n * stride } else { 0 }),
-                f: zeros(plan.rows * stride),
-                dy: zeros(plan.state_nonzeros * stride),
-                dc: zeros(plan.constant_nonzeros * stride),
+                s: Numbers::zeros(if own_points { stride } else { 0 }),
+                y: Numbers::zeros(if own_points { plan.n * stride } else { 0 }),
+                f: Numbers::zeros(plan.rows * stride),
+                dy: Numbers::zeros(plan.state_nonzeros * stride),
+                dc: Numbers::zeros(plan.constant_nonzeros * stride),
             };
             let stride = grid.interval_stride();
             let at = |c: f64| {
@@ -83,15 +84,15 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 batch
             };
             let inner = self.tableau.c[2..].iter().map(|&c| at(c)).collect();
-            let psi = zeros(self.tableau.unknown_stages() * plan.n * stride);
-            Stages { nodes: batch(grid.node_stride(), false), inner, phi: zeros(plan.n * stride), psi }
+            let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * stride);
+            Stages { nodes: batch(grid.node_stride(), false), inner, phi: Numbers::zeros(plan.n * stride), psi }
         });
         Work {
             regions: regions.collect(),
-            ends: zeros(self.layout.ends()),
-            integrals: zeros(self.layout.integrals()),
-            g: zeros(self.layout.equations.len()),
-            dz: zeros(self.layout.boundary_pattern.len()),
+            ends: Numbers::zeros(self.layout.ends()),
+            integrals: Numbers::zeros(self.layout.integrals()),
+            g: Numbers::zeros(self.layout.equations.len()),
+            dz: Numbers::zeros(self.layout.boundary_pattern.len()),
         }
     }
 
@@ -312,7 +313,7 @@ fn advance(
 }
 
 /// Stages of a method at most; fewer are filled up by the first node's, with the weight 0.
-const MOST_STAGES: usize = 5;
+pub(super) const MOST_STAGES: usize = 5;
 
 struct Advance<'a> {
     stages: &'a Stages,

@@ -9,6 +9,7 @@ use super::plan::RegionPlan;
 use super::{Correction, Scales, System};
 use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
@@ -20,20 +21,20 @@ pub(crate) struct RegionFactor {
     pub lanes: Chain<Lane>,
     pub top: Chain<f64>,
     /// What the interval equations were multiplied by, `steps * n`.
-    pub row_scale: Vec<Lane>,
+    pub row_scale: Lanes,
     /// Of the inner stages whose states are unknowns.
     pub coupling: Coupling,
     /// What is kept of them, interval by interval; empty if there are none.
-    pub coupled: Vec<Lane>,
+    pub coupled: Lanes,
 }
 
 /// Right-hand sides in dimensionless equations.
 #[derive(Debug, Clone)]
 pub(crate) struct Rhs {
     /// Interval equations, `steps * n` a region, before [`RegionFactor::row_scale`].
-    pub regions: Vec<Vec<Lane>>,
+    pub regions: Vec<Lanes>,
     /// Stage equations, where the inner stages' states are unknowns: `steps * m` a region. Empty where they are met.
-    pub inner: Vec<Vec<Lane>>,
+    pub inner: Vec<Lanes>,
     /// What the integrals change by beside what the states and unknowns do to them, per region, active ones.
     pub integrals: Vec<Vec<f64>>,
     /// Boundary equations.
@@ -61,9 +62,9 @@ impl Factorisation {
             RegionFactor {
                 lanes: Chain::new(plan.sizes(), grid.steps),
                 top: Chain::new(plan.sizes(), W),
-                row_scale: vec![Lane::ZERO; grid.steps * plan.n],
+                row_scale: Lanes::zeros(grid.steps * plan.n),
                 coupling,
-                coupled: vec![Lane::ZERO; grid.steps * kept],
+                coupled: Lanes::zeros(grid.steps * kept),
             }
         });
         Self {
@@ -194,7 +195,7 @@ impl Factorisation {
         let regions = system.grids.iter().zip(&work.regions).zip(&self.scales.states).map(|((grid, stages), d)| {
             let n = d.len();
             let (phi, _) = stages.phi.as_chunks::<W>();
-            let mut rhs = vec![Lane::ZERO; grid.steps * n];
+            let mut rhs = Lanes::zeros(grid.steps * n);
             for (i, scale) in d.iter().enumerate() {
                 for (out, phi) in rhs.chunks_exact_mut(n).zip(&phi[i * grid.steps..]) {
                     out[i] = Lane(*phi).times(-1.0 / scale);
@@ -212,7 +213,7 @@ impl Factorisation {
     }
 
     /// Minus the residuals of the stage equations in `work`; empty if there are none.
-    fn stage_rhs(&self, work: &Work) -> Vec<Vec<Lane>> {
+    fn stage_rhs(&self, work: &Work) -> Vec<Lanes> {
         let coupled = self.regions.iter().zip(&work.regions).zip(&self.scales.states);
         let coupled = coupled.filter(|((factor, _), _)| factor.coupling.m > 0);
         coupled.map(|((factor, stages), d)| scaled(&stages.psi, d, factor.coupling.m, -1.0)).collect()
@@ -220,12 +221,12 @@ impl Factorisation {
 
     /// The change of the inner stages' states that cancels the residuals of the stage equations in `work`, the nodes
     /// given.
-    pub(crate) fn stage_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> Vec<Vec<Lane>> {
+    pub(crate) fn stage_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> Vec<Lanes> {
         let mut inner = self.stage_rhs(work);
         for ((inner, factor), (grid, plan)) in
             inner.iter_mut().zip(&self.regions).zip(system.grids.iter().zip(&system.plan.regions))
         {
-            let mut rhs = vec![Lane::ZERO; grid.steps * plan.n];
+            let mut rhs = Lanes::zeros(grid.steps * plan.n);
             Inward { factor, inner, rhs: &mut rhs, functionals: &mut [] }.vectorised();
         }
         inner
@@ -258,7 +259,7 @@ impl Factorisation {
     /// The direction that a singular matrix does not see, its largest end or unknown 1.
     pub(crate) fn null_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Correction {
         let grids = system.grids.iter().zip(&system.plan.regions);
-        let rhs: Vec<Vec<Lane>> = grids.map(|(grid, plan)| vec![Lane::ZERO; grid.steps * plan.n]).collect();
+        let rhs: Vec<Lanes> = grids.map(|(grid, plan)| Lanes::zeros(grid.steps * plan.n)).collect();
         let tops: Vec<Vec<f64>> = system.plan.regions.iter().map(|plan| vec![0.0; W * plan.n]).collect();
         self.interiors(system, &rhs, &tops, self.null_vector(), Vec::new())
     }
@@ -267,20 +268,20 @@ impl Factorisation {
     fn interiors<P: Problem + ?Sized>(
         &self,
         system: &System<'_, P>,
-        rhs: &[Vec<Lane>],
+        rhs: &[Lanes],
         tops: &[Vec<f64>],
         mut dense: Vec<f64>,
-        mut inner: Vec<Vec<Lane>>,
+        mut inner: Vec<Lanes>,
     ) -> Correction {
         if inner.is_empty() && system.tableau.coupled {
             let sizes = self.regions.iter().zip(&system.grids);
-            inner = sizes.map(|(factor, grid)| vec![Lane::ZERO; grid.steps * factor.coupling.m]).collect();
+            inner = sizes.map(|(factor, grid)| Lanes::zeros(grid.steps * factor.coupling.m)).collect();
         }
         let c = dense.split_off(2 * system.plan.states());
         let mut u = Vec::with_capacity(system.grids.len());
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let grid = &system.grids[region];
-            let mut nodes = vec![Lane::ZERO; (grid.steps + 1) * plan.n];
+            let mut nodes = Lanes::zeros((grid.steps + 1) * plan.n);
             let constants: Vec<f64> = plan.columns.iter().map(|&column| c[column]).collect();
             let ends = &dense[plan.first_end..plan.first_end + 2 * plan.n];
             let (first, last) = ends.split_at(plan.n);

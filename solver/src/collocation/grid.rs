@@ -5,6 +5,7 @@
 //! every stretch. Nodes likewise, in `steps + 1` rows: the last row repeats the first of the next stretch, which
 //! makes the right node of the interval at `p` stand at `p + W`.
 
+use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
 
 #[derive(Debug, Clone)]
@@ -29,8 +30,15 @@ impl Grid {
         grid.s = grid.pack(&grid.mesh);
         grid.weight = vec![0.0; grid.node_stride()];
         let weight = 1.0 / grid.mesh.len() as f64;
-        for (_, p) in grid.positions().take(grid.mesh.len()) {
-            grid.weight[p] = weight;
+        // Padding is at the end of a stretch.
+        let nodes = grid.mesh.len();
+        for l in 0..W {
+            let left = nodes.saturating_sub(l * steps).min(steps);
+            (0..left).for_each(|t| grid.weight[t * W + l] = weight);
+        }
+        if nodes > W * steps {
+            let last = grid.last();
+            grid.weight[last] = weight;
         }
         grid.h = (0..steps * W).map(|p| grid.s[p + W] - grid.s[p]).collect();
         grid
@@ -69,6 +77,15 @@ impl Grid {
         stretches.chain(std::iter::once(last)).enumerate()
     }
 
+    /// Working positions of the first `count` intervals, in the mesh's order.
+    #[inline]
+    pub(crate) fn each(&self, count: usize, mut f: impl FnMut(usize)) {
+        for l in 0..W {
+            let left = count.saturating_sub(l * self.steps).min(self.steps);
+            (0..left).for_each(|t| f(t * W + l));
+        }
+    }
+
     /// Which interval or node a working position holds; padding answers with the last.
     pub(crate) fn index(&self, p: usize) -> usize {
         (p % W * self.steps + p / W).min(self.intervals())
@@ -96,10 +113,7 @@ impl Grid {
 
     fn in_order(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut out = Vec::with_capacity(count);
-        for l in 0..W {
-            let left = count.saturating_sub(l * self.steps).min(self.steps);
-            out.extend(values[l..].iter().step_by(W).take(left));
-        }
+        self.each(count, |p| out.push(values[p]));
         if out.len() < count {
             out.push(values[self.last()]);
         }
@@ -107,12 +121,10 @@ impl Grid {
     }
 
     /// As [`pack`](Self::pack), all components one after the other.
-    pub(crate) fn pack_all(&self, components: &[Vec<f64>]) -> Vec<f64> {
-        let mut out = Vec::with_capacity(components.len() * self.node_stride());
-        for values in components {
-            out.extend((0..self.node_stride()).map(|p| values[self.index(p)]));
-        }
-        out
+    pub(crate) fn pack_all(&self, components: &[Vec<f64>]) -> Numbers {
+        let stride = self.node_stride();
+        let values = components.iter().flat_map(|values| (0..stride).map(|p| values[self.index(p)]));
+        Numbers::collected(components.len() * stride, values)
     }
 }
 

@@ -16,7 +16,8 @@ use super::defect::Defects;
 use super::evaluate::Stages;
 use super::{Iterate, System};
 use crate::error::NonFinite;
-use crate::linear::scalar::{W, zeros};
+use crate::linear::memory::Numbers;
+use crate::linear::scalar::W;
 use crate::linear::simd::elementwise;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
@@ -25,11 +26,11 @@ use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
 /// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
 pub(crate) struct Extension {
-    pub alpha: Vec<f64>,
-    pub beta: Vec<f64>,
+    pub alpha: Numbers,
+    pub beta: Numbers,
     /// Empty below order 8, as is δ.
-    pub gamma: Vec<f64>,
-    pub delta: Vec<f64>,
+    pub gamma: Numbers,
+    pub delta: Numbers,
 }
 
 /// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β`, `γ`, `δ` in S and in its derivatives at one σ.
@@ -95,8 +96,8 @@ impl Basis {
 
 /// Points of one evaluation at the same σ in all intervals; reused from one to the next.
 pub(super) struct Sample {
-    s: Vec<f64>,
-    y: Vec<f64>,
+    s: Numbers,
+    y: Numbers,
 }
 
 /// One region at a converged iterate.
@@ -111,7 +112,12 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// An extension that adds nothing to the cubic.
     pub(super) fn no_extension(&self) -> Extension {
         let len = self.n() * self.intervals();
-        Extension { alpha: zeros(len), beta: zeros(len), gamma: Vec::new(), delta: Vec::new() }
+        Extension {
+            alpha: Numbers::zeros(len),
+            beta: Numbers::zeros(len),
+            gamma: Numbers::default(),
+            delta: Numbers::default(),
+        }
     }
 
     /// That of order 4 or 6: see the module's head.
@@ -128,7 +134,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             return self.match_middle(extension, sample, stats);
         }
         let intervals = self.intervals();
-        let (mut slope, mut f) = (zeros(intervals), self.room_of_slopes());
+        let (mut slope, mut f) = (Numbers::zeros(intervals), self.room_of_slopes());
         for (sigma, sign) in [(0.5 - QUARTIC_OFFSET, 1.0), (0.5 + QUARTIC_OFFSET, -1.0)] {
             self.sample(None, sigma, (&mut *sample, &mut f), stats)?;
             let basis = Basis::slope(sigma);
@@ -146,7 +152,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn match_middle(&self, extension: &mut Extension, sample: &mut Sample, stats: &mut Stats) -> Result<(), NonFinite> {
         let intervals = self.intervals();
         let (value, slope) = (Basis::value(0.5), Basis::slope(0.5));
-        let mut cubic = zeros(intervals);
+        let mut cubic = Numbers::zeros(intervals);
         for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
             let stage = |stage| self.stages.slope(stage, i, intervals);
             let (y0, y1) = self.values(i);
@@ -228,12 +234,12 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// Room for [`sample`](Self::sample).
     pub(super) fn room(&self) -> Sample {
         let (intervals, n) = (self.intervals(), self.n());
-        Sample { s: zeros(intervals), y: zeros(n * intervals) }
+        Sample { s: Numbers::zeros(intervals), y: Numbers::zeros(n * intervals) }
     }
 
     /// Room for f at one sample, all rows.
-    pub(super) fn room_of_slopes(&self) -> Vec<f64> {
-        zeros(self.system.plan.regions[self.region].rows * self.intervals())
+    pub(super) fn room_of_slopes(&self) -> Numbers {
+        Numbers::zeros(self.system.plan.regions[self.region].rows * self.intervals())
     }
 
     /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
@@ -260,11 +266,11 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// `S̃ = y_0 + ∫ f(S) ds`: as [`Defects::integrated`], but from an extension that is one order better, as order 6
     /// needs. To first order `f(S̃) = f(S) + ∂f/∂y (S̃ - S)`, with the derivatives at the stages, by the method's own
     /// quadrature: nothing is evaluated anew.
-    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Vec<f64> {
+    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let (nodes, intervals) = (self.nodes(), self.intervals());
         let mut integrated = defects.integrated.clone();
         let tableau = self.system.tableau;
-        let mut difference = zeros(self.n() * intervals);
+        let mut difference = Numbers::zeros(self.n() * intervals);
         // S̃ = S at the first stage, the left node.
         for (stage, &b) in tableau.b.iter().enumerate().skip(1) {
             self.improvement(extension, defects, stage, &mut difference);
@@ -286,10 +292,10 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 
     /// What the defect moves the inner stages by, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' - f(S)) ds`, as
     /// [`Iterate::inner`] stands: right-hand sides of the linearised stage equations.
-    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Vec<f64> {
+    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let tableau = self.system.tableau;
         let len = self.n() * self.intervals();
-        let mut out = zeros(tableau.unknown_stages() * len);
+        let mut out = Numbers::zeros(tableau.unknown_stages() * len);
         for (stage, out) in out.chunks_exact_mut(len).enumerate() {
             let c = tableau.c[stage + 2];
             self.improvement(extension, defects, stage + 2, out);
@@ -304,12 +310,21 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let rows = self.system.plan.regions[self.region].rows * intervals;
         let Some(weights) = self.system.tableau.partial_integrals().get(stage) else { return };
         let basis = Basis::value(self.system.tableau.c[stage]);
-        let mut known = zeros(intervals);
+        let mut known = Numbers::zeros(intervals);
         for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
             let span = i * intervals..(i + 1) * intervals;
             let (f0, f1) = (self.stages.slope(0, i, intervals), self.stages.slope(1, i, intervals));
             self.weigh(Some(extension), &basis, i, &mut known);
             let (left, right) = (weights[0], weights[1]);
+            if let [a, b, c, d] = weights[2..] {
+                // The same in one pass, for the four samples of order 6.
+                let sample = |k: usize| &defects.samples[k * rows..][span.clone()];
+                let inputs = [f0, f1, sample(0), sample(1), sample(2), sample(3), self.h(), &known];
+                elementwise(out, inputs, |_, [f0, f1, s, t, u, v, h, known]| {
+                    h * (left * f0 + right * f1 + a * s + b * t + c * u + d * v) - known
+                });
+                continue;
+            }
             elementwise(out, [f0, f1], |_, [f0, f1]| left * f0 + right * f1);
             for (pair, weights) in defects.samples.chunks_exact(2 * rows).zip(weights[2..].chunks_exact(2)) {
                 let pair = [&pair[span.clone()], &pair[rows..][span.clone()]];

@@ -13,6 +13,7 @@ pub(crate) mod parameter;
 pub(crate) mod plan;
 pub(crate) mod transpose;
 
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::largest;
 use crate::magnitude::Magnitudes;
@@ -36,10 +37,10 @@ pub(crate) struct System<'p, P: Problem + ?Sized> {
 #[derive(Debug, Clone)]
 pub(crate) struct Iterate {
     /// Per region, `n * node_stride`.
-    pub y: Vec<Vec<f64>>,
+    pub y: Vec<Numbers>,
     /// Where the inner stages' states are unknowns: per region, stage by stage, component by component,
     /// `m * interval_stride`. Else empty; also if nothing is known of them yet, see [`System::complete`].
-    pub inner: Vec<Vec<f64>>,
+    pub inner: Vec<Numbers>,
     /// All constants of the layout.
     pub constants: Vec<f64>,
 }
@@ -57,9 +58,9 @@ pub(crate) struct Scales {
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     /// Per region, `(steps + 1) * n` vectors of lanes.
-    pub u: Vec<Vec<Lane>>,
+    pub u: Vec<Lanes>,
     /// Where the inner stages' states are unknowns: per region, interval by interval, `m` vectors of lanes. Else empty.
-    pub inner: Vec<Vec<Lane>>,
+    pub inner: Vec<Lanes>,
     /// One for each unknown constant.
     pub c: Vec<f64>,
 }

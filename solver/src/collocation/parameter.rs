@@ -4,6 +4,7 @@ use super::coupled::{scaled, unscaled};
 use super::evaluate::{Batch, Stages, Work};
 use super::factor::{RegionFactor, Rhs};
 use super::{Scales, System};
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::elementwise;
 use crate::problem::{Problem, Region};
@@ -32,11 +33,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
         rhs
     }
 
-    fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Vec<Lane>, Vec<f64>) {
+    fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Lanes, Vec<f64>) {
         let (plan, grid) = (&self.plan.regions[index], &self.grids[index]);
         let (n, len) = (plan.n, grid.interval_stride());
         let sums = self.weighted_rates(index, stages, None, &[], direction);
-        let mut lanes = vec![Lane::ZERO; grid.steps * n];
+        let mut lanes = Lanes::zeros(grid.steps * n);
         for (i, scale) in scales.states[index].iter().enumerate() {
             let (rates, _) = sums[i * len..(i + 1) * len].as_chunks::<W>();
             for (out, rate) in lanes.chunks_exact_mut(n).zip(rates) {
@@ -48,7 +49,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 
     /// `h Σ x ∂f/∂c · direction` of all inner stages, in dimensionless stage equations.
-    fn stage_rates(&self, index: usize, stages: &Stages, d: &[f64], direction: &[f64]) -> Vec<Lane> {
+    fn stage_rates(&self, index: usize, stages: &Stages, d: &[f64], direction: &[f64]) -> Lanes {
         let (region, h) = (&self.layout.regions[index], &self.grids[index].h);
         let (rows, len, m) = (region.rows(), h.len(), self.tableau.unknown_stages() * d.len());
         let mut out = vec![0.0; m * len];

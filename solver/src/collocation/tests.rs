@@ -6,6 +6,7 @@ use super::grid::Grid;
 use super::plan::Plan;
 use super::transpose::Weights;
 use super::{Correction, Iterate, System};
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, W};
 use crate::magnitude::Magnitudes;
 use crate::model::{Differentiated, Model, Scalar};
@@ -304,7 +305,7 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
                 .regions
                 .iter()
                 .zip(&system.grids)
-                .map(|(plan, grid)| vec![Lane([0.0; W]); (grid.steps + 1) * plan.n])
+                .map(|(plan, grid)| Lanes::zeros((grid.steps + 1) * plan.n))
                 .collect(),
             inner: Vec::new(),
             c: values(system.plan.unknowns.len()),
@@ -319,7 +320,7 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
             }
         }
     }
-    let dot = |a: &[Vec<Lane>], b: &[Vec<Lane>]| -> f64 {
+    let dot = |a: &[Lanes], b: &[Lanes]| -> f64 {
         a.iter()
             .flatten()
             .zip(b.iter().flatten())

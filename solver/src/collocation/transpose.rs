@@ -2,8 +2,9 @@
 
 use super::factor::{Factorisation, RegionFactor, Rhs};
 use super::{Correction, System};
+use crate::linear::memory::Lanes;
 use crate::linear::reflect::{Rows, with_rows};
-use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 
@@ -45,7 +46,7 @@ impl Job for Backward<'_> {
 #[inline(always)]
 fn backward_region<R: Rows>(rows: R, job: Backward<'_>) -> Vec<f64> {
     let n = rows.n();
-    let mut constants = vec![Lane::ZERO; job.constants.len()];
+    let mut constants = Lanes::zeros(job.constants.len());
     job.factor.lanes.backward_transposed(rows, job.rhs, &mut constants, job.u);
     for (sum, lane) in job.constants.iter_mut().zip(&constants) {
         *sum += lane.0.iter().sum::<f64>();
@@ -93,7 +94,7 @@ fn forward_region<R: Rows>(rows: R, job: Forward<'_>) {
     for i in 0..n {
         job.rhs[last + i] = Lane(std::array::from_fn(|l| job.top[l * n + i]));
     }
-    let functionals: Vec<Lane> = job.functionals.iter().map(|&weight| Lane([weight; W])).collect();
+    let functionals = Lanes::collected(job.functionals.len(), job.functionals.iter().map(|&weight| Lane([weight; W])));
     job.factor.lanes.forward_transposed(rows, job.rhs, &functionals);
     for (rhs, scale) in job.rhs.iter_mut().zip(&job.factor.row_scale) {
         *rhs = *rhs * *scale;
@@ -108,7 +109,7 @@ impl Factorisation {
         let (mut lanes, mut tops) = (Vec::new(), Vec::new());
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let factor = &self.regions[region];
-            let mut rhs = vec![Lane::ZERO; system.grids[region].steps * plan.n];
+            let mut rhs = Lanes::zeros(system.grids[region].steps * plan.n);
             let mut top = vec![0.0; W * plan.n];
             let mut constants = vec![0.0; plan.columns.len()];
             let u = &mut w.unknowns.u[region];

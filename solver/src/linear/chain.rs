@@ -12,6 +12,7 @@
 //! Functionals `Σ_t (FA_t u_t + FB_t u_{t+1} + FC_t c)` are reduced with the same pivots, so that an integral
 //! too becomes a combination of the two ends and the constants.
 
+use super::memory::{Array, Kept as Reused};
 use super::reflect::{Rows, make_reflector};
 use super::scalar::{Lane, Scalar};
 
@@ -26,18 +27,18 @@ pub(crate) struct Sizes {
 /// Coefficients of one interval, or of a whole chain once reduced. `a`, `b`, `c` by columns of `n`;
 /// functional rows `fa`, `fb` by rows of `n`, `fc` by rows of `p`.
 #[derive(Debug, Clone)]
-pub(crate) struct Block<T> {
-    pub a: Vec<T>,
-    pub b: Vec<T>,
-    pub c: Vec<T>,
-    pub fa: Vec<T>,
-    pub fb: Vec<T>,
-    pub fc: Vec<T>,
+pub(crate) struct Block<T: Reused> {
+    pub a: Array<T>,
+    pub b: Array<T>,
+    pub c: Array<T>,
+    pub fa: Array<T>,
+    pub fb: Array<T>,
+    pub fc: Array<T>,
 }
 
-impl<T: Scalar> Block<T> {
+impl<T: Reused> Block<T> {
     pub(crate) fn new(Sizes { n, p, k }: Sizes) -> Self {
-        let zeros = |len| vec![T::ZERO; len];
+        let zeros = Array::zeros;
         Self { a: zeros(n * n), b: zeros(n * n), c: zeros(n * p), fa: zeros(k * n), fb: zeros(k * n), fc: zeros(k * p) }
     }
 }
@@ -85,7 +86,7 @@ fn kept_mut<T>(Sizes { n, p, .. }: Sizes, data: &mut [T]) -> Kept<&mut [T]> {
 
 /// Where a chain has its coefficients from. Not a closure: those cannot be told to be inlined, and on their own they
 /// are compiled without the vectors of their caller.
-pub(crate) trait Intervals<T> {
+pub(crate) trait Intervals<T: Reused> {
     /// Writes the coefficients of interval `t`. Must be `#[inline(always)]`.
     fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<T>);
 }
@@ -115,17 +116,17 @@ impl Intervals<f64> for Reduced<'_> {
 
 /// A factored chain.
 #[derive(Debug, Clone)]
-pub(crate) struct Chain<T> {
+pub(crate) struct Chain<T: Reused> {
     sizes: Sizes,
-    data: Vec<T>,
+    data: Array<T>,
     /// The whole chain, reduced: `a u_0 + b u_steps + c constants = r`, and the functionals.
     pub end: Block<T>,
     block: Block<T>,
 }
 
-impl<T: Scalar> Chain<T> {
+impl<T: Reused> Chain<T> {
     pub(crate) fn new(sizes: Sizes, steps: usize) -> Self {
-        let data = vec![T::ZERO; kept_len(sizes) * steps.saturating_sub(1)];
+        let data = Array::zeros(kept_len(sizes) * steps.saturating_sub(1));
         Self { sizes, data, end: Block::new(sizes), block: Block::new(sizes) }
     }
 
@@ -192,7 +193,7 @@ impl<T: Scalar> Chain<T> {
     }
 }
 
-impl<T: Scalar> Chain<T> {
+impl<T: Reused> Chain<T> {
     /// Transpose of [`backward`](Self::backward): weights `u` on all nodes become weights on its inputs. On exit
     /// `u`'s first and last node and `constants` hold theirs, `rhs` (`steps * n`, overwritten) those of the
     /// eliminated nodes; its last block is left alone.
@@ -246,7 +247,7 @@ fn subtract<T: Scalar>(matrix: &[T], x: &[T], out: &mut [T]) {
 }
 
 #[inline(always)]
-fn eliminate<T: Scalar, R: Rows>(
+fn eliminate<T: Reused, R: Rows>(
     rows: R,
     sizes: Sizes,
     kept: Kept<&mut [T]>,
@@ -286,7 +287,7 @@ fn eliminate<T: Scalar, R: Rows>(
 
 /// Replaces `u_t` in the functionals by the kept equation: `X = w R⁻¹`, then `row -= X [E F G]`.
 #[inline(always)]
-fn eliminate_functionals<T: Scalar>(n: usize, p: usize, kept: Kept<&mut [T]>, carry: &mut Block<T>, block: &Block<T>) {
+fn eliminate_functionals<T: Reused>(n: usize, p: usize, kept: Kept<&mut [T]>, carry: &mut Block<T>, block: &Block<T>) {
     for (row, x) in kept.x.chunks_exact_mut(n).enumerate() {
         let span = row * n..(row + 1) * n;
         for c in 0..n {

@@ -2,6 +2,7 @@
 
 pub(crate) mod chain;
 pub(crate) mod dense;
+pub(crate) mod memory;
 pub(crate) mod qr;
 pub(crate) mod reflect;
 pub(crate) mod scalar;

@@ -5,14 +5,6 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Chains that are eliminated side by side; one AVX register of doubles.
 pub(crate) const W: usize = 4;
 
-/// So many zeros, in memory that was used before if possible: where memory is asked for as already zero, allocators
-/// tend to take it from where it has never been used.
-pub(crate) fn zeros(len: usize) -> Vec<f64> {
-    let mut values = Vec::with_capacity(len);
-    values.resize(len, 0.0);
-    values
-}
-
 /// What the elimination needs of a number. No fused multiply-add: chains are eliminated alike on every machine.
 pub(crate) trait Scalar:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign

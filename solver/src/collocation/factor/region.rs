@@ -3,8 +3,9 @@
 use super::RegionFactor;
 use crate::collocation::assemble::Assembly;
 use crate::linear::chain::{Block, Intervals, Reduced};
+use crate::linear::memory::Lanes;
 use crate::linear::reflect::{Rows, with_rows};
-use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::{Job, vectorised};
 
 pub(super) struct FactorRegion<'a, 'b> {
@@ -83,7 +84,7 @@ fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
     for (rhs, scale) in job.rhs.iter_mut().zip(&job.factor.row_scale) {
         *rhs = *rhs * *scale;
     }
-    let mut lane_sums = vec![Lane::ZERO; job.functionals.len()];
+    let mut lane_sums = Lanes::zeros(job.functionals.len());
     job.factor.lanes.forward(rows, job.rhs, &mut lane_sums);
     for (sum, lane) in job.functionals.iter_mut().zip(&lane_sums) {
         *sum += lane.0.iter().sum::<f64>();
@@ -138,6 +139,6 @@ fn backward_region<R: Rows>(rows: R, job: Backward<'_>) {
             job.u[end + i].0[l] = interfaces[(l + 1) * n + i];
         }
     }
-    let constants: Vec<Lane> = job.constants.iter().map(|&c| Lane([c; W])).collect();
+    let constants = Lanes::collected(job.constants.len(), job.constants.iter().map(|&c| Lane([c; W])));
     job.factor.lanes.backward(rows, job.rhs, &constants, job.u);
 }
