@@ -59,10 +59,10 @@ impl Sweep for Value {
         at.write_f(0, theta1);
         let theta = at.state::<Real>(0);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let theta_hat_2 = -(u1 * sin_theta);
-        at.write_f(1, theta_hat_2);
         at.write_f(2, cos_theta);
         at.write_f(3, sin_theta);
+        let theta_hat_2 = -(u1 * sin_theta);
+        at.write_f(1, theta_hat_2);
     }
 }
 ///Right-hand side, integrands, and their derivatives in states and default unknowns. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once)
@@ -91,20 +91,20 @@ impl Sweep for Derivatives {
     fn chunk<Real: Lane>(uniforms: &Self::Uniforms, at: Chunk<'_>) {
         let u3 = Real::splat(uniforms[0]);
         let u4 = Real::splat(uniforms[1]);
+        at.write_dy(0, Real::splat(1.0));
         let theta1 = at.state::<Real>(1);
         at.write_f(0, theta1);
         let theta = at.state::<Real>(0);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let theta_hat_2 = -(u3 * sin_theta);
-        at.write_f(1, theta_hat_2);
         at.write_f(2, cos_theta);
         at.write_f(3, sin_theta);
-        at.write_dy(0, Real::splat(1.0));
+        at.write_dy(3, cos_theta);
         let d_theta_hat_2_d_theta = -(u3 * cos_theta);
         at.write_dy(1, d_theta_hat_2_d_theta);
+        let theta_hat_2 = -(u3 * sin_theta);
+        at.write_f(1, theta_hat_2);
         let d_X_hat_1_d_theta = -sin_theta;
         at.write_dy(2, d_X_hat_1_d_theta);
-        at.write_dy(3, cos_theta);
         let d_theta_hat_2_d_P = -(u4 * sin_theta);
         at.write_dc(0, d_theta_hat_2_d_P);
     }
@@ -140,20 +140,20 @@ impl Sweep for AllDerivatives {
         let u5 = Real::splat(uniforms[1]);
         let u6 = Real::splat(uniforms[2]);
         let u7 = Real::splat(uniforms[3]);
+        at.write_dy(0, Real::splat(1.0));
         let theta1 = at.state::<Real>(1);
         at.write_f(0, theta1);
         let theta = at.state::<Real>(0);
         let (sin_theta, cos_theta) = sin_cos(theta);
-        let theta_hat_2 = -(u4 * sin_theta);
-        at.write_f(1, theta_hat_2);
         at.write_f(2, cos_theta);
         at.write_f(3, sin_theta);
-        at.write_dy(0, Real::splat(1.0));
+        at.write_dy(3, cos_theta);
         let d_theta_hat_2_d_theta = -(u4 * cos_theta);
         at.write_dy(1, d_theta_hat_2_d_theta);
+        let theta_hat_2 = -(u4 * sin_theta);
+        at.write_f(1, theta_hat_2);
         let d_X_hat_1_d_theta = -sin_theta;
         at.write_dy(2, d_X_hat_1_d_theta);
-        at.write_dy(3, cos_theta);
         let d_theta_hat_2_d_P = -(u6 * sin_theta);
         at.write_dc(0, d_theta_hat_2_d_P);
         let d_theta_hat_2_d_L = -(u5 * sin_theta);
