@@ -26,6 +26,9 @@ pub enum Route {
     Speed,
     /// From a belt that bends more easily.
     Bending,
+    /// With the bending stiffness behind torque and tension, where the start's belt is softer than the case's: a loose
+    /// belt that is stiff does not wrap, and one under torque may.
+    Stiff,
     /// From a looser belt.
     Loose,
     /// With the last of the slip threshold's way behind that of the tension.
@@ -38,7 +41,7 @@ pub enum Route {
 
 impl Route {
     /// All routes, in the order in which they are tried.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Kinks,
         Self::Direct,
         Self::Fine,
@@ -48,6 +51,7 @@ impl Route {
         Self::Threshold,
         Self::Speed,
         Self::Bending,
+        Self::Stiff,
         Self::Loose,
     ];
 
@@ -60,6 +64,7 @@ impl Route {
             Self::Threshold => "slip threshold",
             Self::Speed => "speed",
             Self::Bending => "bending stiffness",
+            Self::Stiff => "stiffness after torque",
             Self::Loose => "loose",
             Self::Late => "late",
             Self::Smooth => "smooth friction",
@@ -72,6 +77,10 @@ impl Route {
     pub(super) fn is_for(self, model: &ModelChoices, target: &Constants) -> bool {
         match self {
             Self::Late => Self::splits(&self.begin(target), target),
+            Self::Stiff => {
+                let bending = Constant::BendingStiffness;
+                model.bending.is_some() && self.begin(target)[bending] < target[bending]
+            }
             Self::Smooth => model.friction == Friction::ViscousCoulomb,
             Self::Fine => model.bending.is_some(),
             Self::Kinks => model.bending.is_none() && model.friction == Friction::ViscousCoulomb,
@@ -84,7 +93,7 @@ impl Route {
         match self {
             Self::Kinks => KINK_PARTS,
             Self::Direct | Self::Fine | Self::Smooth => TWO_PARTS,
-            Self::Tight | Self::Late | Self::Threshold | Self::Speed | Self::Bending | Self::Loose => 1,
+            Self::Tight | Self::Late | Self::Threshold | Self::Speed | Self::Bending | Self::Stiff | Self::Loose => 1,
         }
     }
 
@@ -150,7 +159,9 @@ impl Route {
         let linear = |ramp: Ramp, at: Constant| ramp.linear(at.index(), begin[at], target[at]);
         let geometric = |ramp: Ramp, at: Constant| ramp.geometric(at.index(), begin[at], target[at]);
         let mut stages = Vec::new();
-        let stiff = [Constant::BendingStiffness, Constant::MassPerLength].into_iter().filter(|at| moves(*at));
+        let bending = Constant::BendingStiffness;
+        let first = [bending, Constant::MassPerLength].into_iter().filter(|at| moves(*at));
+        let first = first.filter(|at| (self, *at) != (Self::Stiff, bending));
         let tighter = target[Constant::SlackTension] > begin[Constant::SlackTension];
         let driven = target[Constant::PrimaryTorque] >= 0.0;
         let torque = linear(Ramp::new(), Constant::PrimaryTorque);
@@ -158,7 +169,7 @@ impl Route {
             // The loose strand of an engine that brakes is the one whose tension is not given.
             stages.push(geometric(Ramp::new(), Constant::SlackTension));
         }
-        stages.extend(stiff.map(|at| geometric(Ramp::new(), at)));
+        stages.extend(first.map(|at| geometric(Ramp::new(), at)));
         if tighter && driven {
             stages.push(geometric(torque, Constant::SlackTension));
         } else if moves(Constant::PrimaryTorque) {
@@ -172,6 +183,9 @@ impl Route {
             stages.push(geometric(Ramp::new(), Constant::SlackTension));
             stages.push(stage(late, target[threshold]));
             return stages;
+        }
+        if self == Self::Stiff && moves(bending) {
+            stages.push(geometric(Ramp::new(), bending));
         }
         if moves(threshold) || stages.is_empty() {
             stages.push(geometric(Ramp::new(), Constant::SlipThreshold));
