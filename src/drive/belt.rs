@@ -10,7 +10,7 @@ use super::model::Kernels;
 use super::outputs::{OutputGradients, OutputValues};
 use super::question::Known;
 use super::region::{BoundRegion, RegionId};
-use crate::model::{Constant, Constants, InternalError, ModelChoices, Output, State};
+use crate::model::{Constant, Constants, Field, InternalError, ModelChoices, Output, State};
 
 /// The boundary value problem of one belt drive.
 ///
@@ -183,6 +183,16 @@ impl BeltProblem {
         let mut out = RegionOut { f: &mut [], dy: &mut [], dc: &mut [], fields: &mut fields };
         (bound.kernel.fields_fn)(at.len, at.stride, at.s, at.y, &bound.local(constants), &mut out);
         fields
+    }
+
+    /// One derived field of a region where its states are given: all places of the first state, then those of the next.
+    /// Nothing if the region does not have the field.
+    pub fn field(&self, region: RegionId, field: Field, states: &[f64], constants: &[f64]) -> Option<Vec<f64>> {
+        let kernel = self.kernel(region);
+        let (row, len) = (kernel.field(field)?, states.len().checked_div(kernel.states.len())?);
+        // A belt is the same everywhere along it: no field depends on the place but by the states.
+        let at = Points { len, stride: len, s: &vec![0.0; len], y: states };
+        self.fields(region, &at, constants).get(row * len..(row + 1) * len).map(<[f64]>::to_vec)
     }
 }
 

@@ -4,7 +4,7 @@
 //! is predicted at a place that the kink passes over belongs to neither side of it. So solutions are compared, and
 //! predicted, at places that move with the kinks, and the mesh goes with them.
 
-use solver::{Points, RegionSolution};
+use solver::RegionSolution;
 
 use super::belt::BeltProblem;
 use super::region::RegionId;
@@ -14,9 +14,9 @@ use crate::model::{Constant, Field};
 /// and gone.
 const MOST_STRETCHED: f64 = 4.0;
 
-/// How far each node of a contact moves in one step ahead, if kinks move on as they have from a solution `before`, which
-/// lies `back` such steps behind; each solution with its constants. The ends stay. Nothing where kinks of the two do not
-/// belong together one by one. (How motions bend, which a third solution tells, saves no iteration of a sweep.)
+/// How far each node of a contact moves in one step ahead, if kinks move on as they have from a solution `before`,
+/// which lies `back` such steps behind; each solution with its constants. The ends stay. Nothing where kinks of the two
+/// do not belong together one by one. (How motions bend, which a third solution tells, saves no iteration of a sweep.)
 pub(super) fn drift(
     belt: &BeltProblem,
     region: RegionId,
@@ -51,13 +51,11 @@ fn along(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>>
 
 /// Where the sliding speed passes the slip threshold along a contact.
 fn kinks(belt: &BeltProblem, region: RegionId, (part, constants): (&RegionSolution, &[f64])) -> Option<Vec<f64>> {
-    let row = belt.kernel(region).field(Field::SlidingSpeed)?;
     let threshold = constants.get(Constant::SlipThreshold.index())?;
-    let (mesh, len) = (part.mesh(), part.mesh().len());
     let states: Vec<f64> = (0..part.states()).flat_map(|state| part.state(state)).copied().collect();
-    let fields = belt.fields(region, &Points { len, stride: len, s: mesh, y: &states }, constants);
-    let beyond: Vec<f64> = fields.get(row * len..(row + 1) * len)?.iter().map(|speed| speed - threshold).collect();
-    Some(zeros(mesh, &beyond))
+    let speeds = belt.field(region, Field::SlidingSpeed, &states, constants)?;
+    let beyond: Vec<f64> = speeds.iter().map(|speed| speed - threshold).collect();
+    Some(zeros(part.mesh(), &beyond))
 }
 
 /// Where a function changes its sign, linear between its samples.

@@ -1,6 +1,6 @@
 //! A guess for a drive near one that is solved.
 
-use solver::{Guess, Linearisation, Points, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
+use solver::{Guess, Linearisation, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::belt::BeltProblem;
 use super::moved::drift;
@@ -189,14 +189,10 @@ impl<'a> Curve<'a> {
     /// Where the belt adheres, its sliding speed is the tiny difference of two large ones, and friction hangs on it: so
     /// the tangential sliding speed is what is predicted, and the penetration is what gives that.
     fn adhere(&self, region: RegionId, guess: &mut Guess) -> Option<()> {
-        let (index, kernel) = (region.index(), self.belt.kernel(region));
-        let x = kernel.state(State::Penetration)?;
-        let at = kernel.field(Field::TangentialSlidingSpeed)?;
+        let index = region.index();
+        let x = self.belt.kernel(region).state(State::Penetration)?;
         let sliding = |constants: &[f64], states: &[Vec<f64>]| {
-            let len = states.first().map_or(0, Vec::len);
-            let (s, y) = (vec![0.0; len], states.concat());
-            let fields = self.belt.fields(region, &Points { len, stride: len, s: &s, y: &y }, constants);
-            fields.get(at * len..(at + 1) * len).map(<[f64]>::to_vec)
+            self.belt.field(region, Field::TangentialSlidingSpeed, &states.concat(), constants)
         };
         let part = self.from.regions().get(index)?;
         let states: Vec<Vec<f64>> = (0..part.states()).map(|i| part.state(i).to_vec()).collect();

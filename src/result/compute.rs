@@ -118,12 +118,9 @@ impl Quantity {
                 .and_then(|row| row_of(&states, row, s.len()))
                 .map(<[f64]>::to_vec)
                 .ok_or(InternalError::State { region: region.name(), state }),
-            Self::Field(field) => {
-                let points = Points { len: s.len(), stride: s.len(), s, y: &states };
-                let fields = belt.fields(region, &points, solution.constants());
-                let values = kernel.field(field).and_then(|row| row_of(&fields, row, s.len()));
-                values.map(<[f64]>::to_vec).ok_or(InternalError::Field { region: region.name(), field })
-            }
+            Self::Field(field) => belt
+                .field(region, field, &states, solution.constants())
+                .ok_or(InternalError::Field { region: region.name(), field }),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A solution of a drive, whole or divided, and how its sliding speeds ask for it to be divided.
 
-use solver::{Guess, Points, RegionGuess, RegionSolution, Solution};
+use solver::{Guess, RegionGuess, RegionSolution, Solution};
 
 use super::division::{Division, Joint, Piece, Sliding, blocks, cut, merged};
 use super::problem::{CONTACTS, Kinked};
@@ -101,12 +101,10 @@ impl<'a> Held<'a> {
 
     /// |v|/v_thr for states of a contact; nothing where the belt does not tell it.
     fn ratios(&self, region: RegionId, states: &[Vec<f64>]) -> Option<Vec<f64>> {
-        let (kernel, len) = (self.own.kernel(region), states.len());
-        let s = vec![0.0; len];
-        let y: Vec<f64> = (0..kernel.states.len()).flat_map(|i| states.iter().map(move |y| y[i])).collect();
-        let fields = self.own.fields(region, &Points { len, stride: len, s: &s, y: &y }, self.constants());
-        let speed = kernel.field(Field::SlidingSpeed)?;
-        Some(fields[speed * len..(speed + 1) * len].iter().map(|speed| speed / self.threshold()).collect())
+        let count = self.own.kernel(region).states.len();
+        let y: Vec<f64> = (0..count).flat_map(|i| states.iter().map(move |y| y[i])).collect();
+        let speeds = self.own.field(region, Field::SlidingSpeed, &y, self.constants())?;
+        Some(speeds.iter().map(|speed| speed / self.threshold()).collect())
     }
 
     /// A contact from its entry to its exit.
