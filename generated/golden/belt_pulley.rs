@@ -1,5 +1,6 @@
 // belt_pulley: A pulley wrapped by a belt: residuals in its ports, and its power balance.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 49 operations
 //   jacobian: 110 operations

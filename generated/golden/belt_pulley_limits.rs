@@ -1,5 +1,6 @@
 // belt_pulley_limits: How much of its friction a pair of tensions takes on a pulley.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 22 operations
 //   jacobian: 67 operations

@@ -1,5 +1,6 @@
 // boundary_as_printed: Boundary equations: conditions as Appendix D prints them, linearised shear.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 124 operations
 //   jacobian: 312 operations

@@ -1,5 +1,6 @@
 // boundary_continuous_linearised: Boundary equations: shear continuous where the belt meets a pulley, linearised shear.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 169 operations
 //   jacobian: 489 operations

@@ -1,5 +1,6 @@
 // boundary_string: Boundary equations of a belt without bending stiffness.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 57 operations
 //   jacobian: 111 operations

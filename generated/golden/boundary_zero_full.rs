@@ -1,5 +1,6 @@
 // boundary_zero_full: Boundary equations: no shear where the belt meets a pulley, full shear.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 155 operations
 //   jacobian: 449 operations

@@ -1,5 +1,6 @@
 // boundary_zero_linearised: Boundary equations: no shear where the belt meets a pulley, linearised shear.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 153 operations
 //   jacobian: 439 operations

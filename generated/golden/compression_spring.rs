@@ -1,5 +1,6 @@
 // compression_spring: Force of a compression spring.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 7 operations
 //   jacobian: 8 operations

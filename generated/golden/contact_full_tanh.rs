@@ -1,5 +1,6 @@
 // contact_full_tanh: The belt in a groove: full shear, tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 30 add, 86 mul, 6 div, 2 sqrt, 3 fn a point; 32 once
 //   jacobian: 132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once
@@ -234,7 +235,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (30 add, 86 mul, 6 div, 2 sqrt, 3 fn a point; 32 once)
+/// Right-hand side and integrands.
+///
+/// 30 add, 86 mul, 6 div, 2 sqrt, 3 fn a point; 32 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -410,7 +413,9 @@ impl Sweep for Value {
         at.write_f(10, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 132 add, 350 mul, 7 div, 2 sqrt, 3 fn a point; 87 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -944,7 +949,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (210 add, 521 mul, 7 div, 2 sqrt, 3 fn a point; 122 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 210 add, 521 mul, 7 div, 2 sqrt, 3 fn a point; 122 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1744,7 +1751,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(68, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (15 add, 41 mul, 4 div, 2 sqrt, 4 fn a point; 22 once)
+/// Derived fields.
+///
+/// 15 add, 41 mul, 4 div, 2 sqrt, 4 fn a point; 22 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;

@@ -1,5 +1,6 @@
 // contact_full_viscous_coulomb: The belt in a groove: full shear, viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once
 //   jacobian: 133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once
@@ -234,7 +235,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once)
+/// Right-hand side and integrands.
+///
+/// 31 add, 86 mul, 6 div, 2 sqrt, 2 fn a point; 31 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -411,7 +414,9 @@ impl Sweep for Value {
         at.write_f(10, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 133 add, 349 mul, 7 div, 2 sqrt, 2 fn a point; 85 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -945,7 +950,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (211 add, 521 mul, 7 div, 2 sqrt, 2 fn a point; 118 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 211 add, 521 mul, 7 div, 2 sqrt, 2 fn a point; 118 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1742,7 +1749,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(68, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (16 add, 41 mul, 4 div, 2 sqrt, 3 fn a point; 21 once)
+/// Derived fields.
+///
+/// 16 add, 41 mul, 4 div, 2 sqrt, 3 fn a point; 21 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;

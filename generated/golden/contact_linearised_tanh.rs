@@ -1,5 +1,6 @@
 // contact_linearised_tanh: The belt in a groove: linearised shear, tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 26 add, 74 mul, 6 div, 2 sqrt, 3 fn a point; 39 once
 //   jacobian: 115 add, 313 mul, 7 div, 2 sqrt, 3 fn a point; 92 once
@@ -233,7 +234,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (26 add, 74 mul, 6 div, 2 sqrt, 3 fn a point; 39 once)
+/// Right-hand side and integrands.
+///
+/// 26 add, 74 mul, 6 div, 2 sqrt, 3 fn a point; 39 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -401,7 +404,9 @@ impl Sweep for Value {
         at.write_f(10, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (115 add, 313 mul, 7 div, 2 sqrt, 3 fn a point; 92 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 115 add, 313 mul, 7 div, 2 sqrt, 3 fn a point; 92 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -891,7 +896,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (199 add, 500 mul, 7 div, 2 sqrt, 3 fn a point; 135 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 199 add, 500 mul, 7 div, 2 sqrt, 3 fn a point; 135 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1678,7 +1685,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(68, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (15 add, 38 mul, 4 div, 2 sqrt, 4 fn a point; 27 once)
+/// Derived fields.
+///
+/// 15 add, 38 mul, 4 div, 2 sqrt, 4 fn a point; 27 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;

@@ -1,5 +1,6 @@
 // contact_linearised_viscous_coulomb: The belt in a groove: linearised shear, viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once
 //   jacobian: 116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once
@@ -233,7 +234,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once)
+/// Right-hand side and integrands.
+///
+/// 27 add, 74 mul, 6 div, 2 sqrt, 2 fn a point; 38 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 5;
@@ -402,7 +405,9 @@ impl Sweep for Value {
         at.write_f(10, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 116 add, 312 mul, 7 div, 2 sqrt, 2 fn a point; 90 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 5;
@@ -892,7 +897,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (200 add, 500 mul, 7 div, 2 sqrt, 2 fn a point; 131 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 200 add, 500 mul, 7 div, 2 sqrt, 2 fn a point; 131 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 5;
@@ -1676,7 +1683,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(68, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (16 add, 38 mul, 4 div, 2 sqrt, 3 fn a point; 26 once)
+/// Derived fields.
+///
+/// 16 add, 38 mul, 4 div, 2 sqrt, 3 fn a point; 26 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 5;

@@ -1,5 +1,6 @@
 // contact_string_tanh: The belt in a groove, without bending stiffness: tanh friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 17 add, 56 mul, 5 div, 2 sqrt, 3 fn a point; 25 once
 //   jacobian: 91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once
@@ -213,7 +214,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (17 add, 56 mul, 5 div, 2 sqrt, 3 fn a point; 25 once)
+/// Right-hand side and integrands.
+///
+/// 17 add, 56 mul, 5 div, 2 sqrt, 3 fn a point; 25 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 3;
@@ -348,7 +351,9 @@ impl Sweep for Value {
         at.write_f(8, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 91 add, 252 mul, 6 div, 2 sqrt, 3 fn a point; 59 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 3;
@@ -739,7 +744,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (161 add, 409 mul, 6 div, 2 sqrt, 3 fn a point; 91 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 161 add, 409 mul, 6 div, 2 sqrt, 3 fn a point; 91 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 3;
@@ -1382,7 +1389,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(66, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (10 add, 29 mul, 3 div, 2 sqrt, 4 fn a point; 20 once)
+/// Derived fields.
+///
+/// 10 add, 29 mul, 3 div, 2 sqrt, 4 fn a point; 20 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 3;

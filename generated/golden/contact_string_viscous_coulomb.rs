@@ -1,5 +1,6 @@
 // contact_string_viscous_coulomb: The belt in a groove, without bending stiffness: viscous-coulomb friction.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 18 add, 56 mul, 5 div, 2 sqrt, 2 fn a point; 24 once
 //   jacobian: 92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once
@@ -213,7 +214,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (18 add, 56 mul, 5 div, 2 sqrt, 2 fn a point; 24 once)
+/// Right-hand side and integrands.
+///
+/// 18 add, 56 mul, 5 div, 2 sqrt, 2 fn a point; 24 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 3;
@@ -349,7 +352,9 @@ impl Sweep for Value {
         at.write_f(8, A_y_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 92 add, 251 mul, 6 div, 2 sqrt, 2 fn a point; 58 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 3;
@@ -741,7 +746,9 @@ impl Sweep for Derivatives {
         at.write_dc(17, d_A_y_hat_1_d_Phi);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (162 add, 409 mul, 6 div, 2 sqrt, 2 fn a point; 87 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 162 add, 409 mul, 6 div, 2 sqrt, 2 fn a point; 87 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 3;
@@ -1381,7 +1388,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(66, d_A_x_hat_1_d_R);
     }
 }
-///Derived fields. (11 add, 29 mul, 3 div, 2 sqrt, 3 fn a point; 19 once)
+/// Derived fields.
+///
+/// 11 add, 29 mul, 3 div, 2 sqrt, 3 fn a point; 19 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 3;

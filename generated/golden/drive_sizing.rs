@@ -1,5 +1,6 @@
 // drive_sizing: Torques and inertia at the input of a belt drive.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 28 operations
 //   jacobian: 69 operations

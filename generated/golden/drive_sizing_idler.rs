@@ -1,5 +1,6 @@
 // drive_sizing_idler: Inertia of an idler at the input of a belt drive.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 5 operations
 //   jacobian: 13 operations

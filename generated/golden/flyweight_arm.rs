@@ -1,5 +1,6 @@
 // flyweight_arm: Axial force of pivoted cam arms that bear on rollers.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 43 operations
 //   jacobian: 176 operations

@@ -1,5 +1,6 @@
 // flyweight_ramp: Axial force of flyweights that slide along a radius against a ramp.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 13 operations
 //   jacobian: 39 operations

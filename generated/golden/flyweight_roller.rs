@@ -1,5 +1,6 @@
 // flyweight_roller: Axial force of pivoted arms whose rollers bear on ramps of the movable sheave.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 39 operations
 //   jacobian: 147 operations

@@ -1,5 +1,6 @@
 // flyweight_table: Axial force of flyweights whose radius times its slope over the shift is known.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 6 operations
 //   jacobian: 19 operations

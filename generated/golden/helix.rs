@@ -1,5 +1,6 @@
 // helix: Axial force of a helix and its torsion spring.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 18 operations
 //   jacobian: 50 operations

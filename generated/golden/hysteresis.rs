@@ -1,5 +1,6 @@
 // hysteresis: Power that a harmonic of what runs around with the belt loses.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 20 operations
 //   jacobian: 77 operations

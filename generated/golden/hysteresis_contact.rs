@@ -1,5 +1,6 @@
 // hysteresis_contact: What hysteresis follows along the belt in a groove.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 49 operations
 //   jacobian: 229 operations

@@ -1,5 +1,6 @@
 // hysteresis_span: What hysteresis follows along the free belt.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 27 operations
 //   jacobian: 141 operations

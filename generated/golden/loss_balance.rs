@@ -1,5 +1,6 @@
 // loss_balance: What arrives once hysteresis, drag and gears have had their share.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 19 operations
 //   jacobian: 78 operations

@@ -1,5 +1,6 @@
 // outputs: Outputs of a drive as functions of its ends, integrals and constants.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 70 operations
 //   jacobian: 142 operations

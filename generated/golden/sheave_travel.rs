@@ -1,5 +1,6 @@
 // sheave_travel: Travel of a movable sheave from the belt's radius.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 6 operations
 //   jacobian: 11 operations

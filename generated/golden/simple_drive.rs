@@ -1,5 +1,6 @@
 // simple_drive: Residuals of a belt drive whose belt adheres, then slides.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 73 operations
 //   jacobian: 286 operations

@@ -1,5 +1,6 @@
 // simple_drive_closed: What follows without iteration in a drive whose belt adheres, then slides.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 141 operations
 //   jacobian: 632 operations

@@ -1,5 +1,6 @@
 // span_derived: The free belt.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once
 //   jacobian: 15 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 57 once
@@ -87,7 +88,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once)
+/// Right-hand side and integrands.
+///
+/// 4 add, 10 mul, 1 div, 0 sqrt, 1 fn a point; 22 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 4;
@@ -152,7 +155,9 @@ impl Sweep for Value {
         at.write_f(5, sin_vartheta);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (15 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 57 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 15 add, 31 mul, 1 div, 0 sqrt, 1 fn a point; 57 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 4;
@@ -309,7 +314,9 @@ impl Sweep for Derivatives {
         at.write_dy(6, d_X_hat_1_d_vartheta);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (32 add, 55 mul, 1 div, 0 sqrt, 1 fn a point; 85 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 32 add, 55 mul, 1 div, 0 sqrt, 1 fn a point; 85 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 4;
@@ -555,7 +562,9 @@ impl Sweep for AllDerivatives {
         at.write_dy(6, d_X_hat_1_d_vartheta);
     }
 }
-///Derived fields. (2 add, 5 mul, 0 div, 0 sqrt, 0 fn a point; 13 once)
+/// Derived fields.
+///
+/// 2 add, 5 mul, 0 div, 0 sqrt, 0 fn a point; 13 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 4;

@@ -1,5 +1,6 @@
 // span_string: The free belt without bending stiffness: a straight line.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 2 add, 3 mul, 1 div, 0 sqrt, 1 fn a point; 9 once
 //   jacobian: 6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once
@@ -50,7 +51,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (2 add, 3 mul, 1 div, 0 sqrt, 1 fn a point; 9 once)
+/// Right-hand side and integrands.
+///
+/// 2 add, 3 mul, 1 div, 0 sqrt, 1 fn a point; 9 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 2;
@@ -95,7 +98,9 @@ impl Sweep for Value {
         at.write_f(4, L_o_hat_1);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 6 add, 9 mul, 1 div, 0 sqrt, 1 fn a point; 24 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 2;
@@ -164,7 +169,9 @@ impl Sweep for Derivatives {
         at.write_dc(0, d_L_o_hat_1_d_L);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (15 add, 22 mul, 1 div, 0 sqrt, 1 fn a point; 32 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 15 add, 22 mul, 1 div, 0 sqrt, 1 fn a point; 32 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 2;
@@ -288,7 +295,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(5, d_L_o_hat_1_d_omega_P);
     }
 }
-///Derived fields. (2 add, 3 mul, 0 div, 0 sqrt, 0 fn a point; 9 once)
+/// Derived fields.
+///
+/// 2 add, 3 mul, 0 div, 0 sqrt, 0 fn a point; 9 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 2;

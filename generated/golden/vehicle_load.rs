@@ -1,5 +1,6 @@
 // vehicle_load: Torque that a vehicle takes from the secondary.
-// Generated from eqgen/src/physics. Do not edit; `cargo run -p sheave-eqgen -- write` writes it anew.
+// Generated from eqgen/src/physics. Do not edit:
+// `cargo run -p sheave-eqgen -- write` writes it anew.
 // Operations:
 //   value: 25 operations
 //   jacobian: 82 operations

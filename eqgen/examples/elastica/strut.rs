@@ -1,5 +1,6 @@
 // strut: A thin elastic strut under a load at its ends.
-// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
+// Generated from eqgen/examples/elastica/equations.rs. Do not edit:
+// `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
 // Operations:
 //   value: 1 add, 1 mul, 0 div, 0 sqrt, 1 fn a point; 4 once
 //   jacobian: 4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once
@@ -33,7 +34,9 @@ pub(crate) const KERNEL: RegionKernel = RegionKernel {
     full: sweep::<AllDerivatives>,
     fields_fn: sweep::<Fields>,
 };
-///Right-hand side and integrands. (1 add, 1 mul, 0 div, 0 sqrt, 1 fn a point; 4 once)
+/// Right-hand side and integrands.
+///
+/// 1 add, 1 mul, 0 div, 0 sqrt, 1 fn a point; 4 once.
 pub(crate) struct Value;
 impl Sweep for Value {
     const STATES: usize = 2;
@@ -65,7 +68,9 @@ impl Sweep for Value {
         at.write_f(1, theta_hat_2);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and default unknowns. (4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once)
+/// Right-hand side, integrands, and their derivatives in states and default unknowns.
+///
+/// 4 add, 3 mul, 0 div, 0 sqrt, 1 fn a point; 5 once.
 pub(crate) struct Derivatives;
 impl Sweep for Derivatives {
     const STATES: usize = 2;
@@ -109,7 +114,9 @@ impl Sweep for Derivatives {
         at.write_dc(0, d_theta_hat_2_d_P);
     }
 }
-///Right-hand side, integrands, and their derivatives in states and all constants. (5 add, 5 mul, 0 div, 0 sqrt, 1 fn a point; 10 once)
+/// Right-hand side, integrands, and their derivatives in states and all constants.
+///
+/// 5 add, 5 mul, 0 div, 0 sqrt, 1 fn a point; 10 once.
 pub(crate) struct AllDerivatives;
 impl Sweep for AllDerivatives {
     const STATES: usize = 2;
@@ -162,7 +169,9 @@ impl Sweep for AllDerivatives {
         at.write_dc(2, d_theta_hat_2_d_EI);
     }
 }
-///Derived fields. (0 add, 1 mul, 0 div, 0 sqrt, 0 fn a point; 2 once)
+/// Derived fields.
+///
+/// 0 add, 1 mul, 0 div, 0 sqrt, 0 fn a point; 2 once.
 pub(crate) struct Fields;
 impl Sweep for Fields {
     const STATES: usize = 2;

@@ -1,5 +1,6 @@
 // strut_ends: What holds at the ends of the strut.
-// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
+// Generated from eqgen/examples/elastica/equations.rs. Do not edit:
+// `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
 // Operations:
 //   value: 1 operations
 //   jacobian: 2 operations

@@ -1,5 +1,6 @@
 // The enums by which callers of the kernels name quantities.
-// Generated from eqgen/examples/elastica/equations.rs. Do not edit; `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
+// Generated from eqgen/examples/elastica/equations.rs. Do not edit:
+// `cargo run -p sheave-eqgen --example elastica_write` writes it anew.
 
 /// A state of a region: what its differential equations are of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -269,10 +269,10 @@ fn conditions(model: &BoundaryModel) -> Section {
 const FIGURE: &str = "belt_element";
 
 /// What that figure shows, in Markdown as in LaTeX.
-const CAPTION: &str = "An element of the belt in a groove, as everything is counted positive: $\\varphi$ in the direction \
-    of travel, the penetration $x$ from the pulley's radius $R$ inwards, the inclination $\\theta$ outwards, shear \
-    outwards on the front face, the groove's $n$ outwards and its $t$ against the travel. $T$ is the tractive tension, in which \
-    the belt's momentum is counted; a span has neither $n$ nor $t$.";
+const CAPTION: &str = "An element of the belt in a groove, as everything is counted positive: $\\varphi$ in the \
+    direction of travel, the penetration $x$ from the pulley's radius $R$ inwards, the inclination $\\theta$ outwards, \
+    shear outwards on the front face, the groove's $n$ outwards and its $t$ against the travel. $T$ is the tractive \
+    tension, in which the belt's momentum is counted; a span has neither $n$ nor $t$.";
 
 /// Lays lines out in one format.
 struct Page {

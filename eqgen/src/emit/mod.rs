@@ -88,7 +88,8 @@ fn header(emitted: &Emitted, plan: &Plan, provenance: Provenance) -> String {
     let Provenance { source, command } = provenance;
     let mut lines = vec![
         format!("// {}: {}", emitted.name, emitted.doc),
-        format!("// Generated from {source}. Do not edit; `{command}` writes it anew."),
+        format!("// Generated from {source}. Do not edit:"),
+        format!("// `{command}` writes it anew."),
         "// Operations:".to_owned(),
     ];
     lines.extend(emitted.counts.iter().map(|(name, count)| format!("//   {name}: {count}")));

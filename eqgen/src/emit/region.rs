@@ -102,9 +102,11 @@ fn function(
     let shared = Literal::usize_unsuffixed(values.len());
     // Newton's iteration lives in these two; the others run once a solution.
     let wide = matches!(name, "Value" | "Derivatives");
-    let doc = format!("{} ({})", summary(name), halves.count);
+    let (summary, count) = (format!(" {}", summary(name)), format!(" {}.", halves.count));
     let tokens = quote! {
-        #[doc = #doc]
+        #[doc = #summary]
+        #[doc = ""]
+        #[doc = #count]
         pub(crate) struct #name_ident;
 
         impl Sweep for #name_ident {

@@ -61,7 +61,8 @@ pub fn order(statements: &[Statement]) -> Vec<usize> {
     let mut ready: BTreeSet<usize> = (0..statements.len()).filter(|&place| waits_for[place] == 0).collect();
     let mut rank_of: BTreeMap<Node, usize> = BTreeMap::new();
     let mut order = Vec::with_capacity(statements.len());
-    // Lives begun less lives ended; then what reads the youngest value, so that a chain is followed; then the old order.
+    // Lives begun less lives ended; then what reads the youngest value, so that a chain is followed; then the old
+    // order.
     let key = |place: usize, unread: &BTreeMap<Node, usize>, rank_of: &BTreeMap<Node, usize>| {
         let begun = statements[place].binds().iter().filter(|node| readers.contains_key(node)).count();
         let ended = sources[place].iter().filter(|node| unread.get(node) == Some(&1)).count();

@@ -55,7 +55,7 @@ pub fn file(models: &[Model], notation: &[Symbol], provenance: Provenance) -> Re
     let Provenance { source, command } = provenance;
     let head = format!(
         "// The enums by which callers of the kernels name quantities.\n\
-         // Generated from {source}. Do not edit; `{command}` writes it anew.\n"
+         // Generated from {source}. Do not edit:\n// `{command}` writes it anew.\n"
     );
     Ok(SourceFile { name: FILE.into(), text: format!("{head}\n{}", prettyplease::unparse(&parsed)) })
 }
