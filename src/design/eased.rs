@@ -13,6 +13,9 @@ use crate::drive::{Constant, Output, Question, Solved, approach_question};
 /// Slip threshold over the belt's speed R_P ω_P from which on limits are sought: solutions are easily found there, and
 /// limits of the survey change by a share of 1e-4 at most from there on.
 const EASY: f64 = 1e-3;
+/// The same for a belt without bending stiffness: near that of the start, for every curve below is seldom found whole.
+/// In engine braking five limits of six change by a share of 1e-3 at most from there on.
+const EASY_STRING: f64 = 0.04;
 /// Share of the limit by which a case may lie within it at a larger slip threshold, for it to be sought at smaller
 /// ones.
 const NEAR: f64 = 0.05;
@@ -81,7 +84,8 @@ struct Place {
 /// A case at a slip threshold at which it is solved if it has a solution, or its own if that is larger.
 pub(super) fn easy(case: &Resolved) -> Resolved {
     let constants = Question::of(case).constants;
-    let easy = EASY * constants[Constant::PrimaryRadius] * constants[Constant::PrimarySpeed];
+    let share = if case.model.bending.is_some() { EASY } else { EASY_STRING };
+    let easy = share * constants[Constant::PrimaryRadius] * constants[Constant::PrimarySpeed];
     let mut easier = case.clone();
     easier.sheave.slip_threshold = easy.max(case.sheave.slip_threshold);
     easier

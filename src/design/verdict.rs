@@ -3,9 +3,10 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::eased::{Easing, Sought, easy, followed};
-use super::limit::{Limit, LimitKind, LimitOptions, largest_torque, smallest_slack_tension};
+use super::error::DesignError;
+use super::limit::{Limit, LimitKind, LimitOptions, clamped, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
-use crate::drive::{Failure, SolveOptions, Trouble, solve};
+use crate::drive::{Constant, Failure, PRESSED_THROUGH, Question, SolveOptions, Trouble, solve};
 
 /// Share by which a limit has to lie beyond the case: limits are known to the tolerance of the solutions.
 const CLEAR: f64 = 1e-3;
@@ -17,9 +18,6 @@ const CLEAR_BRAKING: f64 = 0.1;
 /// Speed efficiency below which a curve in engine braking proves a limit, should it be lost: the share by which eleven
 /// limits of the survey change from there on was found to be as [`CLEAR_BRAKING`] says from 0.3 on.
 const NEARLY_AT_REST: f64 = 0.2;
-
-/// Penetration over radius beyond which a belt counts as pressed through.
-const SUNK: f64 = 1.0 / 3.0;
 
 /// What can be said of a case for which no solution was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,10 +79,16 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
     let search = Search { case, tension, torque, options };
     let proof = if search.is_carried() { None } else { search.at_case().or_else(|| search.eased()) };
-    proof.unwrap_or_else(|| match failure.trouble() {
-        Some(Trouble::Deep { share, .. }) if share > SUNK => Verdict::Sunk { share },
-        _ => Verdict::Open,
-    })
+    let sunk = |share| Verdict::Sunk { share };
+    proof.or_else(|| pressed_through(failure).or_else(|| search.pressed_through()).map(sunk)).unwrap_or(Verdict::Open)
+}
+
+/// Penetration over radius where the last solution was found, if the belt was pressed through its groove there.
+fn pressed_through(failure: &Failure) -> Option<f64> {
+    match failure.trouble() {
+        Some(Trouble::Deep { share, .. }) if share > PRESSED_THROUGH => Some(share),
+        _ => None,
+    }
 }
 
 /// The search for a limit before a case.
@@ -102,6 +106,24 @@ impl Search<'_> {
     /// the curve from an easier load, slipping on both pulleys, that carry more than any on it.
     fn is_carried(&self) -> bool {
         self.case.thermal.is_none() && solve(&easy(self.case), &self.options.solve).is_ok()
+    }
+
+    /// The same where friction is less steep and torque and tension rise together: a belt that is pressed through with
+    /// less torque, and less tension in both strands together, is not there to be loosened.
+    fn pressed_through(&self) -> Option<f64> {
+        if self.case.thermal.is_some() || self.torque <= 0.0 {
+            return None;
+        }
+        let radius = Question::of(self.case).constants[Constant::PrimaryRadius];
+        let both = |torque: f64, slack: f64| 2.0 * slack + torque / radius;
+        match clamped(&easy(self.case), &self.options.solve) {
+            Err(DesignError::Start(failure @ Failure::Lost { torque, slack_tension, .. }))
+                if torque < self.torque && both(torque, slack_tension) < both(self.torque, self.tension) =>
+            {
+                pressed_through(&failure)
+            }
+            _ => None,
+        }
     }
 
     /// Limits at the slip threshold of the case itself. That of a string is followed there from larger ones at once.

@@ -15,6 +15,9 @@ const SLIPPING: f64 = 0.9;
 const LIFTED: f64 = 1e-2;
 /// Penetration over radius beyond which the belt sinks faster than its torque rises.
 const DEEP: f64 = 0.3;
+/// Penetration over radius beyond which the belt counts as pressed through its groove: the model's equations hold for
+/// small penetrations.
+pub const PRESSED_THROUGH: f64 = 1.0 / 3.0;
 /// T R²/EI of the smaller pulley below which a belt is too stiff to wrap.
 const STIFF: f64 = 0.1;
 
@@ -142,10 +145,12 @@ impl Trouble {
             grips.iter().map(|(pulley, grip)| (*pulley, value(grip))).max_by(|(_, a), (_, b)| a.total_cmp(b))
         };
         let over = |least: f64| move |(_, value): &(RegionId, f64)| *value >= least;
-        most(|grip| grip.used)
-            .filter(over(SLIPPING))
-            .map(|(pulley, used)| Self::Slip { pulley, used })
-            .or_else(|| most(|grip| grip.depth).filter(over(DEEP)).map(|(pulley, share)| Self::Deep { pulley, share }))
+        let deep =
+            |least| most(|grip| grip.depth).filter(over(least)).map(|(pulley, share)| Self::Deep { pulley, share });
+        // Whatever else happens to a belt that is pressed through, the model does not hold for it any more.
+        deep(PRESSED_THROUGH)
+            .or_else(|| most(|grip| grip.used).filter(over(SLIPPING)).map(|(pulley, used)| Self::Slip { pulley, used }))
+            .or_else(|| deep(DEEP))
             .or_else(|| most(|grip| grip.lift).filter(over(LIFTED)).map(|(pulley, _)| Self::Lifted { pulley }))
     }
 }
