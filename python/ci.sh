@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The Python package: its wheel, built and installed into a clean environment, its tests, its stubs, its notebooks, its page.
-# Needs Rust, a C compiler and Python (3.10 or later) with venv; everything else is installed from PyPI into target/venv.
+# The Python package: its wheel, built and installed into a clean environment, its tests, its stubs, its notebooks, its
+# page. Needs Rust, a C compiler and Python (3.10 or later) with venv; everything else is installed from PyPI into
+# target/venv.
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy, formatting,
-# and, where the program `sheave` has been built (or is named by SHEAVE), the way from a simulated run to the model.
-# Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web rust-web-src where no nightly Rust is
-# installed; what is missing is installed where apt-get may be used, and is an error otherwise.
+# Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy,
+# formatting, and, where the program `sheave` has been built (or is named by SHEAVE), the way from a simulated run to
+# the model. Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web rust-web-src where no
+# nightly Rust is installed; what is missing is installed where apt-get may be used, and is an error otherwise.
 set -euo pipefail
 cd "$(dirname "$0")"
 

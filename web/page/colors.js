@@ -1,5 +1,5 @@
-// Colours that people with any colour vision tell apart: viridis (S. van der Walt, N. Smith, 2015, CC0) for an amount, and
-// the palette of M. Okabe and K. Ito (2008) for kinds. Dashes and widths say the same without colour.
+// Colours that people with any colour vision tell apart: viridis (S. van der Walt, N. Smith, 2015, CC0) for an amount,
+// and the palette of M. Okabe and K. Ito (2008) for kinds. Dashes and widths say the same without colour.
 
 const VIRIDIS = [
   [68, 1, 84],

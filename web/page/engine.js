@@ -1,4 +1,5 @@
-// Where questions are answered: by the WebAssembly module in a worker. `sheave live` serves live-engine.js under this name.
+// Where questions are answered: by the WebAssembly module in a worker. `sheave live` serves live-engine.js under this
+// name.
 
 /** A solver that can be asked one question at a time, interrupted and started again. */
 export class Engine {
