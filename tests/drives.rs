@@ -4,7 +4,7 @@
 
 use sheave::case::{Case, Resolved};
 use sheave::design::{DesignError, LimitOptions, largest_torque};
-use sheave::drive::{Failure, SolveOptions, Trouble, solve};
+use sheave::drive::{Failure, SolveOptions, Trouble, solve, solve_from};
 use sheave::result::{Outcome, run};
 
 const ROUGH: SolveOptions = SolveOptions {
@@ -85,6 +85,20 @@ fn a_drive_in_scaled_time_is_the_same_drive() {
         for (found, expected) in forces(scale).into_iter().zip(base) {
             assert!((found / expected - 1.0).abs() < 1e-6, "{scale}: {found} for {expected}");
         }
+    }
+}
+
+/// A step of 25 % to a tight tolerance finds a coarse solution first: on the fine mesh of the last solution it would
+/// take as many evaluations as a cold start.
+#[test]
+fn a_far_step_costs_less_than_a_cold_start() {
+    let options = SolveOptions { tolerance: 1e-6, ..ROUGH };
+    for (edition, share) in [("published", 0.5), ("thesis", 0.75), ("consistent", 0.85)] {
+        let cold = solve(&case(&[("edition", edition)]), &options).unwrap();
+        let there = case(&[("edition", edition), ("operating_point.slack_tension", "125 N")]);
+        let warm = solve_from(&cold, &there, &options).unwrap();
+        let (warm, cold) = (warm.stats.jacobian_points as f64, cold.stats.jacobian_points as f64);
+        assert!(warm < share * cold, "{edition}: {warm} evaluations with derivatives, {cold} from nothing");
     }
 }
 
