@@ -5,7 +5,7 @@ use crate::collocation::grid::Grid;
 use crate::error::GuessError;
 use crate::mesh;
 use crate::problem::Layout;
-use crate::solution::Solution;
+use crate::solution::{RegionSolution, Solution};
 
 /// One region of a [`Guess`].
 #[derive(Debug, Clone, PartialEq)]
@@ -99,11 +99,15 @@ impl Guess {
 
 impl From<&Solution> for Guess {
     fn from(solution: &Solution) -> Self {
-        let regions = solution.regions().iter().map(|region| RegionGuess {
-            mesh: region.mesh().to_vec(),
-            states: (0..region.states()).map(|i| region.state(i).to_vec()).collect(),
-        });
-        Self { regions: regions.collect(), constants: solution.constants().to_vec() }
+        let regions = solution.regions().iter().map(RegionGuess::from).collect();
+        Self { regions, constants: solution.constants().to_vec() }
+    }
+}
+
+impl From<&RegionSolution> for RegionGuess {
+    fn from(region: &RegionSolution) -> Self {
+        let states = (0..region.states()).map(|i| region.state(i).to_vec()).collect();
+        Self { mesh: region.mesh().to_vec(), states }
     }
 }
 

@@ -486,10 +486,12 @@ impl Near<'_> {
             if a.mesh() != b.mesh() {
                 return None;
             }
+            let mut region = RegionGuess::from(a);
             let rates = one.direction.states[index].iter().zip(&two.direction.states[index]).enumerate();
-            let states = rates
-                .map(|(i, (from, to))| a.state(i).iter().zip(from).zip(b.state(i).iter().zip(to)).map(cubic).collect());
-            regions.push(RegionGuess { mesh: a.mesh().to_vec(), states: states.collect() });
+            for (values, (i, (from, to))) in region.states.iter_mut().zip(rates) {
+                *values = values.iter().zip(from).zip(b.state(i).iter().zip(to)).map(cubic).collect();
+            }
+            regions.push(region);
         }
         let [a, b] = [one, two].map(|point| point.solution.constants().iter().zip(&point.direction.constants));
         Some(Guess { regions, constants: a.zip(b).map(cubic).collect() })
@@ -523,13 +525,14 @@ impl Reference {
 
     /// Moved along the direction.
     fn moved(&self, by: f64) -> Guess {
-        let along = |(value, rate): (&f64, &f64)| value + by * rate;
-        let regions = self.solution.regions().iter().zip(&self.direction.states).map(|(region, direction)| {
-            let states = direction.iter().enumerate();
-            let states = states.map(|(i, rates)| region.state(i).iter().zip(rates).map(along).collect());
-            RegionGuess { mesh: region.mesh().to_vec(), states: states.collect() }
-        });
-        let constants = self.solution.constants().iter().zip(&self.direction.constants);
-        Guess { regions: regions.collect(), constants: constants.map(along).collect() }
+        let along = |values: &mut [f64], rates: &[f64]| {
+            values.iter_mut().zip(rates).for_each(|(value, rate)| *value += by * rate)
+        };
+        let mut guess = Guess::from(&self.solution);
+        for (region, direction) in guess.regions.iter_mut().zip(&self.direction.states) {
+            region.states.iter_mut().zip(direction).for_each(|(values, rates)| along(values, rates));
+        }
+        along(&mut guess.constants, &self.direction.constants);
+        guess
     }
 }
