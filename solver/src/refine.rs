@@ -110,7 +110,8 @@ pub(crate) struct Wish {
     pub split_few: bool,
     /// Whether intervals are redistributed, even if few are too long, where far fewer would do.
     pub shrink: bool,
-    /// Whether the problem is linear as far as is known: then no iteration can fail to follow from one mesh to the next.
+    /// Whether the problem is linear as far as is known: then no iteration can fail to follow from one mesh to the
+    /// next.
     pub linear: bool,
 }
 

@@ -36,8 +36,8 @@ pub type Colnew = unsafe extern "C" fn(
 /// `APPSLN (X, Z, FSPACE, ISPACE)`
 pub type Appsln = unsafe extern "C" fn(*mut f64, *mut f64, *mut f64, *mut c_int);
 /// `twpbvpc(ncomp, nlbc, aleft, aright, nfxpnt, fixpnt, ntol, ltol, tol, linear, givmsh, giveu, nmsh, nxxdim, xx,
-/// nudim, u, nmax, lwrkfl, wrk, lwrkin, iwrk, precis, fsub, dfsub, gsub, dgsub, ckappa1, gamma1, sigma, ckappa, ckappa2,
-/// rpar, ipar, iflbvp, liseries, iseries, indnms, full, useC, nmguess, xguess, nygdim, yguess, iset)`
+/// nudim, u, nmax, lwrkfl, wrk, lwrkin, iwrk, precis, fsub, dfsub, gsub, dgsub, ckappa1, gamma1, sigma, ckappa,
+/// ckappa2, rpar, ipar, iflbvp, liseries, iseries, indnms, full, useC, nmguess, xguess, nygdim, yguess, iset)`
 pub type Twpbvpc = unsafe extern "C" fn(
     *const c_int,
     *const c_int,

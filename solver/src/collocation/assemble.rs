@@ -134,8 +134,8 @@ impl<'a> Assembly<'a> {
         scale_rows(rows.n(), self.plan.columns.len(), block, row_scale);
     }
 
-    /// As [`linearise`](Self::linearise), where there are neither integrals nor constants and stages follow those before
-    /// them: all sizes are known when compiled.
+    /// As [`linearise`](Self::linearise), where there are neither integrals nor constants and stages follow those
+    /// before them: all sizes are known when compiled.
     #[inline(always)]
     fn linearise_alone<const N: usize>(&self, t: usize, block: &mut Block<Lane>) {
         let h = Lane(self.h[t]);

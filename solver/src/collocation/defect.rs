@@ -122,8 +122,8 @@ impl<'a> Job for Count<'a> {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    /// The continuous extension and its defects, which are to be no larger than `limit`: where they are far larger, less
-    /// is spent on knowing them.
+    /// The continuous extension and its defects, which are to be no larger than `limit`: where they are far larger,
+    /// less is spent on knowing them.
     ///
     /// # Errors
     /// The right-hand side is undefined between the collocation points.
