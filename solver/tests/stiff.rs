@@ -52,6 +52,25 @@ fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     }
 }
 
+/// At order 6 a layer that intervals are far too long for does not spoil the solution away from it where one state is
+/// the derivative of another: few intervals find it.
+#[test]
+fn thin_layers_of_equations_of_second_order_are_found_with_few_intervals() {
+    let problem = Differentiated::new(Layers).unwrap();
+    let eps = 1e-6;
+    let guess = Guess::uniform(problem.layout(), 8, &[eps], |_, _, y| y.fill(0.0));
+    let options = Options { order: Order::Six, tolerance: 1e-6, ..Options::default() };
+    let solution = solve(&problem, &guess, &[], &options).unwrap();
+    let line = &solution.regions()[0];
+    let error = line.mesh().iter().zip(line.state(0)).map(|(&x, u)| (u - Layers::exact(x, eps)).abs());
+    let error = error.fold(0.0, f64::max);
+    let intervals: Vec<usize> = solution.history().iter().map(|mesh| mesh.intervals[0]).collect();
+    println!("{error:e}, {intervals:?}");
+    assert!(error <= 1e-6, "{error:e}");
+    // As a system of first order takes 432.
+    assert!(intervals.iter().sum::<usize>() <= 300, "{intervals:?}");
+}
+
 /// A problem of Cash's with its solution.
 #[derive(Clone, Copy)]
 enum Cash {

@@ -40,6 +40,8 @@ pub(crate) struct Assembly<'a> {
     /// The stage's dY/d(...), then the sums over stages.
     sum: Lanes,
     coupling: Coupling,
+    /// For each state that another has for derivative: that other, and the factor that makes it dimensionless.
+    above: Vec<Option<(usize, f64)>>,
 }
 
 /// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what
@@ -87,6 +89,10 @@ impl<'a> Assembly<'a> {
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
         let (n, p) = (plan.n, plan.columns.len());
         let (rows, count) = (n + plan.active.len(), system.tableau.stages());
+        let mut above = vec![None; n];
+        for &(u, v) in &stages.chained {
+            above[v] = Some((u, d[v] / d[u]));
+        }
         Self {
             plan,
             tableau: system.tableau,
@@ -109,6 +115,7 @@ impl<'a> Assembly<'a> {
             by_constant: Lanes::zeros(count * rows * p),
             sum: Lanes::zeros(rows * n.max(p)),
             coupling: Coupling::new(system.tableau, plan),
+            above,
         }
     }
 
@@ -158,6 +165,16 @@ impl<'a> Assembly<'a> {
                 for (i, row) in sum.iter_mut().enumerate() {
                     row[i] += Lane::ONE.times(own);
                 }
+                if let Some(odd) = self.tableau.odd_part(stage) {
+                    let sign = if side == 0 { -1.0 } else { 1.0 };
+                    for (v, u, factor) in self.chained() {
+                        let (once, twice) = (h.times(-6.0 * odd), (h * h).times(sign * odd * factor));
+                        for q in 0..N {
+                            sum[u][q] += once * moves[side][u][q] + twice * moves[side][v][q];
+                        }
+                        sum[u][u] += Lane::ONE.times(12.0 * sign * odd);
+                    }
+                }
                 for (row, by) in moves[stage].iter_mut().zip(&jacobian) {
                     for (by, argument) in by.iter().zip(&sum) {
                         for q in 0..N {
@@ -172,6 +189,17 @@ impl<'a> Assembly<'a> {
             for (moves, &b) in moves.iter().zip(self.tableau.b).take(stages) {
                 add_times(&mut sum, h.times(b), moves);
             }
+            if self.tableau.has_odd_parts() {
+                for (v, u, factor) in self.chained() {
+                    sum[u] = moves[side][u].map(|slope| h.times(0.5) * slope);
+                    for (stage, moves) in moves.iter().enumerate().take(stages) {
+                        let weight = (h * h).times(factor * self.tableau.twice_integrated(stage));
+                        for q in 0..N {
+                            sum[u][q] += weight * moves[v][q];
+                        }
+                    }
+                }
+            }
             for (i, row) in sum.iter().enumerate() {
                 for (j, &value) in row.iter().enumerate() {
                     out[j * N + i] = -value;
@@ -179,6 +207,12 @@ impl<'a> Assembly<'a> {
                 out[i * N + i] += Lane::ONE.times(if side == 0 { -1.0 } else { 1.0 });
             }
         }
+    }
+
+    /// States that are the derivative of another, that other, and the factor that makes it dimensionless.
+    #[inline(always)]
+    fn chained(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        self.above.iter().enumerate().filter_map(|(v, above)| above.map(|(u, factor)| (v, u, factor)))
     }
 
     /// Derivatives of the right-hand side at one stage, dimensionless.
@@ -238,14 +272,25 @@ impl<'a> Assembly<'a> {
         };
         let (v, sum) = (self.tableau.v[stage], &mut self.sum);
         let chain = Chain { entries: &self.states, dy, steps, step };
+        let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, above: &self.above, h });
         // Widths are known when compiled if the number of states is.
         argument(&self.left, n, all * n, n, h, known(Some(1)), sum);
         add_to_diagonal(sum, n, 1.0 - v);
+        if let Some(odd) = &odd {
+            odd.add_node(n, -1.0, &self.left[..n * n], sum);
+        }
         chain.apply(n, sum, &mut self.left[before..here]);
         argument(&self.right, n, all * n, n, h, known(Some(0)), sum);
         add_to_diagonal(sum, n, v);
+        if let Some(odd) = &odd {
+            odd.add_node(n, 1.0, &self.right[all * n..][..n * n], sum);
+        }
         chain.apply(n, sum, &mut self.right[before..here]);
         argument(&self.by_constant, n, all * p, p, h, known(None), sum);
+        if let Some(odd) = &odd {
+            odd.add_slopes(p, -1.0, &self.by_constant[..n * p], sum);
+            odd.add_slopes(p, 1.0, &self.by_constant[all * p..][..n * p], sum);
+        }
         chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
     }
 
@@ -331,14 +376,81 @@ impl<'a> Assembly<'a> {
     #[inline(always)]
     fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
         let (b, sum) = (self.tableau.b, &mut self.sum);
+        let twice = Twice { tableau: self.tableau, above: &self.above, all, h };
         quadrature(&self.left, n, all, b, h, sum);
+        twice.integrate(n, &self.left, sum);
         transposed(sum, n, n, &mut block.a, &mut block.fa);
         add_to_diagonal(&mut block.a, n, -1.0);
         quadrature(&self.right, n, all, b, h, sum);
+        twice.integrate(n, &self.right, sum);
         transposed(sum, n, n, &mut block.b, &mut block.fb);
         add_to_diagonal(&mut block.b, n, 1.0);
         quadrature(&self.by_constant, p, all, b, h, sum);
+        twice.integrate(p, &self.by_constant, sum);
         transposed(sum, n, p, &mut block.c, &mut block.fc);
+    }
+}
+
+/// What order 6 adds at a stage to states whose derivative is another: see [`ODD`](crate::tableau::ODD).
+struct Odd<'a> {
+    odd: f64,
+    above: &'a [Option<(usize, f64)>],
+    h: Lane,
+}
+
+impl Odd<'_> {
+    /// When the left (`sign` -1) or right node moves, `slopes`: dK there.
+    #[inline(always)]
+    fn add_node(&self, n: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
+        self.add_slopes(n, sign, slopes, sum);
+        for &(u, _) in self.above.iter().flatten() {
+            for q in 0..n {
+                sum[u * n + q] += self.h.times(-6.0 * self.odd) * slopes[u * n + q];
+            }
+            sum[u * n + u] += Lane::ONE.times(12.0 * sign * self.odd);
+        }
+    }
+
+    /// When the slopes of the derivatives move, by rows of `width`.
+    #[inline(always)]
+    fn add_slopes(&self, width: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
+        for (v, above) in self.above.iter().enumerate() {
+            let Some((u, factor)) = *above else { continue };
+            let weight = (self.h * self.h).times(sign * self.odd * factor);
+            for q in 0..width {
+                sum[u * width + q] += weight * slopes[v * width + q];
+            }
+        }
+    }
+}
+
+/// The interval equations of such states.
+struct Twice<'a> {
+    tableau: &'a Tableau,
+    above: &'a [Option<(usize, f64)>],
+    all: usize,
+    h: Lane,
+}
+
+impl Twice<'_> {
+    /// In place of `h Σ b dK`, for all stages' dK by rows of `width`.
+    #[inline(always)]
+    fn integrate(&self, width: usize, slopes: &[Lane], sum: &mut [Lane]) {
+        if !self.tableau.has_odd_parts() {
+            return;
+        }
+        for (v, above) in self.above.iter().enumerate() {
+            let Some((u, factor)) = *above else { continue };
+            for q in 0..width {
+                let of = |stage: usize, row: usize| slopes[(stage * self.all + row) * width + q];
+                let mut total = self.h.times(0.5) * (of(0, u) + of(1, u));
+                for stage in 0..self.tableau.stages() {
+                    let weight = (self.h * self.h).times(factor * self.tableau.twice_integrated(stage));
+                    total += weight * of(stage, v);
+                }
+                sum[u * width + q] = total;
+            }
+        }
     }
 }
 

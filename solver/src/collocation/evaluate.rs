@@ -19,6 +19,10 @@ pub(crate) struct Batch {
     pub dc: Numbers,
 }
 
+/// What a right-hand side depends on beside one state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Others;
+
 /// Values of one region at all its stages.
 #[derive(Debug, Clone)]
 pub(crate) struct Stages {
@@ -30,6 +34,9 @@ pub(crate) struct Stages {
     pub phi: Numbers,
     /// Residuals of the stage equations, as [`Iterate::inner`] stands; empty if that is.
     pub psi: Numbers,
+    /// States whose derivative is another state and nothing else, with that state: at all nodes where derivatives were
+    /// last evaluated. Only at order 6: see [`ODD`](crate::tableau::ODD).
+    pub chained: Vec<(usize, usize)>,
 }
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
@@ -85,7 +92,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
             };
             let inner = self.tableau.c[2..].iter().map(|&c| at(c)).collect();
             let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * stride);
-            Stages { nodes: batch(grid.node_stride(), false), inner, phi: Numbers::zeros(plan.n * stride), psi }
+            let (nodes, phi) = (batch(grid.node_stride(), false), Numbers::zeros(plan.n * stride));
+            Stages { nodes, inner, phi, psi, chained: Vec::new() }
         });
         Work {
             regions: regions.collect(),
@@ -139,6 +147,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let stride = grid.node_stride();
         let at = Points { len: stride, stride, s: &grid.s, y: &x.y[region] };
         self.call(region, at, &x.constants, derivatives, &mut stages.nodes, stats)?;
+        if self.tableau.has_odd_parts() && derivatives != Derivatives::None {
+            stages.chained = self.chained(region, &x.y[region], &stages.nodes);
+        }
         for stage in 2..self.tableau.stages() {
             let mut batch = std::mem::take(&mut stages.inner[stage - 2]);
             let stride = grid.interval_stride();
@@ -148,6 +159,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 batch.y.copy_from_slice(&x.inner[region][first..first + len]);
             } else {
                 self.stage_points(region, stage, &x.y[region], stages, &mut batch.y);
+                self.add_odd_parts(region, stage, &x.y[region], stages, &mut batch.y);
             }
             let (s, y) = (std::mem::take(&mut batch.s), std::mem::take(&mut batch.y));
             let at = Points { len: stride, stride, s: &s, y: &y };
@@ -174,6 +186,37 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stages.psi = psi;
     }
 
+    /// See [`Stages::chained`].
+    fn chained(&self, region: usize, y: &[f64], nodes: &Batch) -> Vec<(usize, usize)> {
+        let (layout, n) = (&self.layout.regions[region], self.plan.regions[region].n);
+        let stride = self.grids[region].node_stride();
+        let are = |values: &[f64], entry: usize, value: f64| {
+            values[entry * stride..][..stride].iter().all(|found| *found == value)
+        };
+        // The only state that each depends on; none if there are others, or constants.
+        let mut only: Vec<Result<Option<usize>, Others>> = vec![Ok(None); n];
+        let in_rows = layout.state_pattern.iter().enumerate().filter(|(_, (row, _))| *row < n);
+        for (entry, &(row, state)) in in_rows.filter(|(entry, _)| !are(&nodes.dy, *entry, 0.0)) {
+            let alone = only[row] == Ok(None) && state != row && are(&nodes.dy, entry, 1.0);
+            only[row] = if alone { Ok(Some(state)) } else { Err(Others) };
+        }
+        for (entry, &(row, _)) in layout.constant_pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
+            if !are(&nodes.dc, entry, 0.0) {
+                only[row] = Err(Others);
+            }
+        }
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        for (u, only) in only.into_iter().enumerate() {
+            if let Ok(Some(v)) = only
+                && nodes.f[u * stride..][..stride] == y[v * stride..][..stride]
+                && found.iter().all(|&(_, other)| other != v)
+            {
+                found.push((u, v));
+            }
+        }
+        found
+    }
+
     /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals.
     fn stage_points(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
         let grid = &self.grids[region];
@@ -194,7 +237,45 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
             advance(stages, i, self.tableau.b, out, [-1.0, 1.0], ends, (-1.0, &grid.h));
         }
+        if self.tableau.has_odd_parts() {
+            self.integrate_twice(region, stages, &mut phi);
+        }
         stages.phi = phi;
+    }
+
+    /// See [`ODD`](crate::tableau::ODD).
+    fn add_odd_parts(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
+        let Some(odd) = self.tableau.odd_part(stage) else { return };
+        let grid = &self.grids[region];
+        let (nodes, len) = (grid.node_stride(), grid.interval_stride());
+        for &(u, v) in &stages.chained {
+            let (left, right) = (&y[u * nodes..][..len], &y[u * nodes + W..][..len]);
+            let slope = |stage, row| stages.slope(stage, row, len);
+            let inputs = [&grid.h, left, right, slope(0, u), slope(1, u), slope(0, v), slope(1, v)];
+            elementwise(&mut out[u * len..][..len], inputs, |point, [h, u0, u1, v0, v1, k0, k1]| {
+                point + odd * (12.0 * (u1 - u0) + h * (h * (k1 - k0) - 6.0 * (v0 + v1)))
+            });
+        }
+    }
+
+    /// The interval residuals of states whose derivative is another: see [`ODD`](crate::tableau::ODD).
+    fn integrate_twice(&self, region: usize, stages: &Stages, phi: &mut [f64]) {
+        let grid = &self.grids[region];
+        let (len, b) = (grid.interval_stride(), self.tableau.b);
+        let twice = [0, 2].map(|stage| self.tableau.twice_integrated(stage));
+        for &(u, v) in &stages.chained {
+            let phi = &mut phi[u * len..][..len];
+            let once = |stage| stages.slope(stage, u, len);
+            let inputs = [&grid.h, once(0), once(1), once(2), once(3), once(4)];
+            elementwise(phi, inputs, |phi, [h, v0, v1, v2, v3, v4]| {
+                phi + h * ((b[0] - 0.5) * (v0 + v1) + b[2] * (v2 + v3) + b[4] * v4)
+            });
+            let slope = |stage| stages.slope(stage, v, len);
+            let inputs = [&grid.h, slope(0), slope(1), slope(2), slope(3)];
+            elementwise(phi, inputs, |phi, [h, k0, k1, k2, k3]| {
+                phi - h * h * (twice[0] * (k0 - k1) + twice[1] * (k2 - k3))
+            });
+        }
     }
 
     fn integrate(&self, region: usize, work: &mut Work) {

@@ -285,6 +285,13 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 let difference = &difference[state * intervals..(state + 1) * intervals];
                 let out = &mut integrated[row * intervals..(row + 1) * intervals];
                 elementwise(out, [dy, difference, self.h()], |sum, [dy, difference, h]| sum - b * h * dy * difference);
+                for (u, _) in self.stages.chained.iter().filter(|(_, v)| *v == row) {
+                    let weight = tableau.twice_integrated(stage);
+                    let out = &mut integrated[u * intervals..][..intervals];
+                    elementwise(out, [dy, difference, self.h()], |sum, [dy, difference, h]| {
+                        sum - weight * h * h * dy * difference
+                    });
+                }
             }
         }
         integrated

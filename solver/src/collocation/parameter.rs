@@ -107,12 +107,36 @@ impl<P: Problem + ?Sized> System<'_, P> {
                     elementwise(shift, [h, earlier], |shift, [h, earlier]| shift + weight * h * earlier);
                 }
             }
+            if let Some(odd) = self.tableau.odd_part(stage) {
+                for &(u, v) in &stages.chained {
+                    let slope = |stage: usize, row: usize| &known[(stage * rows + row) * len..][..len];
+                    let shift = &mut shift[u * len..][..len];
+                    let inputs = [h, slope(0, u), slope(1, u), slope(0, v), slope(1, v)];
+                    elementwise(shift, inputs, |shift, [h, v0, v1, k0, k1]| {
+                        shift + odd * h * (h * (k1 - k0) - 6.0 * (v0 + v1))
+                    });
+                    if let Some(du) = nodes.map(|nodes| &nodes[u * (len + W)..]) {
+                        elementwise(shift, [du, &du[W..]], |shift, [left, right]| shift + 12.0 * odd * (right - left));
+                    }
+                }
+            }
             if (stage >= 2 && !self.tableau.coupled) || nodes.is_some() {
                 chain(region, batch, stride, offset, &shift, out);
             }
             let b = self.tableau.b[stage];
             for (sums, out) in sums.chunks_exact_mut(len).zip(out.chunks_exact(len)) {
                 elementwise(sums, [h, out], |sum, [h, out]| sum + b * h * out);
+            }
+        }
+        if self.tableau.has_odd_parts() {
+            for &(u, v) in &stages.chained {
+                let slope = |stage: usize, row: usize| &rates[(stage * rows + row) * len..][..len];
+                let sums = &mut sums[u * len..][..len];
+                elementwise(sums, [h, slope(0, u), slope(1, u)], |_, [h, v0, v1]| 0.5 * h * (v0 + v1));
+                for stage in 0..self.tableau.stages() {
+                    let weight = self.tableau.twice_integrated(stage);
+                    elementwise(sums, [h, slope(stage, v)], |sum, [h, k]| sum + weight * h * h * k);
+                }
             }
         }
         sums
@@ -139,6 +163,18 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 elementwise(out, [h, weights], |_, [h, weight]| b * h * weight);
             }
         }
+        if self.tableau.has_odd_parts() {
+            for &(u, v) in &stages.chained {
+                let weights = &weights[u * len..][..len];
+                for (stage, rates) in rates.chunks_exact_mut(rows * len).enumerate() {
+                    let (once, twice) = (if stage < 2 { 0.5 } else { 0.0 }, self.tableau.twice_integrated(stage));
+                    elementwise(&mut rates[u * len..][..len], [h, weights], |_, [h, weight]| once * h * weight);
+                    elementwise(&mut rates[v * len..][..len], [h, weights], |rate, [h, weight]| {
+                        rate + twice * h * h * weight
+                    });
+                }
+            }
+        }
         let explicit = if self.tableau.coupled {
             self.pull_back_inner(index, stages, (factor, d), &mut rates, &mut nodes);
             for (stage, rates) in rates.chunks_exact(rows * len).enumerate().skip(2) {
@@ -160,6 +196,21 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 for p in 0..len {
                     nodes[p] += (1.0 - v) * shift[p];
                     nodes[p + W] += v * shift[p];
+                }
+            }
+            if let Some(odd) = self.tableau.odd_part(stage) {
+                for &(u, v) in &stages.chained {
+                    let shift = &shift[u * len..][..len];
+                    for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                        let mut rates = |row: usize, by: f64, power: i32| {
+                            let rates = &mut known[(side * rows + row) * len..][..len];
+                            elementwise(rates, [h, shift], |rate, [h, shift]| rate + by * h.powi(power) * shift);
+                        };
+                        rates(u, -6.0 * odd, 1);
+                        rates(v, sign * odd, 2);
+                        let nodes = &mut nodes[u * (len + W) + side * W..][..len];
+                        elementwise(nodes, [shift], |node, [shift]| node + 12.0 * sign * odd * shift);
+                    }
                 }
             }
             for (earlier, &weight) in self.tableau.x[stage].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {

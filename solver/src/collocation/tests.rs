@@ -32,15 +32,17 @@ struct Mixed {
     sizes: Vec<(usize, usize)>,
     constants: usize,
     nonlinear: bool,
+    /// Whether the first state of each region has the second for its derivative.
+    chained: bool,
     coefficients: Vec<f64>,
 }
 
 impl Mixed {
-    fn new(sizes: &[(usize, usize)], constants: usize, nonlinear: bool, seed: u64) -> Self {
+    fn new(sizes: &[(usize, usize)], constants: usize, (nonlinear, chained): (bool, bool), seed: u64) -> Self {
         let mut random = Random(seed);
         random.next();
         let coefficients = (0..4096).map(|_| random.next()).collect();
-        Self { sizes: sizes.to_vec(), constants, nonlinear, coefficients }
+        Self { sizes: sizes.to_vec(), constants, nonlinear, chained, coefficients }
     }
 
     fn weight(&self, a: usize, b: usize, c: usize) -> f64 {
@@ -85,6 +87,9 @@ impl Model for Mixed {
                 let value = if self.nonlinear { c * (y[0] + 1.5) } else { c };
                 *f += value * self.weight(region, row, 40 + i);
             }
+        }
+        if self.chained && y.len() > 1 {
+            f[0] = y[1];
         }
     }
 
@@ -208,8 +213,9 @@ fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64>
 }
 
 fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals: &[usize], nonlinear: bool, seed: u64) {
-    for tableau in [&ORDER_4, &ORDER_6, &ORDER_8] {
-        let problem = Differentiated::new(Mixed::new(sizes, constants, nonlinear, seed)).unwrap();
+    for (tableau, chained) in [(&ORDER_4, false), (&ORDER_6, false), (&ORDER_6, true), (&ORDER_8, false)] {
+        let mixed = Mixed::new(sizes, constants, (nonlinear, chained), seed);
+        let problem = Differentiated::new(mixed).unwrap();
         let chosen: Vec<usize> = (0..unknowns).rev().collect();
         let plan = Plan::new(problem.layout(), &chosen);
         let mut setup = setup(&problem, plan, intervals, tableau, seed);
