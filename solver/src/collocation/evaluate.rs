@@ -235,10 +235,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let mut phi = std::mem::take(&mut stages.phi);
         for (i, out) in phi.chunks_exact_mut(intervals).enumerate() {
             let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
-            advance(stages, i, self.tableau.b, out, [-1.0, 1.0], ends, (-1.0, &grid.h));
-        }
-        if self.tableau.has_odd_parts() {
-            self.integrate_twice(region, stages, &mut phi);
+            match stages.chained.iter().find(|(u, _)| *u == i) {
+                Some(&(u, v)) => self.integrate_twice((u, v), stages, out, ends, &grid.h),
+                None => advance(stages, i, self.tableau.b, out, [-1.0, 1.0], ends, (-1.0, &grid.h)),
+            }
         }
         stages.phi = phi;
     }
@@ -258,24 +258,22 @@ impl<P: Problem + ?Sized> System<'_, P> {
         }
     }
 
-    /// The interval residuals of states whose derivative is another: see [`ODD`](crate::tableau::ODD).
-    fn integrate_twice(&self, region: usize, stages: &Stages, phi: &mut [f64]) {
-        let grid = &self.grids[region];
-        let (len, b) = (grid.interval_stride(), self.tableau.b);
+    /// The interval residuals of a state whose derivative is another: see [`ODD`](crate::tableau::ODD).
+    fn integrate_twice(
+        &self,
+        (u, v): (usize, usize),
+        stages: &Stages,
+        phi: &mut [f64],
+        [left, right]: [&[f64]; 2],
+        h: &[f64],
+    ) {
         let twice = [0, 2].map(|stage| self.tableau.twice_integrated(stage));
-        for &(u, v) in &stages.chained {
-            let phi = &mut phi[u * len..][..len];
-            let once = |stage| stages.slope(stage, u, len);
-            let inputs = [&grid.h, once(0), once(1), once(2), once(3), once(4)];
-            elementwise(phi, inputs, |phi, [h, v0, v1, v2, v3, v4]| {
-                phi + h * ((b[0] - 0.5) * (v0 + v1) + b[2] * (v2 + v3) + b[4] * v4)
-            });
-            let slope = |stage| stages.slope(stage, v, len);
-            let inputs = [&grid.h, slope(0), slope(1), slope(2), slope(3)];
-            elementwise(phi, inputs, |phi, [h, k0, k1, k2, k3]| {
-                phi - h * h * (twice[0] * (k0 - k1) + twice[1] * (k2 - k3))
-            });
-        }
+        let slope = |stage, row| stages.slope(stage, row, h.len());
+        let [k0, k1, k2, k3] = [0, 1, 2, 3].map(|stage| slope(stage, v));
+        let inputs = [left, right, slope(0, u), slope(1, u), k0, k1, k2, k3, h];
+        elementwise(phi, inputs, |_, [u0, u1, v0, v1, k0, k1, k2, k3, h]| {
+            u1 - u0 - h * (0.5 * (v0 + v1) + h * (twice[0] * (k0 - k1) + twice[1] * (k2 - k3)))
+        });
     }
 
     fn integrate(&self, region: usize, work: &mut Work) {
