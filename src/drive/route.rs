@@ -78,8 +78,10 @@ impl Route {
         match self {
             Self::Late => Self::splits(&self.begin(target), target),
             Self::Stiff => {
-                let bending = Constant::BendingStiffness;
-                model.bending.is_some() && self.begin(target)[bending] < target[bending]
+                // In engine braking a soft belt carries what the case's does not: the loose strand would be led beyond
+                // its limit, to where it buckles.
+                let (bending, driven) = (Constant::BendingStiffness, target[Constant::PrimaryTorque] >= 0.0);
+                model.bending.is_some() && driven && self.begin(target)[bending] < target[bending]
             }
             Self::Smooth => model.friction == Friction::ViscousCoulomb,
             Self::Fine => model.bending.is_some(),
