@@ -16,8 +16,10 @@ const CLEAR: f64 = 1e-3;
 /// that is usual.
 const CLEAR_BRAKING: [f64; 2] = [0.1, 0.5];
 
-/// Speed efficiency below which a curve in engine braking proves a limit, should it be lost.
-const NEARLY_AT_REST: f64 = 0.5;
+/// Speed efficiency below which a curve in engine braking proves a limit, should it be lost,
+const NEARLY_AT_REST: f64 = 0.2;
+/// and below which it does so where no other proof is found.
+const SLOW: f64 = 0.5;
 
 /// What can be said of a case for which no solution was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +80,12 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     }
     let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
     let search = Search { case, tension, torque, options };
-    let proof = if search.is_carried() { None } else { search.at_case().or_else(|| search.eased()) };
+    let proof = if search.is_carried() {
+        None
+    } else {
+        let mut slow = None;
+        search.at_case(&mut slow).or_else(|| search.eased()).or(slow)
+    };
     let sunk = |share| Verdict::Sunk { share };
     proof.or_else(|| pressed_through(failure).or_else(|| search.pressed_through()).map(sunk)).unwrap_or(Verdict::Open)
 }
@@ -127,17 +134,28 @@ impl Search<'_> {
     }
 
     /// Limits at the slip threshold of the case itself. That of a string is followed there from larger ones at once.
-    fn at_case(&self) -> Option<Verdict> {
+    /// A proof by a curve that is lost before the driven pulley has nearly come to rest is left in `slow`.
+    fn at_case(&self, slow: &mut Option<Verdict>) -> Option<Verdict> {
         if self.case.model.bending.is_none() && self.case.thermal.is_none() {
             return None;
         }
+        let mut proof = |sought, limit: Limit| {
+            let proof = self.beyond(sought, limit.clone(), None);
+            if ends(&limit, self.torque, NEARLY_AT_REST) {
+                return proof;
+            }
+            if slow.is_none() {
+                *slow = proof;
+            }
+            None
+        };
         if let Ok((limit, _)) = smallest_slack_tension(self.case, &self.options)
-            && let proof @ Some(_) = self.beyond(Sought::Tension, limit, None)
+            && let proof @ Some(_) = proof(Sought::Tension, limit)
         {
             return proof;
         }
         let (limit, _) = largest_torque(self.case, &self.options).ok()?;
-        self.beyond(Sought::Torque, limit, None)
+        proof(Sought::Torque, limit)
     }
 
     /// Limits that are followed from larger slip thresholds. Where the belt's temperature is to be found, every one is
@@ -162,18 +180,19 @@ impl Search<'_> {
         let left = if self.torque < 0.0 { left_at(&limit) } else { 0.0 };
         let braking = by_speed * left + by_square * left * left;
         let margin = CLEAR + braking + easing.map_or(0.0, |easing| easing.margin());
-        (ends(&limit, self.torque) && sought.beyond(given, limit.value) > margin).then_some(match sought {
+        (ends(&limit, self.torque, SLOW) && sought.beyond(given, limit.value) > margin).then_some(match sought {
             Sought::Tension => Verdict::Tension { given, limit, easing },
             Sought::Torque => Verdict::Torque { given, limit, easing },
         })
     }
 }
 
-/// Whether a curve was followed so far that no more than the margin of a proof is left of it.
-fn ends(limit: &Limit, torque: f64) -> bool {
+/// Whether a curve was followed so far that no more than the margin of a proof is left of it: in engine braking, to a
+/// speed efficiency of `slow` at least.
+fn ends(limit: &Limit, torque: f64, slow: f64) -> bool {
     match limit.kind {
         LimitKind::Fold | LimitKind::Collapse => true,
-        LimitKind::Lost(_) => torque < 0.0 && limit.state.speed_efficiency <= NEARLY_AT_REST,
+        LimitKind::Lost(_) => torque < 0.0 && limit.state.speed_efficiency <= slow,
         LimitKind::SpeedEfficiency => false,
     }
 }
@@ -190,6 +209,9 @@ impl Display for Verdict {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         let end = |limit: &Limit| match limit.kind {
             LimitKind::Fold => "below it no solution is left",
+            LimitKind::Lost(_) if limit.state.speed_efficiency <= NEARLY_AT_REST => {
+                "there the driven pulley has nearly come to rest"
+            }
             LimitKind::Lost(_) => "there the driven pulley has lost more than half of its speed",
             _ => "there the driven pulley comes to rest",
         };
