@@ -3,9 +3,9 @@
 use super::factor::{Factorisation, RegionFactor, Rhs};
 use super::{Correction, System};
 use crate::linear::memory::Lanes;
-use crate::linear::reflect::{Rows, with_rows};
+use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, W};
-use crate::linear::simd::{Job, vectorised};
+use crate::linear::simd::{RowsJob, vectorised_rows};
 use crate::problem::Problem;
 
 /// A linear functional of a solution's change, in dimensionless unknowns.
@@ -29,17 +29,17 @@ struct Backward<'a> {
 
 impl Backward<'_> {
     fn vectorised(self) -> Vec<f64> {
-        vectorised(self)
+        vectorised_rows(self.factor.lanes.sizes().n, self)
     }
 }
 
-impl Job for Backward<'_> {
+impl RowsJob for Backward<'_> {
     /// Weights on the first and last node.
     type Output = Vec<f64>;
 
     #[inline(always)]
-    fn run(self) -> Vec<f64> {
-        with_rows!(self.factor.lanes.sizes().n, rows => backward_region(rows, self))
+    fn run<R: Rows>(self, rows: R) -> Vec<f64> {
+        backward_region(rows, self)
     }
 }
 
@@ -73,16 +73,16 @@ struct Forward<'a> {
 
 impl Forward<'_> {
     fn vectorised(self) {
-        vectorised(self);
+        vectorised_rows(self.factor.lanes.sizes().n, self);
     }
 }
 
-impl Job for Forward<'_> {
+impl RowsJob for Forward<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
-        with_rows!(self.factor.lanes.sizes().n, rows => forward_region(rows, self))
+    fn run<R: Rows>(self, rows: R) {
+        forward_region(rows, self)
     }
 }
 

@@ -139,3 +139,33 @@ macro_rules! with_rows {
     };
 }
 pub(crate) use with_rows;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::scalar::{Lane, W};
+
+    /// Processors without wide vectors use the one for any number.
+    #[test]
+    fn a_number_of_rows_known_when_compiled_gives_the_same_bits_as_any() {
+        let value = |i: usize| Lane(std::array::from_fn(|l| libm::sin((1 + i) as f64 * (1.0 + 0.3 * l as f64))));
+        for n in 1..=8 {
+            let column = |from: usize| (from..from + n).map(value).collect::<Vec<Lane>>();
+            let mut reflectors = vec![Lane::ZERO; 2 * n * n];
+            for (j, out) in reflectors.chunks_exact_mut(2 * n).enumerate() {
+                make_reflector(j, &column(7 * j), &column(100 + 5 * j), out);
+            }
+            for count in 0..=n {
+                let (mut fixed, mut any) = ([column(200), column(300)], [column(200), column(300)]);
+                let [top, bottom] = &mut fixed;
+                with_rows!(n, rows => rows.apply(&reflectors, count, top, bottom));
+                let [top, bottom] = &mut any;
+                Dynamic(n).apply(&reflectors, count, top, bottom);
+                let bits = |lanes: &[Vec<Lane>; 2]| -> Vec<[u64; W]> {
+                    lanes.iter().flatten().map(|lane| lane.0.map(f64::to_bits)).collect()
+                };
+                assert_eq!(bits(&fixed), bits(&any), "{count} of {n}");
+            }
+        }
+    }
+}

@@ -1,5 +1,8 @@
 //! Runs a loop with the widest vectors the processor has.
 
+#[cfg(target_arch = "x86_64")]
+use super::reflect::Dynamic;
+use super::reflect::{Rows, with_rows};
 use super::scalar::{Lane, Scalar, W};
 
 /// A computation that is inlined into a caller compiled for more vector instructions than the crate's baseline.
@@ -24,6 +27,43 @@ pub(crate) fn vectorised<J: Job>(job: J) -> J::Output {
 #[target_feature(enable = "avx2")]
 fn with_avx2<J: Job>(job: J) -> J::Output {
     job.run()
+}
+
+/// A computation that profits from knowing how many rows its blocks have when it is compiled.
+pub(crate) trait RowsJob: Sized {
+    type Output;
+    /// As [`Job::run`].
+    fn run<R: Rows>(self, rows: R) -> Self::Output;
+}
+
+/// Runs `job` for `n` rows with the widest vectors the processor has. There is a function for every small number of
+/// rows: one for all of them takes the compiler minutes. Processors of x86-64 without AVX2 have become rare, so that
+/// theirs is the one for any number; results are bitwise the same.
+#[inline(always)]
+pub(crate) fn vectorised_rows<J: RowsJob>(n: usize, job: J) -> J::Output {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has AVX2, as was just asked.
+        with_rows!(n, rows => unsafe { with_avx2(OfRows { rows, job }) })
+    } else {
+        OfRows { rows: Dynamic(n), job }.run()
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    with_rows!(n, rows => OfRows { rows, job }.run())
+}
+
+struct OfRows<R, J> {
+    rows: R,
+    job: J,
+}
+
+impl<R: Rows, J: RowsJob> Job for OfRows<R, J> {
+    type Output = J::Output;
+
+    #[inline(always)]
+    fn run(self) -> J::Output {
+        self.job.run(self.rows)
+    }
 }
 
 /// `out[p] = f(out[p], [x[p], ...])`, with the widest vectors the processor has. The inputs are at least as long as

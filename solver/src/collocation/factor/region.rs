@@ -4,9 +4,9 @@ use super::RegionFactor;
 use crate::collocation::assemble::Assembly;
 use crate::linear::chain::{Block, Intervals, Reduced};
 use crate::linear::memory::Lanes;
-use crate::linear::reflect::{Rows, with_rows};
+use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, W};
-use crate::linear::simd::{Job, vectorised};
+use crate::linear::simd::{RowsJob, vectorised_rows};
 
 pub(super) struct FactorRegion<'a, 'b> {
     pub(super) assembly: Assembly<'a>,
@@ -17,16 +17,16 @@ pub(super) struct FactorRegion<'a, 'b> {
 impl FactorRegion<'_, '_> {
     /// Not generic, so that it is compiled here once and not with every problem; the others likewise.
     pub(super) fn vectorised(self) {
-        vectorised(self);
+        vectorised_rows(self.n, self);
     }
 }
 
-impl Job for FactorRegion<'_, '_> {
+impl RowsJob for FactorRegion<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
-        with_rows!(self.n, rows => factor_region(rows, self.assembly, self.factor))
+    fn run<R: Rows>(self, rows: R) {
+        factor_region(rows, self.assembly, self.factor)
     }
 }
 
@@ -64,17 +64,17 @@ pub(super) struct Forward<'a> {
 
 impl Forward<'_> {
     pub(super) fn vectorised(self) -> Vec<f64> {
-        vectorised(self)
+        vectorised_rows(self.factor.lanes.sizes().n, self)
     }
 }
 
-impl Job for Forward<'_> {
+impl RowsJob for Forward<'_> {
     /// What the region contributes to the dense system: `n` values; and the stretches' right-hand sides.
     type Output = Vec<f64>;
 
     #[inline(always)]
-    fn run(self) -> Vec<f64> {
-        with_rows!(self.factor.lanes.sizes().n, rows => forward_region(rows, self))
+    fn run<R: Rows>(self, rows: R) -> Vec<f64> {
+        forward_region(rows, self)
     }
 }
 
@@ -112,16 +112,16 @@ pub(super) struct Backward<'a> {
 
 impl Backward<'_> {
     pub(super) fn vectorised(self) {
-        vectorised(self);
+        vectorised_rows(self.factor.lanes.sizes().n, self);
     }
 }
 
-impl Job for Backward<'_> {
+impl RowsJob for Backward<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
-        with_rows!(self.factor.lanes.sizes().n, rows => backward_region(rows, self))
+    fn run<R: Rows>(self, rows: R) {
+        backward_region(rows, self)
     }
 }
 
