@@ -40,8 +40,8 @@ pub(crate) struct Assembly<'a> {
     /// The stage's dY/d(...), then the sums over stages.
     sum: Lanes,
     coupling: Coupling,
-    /// For each state that another has for derivative: that other, and the factor that makes it dimensionless.
-    above: Vec<Option<(usize, f64)>>,
+    /// States whose derivative is another, that other, and the factor that makes it dimensionless.
+    chained: Vec<(usize, usize, f64)>,
 }
 
 /// The inner stages of one interval of every stretch. It is compiled once, and not for every number of states as what
@@ -89,10 +89,6 @@ impl<'a> Assembly<'a> {
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
         let (n, p) = (plan.n, plan.columns.len());
         let (rows, count) = (n + plan.active.len(), system.tableau.stages());
-        let mut above = vec![None; n];
-        for &(u, v) in &stages.chained {
-            above[v] = Some((u, d[v] / d[u]));
-        }
         Self {
             plan,
             tableau: system.tableau,
@@ -115,7 +111,7 @@ impl<'a> Assembly<'a> {
             by_constant: Lanes::zeros(count * rows * p),
             sum: Lanes::zeros(rows * n.max(p)),
             coupling: Coupling::new(system.tableau, plan),
-            above,
+            chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
         }
     }
 
@@ -167,7 +163,7 @@ impl<'a> Assembly<'a> {
                 }
                 if let Some(odd) = self.tableau.odd_part(stage) {
                     let sign = if side == 0 { -1.0 } else { 1.0 };
-                    for (v, u, factor) in self.chained() {
+                    for &(u, v, factor) in &self.chained {
                         let (once, twice) = (h.times(-6.0 * odd), (h * h).times(sign * odd * factor));
                         for q in 0..N {
                             sum[u][q] += once * moves[side][u][q] + twice * moves[side][v][q];
@@ -190,7 +186,7 @@ impl<'a> Assembly<'a> {
                 add_times(&mut sum, h.times(b), moves);
             }
             if self.tableau.has_odd_parts() {
-                for (v, u, factor) in self.chained() {
+                for &(u, v, factor) in &self.chained {
                     sum[u] = moves[side][u].map(|slope| h.times(0.5) * slope);
                     for (stage, moves) in moves.iter().enumerate().take(stages) {
                         let weight = (h * h).times(factor * self.tableau.twice_integrated(stage));
@@ -207,12 +203,6 @@ impl<'a> Assembly<'a> {
                 out[i * N + i] += Lane::ONE.times(if side == 0 { -1.0 } else { 1.0 });
             }
         }
-    }
-
-    /// States that are the derivative of another, that other, and the factor that makes it dimensionless.
-    #[inline(always)]
-    fn chained(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        self.above.iter().enumerate().filter_map(|(v, above)| above.map(|(u, factor)| (v, u, factor)))
     }
 
     /// Derivatives of the right-hand side at one stage, dimensionless.
@@ -272,7 +262,7 @@ impl<'a> Assembly<'a> {
         };
         let (v, sum) = (self.tableau.v[stage], &mut self.sum);
         let chain = Chain { entries: &self.states, dy, steps, step };
-        let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, above: &self.above, h });
+        let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, chained: &self.chained, h });
         // Widths are known when compiled if the number of states is.
         argument(&self.left, n, all * n, n, h, known(Some(1)), sum);
         add_to_diagonal(sum, n, 1.0 - v);
@@ -376,7 +366,7 @@ impl<'a> Assembly<'a> {
     #[inline(always)]
     fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
         let (b, sum) = (self.tableau.b, &mut self.sum);
-        let twice = Twice { tableau: self.tableau, above: &self.above, all, h };
+        let twice = Twice { tableau: self.tableau, chained: &self.chained, all, h };
         quadrature(&self.left, n, all, b, h, sum);
         twice.integrate(n, &self.left, sum);
         transposed(sum, n, n, &mut block.a, &mut block.fa);
@@ -394,7 +384,7 @@ impl<'a> Assembly<'a> {
 /// What order 6 adds at a stage to states whose derivative is another: see [`ODD`](crate::tableau::ODD).
 struct Odd<'a> {
     odd: f64,
-    above: &'a [Option<(usize, f64)>],
+    chained: &'a [(usize, usize, f64)],
     h: Lane,
 }
 
@@ -403,7 +393,7 @@ impl Odd<'_> {
     #[inline(always)]
     fn add_node(&self, n: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
         self.add_slopes(n, sign, slopes, sum);
-        for &(u, _) in self.above.iter().flatten() {
+        for &(u, _, _) in self.chained {
             for q in 0..n {
                 sum[u * n + q] += self.h.times(-6.0 * self.odd) * slopes[u * n + q];
             }
@@ -414,8 +404,7 @@ impl Odd<'_> {
     /// When the slopes of the derivatives move, by rows of `width`.
     #[inline(always)]
     fn add_slopes(&self, width: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
-        for (v, above) in self.above.iter().enumerate() {
-            let Some((u, factor)) = *above else { continue };
+        for &(u, v, factor) in self.chained {
             let weight = (self.h * self.h).times(sign * self.odd * factor);
             for q in 0..width {
                 sum[u * width + q] += weight * slopes[v * width + q];
@@ -427,7 +416,7 @@ impl Odd<'_> {
 /// The interval equations of such states.
 struct Twice<'a> {
     tableau: &'a Tableau,
-    above: &'a [Option<(usize, f64)>],
+    chained: &'a [(usize, usize, f64)],
     all: usize,
     h: Lane,
 }
@@ -439,8 +428,7 @@ impl Twice<'_> {
         if !self.tableau.has_odd_parts() {
             return;
         }
-        for (v, above) in self.above.iter().enumerate() {
-            let Some((u, factor)) = *above else { continue };
+        for &(u, v, factor) in self.chained {
             for q in 0..width {
                 let of = |stage: usize, row: usize| slopes[(stage * self.all + row) * width + q];
                 let mut total = self.h.times(0.5) * (of(0, u) + of(1, u));

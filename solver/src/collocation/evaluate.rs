@@ -19,10 +19,6 @@ pub(crate) struct Batch {
     pub dc: Numbers,
 }
 
-/// What a right-hand side depends on beside one state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Others;
-
 /// Values of one region at all its stages.
 #[derive(Debug, Clone)]
 pub(crate) struct Stages {
@@ -193,21 +189,19 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let are = |values: &[f64], entry: usize, value: f64| {
             values[entry * stride..][..stride].iter().all(|found| *found == value)
         };
-        // The only state that each depends on; none if there are others, or constants.
-        let mut only: Vec<Result<Option<usize>, Others>> = vec![Ok(None); n];
-        let in_rows = layout.state_pattern.iter().enumerate().filter(|(_, (row, _))| *row < n);
-        for (entry, &(row, state)) in in_rows.filter(|(entry, _)| !are(&nodes.dy, *entry, 0.0)) {
-            let alone = only[row] == Ok(None) && state != row && are(&nodes.dy, entry, 1.0);
-            only[row] = if alone { Ok(Some(state)) } else { Err(Others) };
-        }
-        for (entry, &(row, _)) in layout.constant_pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
-            if !are(&nodes.dc, entry, 0.0) {
-                only[row] = Err(Others);
-            }
-        }
+        // The only argument that a row depends on, if that is another state, with slope 1.
+        let only = |row: usize| {
+            let of_row = |(_, at): &(usize, &(usize, usize))| at.0 == row;
+            let states = layout.state_pattern.iter().enumerate().filter(of_row);
+            let mut states = states.filter(|(entry, _)| !are(&nodes.dy, *entry, 0.0));
+            let (entry, &(_, state)) = states.next()?;
+            let mut constants = layout.constant_pattern.iter().enumerate().filter(of_row);
+            let alone = states.next().is_none() && constants.all(|(entry, _)| are(&nodes.dc, entry, 0.0));
+            (alone && state != row && are(&nodes.dy, entry, 1.0)).then_some(state)
+        };
         let mut found: Vec<(usize, usize)> = Vec::new();
-        for (u, only) in only.into_iter().enumerate() {
-            if let Ok(Some(v)) = only
+        for u in 0..n {
+            if let Some(v) = only(u)
                 && nodes.f[u * stride..][..stride] == y[v * stride..][..stride]
                 && found.iter().all(|&(_, other)| other != v)
             {
