@@ -23,17 +23,17 @@ fi
 major=$(node --print 'process.versions.node.split(".")[0]')
 [ "$major" -ge 20 ] || { echo "Node.js $major is too old: 20 or later is needed" >&2; exit 1; }
 
-(cd wasm && cargo fmt --check && cargo clippy --locked -- -D warnings)
+(cd wasm && cargo fmt --check && cargo clippy --locked --target-dir ../../target/golden -- -D warnings)
 (cd lanes && cargo fmt --check)
 ./build.sh
 lanes/build.sh
 
-# The command with `live`, from the committed equations.
-features=(--no-default-features --features live --locked)
+# The command with `live`, from the committed equations; what else is built from these shares its packages.
+features=(--no-default-features --features live --locked --target-dir target/golden)
 (cd .. && cargo clippy "${features[@]}" --all-targets -- -D warnings && cargo build "${features[@]}" --bin sheave \
   && cargo test "${features[@]}" --test live --test live_server)
 
 npm ci --silent --no-audit --no-fund
 npx prettier --check "page/*.{js,css,html}" "tests/*.mjs"
-npm test
+SHEAVE="$(dirname "$PWD")/target/golden/debug/sheave" npm test
 head -n 1 shots/cases.md
