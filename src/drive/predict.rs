@@ -1,6 +1,6 @@
 //! A guess for a drive near one that is solved.
 
-use solver::{Guess, Linearisation, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
+use solver::{Guess, Linearisation, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::belt::BeltProblem;
 use super::moved::drift;
@@ -195,7 +195,7 @@ impl<'a> Curve<'a> {
             self.belt.field(region, Field::TangentialSlidingSpeed, &states.concat(), constants)
         };
         let part = self.from.regions().get(index)?;
-        let states: Vec<Vec<f64>> = (0..part.states()).map(|i| part.state(i).to_vec()).collect();
+        let states = RegionGuess::from(part).states;
         let rate = |tangent: &Tangent| {
             let rates = &tangent.regions.get(index)?.states;
             let moved = |h: f64| {

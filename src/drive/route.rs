@@ -161,9 +161,10 @@ impl Route {
         let linear = |ramp: Ramp, at: Constant| ramp.linear(at.index(), begin[at], target[at]);
         let geometric = |ramp: Ramp, at: Constant| ramp.geometric(at.index(), begin[at], target[at]);
         let mut stages = Vec::new();
-        let bending = Constant::BendingStiffness;
-        let first = [bending, Constant::MassPerLength].into_iter().filter(|at| moves(*at));
-        let first = first.filter(|at| (self, *at) != (Self::Stiff, bending));
+        let first = match self {
+            Self::Stiff => &[Constant::MassPerLength][..],
+            _ => &[Constant::BendingStiffness, Constant::MassPerLength],
+        };
         let tighter = target[Constant::SlackTension] > begin[Constant::SlackTension];
         let driven = target[Constant::PrimaryTorque] >= 0.0;
         let torque = linear(Ramp::new(), Constant::PrimaryTorque);
@@ -171,7 +172,7 @@ impl Route {
             // The loose strand of an engine that brakes is the one whose tension is not given.
             stages.push(geometric(Ramp::new(), Constant::SlackTension));
         }
-        stages.extend(first.map(|at| geometric(Ramp::new(), at)));
+        stages.extend(first.iter().filter(|at| moves(**at)).map(|at| geometric(Ramp::new(), *at)));
         if tighter && driven {
             stages.push(geometric(torque, Constant::SlackTension));
         } else if moves(Constant::PrimaryTorque) {
@@ -186,8 +187,8 @@ impl Route {
             stages.push(stage(late, target[threshold]));
             return stages;
         }
-        if self == Self::Stiff && moves(bending) {
-            stages.push(geometric(Ramp::new(), bending));
+        if self == Self::Stiff {
+            stages.push(geometric(Ramp::new(), Constant::BendingStiffness));
         }
         if moves(threshold) || stages.is_empty() {
             stages.push(geometric(Ramp::new(), Constant::SlipThreshold));

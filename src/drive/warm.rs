@@ -124,7 +124,7 @@ fn along(
         let path =
             PathPiece { before: before.as_ref(), from: &here, to: &origin.toward(&target, next), unknowns: &unknowns };
         let shortest = step < 2.0 * SMALLEST_STEP;
-        match advance(&belt, &path, (tolerance, shortest), options, &mut budget) {
+        match advance(&belt, &path, tolerance, shortest, options, &mut budget) {
             Ok((solution, work)) => {
                 stats += work;
                 steps += 1;
@@ -169,7 +169,8 @@ fn factor(here: &Position, there: &Position, unknowns: &[usize]) -> f64 {
 fn advance(
     belt: &BeltProblem,
     path: &PathPiece<'_>,
-    (tolerance, shortest): (f64, bool),
+    tolerance: f64,
+    shortest: bool,
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<(Solution, Stats), SolveError> {

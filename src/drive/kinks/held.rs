@@ -236,7 +236,7 @@ impl<'a> Held<'a> {
         let mut regions = Vec::new();
         for region in RegionId::ALL {
             let Some(contact) = CONTACTS.iter().position(|(contact, _)| *contact == region) else {
-                regions.extend(self.parts(region).into_iter().map(|(_, _, _, part)| nodes_of(part)));
+                regions.extend(self.parts(region).into_iter().map(|(_, _, _, part)| RegionGuess::from(part)));
                 continue;
             };
             let parts = self.parts(region);
@@ -270,15 +270,9 @@ impl<'a> Held<'a> {
     }
 }
 
-/// A part at its nodes.
-fn nodes_of(part: &RegionSolution) -> RegionGuess {
-    let states = (0..part.states()).map(|i| part.state(i).to_vec()).collect();
-    RegionGuess { mesh: part.mesh().to_vec(), states }
-}
-
-/// The same, from one share of the wrap angle to another.
+/// A part at its nodes, from one share of the wrap angle to another.
 fn placed(part: &RegionSolution, from: f64, to: f64) -> RegionGuess {
-    let mut placed = nodes_of(part);
+    let mut placed = RegionGuess::from(part);
     placed.mesh.iter_mut().for_each(|s| *s = if *s == 1.0 { to } else { from + (to - from) * *s });
     placed
 }
