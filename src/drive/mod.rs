@@ -46,5 +46,6 @@ pub(crate) use region::Source;
 pub use route::Route;
 pub use solve::{SolveOptions, WORK_LIMIT, approach_question, solve, solve_question};
 pub use solved::Solved;
-pub use trouble::{PRESSED_THROUGH, Trouble};
+pub(crate) use trouble::PRESSED_THROUGH;
+pub use trouble::Trouble;
 pub use warm::{remoteness, solve_along, solve_from, solve_question_from, step_to_question};

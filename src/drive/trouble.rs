@@ -17,7 +17,7 @@ const LIFTED: f64 = 1e-2;
 const DEEP: f64 = 0.3;
 /// Penetration over radius beyond which the belt counts as pressed through its groove: the model's equations hold for
 /// small penetrations.
-pub const PRESSED_THROUGH: f64 = 1.0 / 3.0;
+pub(crate) const PRESSED_THROUGH: f64 = 1.0 / 3.0;
 /// T R²/EI of the smaller pulley below which a belt is too stiff to wrap.
 const STIFF: f64 = 0.1;
 

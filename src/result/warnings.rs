@@ -1,5 +1,7 @@
 //! What is to be known before a result is used.
 
+use std::f64::consts::PI;
+
 use super::Outcome;
 use super::schema::Pulley;
 use crate::drive::{Branch, RegionId};
@@ -17,6 +19,9 @@ const LENGTH_ERROR: f64 = 0.005;
 const DEEP: f64 = 0.3;
 /// Compression over the largest tension beyond which it is more than the solution's tolerance.
 const COMPRESSION: f64 = 1e-6;
+/// Sum of both wrap angles, rad, beyond which a belt has buckled: round both pulleys and back it turns by 2 π, and a
+/// quarter of a turn more has to be turned back by the spans.
+const BUCKLED: f64 = 2.5 * PI;
 
 /// Zero of the Celsius scale, K.
 const CELSIUS: f64 = 273.15;
@@ -30,6 +35,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(adhesion(outcome));
     said.extend(powers(outcome));
     said.extend(compression(outcome));
+    said.extend(buckled(outcome.result.primary.wrap_angle, outcome.result.secondary.wrap_angle));
     for (name, region) in [("primary", RegionId::Primary), ("secondary", RegionId::Secondary)] {
         said.extend(pulled(name, &states(outcome, region, State::Penetration)));
     }
@@ -159,6 +165,19 @@ fn compression(outcome: &Outcome) -> Option<String> {
     })
 }
 
+/// A belt that is wound round its pulleys as none is whose spans are nearly straight. Its equations hold; beyond the
+/// limit of a drive, and pressed through a groove, such a belt is all that is left.
+fn buckled(primary_wrap: f64, secondary_wrap: f64) -> Option<String> {
+    let wrap = primary_wrap + secondary_wrap;
+    (wrap > BUCKLED).then(|| {
+        format!(
+            "The belt buckles: it is wound round both pulleys by {:.0}° in all, and its spans turn back what is more \
+             than 360°. No drive has such a belt; clamp it tighter, or ask for less torque.",
+            wrap.to_degrees()
+        )
+    })
+}
+
 /// A belt that lies much deeper than the radius at which it is said to lie.
 fn deep(name: &str, pulley: &Pulley) -> Option<String> {
     let share = pulley.max_penetration / pulley.radius;
@@ -214,7 +233,7 @@ fn pulled(pulley: &str, penetration: &[f64]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::pulled;
+    use super::{buckled, pulled};
 
     /// No drive was found that does it: those of 1 to 18 N·m, up to 9500 rpm, with EI up to 1 N·m² do not.
     #[test]
@@ -223,5 +242,14 @@ mod tests {
         assert_eq!(pulled("primary", &[]), None);
         let said = pulled("secondary", &[0.0, 7e-4, -2e-5, 0.0]);
         assert!(said.is_some_and(|said| said.contains("on the secondary") && said.contains("-0.0200 mm")));
+    }
+
+    /// Met in engine braking, beyond the limit of a drive, and on pulleys of soft grooves.
+    #[test]
+    fn a_belt_that_is_wound_round_its_pulleys_has_buckled() {
+        let told = |degrees: [f64; 2]| buckled(degrees[0].to_radians(), degrees[1].to_radians());
+        assert_eq!(told([150.0, 200.0]), None);
+        assert_eq!(told([182.0, 184.0]), None);
+        assert!(told([260.0, 277.0]).is_some_and(|said| said.contains("537° in all")));
     }
 }
