@@ -80,14 +80,12 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     }
     let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
     let search = Search { case, tension, torque, options };
-    let proof = if search.is_carried() {
-        None
-    } else {
-        let mut slow = None;
-        search.at_case(&mut slow).or_else(|| search.eased()).or(slow)
-    };
-    let sunk = |share| Verdict::Sunk { share };
-    proof.or_else(|| pressed_through(failure).or_else(|| search.pressed_through()).map(sunk)).unwrap_or(Verdict::Open)
+    let sunk = pressed_through(failure).map(|share| Verdict::Sunk { share });
+    if search.is_carried() {
+        return sunk.unwrap_or(Verdict::Open);
+    }
+    let eased = || search.pressed_through().map(|share| Verdict::Sunk { share });
+    search.limit().or(sunk).or_else(eased).unwrap_or(Verdict::Open)
 }
 
 /// Penetration over radius where the last solution was found, if the belt was pressed through its groove there.
@@ -133,29 +131,29 @@ impl Search<'_> {
         }
     }
 
-    /// Limits at the slip threshold of the case itself. That of a string is followed there from larger ones at once.
-    /// A proof by a curve that is lost before the driven pulley has nearly come to rest is left in `slow`.
-    fn at_case(&self, slow: &mut Option<Verdict>) -> Option<Verdict> {
+    /// The limit before the case: at the slip threshold of the case itself, followed there from larger ones, or by a
+    /// curve that is lost before the driven pulley has nearly come to rest.
+    fn limit(&self) -> Option<Verdict> {
+        let mut found = Vec::new();
+        let at_case = [Sought::Tension, Sought::Torque].into_iter().find_map(|sought| {
+            let limit = self.at_case(sought)?;
+            found.push((sought, limit.clone()));
+            self.beyond(sought, limit, None, NEARLY_AT_REST)
+        });
+        let slow = || found.iter().find_map(|(sought, limit)| self.beyond(*sought, limit.clone(), None, SLOW));
+        at_case.or_else(|| self.eased()).or_else(slow)
+    }
+
+    /// A limit at the slip threshold of the case itself. That of a string is followed there from larger ones at once.
+    fn at_case(&self, sought: Sought) -> Option<Limit> {
         if self.case.model.bending.is_none() && self.case.thermal.is_none() {
             return None;
         }
-        let mut proof = |sought, limit: Limit| {
-            let proof = self.beyond(sought, limit.clone(), None);
-            if ends(&limit, self.torque, NEARLY_AT_REST) {
-                return proof;
-            }
-            if slow.is_none() {
-                *slow = proof;
-            }
-            None
+        let found = match sought {
+            Sought::Tension => smallest_slack_tension(self.case, &self.options),
+            Sought::Torque => largest_torque(self.case, &self.options),
         };
-        if let Ok((limit, _)) = smallest_slack_tension(self.case, &self.options)
-            && let proof @ Some(_) = proof(Sought::Tension, limit)
-        {
-            return proof;
-        }
-        let (limit, _) = largest_torque(self.case, &self.options).ok()?;
-        proof(Sought::Torque, limit)
+        found.ok().map(|(limit, _)| limit)
     }
 
     /// Limits that are followed from larger slip thresholds. Where the belt's temperature is to be found, every one is
@@ -166,12 +164,12 @@ impl Search<'_> {
         }
         [(Sought::Tension, self.tension), (Sought::Torque, self.torque)].into_iter().find_map(|(sought, given)| {
             let (limit, easing) = followed(self.case, sought, given, &self.options)?;
-            self.beyond(sought, limit, easing)
+            self.beyond(sought, limit, easing, NEARLY_AT_REST)
         })
     }
 
-    /// The proof that a limit is, if the case lies beyond it.
-    fn beyond(&self, sought: Sought, limit: Limit, easing: Option<Easing>) -> Option<Verdict> {
+    /// The proof that a limit is, if the case lies beyond it and its curve was followed as far as `slow` asks.
+    fn beyond(&self, sought: Sought, limit: Limit, easing: Option<Easing>, slow: f64) -> Option<Verdict> {
         let given = match sought {
             Sought::Tension => self.tension,
             Sought::Torque => self.torque,
@@ -180,7 +178,7 @@ impl Search<'_> {
         let left = if self.torque < 0.0 { left_at(&limit) } else { 0.0 };
         let braking = by_speed * left + by_square * left * left;
         let margin = CLEAR + braking + easing.map_or(0.0, |easing| easing.margin());
-        (ends(&limit, self.torque, SLOW) && sought.beyond(given, limit.value) > margin).then_some(match sought {
+        (ends(&limit, self.torque, slow) && sought.beyond(given, limit.value) > margin).then_some(match sought {
             Sought::Tension => Verdict::Tension { given, limit, easing },
             Sought::Torque => Verdict::Torque { given, limit, easing },
         })
