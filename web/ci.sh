@@ -29,8 +29,9 @@ major=$(node --print 'process.versions.node.split(".")[0]')
 lanes/build.sh
 
 # The command with `live`, from the committed equations; what else is built from these shares its packages.
-features=(--no-default-features --features live --locked --target-dir target/golden)
-(cd .. && cargo clippy "${features[@]}" --all-targets -- -D warnings && cargo build "${features[@]}" --bin sheave \
+features=(--no-default-features --features full,live --locked --target-dir target/golden)
+# The tests build the program; built on its own, it would have the packages compiled with other features once more.
+(cd .. && cargo clippy "${features[@]}" --all-targets -- -D warnings \
   && cargo test "${features[@]}" --test live --test live_server)
 
 npm ci --silent --no-audit --no-fund
