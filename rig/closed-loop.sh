@@ -25,4 +25,6 @@ awk -F, -v OFS=, '
 "$sheave" compare --data "$work/some.csv" --engine "$here/logger/data/engine-power.csv" \
   --set operating_point.slack_tension="150 N" --tol 1e-4 | tee "$work/compared"
 awk '/^root mean square  / && !/with it/ { error = $4; found = 1 }
-     END { if (!found || error > 0.5) { print "the way from run to model has an error of " error " points"; exit 1 } }' "$work/compared"
+     END {
+       if (!found || error > 0.5) { print "the way from run to model has an error of " error " points"; exit 1 }
+     }' "$work/compared"

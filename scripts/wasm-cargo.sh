@@ -18,5 +18,6 @@ if dpkg -L rustc-web cargo-web rust-web-src >/dev/null 2>&1; then
   export RUSTC RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$linker
   exec "$cargo" "$subcommand" -Z build-std=std,panic_abort --target "$target" --target-dir "$folder-debian" "$@"
 fi
-echo "there is no $target here: rustup target add $target, or on Debian apt-get install rustc-web cargo-web rust-web-src" >&2
+echo "there is no $target here: rustup target add $target, or on Debian" \
+  "apt-get install rustc-web cargo-web rust-web-src" >&2
 exit 1

@@ -1,7 +1,7 @@
 //! Designs of the survey that stand for a class each: what kept them from being solved or settled before.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
 
-use sheave::case::{Case, Resolved};
+use sheave::case::{Case, Clamp, Resolved};
 use sheave::design::{LimitKind, LimitOptions, Verdict, largest_torque, smallest_slack_tension, verdict};
 use sheave::drive::{Constant, Failure, Output, Question, Route, SolveOptions, Trouble, solve};
 
@@ -51,6 +51,30 @@ fn a_brake_just_beyond_its_slip_limit_is_told() {
             assert!(limit.value > given && limit.value < 1.01 * given, "{given}: {}", limit.value);
         }
         other => panic!("{other}"),
+    }
+}
+
+/// What lies beyond its limit by less than a thousandth is told where the limit is known as well as that; what lies
+/// beyond by less than any limit is known to is not.
+#[test]
+fn a_limit_is_known_as_well_as_a_proof_asks() {
+    let design = designs::case("thesis", &designs::design(10, 141)).unwrap();
+    let at = |tension: f64| {
+        let mut case = design.clone();
+        case.operating_point.clamp = Clamp::SlackTension(tension);
+        verdict(&case, &lost(&case), &options())
+    };
+    let limit = 579.164;
+    for share in [1.7e-3, 5e-4] {
+        match at(limit / (1.0 + share)) {
+            Verdict::Tension { limit: found, easing: None, .. } => {
+                assert!((found.value / limit - 1.0).abs() < 1e-5, "{}", found.value);
+            }
+            other => panic!("{share}: {other}"),
+        }
+    }
+    for share in [3e-5, -3e-5, -5e-4] {
+        assert_eq!(at(limit / (1.0 + share)), Verdict::Open, "{share}");
     }
 }
 

@@ -19,4 +19,5 @@ sed -i "s/const VERSION = \"development\";/const VERSION = \"sheave-$version\";/
 grep -q "sheave-$version" dist.part/sw.js
 rm -rf dist
 mv dist.part dist
-echo "web/dist: module of $(wc -c < dist/sheave.wasm) bytes, $(gzip -9 -c dist/sheave.wasm | wc -c) compressed; version $version"
+echo "web/dist: module of $(wc -c < dist/sheave.wasm) bytes, $(gzip -9 -c dist/sheave.wasm | wc -c) compressed;" \
+  "version $version"

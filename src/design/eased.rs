@@ -33,7 +33,7 @@ pub(super) enum Sought {
 }
 
 impl Sought {
-    fn find(self, case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
+    pub(super) fn find(self, case: &Resolved, options: &LimitOptions) -> Result<Found, DesignError> {
         match self {
             Self::Tension => tension_of(case, options),
             Self::Torque => torque_of(case, options),

@@ -200,6 +200,29 @@ pub(super) struct Found {
     pub(super) limit: Limit,
     pub(super) solved: Solved,
     branch: Branch,
+    /// What has its extremum, or its last value, at the limit.
+    output: Output,
+}
+
+/// What is left of a curve in engine braking is judged by its last stretch from this multiple of the last speed
+/// efficiency on.
+const LAST_STRETCH: f64 = 1.5;
+
+impl Found {
+    /// Share by which the value would change on the rest of the curve, where it was left before the driven pulley stood
+    /// still and goes on as on its last stretch. None if that is not known.
+    pub(super) fn change_to_rest(&self) -> Option<f64> {
+        if self.limit.kind == LimitKind::Fold {
+            return Some(0.0);
+        }
+        let last = self.branch.points.last()?;
+        if last.place == 0.0 {
+            return Some(0.0);
+        }
+        let before = self.branch.points.iter().rev().find(|point| point.place >= LAST_STRETCH * last.place)?;
+        let change = before.value(self.output).ok()? / last.value(self.output).ok()? - 1.0;
+        Some(change.abs() * last.place / (before.place - last.place))
+    }
 }
 
 /// Temperatures at most that are tried for the balance of a limit's heat, and how far the last may be from it, K.
@@ -330,7 +353,7 @@ fn limit(
     };
     let limit = Limit { value, kind, state: point.state, belt_temperature: None };
     let solved = point.solved.clone();
-    Ok(Found { limit, solved, branch })
+    Ok(Found { limit, solved, branch, output })
 }
 
 /// The extrema of an output where the speed efficiency is prescribed: maxima for `sign` 1, minima for −1.

@@ -16,6 +16,13 @@ const CLEAR: f64 = 1e-3;
 /// that is usual.
 const CLEAR_BRAKING: [f64; 2] = [0.1, 0.5];
 
+/// Tolerance of solutions for which a limit is sought anew where a case lies beyond it by less than that,
+const SHARP: f64 = 1e-5;
+/// the share by which it then has to lie beyond, ten tolerances,
+const CLEAR_SHARP: f64 = 1e-4;
+/// and how many times what the limit has changed by, and would change by on the rest of its curve, is added to that.
+const CHANGES: f64 = 2.0;
+
 /// Speed efficiency below which a curve in engine braking proves a limit, should it be lost,
 const NEARLY_AT_REST: f64 = 0.2;
 /// and below which it does so where no other proof is found.
@@ -140,8 +147,9 @@ impl Search<'_> {
             found.push((sought, limit.clone()));
             self.beyond(sought, limit, None, NEARLY_AT_REST)
         });
+        let sharp = || found.iter().find_map(|(sought, limit)| self.sharpened(*sought, limit));
         let slow = || found.iter().find_map(|(sought, limit)| self.beyond(*sought, limit.clone(), None, SLOW));
-        at_case.or_else(|| self.eased()).or_else(slow)
+        at_case.or_else(sharp).or_else(|| self.eased()).or_else(slow)
     }
 
     /// A limit at the slip threshold of the case itself. That of a string is followed there from larger ones at once.
@@ -170,18 +178,42 @@ impl Search<'_> {
 
     /// The proof that a limit is, if the case lies beyond it and its curve was followed as far as `slow` asks.
     fn beyond(&self, sought: Sought, limit: Limit, easing: Option<Easing>, slow: f64) -> Option<Verdict> {
-        let given = match sought {
-            Sought::Tension => self.tension,
-            Sought::Torque => self.torque,
-        };
         let [by_speed, by_square] = CLEAR_BRAKING;
         let left = if self.torque < 0.0 { left_at(&limit) } else { 0.0 };
         let braking = by_speed * left + by_square * left * left;
         let margin = CLEAR + braking + easing.map_or(0.0, |easing| easing.margin());
-        (ends(&limit, self.torque, slow) && sought.beyond(given, limit.value) > margin).then_some(match sought {
+        let clear = sought.beyond(self.given(sought), limit.value) > margin;
+        (ends(&limit, self.torque, slow) && clear).then(|| self.proved(sought, limit, easing))
+    }
+
+    /// The proof where the case lies beyond a limit by less than limits are known to: that limit anew, for a small
+    /// tolerance.
+    fn sharpened(&self, sought: Sought, limit: &Limit) -> Option<Verdict> {
+        let near = sought.beyond(self.given(sought), limit.value) > 0.0 && ends(limit, self.torque, NEARLY_AT_REST);
+        if self.case.thermal.is_some() || !near {
+            return None;
+        }
+        let solve = SolveOptions { tolerance: SHARP.min(self.options.solve.tolerance), ..self.options.solve };
+        let found = sought.find(self.case, &LimitOptions { solve, ..self.options }).ok()?;
+        let ends = matches!(found.limit.kind, LimitKind::Fold | LimitKind::Collapse);
+        let changes = (found.limit.value / limit.value - 1.0).abs() + found.change_to_rest()?;
+        let clear = sought.beyond(self.given(sought), found.limit.value) > CLEAR_SHARP + CHANGES * changes;
+        (ends && clear).then(|| self.proved(sought, found.limit, None))
+    }
+
+    const fn given(&self, sought: Sought) -> f64 {
+        match sought {
+            Sought::Tension => self.tension,
+            Sought::Torque => self.torque,
+        }
+    }
+
+    const fn proved(&self, sought: Sought, limit: Limit, easing: Option<Easing>) -> Verdict {
+        let given = self.given(sought);
+        match sought {
             Sought::Tension => Verdict::Tension { given, limit, easing },
             Sought::Torque => Verdict::Torque { given, limit, easing },
-        })
+        }
     }
 }
 

@@ -107,7 +107,8 @@ export class Belt {
       ) ?? "slack_tension";
     const at = page.controls.controls.get(`operating_point.${clamp}`);
     const asked = answer.values["operating_point.primary_torque"];
-    const torque = `A ${words(clamp)} of ${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit} carries at most ${number(value)} N·m`;
+    const given = `${number(answer.values[`operating_point.${clamp}`])} ${at.key.printed_unit}`;
+    const torque = `A ${words(clamp)} of ${given} carries at most ${number(value)} N·m`;
     const isTorque = !answer.given.some((key) => /secondary_torque|speed_ratio|secondary_speed/.test(key));
     if (isTorque && asked > value) {
       this.notice(
@@ -151,7 +152,8 @@ export class Belt {
       const intervals = Object.values(solver.mesh_intervals).reduce((sum, count) => sum + count, 0);
       this.say(
         "solved",
-        `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ${intervals} mesh intervals.`,
+        `Residual ${solver.max_residual.toExponential(0)} of ${solver.tolerance.toExponential(0)}, ` +
+          `${intervals} mesh intervals.`,
       );
     }
     if (answer.scene) {

@@ -299,7 +299,8 @@ export class Chart {
       const i = line.x.findIndex((value) => value >= place);
       return `${this.#name(line)}${i < 0 ? "–" : number(line.y[i], 3)}`;
     };
-    this.readout.textContent = `${Math.round(place)}${this.profile.over.unit}: ${this.#named.map(at).join(", ")} ${this.#unit}`;
+    const values = this.#named.map(at).join(", ");
+    this.readout.textContent = `${Math.round(place)}${this.profile.over.unit}: ${values} ${this.#unit}`;
   }
 
   /** The lines that say something. */

@@ -14,7 +14,7 @@ const VIRIDIS = [
   [253, 231, 37],
 ];
 
-/** The colour of a share from 0 to 1, without the end of the scale that does not show on a bright or on a dark ground. */
+/** The colour of a share from 0 to 1, but for the end of the scale that does not show on a bright or a dark ground. */
 export function tensionColor(share, dark) {
   const [from, to] = dark ? [0.32, 1] : [0.12, 0.82];
   const place = (from + (to - from) * Math.min(1, Math.max(0, share))) * (VIRIDIS.length - 1);

@@ -31,7 +31,8 @@ const FOUND = ["drive.ratio", "drive.primary_radius", "drive.secondary_radius", 
 const LOGARITHMIC = 100;
 const NOTES = {
   operating_point:
-    "One key each for speed, load and clamp: what is moved takes the place of the other keys of its kind, which then follow.",
+    "One key each for speed, load and clamp: what is moved takes the place of the other keys of its kind, which then " +
+    "follow.",
   drive: "The ratio takes the place of both radii, which then follow from the belt's length.",
   thermal: "With ambient temperature and heat transfer, the belt's temperature is found.",
 };
@@ -79,7 +80,7 @@ class Quantity {
     this.out.addEventListener("click", () => changed({ unset: [key.path] }));
   }
 
-  /** How far the slider goes: as the table says, farther where a value lies beyond; for a part, around its first value. */
+  /** How far the slider goes: as the table says, farther where a value lies beyond; a part's, around its first value. */
   #reach(value) {
     this.ends ??= this.key.slider ?? this.#around(value);
     let [from, to] = this.ends;

@@ -234,8 +234,10 @@ export class DriveView {
     const tip = [center + turn * Math.cos(to), turn * Math.sin(to)];
     const along = [-Math.sin(to), Math.cos(to)];
     const across = [Math.cos(to), Math.sin(to)];
-    const corner = (a, b) =>
-      `${(tip[0] + head * (a * along[0] + b * across[0])).toFixed(3)} ${-(tip[1] + head * (a * along[1] + b * across[1])).toFixed(3)}`;
+    const corner = (a, b) => {
+      const [x, y] = [0, 1].map((k) => tip[k] + head * (a * along[k] + b * across[k]));
+      return `${x.toFixed(3)} ${-y.toFixed(3)}`;
+    };
     set(part.head, { d: `M${corner(1.1, 0)}L${corner(-0.4, 0.7)}L${corner(-0.4, -0.7)}Z` });
     part.label.textContent = name;
     part.value.textContent = `${number((pulley.speed * 30) / Math.PI)} rpm`;
@@ -291,8 +293,10 @@ export class DriveView {
       return parts.reduce((sum, run) => sum + run.to - run.from, 0) / scene[name].wrap;
     };
     const pulley = (name) =>
-      `the ${name} at radius ${fixed(mm(scene[name].radius), 1)} mm turns at ${number((scene[name].speed * 30) / Math.PI)} rpm, ` +
-      `wrapped over ${fixed((scene[name].wrap * 180) / Math.PI, 0)} degrees, ${fixed(100 * adhesion(name), 0)} % of it in adhesion`;
+      `the ${name} at radius ${fixed(mm(scene[name].radius), 1)} mm ` +
+      `turns at ${number((scene[name].speed * 30) / Math.PI)} rpm, ` +
+      `wrapped over ${fixed((scene[name].wrap * 180) / Math.PI, 0)} degrees, ` +
+      `${fixed(100 * adhesion(name), 0)} % of it in adhesion`;
     const text = slips
       ? "The drive at the last solution before the belt slips."
       : `The drive to scale: ${pulley("primary")}; ${pulley("secondary")}; tractive tensions from ` +

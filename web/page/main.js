@@ -313,7 +313,7 @@ async function start() {
   changed({ whole: asked?.text ?? "" });
 }
 
-/** The least slip threshold of a belt without bending stiffness, mm/s: below, the solver finds nothing (docs/string.md). */
+/** The least slip threshold of a belt without bending stiffness, mm/s: below, nothing is found (docs/string.md). */
 const STRING_THRESHOLD = 5;
 
 /** A change from the controls, with what has to change beside it. */

@@ -113,7 +113,8 @@ export class Readouts {
     this.cards.motion.show(
       `${number(secondary.torque)} N·m out`,
       `${number(primary.torque)} N·m in, ${rpm(primary)} rpm → ${rpm(secondary)} rpm`,
-      `speed ratio ${number(secondary.speed / primary.speed)}, radius ratio ${number(secondary.radius / primary.radius)}`,
+      `speed ratio ${number(secondary.speed / primary.speed)}, ` +
+        `radius ratio ${number(secondary.radius / primary.radius)}`,
     );
     const length = belt.length_error * 1e3;
     this.cards.belt.show(
@@ -159,12 +160,14 @@ export class Readouts {
 export function spoken({ result, answers }) {
   const slip = answers.find(([question]) => question.includes("slip"))?.[1] ?? "";
   const efficiency = result.efficiency.overall_with_losses ?? result.efficiency.overall;
-  return `${slip}. Axial forces ${number(result.primary.axial_force, 3)} and ${number(result.secondary.axial_force, 3)} newton, efficiency ${percent(efficiency, 1)}.`;
+  const [primary, secondary] = [result.primary, result.secondary].map((pulley) => number(pulley.axial_force, 3));
+  return `${slip}. Axial forces ${primary} and ${secondary} newton, efficiency ${percent(efficiency, 1)}.`;
 }
 
 /** What matters most, in one line. */
 export function glance({ result }) {
   const { efficiency, primary, secondary } = result;
   const overall = percent(efficiency.overall_with_losses ?? efficiency.overall, 1);
-  return `${number(primary.axial_force, 3)} · ${number(secondary.axial_force, 3)} N, ${overall}, ${percent(result.slip_reserve, 0)} reserve`;
+  const forces = `${number(primary.axial_force, 3)} · ${number(secondary.axial_force, 3)} N`;
+  return `${forces}, ${overall}, ${percent(result.slip_reserve, 0)} reserve`;
 }

@@ -288,7 +288,8 @@ export class ShiftView {
     const speeds = shifting.map((point) => point.primary_speed * RPM);
     const reserve = Math.min(...this.points.filter((point) => !point.failure).map((point) => point.slip_reserve));
     const [low, high] = [Math.min(...speeds), Math.max(...speeds)];
-    return `The engine runs at ${number(low)} to ${number(high)} rpm while the drive shifts up; ${fixed(percent(reserve), 1)} % of the friction is left at the least.`;
+    const left = `${fixed(percent(reserve), 1)} % of the friction is left at the least`;
+    return `The engine runs at ${number(low)} to ${number(high)} rpm while the drive shifts up; ${left}.`;
   }
 
   /** The engine's mean speed while the drive shifts up, rad/s. */

@@ -125,7 +125,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 
     /// α and β of the collocation polynomial, from the slopes at the outer two of the inner stages.
-    fn collocate(&self, extension: &mut Extension) {
+    pub(super) fn collocate(&self, extension: &mut Extension) {
         let intervals = self.intervals();
         let basis = Basis::slope(0.5 + LOBATTO_OFFSET);
         let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), basis);

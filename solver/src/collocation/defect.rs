@@ -151,6 +151,15 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok((extension, defects))
     }
 
+    /// What is known of the solution between the nodes without evaluating the equations there.
+    pub(crate) fn unjudged(&self) -> Extension {
+        let mut extension = self.no_extension();
+        if self.system.tableau.coupled {
+            self.collocate(&mut extension);
+        }
+        extension
+    }
+
     fn defects(
         &self,
         extension: &Extension,

@@ -2,6 +2,7 @@
 
 mod crossing;
 mod location;
+mod places;
 
 use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
@@ -12,7 +13,6 @@ use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::{Guess, RegionGuess};
 use crate::linearisation::{Linearisation, Tangent};
-use crate::measure::Solved;
 use crate::observer::{Event, Observer};
 use crate::options::Options;
 use crate::orientation::{BranchCheck, Determinant};
@@ -22,7 +22,6 @@ use crate::solution::Solution;
 use crate::solve::{check, solve_within};
 use crate::start::{self, Start};
 use crate::stats::Stats;
-use location::{Known, Search, Sought};
 
 /// One tracing: what it was asked, and what it has found.
 pub(super) struct Tracer<'a, 'e> {
@@ -41,17 +40,6 @@ pub(super) struct Tracer<'a, 'e> {
     check: BranchCheck,
 }
 
-/// What is located is located to this part of the step.
-const LOCATION: f64 = 1e-10;
-/// Looks for one place at most.
-const LOOKS: usize = 40;
-/// At a branch point the matrix is singular, and beside it nearly so, where Newton's iteration ends in rounding. It is
-/// looked at from so far, in parts of the step: to one side and the other, and farther off if need be,
-const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
-const DISTANCE: f64 = 1e-4;
-/// until its place changes by no more than this. The next change would be smaller by as much as the distance is.
-const SETTLED: f64 = 1e-8;
-
 /// A zero of one of the watched functions lies between two points.
 struct Crossing {
     kind: PointKind,
@@ -68,9 +56,22 @@ struct Near<'r> {
     speed: f64,
 }
 
+/// What is asked of a solution on the branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Care {
+    /// A point of the branch, on meshes of its own: finer or coarser ones, as its defects ask.
+    Step,
+    /// One between two points, which it is compared with: on their mesh, if that will do.
+    Between,
+    /// What the collocation equations of that mesh say, without a look at its defects.
+    Glance,
+}
+
 /// A point found at some distance from another.
 struct Advanced {
     point: Reference,
+    /// False after a glance: its error is not known.
+    judged: bool,
     /// How fast it moves along its direction as the distance grows.
     speed: f64,
     /// Newton's first contraction.
@@ -246,7 +247,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// The solution at the distance `step`, and its tangent.
     fn advance(&mut self, here: &Reference, step: f64) -> Result<Advanced, SolveError> {
         let from = Near { point: here, at: 0.0, speed: 1.0 };
-        self.advance_from(here, step, (from, None), true)
+        self.advance_from(here, step, (from, None), Care::Step)
     }
 
     /// As [`advance`](Self::advance), predicted from one point known or between two.
@@ -255,7 +256,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         here: &Reference,
         step: f64,
         (near, other): (Near<'_>, Option<Near<'_>>),
-        coarsen: bool,
+        care: Care,
     ) -> Result<Advanced, SolveError> {
         let arclength = Arclength::new(self.problem, here);
         let problem: &dyn Problem = &arclength;
@@ -264,16 +265,18 @@ impl<'a, 'e> Tracer<'a, 'e> {
         guess.constants.push(step);
         let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
-        // Places between two points are compared with each other: on one mesh, if that will do.
-        run.coarsen = coarsen;
-        let outcome =
-            run.refine(start::near(&near.point.solution, &guess)).and_then(|solved| Ok((run.finish(&solved)?, solved)));
+        run.coarsen = care == Care::Step;
+        let start = start::near(&near.point.solution, &guess);
+        let outcome = if care == Care::Glance {
+            run.unjudged(start)
+        } else {
+            run.refine(start).and_then(|solved| Ok((run.finish(&solved)?, solved.system, solved.converged)))
+        };
         let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;
         drop(run);
         let budget = self.budget;
-        let found = outcome.and_then(|(solution, solved)| {
-            let Solved { system, converged, .. } = solved;
+        let found = outcome.and_then(|(solution, system, converged)| {
             let linearisation = match converged.at_once {
                 true => Linearisation::held(system, converged),
                 false => Linearisation::at(system, converged.x, Stats::default())?,
@@ -287,7 +290,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let (solution, tangent, determinant) = found?;
         let solution = solution.restricted(self.problem.layout(), self.unknowns);
         let (point, speed) = self.reference(solution, &tangent, 1.0, determinant);
-        Ok(Advanced { point, speed, contraction, check })
+        Ok(Advanced { point, judged: care != Care::Glance, speed, contraction, check })
     }
 
     /// Zeros between two points, in the order in which they are passed.
@@ -322,147 +325,6 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 (low - value).max(value - high)
             }
         }
-    }
-
-    /// Zero of the watched function, and the point there if it is not the next. Each is predicted from the nearest that
-    /// is known.
-    fn locate(
-        &mut self,
-        before: Option<&(f64, Reference)>,
-        here: &Reference,
-        step: f64,
-        next: &Advanced,
-        crossing: &Crossing,
-    ) -> Result<(f64, Option<Reference>), SolveError> {
-        let kind = crossing.kind;
-        if kind == PointKind::BranchPoint {
-            return self.locate_branch_point(before, here, step, next).map(|(at, found)| (at, Some(found)));
-        }
-        if self.watched(kind, &next.point) == 0.0 {
-            return Ok((step, None));
-        }
-        let mut search = self.search(kind, before, here, (step, next));
-        let mut seen: Vec<(f64, Advanced)> = Vec::new();
-        let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
-        for _ in 0..LOOKS {
-            let near = around(here, (step, next), &seen, at);
-            let found = self.advance_from(here, at, near, false)?;
-            let usable = search.add(self.known(kind, found.near(at), here));
-            let done = self.watched(kind, &found.point).abs() <= small;
-            seen.push((at, found));
-            let before = at;
-            at = search.next();
-            if !usable || done || search.length() <= LOCATION * step || (at - before).abs() <= LOCATION * step {
-                break;
-            }
-        }
-        let size = |(_, found): &(f64, Advanced)| self.watched(kind, &found.point).abs();
-        let best = seen.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)));
-        best.map(|(at, found)| (at, Some(found.point))).ok_or(SolveError::Cancelled)
-    }
-
-    /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
-    /// its direction.
-    fn locate_branch_point(
-        &mut self,
-        before: Option<&(f64, Reference)>,
-        here: &Reference,
-        step: f64,
-        next: &Advanced,
-    ) -> Result<(f64, Reference), SolveError> {
-        let kind = PointKind::BranchPoint;
-        let mut search = self.search(kind, before, here, (step, next));
-        let mut seen: Vec<(f64, Advanced)> = Vec::new();
-        let mut place = search.next();
-        for _ in 0..LOOKS {
-            let side = search.roomier(place);
-            let mut outcome = Err(SolveError::Cancelled);
-            for beside in BESIDE {
-                let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
-                let near = around(here, (step, next), &seen, at);
-                outcome = self.advance_from(here, at, near, false).map(|found| (at, found));
-                match &outcome {
-                    Err(cause) if !cause.is_interruption() => {}
-                    _ => break,
-                }
-            }
-            let (at, found) = outcome?;
-            let usable = search.add(self.known(kind, found.near(at), here));
-            seen.push((at, found));
-            let before = place;
-            place = search.next();
-            if !usable || (place - before).abs() <= SETTLED * step {
-                break;
-            }
-        }
-        let (near, _) = around(here, (step, next), &seen, place);
-        Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
-    }
-
-    fn search(
-        &self,
-        kind: PointKind,
-        before: Option<&(f64, Reference)>,
-        here: &Reference,
-        (step, next): (f64, &Advanced),
-    ) -> Search {
-        let sought = if kind == PointKind::Fold { Sought::Extremum } else { Sought::Zero };
-        let first = self.known(kind, Near { point: here, at: 0.0, speed: 1.0 }, here);
-        let last = self.known(kind, next.near(step), here);
-        // The distance goes on behind the step as far as the inner products of both points are alike.
-        let before = before.filter(|_| first.slope.is_none());
-        let before = before.map(|(step, point)| self.known(kind, Near { point, at: -step, speed: 1.0 }, here));
-        Search::new(sought, before.filter(|before| before.value.is_finite()), [first, last])
-    }
-
-    /// What is known of a watched function at a point. Folds are extrema of the parameter.
-    fn known(&self, kind: PointKind, Near { point, at, speed }: Near<'_>, here: &Reference) -> Known {
-        let slope = speed * point.direction.constants[self.parameter];
-        match kind {
-            PointKind::Fold => Known { at, value: point.value(self.parameter), slope: Some(slope) },
-            PointKind::End => {
-                let (low, high) = self.options.range;
-                let value = point.value(self.parameter);
-                let sign = if low - value > value - high { -1.0 } else { 1.0 };
-                Known { at, value: self.watched(kind, point), slope: Some(sign * slope) }
-            }
-            PointKind::BranchPoint => Known { at, value: point.determinant.relative(&here.determinant), slope: None },
-            _ => Known { at, value: self.watched(kind, point), slope: None },
-        }
-    }
-
-    /// A point moved along its direction by so little that it is a solution still.
-    fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
-        let plan = Plan::new(self.problem.layout(), self.unknowns);
-        let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
-        let start = start::near(&point.solution, &point.moved(by));
-        let moved = run.as_it_stands(start)?;
-        self.stats += run.stats;
-        drop(run);
-        let Solution { error_estimate, accuracy, branch_check, .. } = point.solution;
-        let solution = Solution { error_estimate, accuracy, branch_check, ..moved };
-        Ok(Reference::new(solution, point.direction.clone(), Determinant::UNKNOWN))
-    }
-}
-
-/// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other side.
-fn around<'r>(
-    here: &'r Reference,
-    (step, next): (f64, &'r Advanced),
-    seen: &'r [(f64, Advanced)],
-    place: f64,
-) -> (Near<'r>, Option<Near<'r>>) {
-    let (first, last) = (Near { point: here, at: 0.0, speed: 1.0 }, next.near(step));
-    let all = || [first, last].into_iter().chain(seen.iter().map(|(at, found)| found.near(*at)));
-    let nearer = |best: Near<'r>, other: Near<'r>| {
-        if (other.at - place).abs() < (best.at - place).abs() { other } else { best }
-    };
-    let below = all().filter(|near| near.at <= place).reduce(nearer);
-    let above = all().filter(|near| near.at > place).reduce(nearer);
-    match (below, above) {
-        (Some(below), Some(above)) if (above.at - place) < (place - below.at) => (above, Some(below)),
-        (Some(near), other) | (other, Some(near)) => (near, other),
-        (None, None) => (first, None),
     }
 }
 

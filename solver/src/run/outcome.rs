@@ -1,15 +1,18 @@
 //! How a run ends: with a solution, or with the error that says what is in the way.
 
 use super::Run;
+use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
+use crate::collocation::interpolant::Extended;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Solved, intervals};
-use crate::newton::Converged;
+use crate::newton::{self, Converged};
 use crate::options::Control;
+use crate::orientation::BranchCheck;
 use crate::problem::Problem;
 use crate::progress::{Found, measured};
 use crate::refine::{Measure, Rounding};
-use crate::solution::{Accuracy, Solution};
+use crate::solution::{Accuracy, RegionSolution, Shortfall, Solution};
 use crate::start::Start;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
@@ -56,6 +59,50 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let converged = Converged::known(&system, x, work);
         let solved = Solved::new(system, converged, f64::INFINITY, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
+    }
+
+    /// What the collocation equations say on the meshes of a start. Neither defects nor errors are known: NaN stands for
+    /// them.
+    pub(crate) fn unjudged(
+        &mut self,
+        Start { grids, x }: Start,
+    ) -> Result<(Solution, System<'a, P>, Converged), SolveError> {
+        let system = self.system(grids);
+        self.stats.meshes += 1;
+        let limits = self.limits(false);
+        let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
+        let failed = |error| SolveError::Newton { error, intervals: intervals(&system.grids) };
+        let mut converged = match outcome {
+            Ok(converged) => converged,
+            Err(newton::Failure::Newton(error)) => return Err(failed(error)),
+            Err(newton::Failure::Interrupted(error)) => return Err(error),
+        };
+        if let Some(error) = converged.stagnated.take() {
+            return Err(failed(error));
+        }
+        self.contraction = converged.contraction;
+        self.check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
+        let regions = (0..system.grids.len()).map(|region| {
+            let stages = &converged.work.regions[region];
+            let extension = Extended { system: &system, region, x: &converged.x, stages }.unjudged();
+            RegionSolution::new(&system, region, &converged.x, &converged.work, &extension)
+        });
+        let (tolerance, because) = (self.options.tolerance, Shortfall::Uncontrolled);
+        let solution = Solution {
+            regions: regions.collect(),
+            constants: converged.x.constants.clone(),
+            unknowns: self.plan.unknowns.clone(),
+            order: self.order,
+            max_defect: f64::NAN,
+            max_boundary_residual: f64::NAN,
+            error_estimate: f64::NAN,
+            accuracy: Accuracy::Short { estimate: f64::NAN, tolerance, because },
+            orientation: converged.factorisation.orientation(),
+            branch_check: self.check,
+            stats: self.stats,
+            history: Vec::new(),
+        };
+        Ok((solution, system, converged))
     }
 
     /// The solution, if its boundary residuals too meet their tolerance.

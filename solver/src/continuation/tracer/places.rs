@@ -1,0 +1,193 @@
+//! The places between two points of a branch where it folds, branches, meets an event or ends.
+
+use super::location::{Known, Search, Sought};
+use super::{Advanced, Care, Crossing, Near, Tracer};
+use crate::collocation::plan::Plan;
+use crate::continuation::arclength::Reference;
+use crate::continuation::branch::PointKind;
+use crate::error::SolveError;
+use crate::orientation::Determinant;
+use crate::run::Run;
+use crate::solution::Solution;
+use crate::start;
+
+/// What is located is located to this part of the step.
+const LOCATION: f64 = 1e-10;
+/// Looks for one place at most.
+const LOOKS: usize = 40;
+/// At a branch point the matrix is singular, and beside it nearly so, where Newton's iteration ends in rounding. It is
+/// looked at from so far, in parts of the step: to one side and the other, and farther off if need be,
+const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
+const DISTANCE: f64 = 1e-4;
+/// until its place changes by no more than this, or would change by no more than [`LOCATION`] if the change shrank once
+/// more as it has: it shrinks faster. The next change would be smaller by as much as the distance is.
+const SETTLED: f64 = 1e-8;
+/// After a change of place by so little, in parts of the step, the next look is expected to be the last; those before
+/// are glances.
+const NEARLY: f64 = 1e-3;
+
+impl Tracer<'_, '_> {
+    /// A place between two points; with care where a glance fails.
+    fn look(
+        &mut self,
+        here: &Reference,
+        at: f64,
+        near: (Near<'_>, Option<Near<'_>>),
+        care: Care,
+    ) -> Result<Advanced, SolveError> {
+        match self.advance_from(here, at, near, care) {
+            Err(cause) if care == Care::Glance && !cause.is_interruption() => {
+                self.advance_from(here, at, near, Care::Between)
+            }
+            outcome => outcome,
+        }
+    }
+
+    /// Zero of the watched function, and the point there if it is not the next. Each is predicted from the nearest that
+    /// is known.
+    pub(super) fn locate(
+        &mut self,
+        before: Option<&(f64, Reference)>,
+        here: &Reference,
+        step: f64,
+        next: &Advanced,
+        crossing: &Crossing,
+    ) -> Result<(f64, Option<Reference>), SolveError> {
+        let kind = crossing.kind;
+        if kind == PointKind::BranchPoint {
+            return self.locate_branch_point(before, here, step, next).map(|(at, found)| (at, Some(found)));
+        }
+        if self.watched(kind, &next.point) == 0.0 {
+            return Ok((step, None));
+        }
+        let mut search = self.search(kind, before, here, (step, next));
+        let mut seen: Vec<(f64, Advanced)> = Vec::new();
+        let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
+        for _ in 0..LOOKS {
+            let near = around(here, (step, next), &seen, at);
+            let found = self.advance_from(here, at, near, Care::Between)?;
+            let usable = search.add(self.known(kind, found.near(at), here));
+            let done = self.watched(kind, &found.point).abs() <= small;
+            seen.push((at, found));
+            let before = at;
+            at = search.next();
+            if !usable || done || search.length() <= LOCATION * step || (at - before).abs() <= LOCATION * step {
+                break;
+            }
+        }
+        let size = |(_, found): &(f64, Advanced)| self.watched(kind, &found.point).abs();
+        let best = seen.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+        best.map(|(at, found)| (at, Some(found.point))).ok_or(SolveError::Cancelled)
+    }
+
+    /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
+    /// its direction.
+    fn locate_branch_point(
+        &mut self,
+        before: Option<&(f64, Reference)>,
+        here: &Reference,
+        step: f64,
+        next: &Advanced,
+    ) -> Result<(f64, Reference), SolveError> {
+        let kind = PointKind::BranchPoint;
+        let mut search = self.search(kind, before, here, (step, next));
+        let mut seen: Vec<(f64, Advanced)> = Vec::new();
+        let (mut place, mut care, mut change) = (search.next(), Care::Glance, step);
+        for _ in 0..LOOKS {
+            let side = search.roomier(place);
+            let mut outcome = Err(SolveError::Cancelled);
+            for beside in BESIDE {
+                let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
+                let near = around(here, (step, next), &seen, at);
+                outcome = self.look(here, at, near, care).map(|found| (at, found));
+                match &outcome {
+                    Err(cause) if !cause.is_interruption() => {}
+                    _ => break,
+                }
+            }
+            let (at, found) = outcome?;
+            let usable = search.add(self.known(kind, found.near(at), here));
+            let judged = found.judged;
+            seen.push((at, found));
+            let before = place;
+            place = search.next();
+            let last = std::mem::replace(&mut change, (place - before).abs());
+            let expected = change * (change / last).min(1.0);
+            if judged && (!usable || change <= SETTLED * step || expected <= LOCATION * step) {
+                break;
+            }
+            if !usable || change <= NEARLY * step {
+                care = Care::Between;
+            }
+        }
+        seen.retain(|(_, found)| found.judged);
+        let (near, _) = around(here, (step, next), &seen, place);
+        Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
+    }
+
+    fn search(
+        &self,
+        kind: PointKind,
+        before: Option<&(f64, Reference)>,
+        here: &Reference,
+        (step, next): (f64, &Advanced),
+    ) -> Search {
+        let sought = if kind == PointKind::Fold { Sought::Extremum } else { Sought::Zero };
+        let first = self.known(kind, Near { point: here, at: 0.0, speed: 1.0 }, here);
+        let last = self.known(kind, next.near(step), here);
+        // The distance goes on behind the step as far as the inner products of both points are alike.
+        let before = before.filter(|_| first.slope.is_none());
+        let before = before.map(|(step, point)| self.known(kind, Near { point, at: -step, speed: 1.0 }, here));
+        Search::new(sought, before.filter(|before| before.value.is_finite()), [first, last])
+    }
+
+    /// What is known of a watched function at a point. Folds are extrema of the parameter.
+    fn known(&self, kind: PointKind, Near { point, at, speed }: Near<'_>, here: &Reference) -> Known {
+        let slope = speed * point.direction.constants[self.parameter];
+        match kind {
+            PointKind::Fold => Known { at, value: point.value(self.parameter), slope: Some(slope) },
+            PointKind::End => {
+                let (low, high) = self.options.range;
+                let value = point.value(self.parameter);
+                let sign = if low - value > value - high { -1.0 } else { 1.0 };
+                Known { at, value: self.watched(kind, point), slope: Some(sign * slope) }
+            }
+            PointKind::BranchPoint => Known { at, value: point.determinant.relative(&here.determinant), slope: None },
+            _ => Known { at, value: self.watched(kind, point), slope: None },
+        }
+    }
+
+    /// A point moved along its direction by so little that it is a solution still.
+    fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
+        let plan = Plan::new(self.problem.layout(), self.unknowns);
+        let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
+        let start = start::near(&point.solution, &point.moved(by));
+        let moved = run.as_it_stands(start)?;
+        self.stats += run.stats;
+        drop(run);
+        let Solution { error_estimate, accuracy, branch_check, .. } = point.solution;
+        let solution = Solution { error_estimate, accuracy, branch_check, ..moved };
+        Ok(Reference::new(solution, point.direction.clone(), Determinant::UNKNOWN))
+    }
+}
+
+/// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other side.
+fn around<'r>(
+    here: &'r Reference,
+    (step, next): (f64, &'r Advanced),
+    seen: &'r [(f64, Advanced)],
+    place: f64,
+) -> (Near<'r>, Option<Near<'r>>) {
+    let (first, last) = (Near { point: here, at: 0.0, speed: 1.0 }, next.near(step));
+    let all = || [first, last].into_iter().chain(seen.iter().map(|(at, found)| found.near(*at)));
+    let nearer = |best: Near<'r>, other: Near<'r>| {
+        if (other.at - place).abs() < (best.at - place).abs() { other } else { best }
+    };
+    let below = all().filter(|near| near.at <= place).reduce(nearer);
+    let above = all().filter(|near| near.at > place).reduce(nearer);
+    match (below, above) {
+        (Some(below), Some(above)) if (above.at - place) < (place - below.at) => (above, Some(below)),
+        (Some(near), other) | (other, Some(near)) => (near, other),
+        (None, None) => (first, None),
+    }
+}
