@@ -12,6 +12,7 @@
 use sheave::design::{Verdict, verdict};
 use sheave::drive::{Constant, Failure, Question, Route, SolveOptions, Trouble, WORK_LIMIT, solve};
 use std::collections::BTreeMap;
+use std::time::Instant;
 
 mod designs;
 use designs::{Design, case, design, settings};
@@ -97,6 +98,11 @@ fn fate(edition: &str, design: &Design, work_limit: usize, prove: bool) -> Fate 
     }
 }
 
+/// Of values in order, the one that a share of them do not exceed.
+fn at_share<T>(ordered: &[T], share: f64) -> Option<&T> {
+    ordered.get((ordered.len().saturating_sub(1) as f64 * share) as usize)
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let numbers: Vec<u64> = arguments.iter().filter_map(|argument| argument.parse().ok()).collect();
@@ -112,10 +118,14 @@ fn main() {
     for edition in editions {
         let mut routes = BTreeMap::new();
         let (mut sunk, mut split, mut wrong) = (Vec::new(), Split::default(), Vec::new());
+        let mut times = [Vec::new(), Vec::new()];
         let (mut beyond, mut refused, mut failed, mut work) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for index in only.clone().unwrap_or_else(|| (from..from + designs).collect()) {
             let design = design(seed, index);
+            let begun = Instant::now();
             let fate = fate(edition, &design, work_limit, prove);
+            let seconds = begun.elapsed().as_secs_f64();
+            times[usize::from(!matches!(fate, Fate::Solved(..)))].push((seconds, index));
             split.count(&design, &fate);
             match fate {
                 Fate::Solved(iterations, route) => {
@@ -153,7 +163,7 @@ fn main() {
         println!("routes: {routes:?}");
         work.sort_unstable();
         let all = work.len() + beyond.len() + sunk.len() + refused.len() + failed.len();
-        let quantile = |q: f64| work.get(((work.len() as f64 - 1.0) * q) as usize).map_or(0, |(work, _)| *work);
+        let quantile = |q: f64| at_share(&work, q).map_or(0, |(work, _)| *work);
         let solvable = work.len() + failed.len();
         println!(
             "| {edition} | seed {seed} | {all} designs | {} solved | {} beyond the slip limit | {} pressed through | \
@@ -176,6 +186,16 @@ fn main() {
             println!(
                 "slip thresholds {which} {SPLIT:.0e} m/s: {solved} solved, {beyond} beyond a limit, {failed} failed"
             );
+        }
+        for (what, mut times) in ["that are solved", "that are not, proofs included"].into_iter().zip(times) {
+            times.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
+            if let [Some((median, _)), Some((most, _)), Some((worst, index))] =
+                [0.5, 0.99, 1.0].map(|q| at_share(&times, q))
+            {
+                println!(
+                    "seconds for designs {what}: {median:.3} median, {most:.3} 99 %, {worst:.3} worst (design {index})"
+                );
+            }
         }
         if test_proofs {
             println!("of {} that are solved, said to have no solution: {wrong:?}", work.len());
