@@ -28,8 +28,10 @@ major=$(node --print 'process.versions.node.split(".")[0]')
 ./build.sh
 lanes/build.sh
 
-# The command with `live`, from the committed equations; what else is built from these shares its packages.
-features=(--no-default-features --features full,live --locked --target-dir target/golden)
+# The command with `live`, from the committed equations; what else is built from these shares its packages. Without the
+# feature `faer`, as the module is built: its factorisation of the small dense system rounds otherwise, and the tests
+# ask for the same iterations and the same bits.
+features=(--no-default-features --features live --locked --target-dir target/golden)
 # The tests build the program; built on its own, it would have the packages compiled with other features once more.
 (cd .. && cargo clippy "${features[@]}" --all-targets -- -D warnings \
   && cargo test "${features[@]}" --test live --test live_server)
