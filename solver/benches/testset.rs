@@ -28,6 +28,9 @@ const TOLERANCE: f64 = 1e-6;
 /// Repetitions stop after this many seconds.
 const PATIENCE: f64 = 0.1;
 const REPETITIONS: usize = 7;
+const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+/// Place in `ORDERS` of the one whose condition is shown and whose time is compared with SciPy's.
+const SHOWN: usize = 1;
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/testset.md");
 const MARKERS: [&str; 2] = ["<!-- table: begin -->", "<!-- table: end -->"];
 
@@ -43,7 +46,6 @@ struct Cell {
 struct Solved {
     error: f64,
     intervals: usize,
-    iterations: usize,
     kappa: f64,
     /// The solver's own estimate of its error.
     estimate: f64,
@@ -54,7 +56,8 @@ struct Solved {
 struct Row {
     label: String,
     parameter: Option<f64>,
-    orders: [Cell; 2],
+    /// In the order of `ORDERS`.
+    orders: [Cell; ORDERS.len()],
 }
 
 fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
@@ -74,7 +77,6 @@ fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
         Solved {
             error: if errors.everywhere.is_nan() { f64::NAN } else { errors.everywhere.max(errors.tabulated) },
             intervals: solution.intervals(),
-            iterations: solution.stats().newton_iterations,
             kappa: kappa(case, &solution),
             estimate: solution.error_estimate(),
             solution: errors.solution,
@@ -87,7 +89,8 @@ fn measure(case: &Case, parameter: Option<f64>, order: Order) -> Cell {
 fn scipy(ids: &[String]) -> BTreeMap<(String, String), Value> {
     let python = std::env::var("TESTSET_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/testset_scipy.py");
-    let output = Command::new(&python).arg(script).arg("run").args(ids).output();
+    // Its matrices are small: several threads of their library would only slow it down.
+    let output = Command::new(&python).env("OPENBLAS_NUM_THREADS", "1").arg(script).arg("run").args(ids).output();
     let records: Vec<Value> = match output {
         Ok(output) if output.status.success() => serde_json::from_slice(&output.stdout).unwrap_or_default(),
         _ => {
@@ -119,19 +122,17 @@ fn verdict(error: f64) -> String {
     if error <= 10.0 * TOLERANCE { format!("{error:.0e}") } else { format!("**{error:.0e}**") }
 }
 
+/// Error, intervals and time, with the way where that is not the direct one.
 fn cell(cell: &Cell) -> String {
-    let how = match (&cell.solved, cell.how) {
-        (None, _) => "**failed**".to_owned(),
-        (_, How::Direct) => "direct".to_owned(),
-        (_, How::Continued(steps)) => format!("{steps} steps"),
-        (_, How::Deformed(points)) => format!("{points} points"),
+    let time = milliseconds(cell.seconds);
+    let time = match cell.how {
+        How::Direct => time,
+        How::Continued(steps) => format!("{time} ({steps} steps)"),
+        How::Deformed(points) => format!("{time} ({points} points)"),
     };
     match &cell.solved {
-        None => format!("{how} | | | | {}", milliseconds(cell.seconds)),
-        Some(solved) => {
-            let Solved { error, intervals, iterations, .. } = solved;
-            format!("{how} | {} | {intervals} | {iterations} | {}", verdict(*error), milliseconds(cell.seconds))
-        }
+        None => format!("**failed** | | {time}"),
+        Some(Solved { error, intervals, .. }) => format!("{} | {intervals} | {time}", verdict(*error)),
     }
 }
 
@@ -148,26 +149,21 @@ fn scipy_cell(record: Option<&Value>) -> String {
 
 fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     let mut out = String::from(
-        "| problem | parameter | κ | order 4 | error | intervals | Newton | ms | order 6 | error | intervals | Newton \
-         | ms | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| problem | parameter | κ | order 4: error | intervals | ms | order 6: error | intervals | ms | order 8: error \
+         | intervals | ms | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
-        let kappa = row.orders[1].solved.as_ref().map_or_else(String::new, |solved| format!("{:.0e}", solved.kappa));
+        let kappa =
+            row.orders[SHOWN].solved.as_ref().map_or_else(String::new, |solved| format!("{:.0e}", solved.kappa));
         let peer = scipy.get(&(row.label.clone(), shown(row.parameter)));
-        let [four, six] = &row.orders;
-        let solution = six.solved.as_ref().and_then(|solved| solved.solution.as_deref());
+        let solution = row.orders[SHOWN].solved.as_ref().and_then(|solved| solved.solution.as_deref());
         let label = match solution {
             Some(name) if name != row.label => format!("{} ({name})", row.label),
             _ => row.label.clone(),
         };
         let parameter = shown(row.parameter);
-        let _ = writeln!(
-            out,
-            "| {label} | {parameter} | {kappa} | {} | {} | {} |",
-            cell(four),
-            cell(six),
-            scipy_cell(peer)
-        );
+        let ours = row.orders.iter().map(cell).collect::<Vec<_>>().join(" | ");
+        let _ = writeln!(out, "| {label} | {parameter} | {kappa} | {ours} | {} |", scipy_cell(peer));
     }
     out
 }
@@ -194,7 +190,7 @@ fn folds() -> String {
 /// Counts, and the comparison of times where both solved directly.
 fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     let mut out = format!("{} runs (problem × parameter × guess) at a tolerance of {TOLERANCE:.0e}.\n\n", rows.len());
-    for (index, name) in ["order 4", "order 6"].into_iter().enumerate() {
+    for (index, order) in ORDERS.into_iter().enumerate() {
         let cells = || rows.iter().map(|row| (row, &row.orders[index]));
         let direct = cells().filter(|(_, cell)| cell.solved.is_some() && cell.how == How::Direct).count();
         let continued = cells().filter(|(_, cell)| cell.solved.is_some()).count() - direct;
@@ -209,8 +205,9 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
         let inexact = list(inexact.collect());
         let _ = writeln!(
             out,
-            "- {name}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × \
-            tolerance: {inexact}."
+            "- Order {}: {direct} solved directly, {continued} by continuation; failed: {failed}; error above 10 × \
+            tolerance: {inexact}.",
+            order.number()
         );
     }
     let mut ratios: Vec<f64> = rows
@@ -218,7 +215,7 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
         .filter_map(|row| {
             let peer = scipy.get(&(row.label.clone(), shown(row.parameter)))?;
             peer["error"].as_f64()?;
-            Some(peer["seconds"].as_f64()? / row.orders[1].seconds)
+            Some(peer["seconds"].as_f64()? / row.orders[SHOWN].seconds)
         })
         .collect();
     ratios.sort_by(f64::total_cmp);
@@ -239,8 +236,9 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
 fn reasons(rows: &[Row]) -> String {
     let mut out = String::new();
     for row in rows {
-        for (order, cell) in [4, 6].into_iter().zip(&row.orders) {
+        for (order, cell) in ORDERS.into_iter().zip(&row.orders) {
             if let Some(reason) = &cell.reason {
+                let order = order.number();
                 let outcome = if cell.solved.is_some() { "not directly" } else { "failed" };
                 let _ = writeln!(out, "- {} {}, order {order}, {outcome}: {reason}", row.label, shown(row.parameter));
             }
@@ -269,7 +267,7 @@ fn main() -> std::io::Result<()> {
         .map(|(case, parameter)| Row {
             label: case.label(),
             parameter,
-            orders: [Order::Four, Order::Six].map(|order| measure(case, parameter, order)),
+            orders: ORDERS.map(|order| measure(case, parameter, order)),
         })
         .collect();
     let scipy = scipy(&ids);

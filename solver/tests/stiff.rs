@@ -96,6 +96,36 @@ impl Cash {
     }
 }
 
+/// Where intervals are ten thousand times as long as a layer would be, and there is none, few of them suffice; that
+/// they do is known from the estimate of the error, which follows the defects through stages and nodes. Cash's T3: `ε u'' + (2 + cos πx) u' - u =
+/// -(1 + ε π²) cos πx - (2 + cos πx) π sin πx`, `u = cos πx`.
+#[test]
+fn smooth_solutions_of_stiff_equations_take_few_intervals() {
+    for (eps, most) in [(1e-4, 200), (1e-5, 400)] {
+        let line = Bvp::new(
+            &["u", "slope"],
+            (-1.0, 1.0),
+            move |x, y, _, f| {
+                let (sin, cos) = ((PI * x).sin(), (PI * x).cos());
+                let forcing = (1.0 + eps * PI * PI) * cos + (cos + 2.0) * PI * sin;
+                (f[0], f[1]) = (y[1], (y[0] - (cos + 2.0) * y[1] - forcing) / eps);
+            },
+            |a, b, _, g| (g[0], g[1]) = (a[0] + 1.0, b[0] + 1.0),
+        );
+        let solution = line.solve(&Options { order: Order::Six, tolerance: 1e-6, ..Options::default() }).unwrap();
+        assert!(solution.intervals() <= most, "{eps:e}: {} intervals", solution.intervals());
+        let line = &solution.regions()[0];
+        let at_node = |k: usize| {
+            let (sin, cos) = (PI * line.mesh()[k]).sin_cos();
+            (line.state(0)[k] - cos).abs().max((line.state(1)[k] + PI * sin).abs() / (1.0 + PI))
+        };
+        let error = (0..line.mesh().len()).map(at_node).fold(0.0, f64::max);
+        let estimate = solution.error_estimate();
+        println!("{eps:e}: {} intervals, error {error:e}, estimated {estimate:e}", solution.intervals());
+        assert!(error <= 1e-6 && error <= 3.0 * estimate, "{eps:e}: {error:e}, {estimate:e}");
+    }
+}
+
 /// Close to rounding a solution is as good as asked for, or refused.
 #[test]
 fn tolerances_near_rounding_are_met_or_refused() {

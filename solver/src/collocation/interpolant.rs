@@ -262,37 +262,64 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         self.system.check_values(self.region, &at, f)
     }
 
-    /// `∫ (S̃' - f(S̃)) ds` of each state, and the error of each integral, per interval, with
-    /// `S̃ = y_0 + ∫ f(S) ds`: as [`Defects::integrated`], but from an extension that is one order better, as order 6
-    /// needs. To first order `f(S̃) = f(S) + ∂f/∂y (S̃ - S)`, with the derivatives at the stages, by the method's own
-    /// quadrature: nothing is evaluated anew.
+    /// Right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
+    /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
+    ///
+    /// `ε' = f_y ε + S' - f(S)` is rough where S is not the solution; `e = S̃ - y` with `S̃ = y_0 + ∫ f(S) ds`, of which
+    /// `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`, is as smooth as the method takes a solution to be. Its stages are
+    /// those of the method, and `ε = e + S - S̃` there: in `X_r = S - S̃ - v_r J + h Σ_k x_rk f_y X_k` is all that the
+    /// nodes' errors do not know of. The derivatives are those at the stages: nothing is evaluated anew.
     pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
-        let (nodes, intervals) = (self.nodes(), self.intervals());
+        let (tableau, n, len) = (self.system.tableau, self.n(), self.intervals());
+        let rows = self.system.plan.regions[self.region].rows;
+        let pattern = &self.system.layout.regions[self.region].state_pattern;
+        let (h, jump) = (self.h(), |state: usize| &defects.integrated[state * len..][..len]);
         let mut integrated = defects.integrated.clone();
-        let tableau = self.system.tableau;
-        let mut difference = Numbers::zeros(self.n() * intervals);
-        // S̃ = S at the first stage, the left node.
-        for (stage, &b) in tableau.b.iter().enumerate().skip(1) {
-            self.improvement(extension, defects, stage, &mut difference);
-            // Node values stand one vector further on than those of the interval to their left.
-            let (batch, stride, offset) = match stage {
-                1 => (&self.stages.nodes, nodes, W),
-                _ => (&self.stages.inner[stage - 2], intervals, 0),
-            };
-            let pattern = &self.system.layout.regions[self.region].state_pattern;
-            for (entry, &(row, state)) in pattern.iter().enumerate() {
-                let dy = &batch.dy[entry * stride + offset..][..intervals];
-                let difference = &difference[state * intervals..(state + 1) * intervals];
-                let out = &mut integrated[row * intervals..(row + 1) * intervals];
-                elementwise(out, [dy, difference, self.h()], |sum, [dy, difference, h]| sum - b * h * dy * difference);
-                for (u, _) in self.stages.chained.iter().filter(|(_, v)| *v == row) {
-                    let weight = tableau.twice_integrated(stage);
-                    let out = &mut integrated[u * intervals..][..intervals];
-                    elementwise(out, [dy, difference, self.h()], |sum, [dy, difference, h]| {
-                        sum - weight * h * h * dy * difference
+        for &(u, v) in &self.stages.chained {
+            // v counts half at either node, at the right one with e_1; the integral of S̃ - S is that of its stages.
+            let weight = tableau.b[1] - 0.5;
+            elementwise(&mut integrated[u * len..][..len], [jump(v), h], |sum, [jump, h]| sum + weight * h * jump);
+        }
+        // X, and f_y X of the stages so far.
+        let (mut moved, mut slopes) = (Numbers::zeros(n * len), Vec::<Numbers>::new());
+        for stage in 2..tableau.stages() {
+            let v_r = tableau.v[stage];
+            self.improvement(extension, defects, stage, &mut moved);
+            for &(u, v) in &self.stages.chained {
+                let out = &mut integrated[u * len..][..len];
+                elementwise(out, [&moved[v * len..], h], |sum, [rise, h]| sum - tableau.b[stage] * h * rise);
+            }
+            for (state, moved) in moved.chunks_exact_mut(len).enumerate() {
+                elementwise(moved, [jump(state)], |rise, [jump]| -rise - v_r * jump);
+                for (slopes, &x) in slopes.iter().zip(tableau.x[stage].iter().skip(2)) {
+                    elementwise(moved, [&slopes[state * len..], h], |moved, [slope, h]| moved + x * h * slope);
+                }
+            }
+            if let Some(odd) = tableau.odd_part(stage) {
+                for &(u, v) in &self.stages.chained {
+                    elementwise(&mut moved[u * len..][..len], [jump(u), jump(v), h], |moved, [below, above, h]| {
+                        moved + odd * (6.0 * h * above - 12.0 * below)
                     });
                 }
             }
+            let mut slope = Numbers::zeros(rows * len);
+            let dy = &self.stages.inner[stage - 2].dy;
+            for (entry, &(row, state)) in pattern.iter().enumerate() {
+                let inputs = [&dy[entry * len..], &moved[state * len..]];
+                elementwise(&mut slope[row * len..][..len], inputs, |sum, [dy, moved]| sum + dy * moved);
+            }
+            for (row, out) in integrated.chunks_exact_mut(len).enumerate() {
+                let chained = self.stages.chained.iter().find(|(u, _)| *u == row);
+                let (row, weight) = match chained {
+                    Some(&(_, v)) => (v, tableau.twice_integrated(stage)),
+                    None => (row, tableau.b[stage]),
+                };
+                let once = chained.is_none();
+                elementwise(out, [&slope[row * len..], h], |sum, [slope, h]| {
+                    sum + weight * h * slope * if once { 1.0 } else { h }
+                });
+            }
+            slopes.push(slope);
         }
         integrated
     }
