@@ -19,8 +19,6 @@ use designs::{Design, case, design, settings};
 
 const EDITIONS: [&str; 4] = ["consistent", "thesis", "published", "string"];
 const TOLERANCE: f64 = 1e-3;
-/// Work that each solve of a proof may take.
-const PROOF_WORK: usize = 600_000;
 /// Slip threshold at which the counts are split, m/s.
 const SPLIT: f64 = 1e-4;
 /// What became of a design.
@@ -48,7 +46,7 @@ fn refuted(edition: &str, design: &Design) -> Option<String> {
         slack_tension: constants[Constant::SlackTension],
         cause: Box::new(solver::SolveError::Cancelled),
     };
-    let options = SolveOptions { tolerance: TOLERANCE, work_limit: PROOF_WORK, ..SolveOptions::default() };
+    let options = SolveOptions { tolerance: TOLERANCE, work_limit: WORK_LIMIT, ..SolveOptions::default() };
     match verdict(&resolved, &failure, &options) {
         Verdict::Open => None,
         wrong => Some(wrong.to_string()),
@@ -85,7 +83,6 @@ fn fate(edition: &str, design: &Design, work_limit: usize, prove: bool) -> Fate 
     if !prove {
         return Fate::Failed(failure.to_string());
     }
-    let options = SolveOptions { work_limit: PROOF_WORK, ..options };
     match verdict(&resolved, &failure, &options) {
         proof @ (Verdict::Tension { .. } | Verdict::Torque { .. } | Verdict::Pushed) => {
             Fate::BeyondLimit(proof.to_string())

@@ -133,6 +133,21 @@ fn the_summary_opens_with_answers() {
     insta::assert_snapshot!("answers", answers.join("\n"));
 }
 
+/// Friction in reserve is not all: a belt that is pushed, or adheres nowhere, or has to be driven from both sides.
+#[test]
+fn a_drive_that_is_not_sound_is_not_green() {
+    let all = [
+        ("belt.bending_stiffness=5 N*m^2", "a strand of the belt is pushed"),
+        ("belt.bending_stiffness=2 N*m^2", "the belt adheres on neither pulley"),
+        ("operating_point.primary_torque=0.1 N*m", "both pulleys have to be driven"),
+    ];
+    for (set, doubt) in all {
+        let output = run(&["solve", "--tol", "1e-3", "--set", set], "", &std::env::temp_dir());
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(text.contains(&format!("amber: it does not slip, but {doubt};")), "{set}: {text}");
+    }
+}
+
 /// What a belt does where there is no solution, in its own terms; the solver's words only for whoever asks with `-v`.
 #[test]
 fn failures_say_what_happened_to_the_belt() {

@@ -150,7 +150,7 @@ fn lost(case: &Resolved) -> Failure {
 
 fn proof(edition: &str, seed: u64, index: u64) -> Verdict {
     let case = designs::case(edition, &designs::design(seed, index)).unwrap();
-    verdict(&case, &lost(&case), &SolveOptions { work_limit: 400_000, ..options() })
+    verdict(&case, &lost(&case), &SolveOptions { work_limit: 4_000_000, ..options() })
 }
 
 /// Where the curve is lost at the case's own slip threshold, the limit is followed there from larger ones, or so far

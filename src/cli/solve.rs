@@ -40,7 +40,8 @@ pub struct Arguments {
     /// Where an axial force is given that belongs to two operating points: the tighter belt, or the looser
     #[arg(long, value_name = "WHICH", default_value = "tight", value_parser = ["tight", "loose"])]
     branch: String,
-    /// Work that the search may take: Newton iterations, each counted once for every mesh interval
+    /// Work that the search may take, and that for the reason where there is no solution as much again: Newton
+    /// iterations, each counted once for every mesh interval
     #[arg(long, value_name = "N", default_value_t = WORK_LIMIT, value_parser = work_limit)]
     work_limit: usize,
     /// Print the result as one JSON object

@@ -6,7 +6,7 @@ use super::eased::{Easing, Sought, easy, followed};
 use super::error::DesignError;
 use super::limit::{Limit, LimitKind, LimitOptions, clamped, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
-use crate::drive::{Constant, Failure, PRESSED_THROUGH, Question, SolveOptions, Trouble, solve};
+use crate::drive::{Constant, Failure, PRESSED_THROUGH, Question, SolveOptions, Trouble, solve, within};
 
 /// Share by which a limit has to lie beyond the case: limits are known to the tolerance of the solutions.
 const CLEAR: f64 = 1e-3;
@@ -27,6 +27,11 @@ const CHANGES: f64 = 2.0;
 const NEARLY_AT_REST: f64 = 0.2;
 /// and below which it does so where no other proof is found.
 const SLOW: f64 = 0.5;
+
+/// Of the work that a proof may take, the share, one over this, that each of its solves may
+const SOLVES: usize = 10;
+/// and that each of its curves may: one that is given up slowly leaves the others their work.
+const CURVES: usize = 4;
 
 /// What can be said of a case for which no solution was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,7 +77,8 @@ impl Verdict {
 }
 
 /// Looks for the limit beyond which a case lies that `failure` has left without a solution. Only a case whose torque
-/// and slack tension are given has one to look for.
+/// and slack tension are given has one to look for. It may take as much work as the solve might:
+/// [`SolveOptions::work_limit`], over all its solves.
 pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Verdict {
     if matches!(failure.trouble(), Some(Trouble::Pushed { .. })) {
         return Verdict::Pushed;
@@ -85,14 +91,11 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     if failure.trouble().is_none() || case.drive.free.is_some() || !case.swaps.is_empty() {
         return Verdict::Open;
     }
-    let options = LimitOptions { solve: *options, least_speed_efficiency: 0.0 };
-    let search = Search { case, tension, torque, options };
-    let sunk = pressed_through(failure).map(|share| Verdict::Sunk { share });
-    if search.is_carried() {
-        return sunk.unwrap_or(Verdict::Open);
-    }
-    let eased = || search.pressed_through().map(|share| Verdict::Sunk { share });
-    search.limit().or(sunk).or_else(eased).unwrap_or(Verdict::Open)
+    let each = SolveOptions { work_limit: options.work_limit / SOLVES, ..*options };
+    let curve = options.work_limit / CURVES;
+    let search =
+        Search { case, tension, torque, options: LimitOptions { solve: each, ..LimitOptions::default() }, curve };
+    within(options.work_limit, || search.verdict(failure))
 }
 
 /// Penetration over radius where the last solution was found, if the belt was pressed through its groove there.
@@ -111,9 +114,20 @@ struct Search<'a> {
     /// Primary torque given, N·m.
     torque: f64,
     options: LimitOptions,
+    /// Work that a curve may take.
+    curve: usize,
 }
 
 impl Search<'_> {
+    fn verdict(&self, failure: &Failure) -> Verdict {
+        let sunk = pressed_through(failure).map(|share| Verdict::Sunk { share });
+        if self.is_carried() {
+            return sunk.unwrap_or(Verdict::Open);
+        }
+        let eased = || self.pressed_through().map(|share| Verdict::Sunk { share });
+        self.limit().or(sunk).or_else(eased).unwrap_or(Verdict::Open)
+    }
+
     /// Whether the case has a solution where friction is less steep: then a limit says nothing. There are drives beside
     /// the curve from an easier load, slipping on both pulleys, that carry more than any on it.
     fn is_carried(&self) -> bool {
@@ -157,10 +171,10 @@ impl Search<'_> {
         if self.case.model.bending.is_none() && self.case.thermal.is_none() {
             return None;
         }
-        let found = match sought {
+        let found = within(self.curve, || match sought {
             Sought::Tension => smallest_slack_tension(self.case, &self.options),
             Sought::Torque => largest_torque(self.case, &self.options),
-        };
+        });
         found.ok().map(|(limit, _)| limit)
     }
 
@@ -171,7 +185,7 @@ impl Search<'_> {
             return None;
         }
         [(Sought::Tension, self.tension), (Sought::Torque, self.torque)].into_iter().find_map(|(sought, given)| {
-            let (limit, easing) = followed(self.case, sought, given, &self.options)?;
+            let (limit, easing) = within(self.curve, || followed(self.case, sought, given, &self.options))?;
             self.beyond(sought, limit, easing, NEARLY_AT_REST)
         })
     }
@@ -194,7 +208,8 @@ impl Search<'_> {
             return None;
         }
         let solve = SolveOptions { tolerance: SHARP.min(self.options.solve.tolerance), ..self.options.solve };
-        let found = sought.find(self.case, &LimitOptions { solve, ..self.options }).ok()?;
+        let find = || sought.find(self.case, &LimitOptions { solve, ..self.options });
+        let found = within(self.curve, find).ok()?;
         let ends = matches!(found.limit.kind, LimitKind::Fold | LimitKind::Collapse);
         let changes = (found.limit.value / limit.value - 1.0).abs() + found.change_to_rest()?;
         let clear = sought.beyond(self.given(sought), found.limit.value) > CLEAR_SHARP + CHANGES * changes;

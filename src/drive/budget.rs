@@ -1,10 +1,39 @@
 //! What a solve may cost, and how it is stopped from elsewhere.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use solver::{Event, Observer};
 
 use crate::cancel::is_cancelled;
+
+thread_local! {
+    /// Work left to all solves of this thread together, where that is limited.
+    static ALLOWANCE: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// Does `work`, whose solves on this thread may take no more than `limit` together, over what each of them may take.
+/// Once that is spent, each of them ends at its first iteration with the failure of a work limit.
+pub(crate) fn within<T>(limit: usize, work: impl FnOnce() -> T) -> T {
+    /// Puts back what held before, less what was spent, even where `work` panics.
+    struct Restored {
+        before: Option<usize>,
+        given: usize,
+    }
+    impl Drop for Restored {
+        fn drop(&mut self) {
+            let left = ALLOWANCE.get().unwrap_or(self.given);
+            ALLOWANCE.set(self.before.map(|before| before - (self.given - left)));
+        }
+    }
+    let before = ALLOWANCE.get();
+    let given = before.map_or(limit, |before| before.min(limit));
+    let restored = Restored { before, given };
+    ALLOWANCE.set(Some(given));
+    let done = work();
+    drop(restored);
+    done
+}
 
 /// Work left to a solve, over all that it tries; it ends the computation when none is.
 #[derive(Debug, Clone, Copy)]
@@ -13,9 +42,10 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// So much work: Newton iterations, each counted once for every mesh interval.
-    pub(super) const fn new(work: usize) -> Self {
-        Self { left: work }
+    /// So much work, or what all solves of this thread together have left: Newton iterations, each counted once for
+    /// every mesh interval.
+    pub(super) fn new(work: usize) -> Self {
+        Self { left: ALLOWANCE.get().map_or(work, |all| all.min(work)) }
     }
 
     /// Whether all is spent.
@@ -43,6 +73,7 @@ impl Observer for Budget {
     fn notify(&mut self, event: &Event) -> ControlFlow<()> {
         if let Event::Newton { intervals, .. } = event {
             self.left = self.left.saturating_sub(*intervals);
+            ALLOWANCE.set(ALLOWANCE.get().map(|all| all.saturating_sub(*intervals)));
         }
         if self.is_spent() || is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -65,5 +96,24 @@ mod tests {
         assert!(part.notify(&newton(50)).is_break() && part.is_spent());
         whole.take(&given, &part);
         assert_eq!(whole.left(), 700);
+    }
+
+    #[test]
+    fn solves_share_an_allowance() {
+        let spend = |intervals| {
+            let mut budget = Budget::new(500);
+            let flow = budget.notify(&newton(intervals));
+            (budget.left(), flow.is_break())
+        };
+        within(1000, || {
+            assert_eq!(spend(300), (200, false));
+            within(250, || assert_eq!(spend(100), (150, false)));
+            assert_eq!(spend(450), (50, false));
+            assert_eq!(within(400, || spend(150)), (0, true));
+            assert_eq!(spend(1), (0, true));
+        });
+        let panicked = std::panic::catch_unwind(|| within(10, || panic!("on purpose")));
+        assert!(panicked.is_err());
+        assert_eq!(spend(300), (200, false));
     }
 }

@@ -239,7 +239,7 @@ fn posed(case: &Case) -> Result<Resolved, Refused> {
 }
 
 fn light(outcome: &Outcome) -> &'static str {
-    match Light::of(outcome.result.slip_reserve) {
+    match Light::of_drive(&outcome.result) {
         Light::Green => "green",
         Light::Amber => "amber",
         Light::Red => "red",

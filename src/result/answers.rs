@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::doubt::Doubt;
 use super::schema::DriveResult;
 use super::units::{Measured, Units};
 use crate::case::{Key, Resolved};
@@ -29,6 +30,14 @@ impl Light {
             reserve if reserve >= WANTED_RESERVE => Self::Green,
             reserve if reserve >= SCANT_RESERVE => Self::Amber,
             _ => Self::Red,
+        }
+    }
+
+    /// By that share, and by what else keeps a drive from being sound: that is amber at best.
+    pub fn of_drive<I>(result: &DriveResult<I>) -> Self {
+        match Self::of(result.slip_reserve) {
+            Self::Green if Doubt::about(result).is_some() => Self::Amber,
+            light => light,
         }
     }
 
@@ -70,7 +79,11 @@ pub fn answers_in(units: Units, result: &DriveResult<Resolved>) -> Vec<Answer> {
 
 fn slip(result: &DriveResult<Resolved>) -> String {
     let light = Light::of(result.slip_reserve);
-    format!("{}; {:.1} % of the friction at hand is in reserve", light.words(), 100.0 * result.slip_reserve)
+    let words = match Doubt::about(result).filter(|_| light == Light::Green) {
+        Some(doubt) => format!("amber: it does not slip, but {}", doubt.words()),
+        None => light.words().to_owned(),
+    };
+    format!("{words}; {:.1} % of the friction at hand is in reserve", 100.0 * result.slip_reserve)
 }
 
 fn watts(units: Units, result: &DriveResult<Resolved>) -> String {

@@ -4,6 +4,7 @@ mod answers;
 mod beside;
 mod component;
 mod compute;
+mod doubt;
 mod envelope;
 mod margin;
 mod profile;

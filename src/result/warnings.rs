@@ -1,14 +1,12 @@
 //! What is to be known before a result is used.
 
-use std::f64::consts::PI;
-
 use super::Outcome;
+use super::answers::Light;
+use super::doubt::{COMPRESSION, adheres_nowhere, is_buckled, is_driven_on_both_sides};
 use super::schema::Pulley;
 use crate::drive::{Branch, RegionId};
 use crate::model::{Constant, State};
 
-/// Share of a contact in adhesion, both pulleys together, below which the drive is near gross slip.
-const LITTLE_ADHESION: f64 = 0.02;
 /// Share of the deepest penetration by which another may be negative before it is said: the ends' defects are.
 const NEGATIVE: f64 = 1e-3;
 /// Share of the power that nothing accounts for before it is said.
@@ -17,11 +15,6 @@ const UNACCOUNTED: f64 = 0.01;
 const LENGTH_ERROR: f64 = 0.005;
 /// Penetration over radius beyond which the belt no longer lies at its nominal radius.
 const DEEP: f64 = 0.3;
-/// Compression over the largest tension beyond which it is more than the solution's tolerance.
-const COMPRESSION: f64 = 1e-6;
-/// Sum of both wrap angles, rad, beyond which a belt has buckled: round both pulleys and back it turns by 2 π, and a
-/// quarter of a turn more has to be turned back by the spans.
-const BUCKLED: f64 = 2.5 * PI;
 
 /// Zero of the Celsius scale, K.
 const CELSIUS: f64 = 273.15;
@@ -104,14 +97,20 @@ fn states(outcome: &Outcome, region: RegionId, state: State) -> Vec<f64> {
 
 fn adhesion(outcome: &Outcome) -> Option<String> {
     let (primary, secondary) = (&outcome.result.primary, &outcome.result.secondary);
-    let little = primary.adhesion_fraction < LITTLE_ADHESION && secondary.adhesion_fraction < LITTLE_ADHESION;
-    little.then(|| {
+    adheres_nowhere(primary, secondary).then(|| {
         let slowest = primary.min_sliding_speed.min(secondary.min_sliding_speed);
         let threshold = outcome.result.inputs.sheave.slip_threshold;
-        format!(
-            "Little slip reserve: the belt adheres on neither pulley (slowest sliding {slowest:.2e} m/s, threshold \
-             {threshold:.0e} m/s). More clamping brings adhesion back."
-        )
+        let sliding = format!("(slowest sliding {slowest:.2e} m/s, threshold {threshold:.0e} m/s)");
+        match Light::of(outcome.result.slip_reserve) {
+            Light::Green => format!(
+                "The belt adheres on neither pulley {sliding}, though {:.0} % of the friction at hand is in reserve: \
+                 it slides into its grooves and out of them all along. A belt that bends more easily adheres again.",
+                100.0 * outcome.result.slip_reserve
+            ),
+            Light::Amber | Light::Red => format!(
+                "Little slip reserve: the belt adheres on neither pulley {sliding}. More clamping brings adhesion back."
+            ),
+        }
     })
 }
 
@@ -119,7 +118,7 @@ fn adhesion(outcome: &Outcome) -> Option<String> {
 fn powers(outcome: &Outcome) -> Option<String> {
     let energy = &outcome.result.energy;
     let (power_in, power_out) = (energy.power_in, energy.power_out);
-    if power_in >= 0.0 && power_out < 0.0 {
+    if is_driven_on_both_sides(energy) {
         return Some(format!(
             "The secondary has to be driven: {power_in:.1} W into the primary do not cover the losses, and {:.1} W go \
              into the secondary; there is no efficiency to tell. The belt is clamped too tightly for so little torque, \
@@ -165,11 +164,10 @@ fn compression(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// A belt that is wound round its pulleys as none is whose spans are nearly straight. Its equations hold; beyond the
-/// limit of a drive, and pressed through a groove, such a belt is all that is left.
+/// A belt that is wound round its pulleys as none is whose spans are nearly straight.
 fn buckled(primary_wrap: f64, secondary_wrap: f64) -> Option<String> {
     let wrap = primary_wrap + secondary_wrap;
-    (wrap > BUCKLED).then(|| {
+    is_buckled(primary_wrap, secondary_wrap).then(|| {
         format!(
             "The belt buckles: it is wound round both pulleys by {:.0}° in all, and its spans turn back what is more \
              than 360°. No drive has such a belt; clamp it tighter, or ask for less torque.",
