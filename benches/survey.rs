@@ -46,7 +46,7 @@ fn refuted(edition: &str, design: &Design) -> Option<String> {
         slack_tension: constants[Constant::SlackTension],
         cause: Box::new(solver::SolveError::Cancelled),
     };
-    let options = SolveOptions { tolerance: TOLERANCE, work_limit: WORK_LIMIT, ..SolveOptions::default() };
+    let options = SolveOptions { tolerance: TOLERANCE, ..SolveOptions::default() };
     match verdict(&resolved, &failure, &options) {
         Verdict::Open => None,
         wrong => Some(wrong.to_string()),

@@ -149,8 +149,9 @@ fn scipy_cell(record: Option<&Value>) -> String {
 
 fn table(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     let mut out = String::from(
-        "| problem | parameter | κ | order 4: error | intervals | ms | order 6: error | intervals | ms | order 8: error \
-         | intervals | ms | SciPy: error | nodes | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| problem | parameter | κ | order 4: error | intervals | ms | order 6: error | intervals | ms \
+         | order 8: error | intervals | ms | SciPy: error | nodes | ms |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let kappa =

@@ -97,8 +97,8 @@ impl Cash {
 }
 
 /// Where intervals are ten thousand times as long as a layer would be, and there is none, few of them suffice; that
-/// they do is known from the estimate of the error, which follows the defects through stages and nodes. Cash's T3: `ε u'' + (2 + cos πx) u' - u =
-/// -(1 + ε π²) cos πx - (2 + cos πx) π sin πx`, `u = cos πx`.
+/// they do is known from the estimate of the error, which follows the defects through stages and nodes. Cash's T3:
+/// `ε u'' + (2 + cos πx) u' - u = -(1 + ε π²) cos πx - (2 + cos πx) π sin πx`, `u = cos πx`.
 #[test]
 fn smooth_solutions_of_stiff_equations_take_few_intervals() {
     for (eps, most) in [(1e-4, 200), (1e-5, 400)] {

@@ -6,7 +6,7 @@ use super::eased::{Easing, Sought, easy, followed};
 use super::error::DesignError;
 use super::limit::{Limit, LimitKind, LimitOptions, clamped, largest_torque, smallest_slack_tension};
 use crate::case::{Clamp, Load, Resolved};
-use crate::drive::{Constant, Failure, PRESSED_THROUGH, Question, SolveOptions, Trouble, solve, within};
+use crate::drive::{Constant, Failure, PRESSED_THROUGH, Question, SolveOptions, Trouble, solve, with_allowance};
 
 /// Share by which a limit has to lie beyond the case: limits are known to the tolerance of the solutions.
 const CLEAR: f64 = 1e-3;
@@ -95,7 +95,7 @@ pub fn verdict(case: &Resolved, failure: &Failure, options: &SolveOptions) -> Ve
     let curve = options.work_limit / CURVES;
     let search =
         Search { case, tension, torque, options: LimitOptions { solve: each, ..LimitOptions::default() }, curve };
-    within(options.work_limit, || search.verdict(failure))
+    with_allowance(options.work_limit, || search.verdict(failure))
 }
 
 /// Penetration over radius where the last solution was found, if the belt was pressed through its groove there.
@@ -119,6 +119,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// The first proof that is found; of a case that is carried where friction is less steep, only what is known.
     fn verdict(&self, failure: &Failure) -> Verdict {
         let sunk = pressed_through(failure).map(|share| Verdict::Sunk { share });
         if self.is_carried() {
@@ -171,7 +172,7 @@ impl Search<'_> {
         if self.case.model.bending.is_none() && self.case.thermal.is_none() {
             return None;
         }
-        let found = within(self.curve, || match sought {
+        let found = with_allowance(self.curve, || match sought {
             Sought::Tension => smallest_slack_tension(self.case, &self.options),
             Sought::Torque => largest_torque(self.case, &self.options),
         });
@@ -185,7 +186,7 @@ impl Search<'_> {
             return None;
         }
         [(Sought::Tension, self.tension), (Sought::Torque, self.torque)].into_iter().find_map(|(sought, given)| {
-            let (limit, easing) = within(self.curve, || followed(self.case, sought, given, &self.options))?;
+            let (limit, easing) = with_allowance(self.curve, || followed(self.case, sought, given, &self.options))?;
             self.beyond(sought, limit, easing, NEARLY_AT_REST)
         })
     }
@@ -209,7 +210,7 @@ impl Search<'_> {
         }
         let solve = SolveOptions { tolerance: SHARP.min(self.options.solve.tolerance), ..self.options.solve };
         let find = || sought.find(self.case, &LimitOptions { solve, ..self.options });
-        let found = within(self.curve, find).ok()?;
+        let found = with_allowance(self.curve, find).ok()?;
         let ends = matches!(found.limit.kind, LimitKind::Fold | LimitKind::Collapse);
         let changes = (found.limit.value / limit.value - 1.0).abs() + found.change_to_rest()?;
         let clear = sought.beyond(self.given(sought), found.limit.value) > CLEAR_SHARP + CHANGES * changes;

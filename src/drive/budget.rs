@@ -14,7 +14,7 @@ thread_local! {
 
 /// Does `work`, whose solves on this thread may take no more than `limit` together, over what each of them may take.
 /// Once that is spent, each of them ends at its first iteration with the failure of a work limit.
-pub(crate) fn within<T>(limit: usize, work: impl FnOnce() -> T) -> T {
+pub(crate) fn with_allowance<T>(limit: usize, work: impl FnOnce() -> T) -> T {
     /// Puts back what held before, less what was spent, even where `work` panics.
     struct Restored {
         before: Option<usize>,
@@ -105,14 +105,14 @@ mod tests {
             let flow = budget.notify(&newton(intervals));
             (budget.left(), flow.is_break())
         };
-        within(1000, || {
+        with_allowance(1000, || {
             assert_eq!(spend(300), (200, false));
-            within(250, || assert_eq!(spend(100), (150, false)));
+            with_allowance(250, || assert_eq!(spend(100), (150, false)));
             assert_eq!(spend(450), (50, false));
-            assert_eq!(within(400, || spend(150)), (0, true));
+            assert_eq!(with_allowance(400, || spend(150)), (0, true));
             assert_eq!(spend(1), (0, true));
         });
-        let panicked = std::panic::catch_unwind(|| within(10, || panic!("on purpose")));
+        let panicked = std::panic::catch_unwind(|| with_allowance(10, || panic!("on purpose")));
         assert!(panicked.is_err());
         assert_eq!(spend(300), (200, false));
     }

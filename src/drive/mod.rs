@@ -35,7 +35,7 @@ pub use crate::model::{Constant, Constants, IllPosed, Output};
 pub use accuracy::{output_errors, refined};
 pub use belt::BeltProblem;
 pub use branch::{Branch, branch, other_solution};
-pub(crate) use budget::within;
+pub(crate) use budget::with_allowance;
 pub use closing::{Argument, Closing, Law};
 pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};

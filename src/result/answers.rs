@@ -35,10 +35,7 @@ impl Light {
 
     /// By that share, and by what else keeps a drive from being sound: that is amber at best.
     pub fn of_drive<I>(result: &DriveResult<I>) -> Self {
-        match Self::of(result.slip_reserve) {
-            Self::Green if Doubt::about(result).is_some() => Self::Amber,
-            light => light,
-        }
+        if doubt(result).is_some() { Self::Amber } else { Self::of(result.slip_reserve) }
     }
 
     /// In words.
@@ -77,11 +74,15 @@ pub fn answers_in(units: Units, result: &DriveResult<Resolved>) -> Vec<Answer> {
     answers
 }
 
+/// What is to be said of a drive that has friction enough in reserve, and is not sound.
+fn doubt<I>(result: &DriveResult<I>) -> Option<Doubt> {
+    Doubt::about(result).filter(|_| Light::of(result.slip_reserve) == Light::Green)
+}
+
 fn slip(result: &DriveResult<Resolved>) -> String {
-    let light = Light::of(result.slip_reserve);
-    let words = match Doubt::about(result).filter(|_| light == Light::Green) {
+    let words = match doubt(result) {
         Some(doubt) => format!("amber: it does not slip, but {}", doubt.words()),
-        None => light.words().to_owned(),
+        None => Light::of(result.slip_reserve).words().to_owned(),
     };
     format!("{words}; {:.1} % of the friction at hand is in reserve", 100.0 * result.slip_reserve)
 }

@@ -80,7 +80,7 @@ class Quantity {
     this.out.addEventListener("click", () => changed({ unset: [key.path] }));
   }
 
-  /** How far the slider goes: as the table says, farther where a value lies beyond; a part's, around its first value. */
+  /** How far the slider goes: as the table says, farther where a value lies beyond; a part's, around its first. */
   #reach(value) {
     this.ends ??= this.key.slider ?? this.#around(value);
     let [from, to] = this.ends;

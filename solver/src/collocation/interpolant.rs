@@ -265,10 +265,10 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// Right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
     /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
     ///
-    /// `ε' = f_y ε + S' - f(S)` is rough where S is not the solution; `e = S̃ - y` with `S̃ = y_0 + ∫ f(S) ds`, of which
-    /// `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`, is as smooth as the method takes a solution to be. Its stages are
-    /// those of the method, and `ε = e + S - S̃` there: in `X_r = S - S̃ - v_r J + h Σ_k x_rk f_y X_k` is all that the
-    /// nodes' errors do not know of. The derivatives are those at the stages: nothing is evaluated anew.
+    /// `ε' = f_y ε + S' - f(S)` is rough where S is not the solution. As smooth as the method takes a solution to be is
+    /// `e = S̃ - y` with `S̃ = y_0 + ∫ f(S) ds`, of which `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`. Its stages are
+    /// those of the method, and `ε = e + S - S̃` there: all that the nodes' errors do not know of is in
+    /// `X_r = S - S̃ - v_r J + h Σ_k x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
     pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let (tableau, n, len) = (self.system.tableau, self.n(), self.intervals());
         let rows = self.system.plan.regions[self.region].rows;
@@ -309,15 +309,13 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 elementwise(&mut slope[row * len..][..len], inputs, |sum, [dy, moved]| sum + dy * moved);
             }
             for (row, out) in integrated.chunks_exact_mut(len).enumerate() {
-                let chained = self.stages.chained.iter().find(|(u, _)| *u == row);
-                let (row, weight) = match chained {
-                    Some(&(_, v)) => (v, tableau.twice_integrated(stage)),
-                    None => (row, tableau.b[stage]),
-                };
-                let once = chained.is_none();
-                elementwise(out, [&slope[row * len..], h], |sum, [slope, h]| {
-                    sum + weight * h * slope * if once { 1.0 } else { h }
-                });
+                if let Some(&(_, v)) = self.stages.chained.iter().find(|(u, _)| *u == row) {
+                    let weight = tableau.twice_integrated(stage);
+                    elementwise(out, [&slope[v * len..], h], |sum, [slope, h]| sum + weight * h * slope * h);
+                } else {
+                    let weight = tableau.b[stage];
+                    elementwise(out, [&slope[row * len..], h], |sum, [slope, h]| sum + weight * h * slope);
+                }
             }
             slopes.push(slope);
         }

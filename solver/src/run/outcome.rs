@@ -61,8 +61,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Ok(self.solution(&solved, f64::NAN))
     }
 
-    /// What the collocation equations say on the meshes of a start. Neither defects nor errors are known: NaN stands for
-    /// them.
+    /// What the collocation equations say on the meshes of a start. Neither defects nor errors are known: NaN stands
+    /// for them.
     pub(crate) fn unjudged(
         &mut self,
         Start { grids, x }: Start,
