@@ -165,7 +165,8 @@ mod tests {
         let (second, _) = lock_file(&folder).unwrap();
         first.try_lock().unwrap();
         assert!(second.try_lock().is_err());
-        drop(first);
+        // Closing it would free the lock only once no child that is just being started holds a copy of the handle.
+        first.unlock().unwrap();
         second.try_lock().unwrap();
         std::fs::remove_dir_all(&folder).unwrap();
     }
