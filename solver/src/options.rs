@@ -15,7 +15,8 @@ pub enum Order {
     Six,
     /// Five-stage Lobatto IIIA: a third of the intervals of order 6 where solutions are smooth, and half of its
     /// evaluations to nine digits. Each interval has three points inside whose states are unknowns, which are
-    /// eliminated interval by interval. Where the iteration fails, order 6 finds where it is to start from.
+    /// eliminated interval by interval. Where the iteration fails, order 6 finds where it is to start from;
+    /// where it fails with a lower order, this one does.
     Eight,
 }
 
@@ -110,8 +111,12 @@ pub struct Options {
     /// Meshes in one solve.
     pub max_meshes: usize,
     /// How often meshes are halved when Newton's iteration fails on them. If that does not help, and unless this is 0,
-    /// the iteration starts again without insisting on progress at every step.
+    /// the iteration starts again from the guess, with another order, and without insisting on progress at every step.
     pub rescues: usize,
+    /// Whether order 8 may find where orders 4 and 6 start, and the guess be gone back to from finer meshes, when Newton's
+    /// iteration fails. It helps where layers are not resolved yet. Where what fails is a step across kinks, or a
+    /// caller has other ways to a solution, it is work in vain. (Order 8 may always start from order 6.) Default: true.
+    pub other_orders: bool,
     /// Points at which the right-hand side may be evaluated, with its derivatives or without
     /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a
     /// continuation, all attempts of an automatic solve. Beyond it the call ends with [`SolveError::WorkLimit`].
@@ -140,6 +145,7 @@ impl Default for Options {
             max_intervals: 20_000,
             max_meshes: 40,
             rescues: 2,
+            other_orders: true,
             work_limit: None,
             cancel: None,
         }

@@ -51,7 +51,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         Self {
             phase: Phase::Search,
             first: true,
-            rescue: Rescue { halvings: 0, insistent: true, origin: None, attempts: attempts(options.order) },
+            rescue: Rescue { halvings: 0, insistent: true, origin: None, attempts: attempts(options) },
             target: options.tolerance,
             tolerance: options.tolerance,
             fallback: None,
@@ -104,18 +104,21 @@ pub(crate) struct Rescue {
     pub(crate) halvings: usize,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
-    /// The guess, if it has not brought convergence on its own mesh and as long as no other has.
+    /// The guess, unless it was a solution already, or the problem is linear as far as is known: it is returned to, too,
+    /// where its own mesh brought convergence and a finer one has not.
     pub(crate) origin: Option<Start>,
     /// Orders to begin with from the guess, and whether every step must be progress then.
     pub(crate) attempts: &'static [(Order, bool)],
 }
 
-/// What is tried from the guess after an iteration that insists on progress. Order 8, on a few long intervals, is
-/// more easily led astray: order 6 finds where it is to start from.
-fn attempts(order: Order) -> &'static [(Order, bool)] {
-    match order {
-        Order::Four => &[(Order::Four, false)],
-        Order::Six => &[(Order::Six, false)],
+/// What is tried from the guess after an iteration that insists on progress: another order finds where the one that is
+/// wanted is to start from. Where one is led astray by layers that a rough mesh does not resolve, another may not be.
+fn attempts(options: &Options) -> &'static [(Order, bool)] {
+    match options.order {
+        Order::Four if !options.other_orders => &[(Order::Four, false)],
+        Order::Six if !options.other_orders => &[(Order::Six, false)],
+        Order::Four => &[(Order::Eight, true), (Order::Four, false), (Order::Eight, false)],
+        Order::Six => &[(Order::Eight, true), (Order::Six, false), (Order::Eight, false)],
         Order::Eight => &[(Order::Six, true), (Order::Six, false), (Order::Eight, false)],
     }
 }

@@ -11,6 +11,7 @@ use crate::collocation::{Iterate, System};
 use crate::error::{NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, intervals};
+use crate::mesh::split;
 use crate::newton::{self, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options, Order};
@@ -31,7 +32,7 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
-/// Defects of a lower order up to which it is gone on with.
+/// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;
 
 /// One solve, or the solves of one continuation: what they share, and what they have cost so far.
@@ -119,7 +120,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         }
     }
 
-    /// What has been found with a lower order than wanted, as a start for that: once it is roughly right.
+    /// What has been found with another order than wanted, as a start for that: once it is roughly right. A lower
+    /// order than the one it was found with begins on shorter intervals.
     fn promoted(&mut self, found: &Found<'a, P>, progress: &Progress<'a, P>) -> Option<Start> {
         let Found::Solved(solved) = found else { return None };
         let enough = ROUGHLY.max(progress.target);
@@ -127,9 +129,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         if self.order == self.options.order || rough() {
             return None;
         }
+        let pieces = self.order.number().div_ceil(self.options.order.number());
         self.order = self.options.order;
-        let meshes = solved.system.grids.iter().map(|grid| grid.mesh.clone()).collect();
-        Some(carried(solved, meshes, self.tableau()))
+        let meshes = solved.system.grids.iter().map(|grid| {
+            let pieces = if grid.intervals() * pieces <= self.options.max_intervals { pieces } else { 1 };
+            split(&grid.mesh, &vec![pieces; grid.intervals()])
+        });
+        Some(carried(solved, meshes.collect(), self.tableau()))
     }
 
     /// What has been found on the present meshes.
@@ -289,12 +295,17 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
-        // What a lower order has found is a start only.
-        if self.order == self.options.order {
+        if !self.options.other_orders && self.order == self.options.order {
             progress.rescue.origin = None;
         }
-        let known = progress.first && solved.converged.at_once && self.options.rescues > 0;
-        let solved = if known { self.unless_worse(solved, x)? } else { solved };
+        if progress.first && self.options.rescues > 0 {
+            if solved.converged.at_once {
+                return Ok(Found::Solved(Box::new(self.unless_worse(solved, x)?)));
+            }
+            if self.options.other_orders && !solved.converged.seems_linear() {
+                progress.rescue.origin = Some(Start { grids: solved.system.grids.clone(), x });
+            }
+        }
         Ok(Found::Solved(Box::new(solved)))
     }
 

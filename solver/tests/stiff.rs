@@ -126,6 +126,35 @@ fn smooth_solutions_of_stiff_equations_take_few_intervals() {
     }
 }
 
+/// From zero on eight intervals, Newton's iteration at orders 4 and 6 is led astray by layers that no mesh resolves yet:
+/// order 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
+/// layer.
+#[test]
+fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {
+    for (eps, p, s, amplitude, wave) in [(3.24e-5, 0.806, 0.487, 2.4, 10.0), (3.93e-6, 0.473, 0.775, 0.914, 11.8)] {
+        for order in [Order::Four, Order::Six, Order::Eight] {
+            let line = Bvp::new(
+                &["u", "slope"],
+                (0.0, 1.0),
+                move |x, y, _, f| {
+                    let (u, slope) = ((x * wave).sin() * amplitude, (x * wave).cos() * (amplitude * wave));
+                    let forcing = slope * p + u * (1.0 + eps * wave * wave) + u.powi(3) * s;
+                    (f[0], f[1]) = (y[1], (y[1] * p + y[0] + y[0].powi(3) * s - forcing) / eps);
+                },
+                move |a, b, _, g| (g[0], g[1]) = (a[0], b[0] - amplitude * wave.sin()),
+            );
+            let line = line.guess(8, |_, y| y.fill(0.0));
+            let options = Options { order, tolerance: 1e-6, work_limit: Some(200_000), ..Options::default() };
+            let solution = line.solve(&options).unwrap_or_else(|error| panic!("{order:?} {eps:e}: {error}"));
+            let line = &solution.regions()[0];
+            let error = line.mesh().iter().zip(line.state(0)).map(|(x, u)| (u - amplitude * (wave * x).sin()).abs());
+            let error = error.fold(0.0, f64::max) / amplitude;
+            println!("{order:?} {eps:e}: {error:e}, {:?}", solution.stats());
+            assert!(error <= 1e-6, "{order:?} {eps:e}: {error:e}");
+        }
+    }
+}
+
 /// Close to rounding a solution is as good as asked for, or refused.
 #[test]
 fn tolerances_near_rounding_are_met_or_refused() {

@@ -78,7 +78,9 @@ impl SolveOptions {
     pub(super) fn solver(&self) -> Options {
         let (tolerance, order) = (self.tolerance, self.order);
         let cancel = crate::cancel::current();
-        Options { tolerance, order, cancel, accept_inaccurate: true, ..Options::default() }
+        // A drive has ways of its own to a solution; what fails on them are steps across the kinks of friction.
+        let options = Options { tolerance, order, cancel, ..Options::default() };
+        Options { accept_inaccurate: true, other_orders: false, ..options }
     }
 }
 

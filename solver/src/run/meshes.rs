@@ -32,12 +32,15 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
-            // What a lower order runs into says nothing of the next attempt.
-            NewtonError::NonFinite(_) => self.order == self.options.order,
+            // What another order runs into says nothing of the next attempt.
+            NewtonError::NonFinite(_) => !self.options.other_orders && self.order == self.options.order,
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         let rescue = &mut progress.rescue;
-        if !hopeless && rescue.halvings < self.options.rescues && 2 * largest <= self.options.max_intervals {
+        // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way.
+        let undefined = self.options.other_orders && matches!(&error, NewtonError::NonFinite(_));
+        let halvings = if undefined { 0 } else { self.options.rescues };
+        if !hopeless && rescue.halvings < halvings && 2 * largest <= self.options.max_intervals {
             rescue.halvings += 1;
             return Ok(Next::On(halved(&failed)));
         }
