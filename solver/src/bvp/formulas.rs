@@ -1,5 +1,6 @@
 //! Closures, and where their derivatives come from.
 
+use super::buffer;
 use super::number::{Number, WIDTH};
 
 /// Right-hand side `f(x, y, p)` and boundary residuals `g(y(a), y(b), p)`, with the derivatives of both.
@@ -70,31 +71,59 @@ where
     }
 }
 
-fn lifted(inputs: &[&[f64]]) -> Vec<Number> {
-    inputs.iter().flat_map(|part| part.iter().map(|&value| Number::constant(value))).collect()
+/// Numbers of one evaluation, inputs and results, that need no memory of their own: closures are called so often that
+/// asking for memory would take as long as they do.
+const ROOM: usize = 16;
+
+/// So many numbers, of `room`, or where that is too small of `more`.
+#[inline(always)]
+fn numbers<'a>(room: &'a mut [Number; ROOM], more: &'a mut Vec<Number>, len: usize) -> &'a mut [Number] {
+    if let Some(room) = room.get_mut(..len) {
+        return room;
+    }
+    more.resize(len, Number::constant(0.0));
+    more
 }
 
-fn values(inputs: &[&[f64]], out: &mut [f64], evaluate: impl Fn(&[Number], &mut [Number])) {
-    let mut numbers = vec![Number::constant(0.0); out.len()];
-    evaluate(&lifted(inputs), &mut numbers);
-    out.iter_mut().zip(numbers).for_each(|(out, number)| *out = number.value());
+#[inline]
+fn values<const PARTS: usize>(inputs: &[&[f64]; PARTS], out: &mut [f64], evaluate: impl Fn(&[Number], &mut [Number])) {
+    let count: usize = inputs.iter().map(|part| part.len()).sum();
+    let (mut room, mut more) = ([Number::constant(0.0); ROOM], Vec::new());
+    let (lifted, results) = numbers(&mut room, &mut more, count + out.len()).split_at_mut(count);
+    lift(inputs, lifted);
+    evaluate(lifted, results);
+    out.iter_mut().zip(results).for_each(|(out, number)| *out = number.value());
+}
+
+#[inline]
+fn lift<const PARTS: usize>(inputs: &[&[f64]; PARTS], lifted: &mut [Number]) {
+    let values = inputs.iter().flat_map(|part| part.iter());
+    lifted.iter_mut().zip(values).for_each(|(number, &value)| *number = Number::constant(value));
 }
 
 /// As many inputs at a time as a number carries derivatives.
-fn differentiate(inputs: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: impl Fn(&[Number], &mut [Number])) {
-    let plain = lifted(inputs);
+#[inline]
+fn differentiate<const PARTS: usize>(
+    inputs: &[&[f64]; PARTS],
+    out: &mut [f64],
+    columns: &mut [f64],
+    evaluate: impl Fn(&[Number], &mut [Number]),
+) {
     let rows = out.len();
+    let count: usize = inputs.iter().map(|part| part.len()).sum();
+    let (mut room, mut more) = ([Number::constant(0.0); ROOM], Vec::new());
+    let (seeded, results) = numbers(&mut room, &mut more, count + rows).split_at_mut(count);
     for (first, chunk) in columns.chunks_mut(WIDTH * rows).enumerate() {
-        let mut seeded = plain.clone();
-        let mut numbers = vec![Number::constant(0.0); rows];
+        lift(inputs, seeded);
         for (direction, number) in seeded.iter_mut().skip(first * WIDTH).take(WIDTH).enumerate() {
             *number = Number::input(number.value(), direction);
         }
-        evaluate(&seeded, &mut numbers);
+        results.fill(Number::constant(0.0));
+        evaluate(seeded, results);
         for (direction, column) in chunk.chunks_mut(rows).enumerate() {
-            column.iter_mut().zip(&numbers).for_each(|(out, number)| *out = number.derivative(direction));
+            column.iter_mut().zip(&*results).for_each(|(out, number)| *out = number.derivative(direction));
         }
-        out.iter_mut().zip(&numbers).for_each(|(out, number)| *out = number.value());
+        out.iter_mut().zip(&*results).for_each(|(out, number)| *out = number.value());
     }
 }
 
@@ -128,15 +157,69 @@ where
 }
 
 /// Forward differences, with steps of half the digits of the input, at least of 1.
-fn difference(inputs: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: impl Fn(&[f64], &mut [f64])) {
-    let mut inputs = inputs.concat();
-    evaluate(&inputs, out);
+fn difference(parts: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: impl Fn(&[f64], &mut [f64])) {
+    let (mut room, mut more) = ([0.0; super::ROOM], Vec::new());
+    let inputs = buffer(&mut room, &mut more, parts.iter().map(|part| part.len()).sum());
+    inputs.iter_mut().zip(parts.iter().copied().flatten()).for_each(|(input, &value)| *input = value);
+    evaluate(inputs, out);
     for (input, column) in columns.chunks_exact_mut(out.len()).enumerate() {
         let value = inputs[input];
         inputs[input] = value + f64::EPSILON.sqrt() * value.abs().max(1.0).copysign(value);
         let step = inputs[input] - value;
-        evaluate(&inputs, column);
+        evaluate(inputs, column);
         column.iter_mut().zip(out.iter()).for_each(|(moved, here)| *moved = (*moved - here) / step);
         inputs[input] = value;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Few states need no memory, many do: both are told the same of every input.
+    #[test]
+    fn few_and_many_states_have_exact_derivatives() {
+        for n in [1, 3, 4, 7, 8, 9, 40] {
+            let f = |x: f64, y: &[Number], p: &[Number], f: &mut [Number]| {
+                let sum: Number = y.iter().copied().sum();
+                for (i, f) in f.iter_mut().enumerate() {
+                    *f = y[i] * y[i] * x + sum * p[0];
+                }
+            };
+            let bc = |a: &[Number], b: &[Number], p: &[Number], g: &mut [Number]| {
+                for (i, g) in g.iter_mut().enumerate() {
+                    *g = a[i] * b[n - 1 - i] - p[0];
+                }
+            };
+            let exact = Exact { f, bc };
+            let y: Vec<f64> = (0..n).map(|i| 0.5 + i as f64).collect();
+            let b: Vec<f64> = y.iter().map(|y| 3.0 * y).collect();
+            let (x, p, sum) = (1.5, [0.25], y.iter().sum::<f64>());
+            let (mut plain, mut out, mut columns) = (vec![0.0; n], vec![0.0; n], vec![f64::NAN; n * (n + 1)]);
+            exact.rhs(x, &y, &p, &mut plain);
+            exact.rhs_derivatives(x, &y, &p, &mut out, &mut columns);
+            assert_eq!(plain, out);
+            for i in 0..n {
+                assert_eq!(out[i], y[i] * y[i] * x + sum * p[0]);
+                for j in 0..n {
+                    let own = if i == j { 2.0 * y[i] * x } else { 0.0 };
+                    assert_eq!(columns[j * n + i], own + p[0], "{n}: {i} by {j}");
+                }
+                assert_eq!(columns[n * n + i], sum, "{n}: {i} by the parameter");
+            }
+            let mut columns = vec![f64::NAN; n * (2 * n + 1)];
+            exact.boundary(&y, &b, &p, &mut plain);
+            exact.boundary_derivatives(&y, &b, &p, &mut out, &mut columns);
+            assert_eq!(plain, out);
+            for i in 0..n {
+                let mirrored = n - 1 - i;
+                assert_eq!(out[i], y[i] * b[mirrored] - p[0]);
+                for j in 0..n {
+                    assert_eq!(columns[j * n + i], if j == i { b[mirrored] } else { 0.0 });
+                    assert_eq!(columns[(n + j) * n + i], if j == mirrored { y[i] } else { 0.0 });
+                }
+                assert_eq!(columns[2 * n * n + i], -1.0);
+            }
+        }
     }
 }
