@@ -47,6 +47,8 @@ fn inputs_that_do_not_mean_what_they_say() {
         (&["solve", "--set", "operating_point.slip_reserve=120 %"], ""),
         (&["solve", "--reserve", "20%", "--set", "drive.free=both"], ""),
         (&["solve", "-"], "[sweep]\nover = [\"drive.ratio=1,2\"]\n"),
+        (&["sweep", "--over", "drive.ratoi=1..2:3"], ""),
+        (&["sweep", "--over", "belt.length=1..2 N:3"], ""),
         (&["limit", "--set", "operating_point.slip_reserve=0.2"], ""),
         (&["size", "--set", "input.diameter=1e308 mm", "--set", "linear.mass=1e300 kg"], ""),
         (&["solve", "-"], "[belt]\nlength = \"3 kg\"\nlenght = 3\n[sheave]\nhalf_angle = \"50 deg\"\n"),

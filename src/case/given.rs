@@ -90,12 +90,7 @@ impl Case {
     /// # Errors
     /// As [`Case::set`].
     pub fn set_si(&mut self, key: Key, value: f64) -> Result<(), CaseError> {
-        // In words: a bare number that is surely in rpm is refused.
-        let unit = match key.entry().kind {
-            ValueKind::Quantity { unit, .. } if unit.scale.dimension == Dimension::ANGULAR_SPEED => " rad/s",
-            _ => "",
-        };
-        self.set(key.path(), &format!("{value:e}{unit}"))
+        self.put("--set", key, &Setting::Number(value))
     }
 
     /// Sets a list of quantities to values in SI units, as [`Case::set`] does.
@@ -103,12 +98,32 @@ impl Case {
     /// # Errors
     /// As [`Case::set`].
     pub fn set_list(&mut self, key: Key, values: &[f64]) -> Result<(), CaseError> {
+        self.put("--set", key, &Setting::List(values.to_vec()))
+    }
+
+    /// Sets a key to what it was decided to be, with the name of where it was, which errors show.
+    ///
+    /// # Errors
+    /// As [`Case::set`].
+    pub(crate) fn put(&mut self, source: &str, key: Key, setting: &Setting) -> Result<(), CaseError> {
+        // In words: a bare number that is surely in rpm is refused.
         let unit = match key.entry().kind {
-            ValueKind::List { unit, .. } if unit.scale.dimension == Dimension::ANGULAR_SPEED => " rad/s",
+            ValueKind::Quantity { unit, .. } | ValueKind::List { unit, .. }
+                if unit.scale.dimension == Dimension::ANGULAR_SPEED =>
+            {
+                " rad/s"
+            }
             _ => "",
         };
-        let texts: Vec<String> = values.iter().map(|value| format!("{value:e}{unit}")).collect();
-        self.set(key.path(), &texts.join(", "))
+        let text = match setting {
+            Setting::Number(value) => format!("{value:e}{unit}"),
+            Setting::List(values) => {
+                values.iter().map(|value| format!("{value:e}{unit}")).collect::<Vec<_>>().join(", ")
+            }
+            Setting::Name(name) => (*name).to_owned(),
+            Setting::Table(grid) => grid.to_string(),
+        };
+        self.set_from(source, key.path(), &text)
     }
 
     /// Takes a key out of the case, so that the base case's value or another key of its slot applies.

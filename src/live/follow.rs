@@ -78,13 +78,7 @@ fn is_beyond(from: &[(Key, f64)], wall: &[(Key, f64)], to: &[(Key, f64)]) -> boo
 fn between(from: &Split, to: &Split, share: f64) -> Option<Resolved> {
     let mut case = Case::base();
     for (key, setting) in &to.1 {
-        match setting {
-            Setting::Name(name) => case.set(key.path(), name),
-            Setting::Table(grid) => case.set(key.path(), &grid.to_string()),
-            Setting::List(values) => case.set_list(*key, values),
-            Setting::Number(value) => case.set_si(*key, *value),
-        }
-        .ok()?;
+        case.put("between", *key, setting).ok()?;
     }
     for ((key, from), (_, to)) in from.0.iter().zip(&to.0) {
         case.set_si(*key, from + share * (to - from)).ok()?;

@@ -11,6 +11,9 @@ pub const MAX_POINTS: usize = 1_000_000;
 /// Points of a range whose number is not given.
 pub const DEFAULT_POINTS: usize = 11;
 
+/// Where errors say that a key or a value stands: it is called so on the command line and in a file's `[sweep]`.
+pub(super) const SOURCE: &str = "over";
+
 /// One direction of a study's grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
@@ -52,8 +55,9 @@ impl Axis {
     /// A value out of the key's range.
     pub fn of(key: Key, values: impl IntoIterator<Item = f64>) -> Result<Self, StudyError> {
         let values = values.into_iter().map(|value| {
-            Case::base().set_si(key, value)?;
-            Ok(Setting::Number(value))
+            let setting = Setting::Number(value);
+            Case::base().put(SOURCE, key, &setting)?;
+            Ok(setting)
         });
         Ok(Self { keys: vec![key], values: values.collect::<Result<_, CaseError>>()? })
     }
@@ -68,8 +72,9 @@ impl Axis {
             return Err(StudyError::Unlike { text, first: keys.len(), second: values.len() });
         }
         let values = keys.iter().cycle().zip(values).map(|(key, value)| {
-            Case::base().set_si(*key, *value)?;
-            Ok(Setting::Number(*value))
+            let setting = Setting::Number(*value);
+            Case::base().put(SOURCE, *key, &setting)?;
+            Ok(setting)
         });
         Ok(Self { keys: keys.to_vec(), values: values.collect::<Result<_, CaseError>>()? })
     }
@@ -107,7 +112,7 @@ fn one(text: &str) -> Result<(Key, Vec<Setting>), StudyError> {
     }
     let Some(key) = Key::from_path(path) else {
         // The case says what is wrong with it.
-        Case::base().set(path, values)?;
+        Case::base().set_from(SOURCE, path, values)?;
         return Err(none());
     };
     let values = match values.split_once("..") {
@@ -122,7 +127,7 @@ fn list(key: Key, text: &str) -> Result<Vec<Setting>, StudyError> {
     let texts: Vec<&str> = text.split(',').map(bare).collect();
     let ValueKind::Quantity { .. } = key.entry().kind else {
         let names = texts.iter().map(|text| {
-            Case::base().set(key.path(), text)?;
+            Case::base().set_from(SOURCE, key.path(), text)?;
             let ValueKind::Choice { choices, .. } = key.entry().kind else { return Err(StudyError::NoRange { key }) };
             let name = choices.iter().map(|choice| choice.name).find(|name| name == text);
             name.map(Setting::Name).ok_or(StudyError::NoRange { key })
@@ -158,7 +163,7 @@ fn range(key: Key, text: &str, from: &str, rest: &str) -> Result<Vec<Setting>, S
 /// The value in SI, checked by the case; in `unit` if it has none of its own.
 fn quantity_in(key: Key, text: &str, unit: &str) -> Result<f64, StudyError> {
     let whole = if unit_of(text).is_empty() { format!("{text}{unit}") } else { text.to_owned() };
-    Case::base().set(key.path(), &whole)?;
+    Case::base().set_from(SOURCE, key.path(), &whole)?;
     let read = quantity::parse(&whole).map(|quantity| quantity.si);
     read.map_err(|_| StudyError::Axis { text: format!("{}={text}", key.path()) })
 }

@@ -1,6 +1,6 @@
 //! The grid: which case stands at which point.
 
-use super::axis::{Axis, MAX_POINTS};
+use super::axis::{Axis, MAX_POINTS, SOURCE};
 use super::error::StudyError;
 use crate::case::{Case, CaseError, Key, Resolved, Setting};
 use crate::drive::SolveOptions;
@@ -119,12 +119,7 @@ impl Study {
             self.axes.iter().zip(places.iter().rev()).flat_map(|(axis, place)| axis.at(*place)).collect();
         let mut case = self.case.clone();
         for (key, setting) in &varied {
-            match setting {
-                Setting::Number(value) => case.set_si(*key, *value)?,
-                Setting::List(values) => case.set_list(*key, values)?,
-                Setting::Name(name) => case.set(key.path(), name)?,
-                Setting::Table(grid) => case.set(key.path(), &grid.to_string())?,
-            }
+            case.put(SOURCE, *key, setting)?;
         }
         Ok((varied, case))
     }

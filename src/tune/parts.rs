@@ -93,7 +93,7 @@ impl PartsBox {
     pub fn case(&self, base: &Case, candidate: usize) -> Result<Case, crate::case::CaseError> {
         let mut case = base.clone();
         for (key, value) in self.parts(candidate).into_iter().flat_map(|part| &part.settings) {
-            case.set(key, value)?;
+            case.set_from("part", key, value)?;
         }
         Ok(case)
     }
