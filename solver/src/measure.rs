@@ -6,14 +6,14 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Extended, Extension};
-use crate::collocation::{Correction, Iterate, System};
+use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
-use crate::refine::{Measure, Rounding};
+use crate::refine::{Measure, Rounding, measure};
 use crate::solution::RegionSolution;
 use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
@@ -51,20 +51,24 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         limit: f64,
         stats: &mut Stats,
     ) -> Result<Self, SolveError> {
-        let (mut extensions, mut defects) = (Vec::new(), Vec::new());
-        for region in 0..system.grids.len() {
-            let extended =
-                Extended { system: &system, region, x: &converged.x, stages: &converged.work.regions[region] };
-            let measured = extended.judged(converged.scales(), limit, stats);
-            let (extension, defect) = measured.map_err(|error| SolveError::Newton {
-                error: NewtonError::NonFinite(error),
-                intervals: intervals(&system.grids),
-            })?;
-            extensions.push(extension);
-            defects.push(defect);
-        }
+        let (extensions, defects) = judged(&system, &converged, &converged.factorisation.scales, limit, stats)?;
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
         Ok(Self { system, converged, extensions, defects, estimate, boundary, measures })
+    }
+
+    /// The same with defects in the magnitudes of the solution, where those of the last factored iterate are far larger
+    /// and no measure exceeds `enough`: on a rough mesh, what is found of them is no better than all else.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn in_its_magnitudes(mut self, enough: f64, stats: &mut Stats) -> Result<Self, SolveError> {
+        let rough = |defects: &Defects| !(measure(defects, enough, Rounding::Counted).largest <= enough);
+        if let Some(found) = self.converged.outgrown()
+            && !self.defects.iter().any(rough)
+        {
+            (self.extensions, self.defects) = judged(&self.system, &self.converged, found, f64::INFINITY, stats)?;
+        }
+        Ok(self)
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
@@ -96,7 +100,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let Converged { x, work, factorisation, .. } = &self.converged;
         let judged = (&self.extensions[..], &self.defects[..]);
         let error = Error::of(&self.system, (x, work), factorisation, judged, stats);
-        self.system.largest(&error.correction)
+        self.converged.largest(&self.system, error.correction)
     }
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
@@ -105,11 +109,31 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     fn worst_residual(&self) -> (f64, usize) {
-        let Converged { work, factorisation, .. } = &self.converged;
-        let residuals = self.system.boundary_residuals(work, &factorisation.scales);
+        let residuals = self.system.boundary_residuals(&self.converged.work, self.converged.scales());
         let worst = residuals.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         worst.map_or((0.0, 0), |(equation, residual)| (residual, equation))
     }
+}
+
+/// The continuous extensions of all regions and their defects, in units of `scales`.
+fn judged<P: Problem + ?Sized>(
+    system: &System<'_, P>,
+    converged: &Converged,
+    scales: &Scales,
+    limit: f64,
+    stats: &mut Stats,
+) -> Result<(Vec<Extension>, Vec<Defects>), SolveError> {
+    let (mut extensions, mut defects) = (Vec::new(), Vec::new());
+    for (region, stages) in converged.work.regions.iter().enumerate() {
+        let extended = Extended { system, region, x: &converged.x, stages };
+        let (extension, defect) = extended.judged(scales, limit, stats).map_err(|error| SolveError::Newton {
+            error: NewtonError::NonFinite(error),
+            intervals: intervals(&system.grids),
+        })?;
+        extensions.push(extension);
+        defects.push(defect);
+    }
+    Ok((extensions, defects))
 }
 
 /// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a

@@ -6,7 +6,10 @@
 //! from estimates of the affine-invariant Lipschitz constant.
 
 mod closing;
+mod converged;
 mod names;
+
+pub(crate) use converged::Converged;
 
 use crate::budget::Budget;
 use crate::collocation::coupled::Settled;
@@ -27,6 +30,9 @@ const SIMPLIFIED_LIMIT: f64 = 4.0;
 /// A last correction that is so much smaller than the tolerance of the iteration is not applied: the right-hand side
 /// need not be evaluated once more then. Linear problems end so.
 const NEGLIGIBLE: f64 = 1e-3;
+/// Corrections are measured in the magnitudes of the last factored iterate. Those of the iterate that they lead to may
+/// be far smaller, as after a step too far, or from a guess that is far too large: beyond this factor they count.
+const OUTGROWN: f64 = 2.0;
 /// Below this tolerance rounding is near, and every correction is applied.
 const NEAR_ROUNDING: f64 = 1e-10;
 
@@ -68,25 +74,6 @@ const SHORTER: f64 = 0.5;
 /// How far to go along the direction that it does not see, in typical magnitudes; farther each time.
 const NUDGE: f64 = 0.05;
 
-/// Where the iteration ended, with what it held.
-#[derive(Debug, Clone)]
-pub(crate) struct Converged {
-    pub x: Iterate,
-    /// Residual at `x`; its derivatives belong to the last factored iterate.
-    pub work: Work,
-    pub factorisation: Factorisation,
-    /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
-    pub contraction: f64,
-    /// The first correction was already negligible.
-    pub at_once: bool,
-    /// Newton iterations that it took.
-    pub iterations: usize,
-    /// No step was damped, and none was taken away from a singular matrix.
-    pub full_steps: bool,
-    /// The iteration ended short of its tolerance, at a correction small enough to go on with.
-    pub stagnated: Option<NewtonError>,
-}
-
 struct Newton<'a, 'p, P: Problem + ?Sized> {
     system: &'a System<'p, P>,
     limits: Limits,
@@ -95,6 +82,8 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     budget: &'a Budget,
     work: Work,
     factorisation: Factorisation,
+    /// See [`Converged`].
+    outgrown: Option<Scales>,
     iteration: usize,
     contraction: Option<f64>,
     /// How often a singular matrix has been stepped away from.
@@ -116,6 +105,8 @@ struct Last {
     x: Iterate,
     /// Whether the residual held is that at `x`.
     evaluated: bool,
+    /// Largest component of the last correction.
+    size: f64,
 }
 
 /// How far a damped step got.
@@ -169,6 +160,7 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         budget,
         work: system.work(),
         factorisation: Factorisation::new(system),
+        outgrown: None,
         iteration: 0,
         contraction: None,
         escapes: 0,
@@ -196,11 +188,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 continue;
             }
             let dx = self.correction();
-            let size = self.system.norm(&dx);
+            let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
-            if self.system.largest(&dx) <= self.limits.tolerance {
+            if largest <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
-                return self.finish(Last { x, evaluated: false }, None);
+                return self.finish(Last { x, evaluated: false, size: largest }, None);
             }
             if self.iteration > self.limits.iterations {
                 let error = self.limit_reached(&dx);
@@ -208,7 +200,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
             match self.damped_step(&x, &dx, size, damping)? {
-                Step::Done(last) => return self.finish(last, None),
+                Step::Done(last) if self.is_small(&last) => return self.finish(last, None),
+                Step::Done(last) => (x, before, taken) = (last.x, None, None),
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
                 Step::Moved { x: next, simplified, damping, contraction } => {
                     let (from, scales) = (std::mem::replace(&mut x, next), self.factorisation.scales.clone());
@@ -216,8 +209,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                     taken = Some(Taken { from, scales, dx, damping });
                     if damping == 1.0 && contraction <= SIMPLIFIED_CONTRACTION {
                         match self.simplified_steps(x, &simplified, contraction)? {
-                            Simplified::Converged(last) => return self.finish(last, None),
-                            Simplified::Ended(next) => x = next,
+                            Simplified::Converged(last) if self.is_small(&last) => return self.finish(last, None),
+                            Simplified::Converged(Last { x: next, .. }) | Simplified::Ended(next) => x = next,
                         }
                         (before, taken) = (None, None);
                     } else {
@@ -255,6 +248,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn linearise(&mut self, x: &Iterate) -> Result<(), NewtonError> {
         self.iteration += 1;
         self.stats.newton_iterations += 1;
+        self.outgrown = None;
         self.evaluate(x, Derivatives::Planned).map_err(NewtonError::NonFinite)?;
         let scales = self.system.scales(x);
         self.factorisation.factor(self.system, &self.work, scales);
@@ -350,11 +344,24 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     /// After the last correction, whose residual is held.
     fn last(&self, x: Iterate, correction: &Correction) -> Last {
-        let Limits { tolerance, .. } = self.limits;
-        if tolerance >= NEAR_ROUNDING && self.system.largest(correction) <= NEGLIGIBLE * tolerance {
-            return Last { x, evaluated: true };
+        let (Limits { tolerance, .. }, size) = (self.limits, self.system.largest(correction));
+        if tolerance >= NEAR_ROUNDING && size <= NEGLIGIBLE * tolerance {
+            return Last { x, evaluated: true, size };
         }
-        Last { x: self.system.stepped(&x, &self.factorisation.scales, 1.0, correction), evaluated: false }
+        Last { x: self.system.stepped(&x, &self.factorisation.scales, 1.0, correction), evaluated: false, size }
+    }
+
+    /// Whether the last correction is small beside the iterate that it led to, too: see [`OUTGROWN`].
+    fn is_small(&mut self, last: &Last) -> bool {
+        let (held, found) = (&self.factorisation.scales, self.system.scales(&last.x));
+        let states = held.states.iter().flatten().zip(found.states.iter().flatten());
+        let ratios = states.chain(held.constants.iter().zip(&found.constants)).map(|(held, found)| held / found);
+        let largest = ratios.fold(0.0, f64::max);
+        if largest > OUTGROWN {
+            self.outgrown = Some(found);
+            return largest * last.size <= self.limits.tolerance;
+        }
+        true
     }
 
     /// Further corrections with the held matrix, as long as fewer are needed than a new matrix costs.
@@ -394,7 +401,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     /// The residual where the iteration ended, for integrals, boundary residuals and dense output.
     fn finish(mut self, last: Last, stagnated: Option<NewtonError>) -> Result<Converged, Failure> {
-        let Last { x, evaluated } = last;
+        let Last { x, evaluated, .. } = last;
         if !evaluated {
             self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         }
@@ -403,6 +410,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             x,
             work: self.work,
             factorisation: self.factorisation,
+            outgrown: self.outgrown,
             contraction: self.contraction.unwrap_or(0.0),
             at_once: self.iteration == 1 && self.contraction.is_none(),
             iterations: self.iteration,
@@ -415,9 +423,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, Failure> {
         let size = self.system.largest(dx);
         if size <= self.limits.stagnation {
-            self.finish(Last { x, evaluated: false }, None)
+            self.finish(Last { x, evaluated: false, size }, None)
         } else if size <= STAGNANT {
-            self.finish(Last { x, evaluated: false }, Some(error))
+            self.finish(Last { x, evaluated: false, size }, Some(error))
         } else {
             Err(error.into())
         }
@@ -445,29 +453,5 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             correction: self.system.largest(dx),
             largest: self.system.largest_components(dx),
         }
-    }
-}
-
-impl Converged {
-    /// An iterate known to be converged, and the residual there. Nothing is factored: of the factorisation there are
-    /// the scales only.
-    pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
-        let mut factorisation = Factorisation::new(system);
-        factorisation.scales = system.scales(&x);
-        Self {
-            x,
-            work,
-            factorisation,
-            contraction: 0.0,
-            at_once: true,
-            iterations: 0,
-            full_steps: true,
-            stagnated: None,
-        }
-    }
-
-    /// The scales a converged iterate was solved with.
-    pub(crate) fn scales(&self) -> &Scales {
-        &self.factorisation.scales
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use solver::bvp::Bvp;
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{ComponentTolerance, Guess, Layout, Options, Order, Problem, Region, Solution, SolveError, Which, solve};
 
@@ -93,6 +94,28 @@ fn tolerances_that_make_no_sense_are_refused() {
         match solved(&options).unwrap_err() {
             SolveError::Option { name: found, .. } => assert_eq!(found, name),
             other => panic!("{other}"),
+        }
+    }
+}
+
+/// Errors are measured in the magnitudes of the solution, not in those of a guess that is far too large: `u'' = -25 u +
+/// g` with `u = sin 7x + x`.
+#[test]
+fn a_guess_that_is_far_too_large_lowers_no_accuracy() {
+    let exact = |x: f64| libm::sin(7.0 * x) + x;
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        for guess in [0.0, 1e2, 1e4, 1e8] {
+            let line = Bvp::new(
+                &["u", "slope"],
+                (0.0, 1.0),
+                move |x, y, _, f| (f[0], f[1]) = (y[1], y[0] * -25.0 + (25.0 * x - 24.0 * libm::sin(7.0 * x))),
+                move |a, b, _, g| (g[0], g[1]) = (a[0], b[0] - exact(1.0)),
+            );
+            let options = Options { order, tolerance: 1e-6, ..Options::default() };
+            let solution = line.guess(8, |_, y| y.fill(guess)).solve(&options).unwrap();
+            let line = &solution.regions()[0];
+            let error = line.mesh().iter().zip(line.state(0)).map(|(x, u)| (u - exact(*x)).abs()).fold(0.0, f64::max);
+            assert!(error <= 1.5e-6, "{order:?} {guess:e}: {error:e} on {} intervals", line.intervals());
         }
     }
 }

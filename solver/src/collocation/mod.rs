@@ -14,7 +14,7 @@ pub(crate) mod plan;
 pub(crate) mod transpose;
 
 use crate::linear::memory::{Lanes, Numbers};
-use crate::linear::scalar::{Lane, W};
+use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::largest;
 use crate::magnitude::Magnitudes;
 use crate::problem::{Layout, Problem};
@@ -98,6 +98,24 @@ impl<P: Problem + ?Sized> System<'_, P> {
             next.constants[index] += factor * scales.constants[index] * c;
         }
         next
+    }
+
+    /// Expresses a change in other scales.
+    pub(crate) fn rescale(&self, dx: &mut Correction, from: &Scales, to: &Scales) {
+        let inner = dx.inner.iter_mut().map(|lanes| &mut lanes[..]);
+        // Of each region its nodes, and then, where there are any, its inner stages.
+        let regions = dx.u.iter_mut().map(|lanes| &mut lanes[..]).zip(0..).chain(inner.zip(0..));
+        for (values, region) in regions {
+            let (from, to): (&[f64], &[f64]) = (&from.states[region], &to.states[region]);
+            for values in values.chunks_exact_mut(from.len()) {
+                for ((value, from), to) in values.iter_mut().zip(from).zip(to) {
+                    *value = (*value).times(from / to);
+                }
+            }
+        }
+        for (&index, c) in self.plan.unknowns.iter().zip(&mut dx.c) {
+            *c *= from.constants[index] / to.constants[index];
+        }
     }
 
     /// Root of the mean square over nodes, summed over states and constants, per unknown of a node.

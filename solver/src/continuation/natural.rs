@@ -270,7 +270,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         let mut slope = vec![0.0; here.converged.x.constants.len()];
         self.path.slope(lambda, &mut slope);
         let tangent = tangent(here, &slope, &mut self.run.stats)?;
-        let scales = here.converged.scales();
+        let scales = &here.converged.factorisation.scales;
         let mut x = here.system.stepped(&here.converged.x, scales, next - lambda, &tangent);
         self.path.constants(next, &mut x.constants);
         self.path.bend(&here.converged.x.constants, &mut x.constants);

@@ -48,6 +48,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     /// The largest residual of the boundary equations, relative to the terms of its equation.
     fn boundary_residual(&self) -> f64 {
-        self.system.boundary_residuals(&self.work, &self.factorisation.scales).fold(0.0, f64::max)
+        let scales = self.outgrown.as_ref().unwrap_or(&self.factorisation.scales);
+        self.system.boundary_residuals(&self.work, scales).fold(0.0, f64::max)
     }
 }

@@ -1,0 +1,66 @@
+//! What Newton's iteration ends with.
+
+use crate::collocation::evaluate::Work;
+use crate::collocation::factor::Factorisation;
+use crate::collocation::{Correction, Iterate, Scales, System};
+use crate::error::NewtonError;
+use crate::problem::Problem;
+
+/// Where the iteration ended, with what it held.
+#[derive(Debug, Clone)]
+pub(crate) struct Converged {
+    pub x: Iterate,
+    /// Residual at `x`; its derivatives belong to the last factored iterate.
+    pub work: Work,
+    pub factorisation: Factorisation,
+    /// Typical magnitudes at `x`, where those of the factorisation are far larger.
+    pub(super) outgrown: Option<Scales>,
+    /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
+    pub contraction: f64,
+    /// The first correction was already negligible.
+    pub at_once: bool,
+    /// Newton iterations that it took.
+    pub iterations: usize,
+    /// No step was damped, and none was taken away from a singular matrix.
+    pub full_steps: bool,
+    /// The iteration ended short of its tolerance, at a correction small enough to go on with.
+    pub stagnated: Option<NewtonError>,
+}
+
+impl Converged {
+    /// An iterate known to be converged, and the residual there. Nothing is factored: of the factorisation there are
+    /// the scales only.
+    pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
+        let mut factorisation = Factorisation::new(system);
+        factorisation.scales = system.scales(&x);
+        Self {
+            x,
+            work,
+            factorisation,
+            outgrown: None,
+            contraction: 0.0,
+            at_once: true,
+            iterations: 0,
+            full_steps: true,
+            stagnated: None,
+        }
+    }
+
+    /// Typical magnitudes at the solution, where those of the factorisation are far larger.
+    pub(crate) fn outgrown(&self) -> Option<&Scales> {
+        self.outgrown.as_ref()
+    }
+
+    /// Typical magnitudes, for what is said of the solution. Corrections are in those of the factorisation.
+    pub(crate) fn scales(&self) -> &Scales {
+        self.outgrown.as_ref().unwrap_or(&self.factorisation.scales)
+    }
+
+    /// The largest component of what is given in the factorisation's magnitudes, in those of the solution.
+    pub(crate) fn largest<P: Problem + ?Sized>(&self, system: &System<'_, P>, mut dx: Correction) -> f64 {
+        if let Some(found) = &self.outgrown {
+            system.rescale(&mut dx, &self.factorisation.scales, found);
+        }
+        system.largest(&dx)
+    }
+}
