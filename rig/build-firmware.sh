@@ -2,7 +2,7 @@
 # Builds the firmware for the ATmega328P and prints the path of the program (ELF).
 #
 # Two ways: nightly Rust with its library sources (rustup toolchain install nightly --component rust-src), or Debian's
-# rustc-web and rust-web-src, for machines that reach only package registries. Both link with avr-gcc.
+# rustc-web, cargo-web and rust-web-src, for machines that reach only package registries. Both link with avr-gcc.
 set -euo pipefail
 cd "$(dirname "$0")/firmware"
 export RUSTFLAGS="-C target-cpu=atmega328p" CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
@@ -21,7 +21,7 @@ elif command -v dpkg >/dev/null && dpkg -s rustc-web cargo-web rust-web-src >/de
 else
   echo "No compiler for the ATmega328P was found. Either of these provides one:" >&2
   echo "  rustup toolchain install nightly --component rust-src" >&2
-  echo "  apt-get install rustc-web rust-web-src            (Debian)" >&2
+  echo "  apt-get install rustc-web cargo-web rust-web-src  (Debian)" >&2
   exit 1
 fi
 echo "$CARGO_TARGET_DIR/avr-none/release/rig-firmware.elf"

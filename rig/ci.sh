@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
 # Everything of the rig: host tests, firmware, the firmware's binary in simavr with its error tables, clippy,
 # formatting, and, where the program `sheave` has been built (or is named by SHEAVE), the way from a simulated run to
-# the model. Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web rust-web-src where no
-# nightly Rust is installed; what is missing is installed where apt-get may be used, and is an error otherwise.
+# the model. Needs Rust and, from Debian, gcc-avr avr-libc libsimavr-dev simavr, and rustc-web cargo-web rust-web-src
+# where no nightly Rust with its library's sources is installed; what is missing is installed where apt-get may be used,
+# and is an error otherwise.
 set -euo pipefail
 cd "$(dirname "$0")"
 
 missing=()
 command -v avr-gcc >/dev/null || missing+=(gcc-avr avr-libc)
 [ -f /usr/include/simavr/sim_avr.h ] || missing+=(libsimavr-dev simavr)
-rustup run nightly rustc --version >/dev/null 2>&1 || dpkg -s rustc-web rust-web-src >/dev/null 2>&1 \
-  || missing+=(rustc-web rust-web-src)
+# A nightly Rust is of use only with its library's sources: build-firmware.sh asks the same.
+{ nightly=$(rustup run nightly rustc --print sysroot 2>/dev/null) \
+    && [ -d "$nightly/lib/rustlib/src/rust/library/core" ]; } \
+  || dpkg -s rustc-web cargo-web rust-web-src >/dev/null 2>&1 || missing+=(rustc-web cargo-web rust-web-src)
 if [ "${#missing[@]}" -gt 0 ]; then
   if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     apt-get update -qq && apt-get install -y -qq "${missing[@]}" >/dev/null
