@@ -104,8 +104,8 @@ pub(crate) struct Rescue {
     pub(crate) halvings: usize,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
-    /// The guess, unless it was a solution already, or the problem is linear as far as is known: it is returned to, too,
-    /// where its own mesh brought convergence and a finer one has not.
+    /// The guess, unless it was a solution already, or the problem is linear as far as is known. It is returned to,
+    /// too, where its own mesh brought convergence and a finer one has not.
     pub(crate) origin: Option<Start>,
     /// Orders to begin with from the guess, and whether every step must be progress then.
     pub(crate) attempts: &'static [(Order, bool)],

@@ -126,8 +126,8 @@ fn smooth_solutions_of_stiff_equations_take_few_intervals() {
     }
 }
 
-/// From zero on eight intervals, Newton's iteration at orders 4 and 6 is led astray by layers that no mesh resolves yet:
-/// order 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
+/// From zero on eight intervals, Newton's iteration at orders 4 and 6 fails at layers that no mesh resolves yet: order
+/// 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
 /// layer.
 #[test]
 fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {

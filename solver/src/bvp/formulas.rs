@@ -75,21 +75,11 @@ where
 /// asking for memory would take as long as they do.
 const ROOM: usize = 16;
 
-/// So many numbers, of `room`, or where that is too small of `more`.
-#[inline(always)]
-fn numbers<'a>(room: &'a mut [Number; ROOM], more: &'a mut Vec<Number>, len: usize) -> &'a mut [Number] {
-    if let Some(room) = room.get_mut(..len) {
-        return room;
-    }
-    more.resize(len, Number::constant(0.0));
-    more
-}
-
 #[inline]
 fn values<const PARTS: usize>(inputs: &[&[f64]; PARTS], out: &mut [f64], evaluate: impl Fn(&[Number], &mut [Number])) {
     let count: usize = inputs.iter().map(|part| part.len()).sum();
     let (mut room, mut more) = ([Number::constant(0.0); ROOM], Vec::new());
-    let (lifted, results) = numbers(&mut room, &mut more, count + out.len()).split_at_mut(count);
+    let (lifted, results) = buffer(&mut room, &mut more, count + out.len()).split_at_mut(count);
     lift(inputs, lifted);
     evaluate(lifted, results);
     out.iter_mut().zip(results).for_each(|(out, number)| *out = number.value());
@@ -112,7 +102,7 @@ fn differentiate<const PARTS: usize>(
     let rows = out.len();
     let count: usize = inputs.iter().map(|part| part.len()).sum();
     let (mut room, mut more) = ([Number::constant(0.0); ROOM], Vec::new());
-    let (seeded, results) = numbers(&mut room, &mut more, count + rows).split_at_mut(count);
+    let (seeded, results) = buffer(&mut room, &mut more, count + rows).split_at_mut(count);
     for (first, chunk) in columns.chunks_mut(WIDTH * rows).enumerate() {
         lift(inputs, seeded);
         for (direction, number) in seeded.iter_mut().skip(first * WIDTH).take(WIDTH).enumerate() {

@@ -171,12 +171,13 @@ impl<M: Formulas> Bvp<M> {
 /// Values of one point that need no memory of their own.
 const ROOM: usize = 64;
 
-/// So many values: of `room`, or where that is too small of `more`.
-fn buffer<'a>(room: &'a mut [f64; ROOM], more: &'a mut Vec<f64>, len: usize) -> &'a mut [f64] {
-    if let Some(room) = room.get_mut(..len) {
-        return room;
+/// So many values: of `room`, which is not empty, or where that is too small of `more`.
+#[inline(always)]
+fn buffer<'a, T: Copy, const N: usize>(room: &'a mut [T; N], more: &'a mut Vec<T>, len: usize) -> &'a mut [T] {
+    if len <= N {
+        return &mut room[..len];
     }
-    more.resize(len, 0.0);
+    more.resize(len, room[0]);
     more
 }
 
