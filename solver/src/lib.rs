@@ -52,6 +52,7 @@ mod conditioning;
 pub mod continuation;
 pub mod error;
 mod guess;
+mod layers;
 mod linear;
 mod linearisation;
 mod magnitude;

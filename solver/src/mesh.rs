@@ -60,6 +60,23 @@ pub(crate) fn equidistribute(mesh: &[f64], wanted: &[f64], intervals: usize) -> 
     out
 }
 
+/// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.
+pub(crate) fn distinct(mesh: Vec<f64>) -> Vec<f64> {
+    let close = |a: f64, b: f64| b - a <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+    if !mesh.windows(2).any(|pair| close(pair[0], pair[1])) {
+        return mesh;
+    }
+    let end = mesh[mesh.len() - 1];
+    let mut kept = vec![mesh[0]];
+    for &node in &mesh[1..mesh.len() - 1] {
+        if !close(kept[kept.len() - 1], node) && !close(node, end) {
+            kept.push(node);
+        }
+    }
+    kept.push(end);
+    kept
+}
+
 /// Slopes at the nodes of the parabolas through each node and its neighbours.
 pub(crate) fn slopes(mesh: &[f64], values: &[f64]) -> Vec<f64> {
     let secants: Vec<f64> =

@@ -31,6 +31,8 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
     /// again would do so again.
     pub(crate) shrunk: bool,
+    /// Regions whose meshes have been made for the layers that they may have; once in a solve.
+    pub(crate) layers_sought: Vec<bool>,
     /// What the defects were held to on the last meshes that were too coarse, and the largest there.
     last_defect: Option<(f64, f64)>,
     /// Meshes in a row on which the largest defect has hardly fallen.
@@ -47,7 +49,7 @@ const CREEPING: usize = 2;
 const STUCK: usize = 5;
 
 impl<P: Problem + ?Sized> Progress<'_, P> {
-    pub(crate) fn new(options: &Options) -> Self {
+    pub(crate) fn new(options: &Options, regions: usize) -> Self {
         Self {
             phase: Phase::Search,
             first: true,
@@ -60,6 +62,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             coarser: None,
             fallback_doubled: false,
             shrunk: false,
+            layers_sought: vec![false; regions],
             last_defect: None,
             creeping: 0,
         }

@@ -8,7 +8,7 @@
 
 use crate::collocation::defect::Defects;
 use crate::linear::scalar::W;
-use crate::mesh::{equidistribute, grade, needed, split};
+use crate::mesh::{distinct, equidistribute, grade, needed, split};
 
 /// Defects aim at this fraction of the tolerance.
 const SAFETY: f64 = 0.4;
@@ -63,6 +63,14 @@ pub(crate) struct Measure {
     pub worst: usize,
     /// Relative defects; those of excused intervals are set to the tolerance.
     defects: Vec<f64>,
+}
+
+impl Measure {
+    /// Whether defects are far from the asymptotic regime on more than half of the intervals, so that they do not tell
+    /// where the mesh is to be finer.
+    pub(crate) fn is_rough_throughout(&self) -> bool {
+        2 * self.defects.iter().filter(|&&defect| !(defect <= ASYMPTOTIC)).count() > self.defects.len()
+    }
 }
 
 /// Whether defects that rounding explains count.
@@ -210,23 +218,6 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
 fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
     let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * wish.safety() * wish.tolerance;
     2 * measure.defects.iter().filter(|&&defect| defect >= least).count() >= measure.defects.len()
-}
-
-/// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.
-fn distinct(mesh: Vec<f64>) -> Vec<f64> {
-    let close = |a: f64, b: f64| b - a <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
-    if !mesh.windows(2).any(|pair| close(pair[0], pair[1])) {
-        return mesh;
-    }
-    let end = mesh[mesh.len() - 1];
-    let mut kept = vec![mesh[0]];
-    for &node in &mesh[1..mesh.len() - 1] {
-        if !close(kept[kept.len() - 1], node) && !close(node, end) {
-            kept.push(node);
-        }
-    }
-    kept.push(end);
-    kept
 }
 
 #[cfg(test)]

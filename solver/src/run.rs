@@ -92,7 +92,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
 
     /// Solves and improves the meshes until they pass: see [`phase`](crate::phase).
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
-        let mut progress = Progress::new(self.options);
+        let mut progress = Progress::new(self.options, self.layout.regions.len());
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
         (self.check, self.orientation) = (BranchCheck::Kept, None);
         let mut meshes = 0;

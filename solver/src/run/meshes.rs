@@ -3,6 +3,7 @@
 use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
 use crate::collocation::grid::Grid;
 use crate::error::{NewtonError, SolveError};
+use crate::layers::graded;
 use crate::measure::{Solved, intervals};
 use crate::options::Order;
 use crate::phase::Action;
@@ -56,7 +57,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         }
     }
 
-    /// Finer meshes where the defects are too large.
+    /// Finer meshes where the defects are too large. Where they are that everywhere, once in a solve, finer ones where
+    /// layers may be.
     ///
     /// # Errors
     /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
@@ -65,7 +67,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         &self,
         solved: &Solved<'a, P>,
         measures: &[Measure],
-        progress: &Progress<'a, P>,
+        progress: &mut Progress<'a, P>,
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let tighter = progress.target < self.options.tolerance;
         let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
@@ -75,7 +77,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
                 Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
                 Verdict::Refine(mesh) => {
                     changed = true;
-                    mesh
+                    self.graded(solved, region, &measures[region], progress).unwrap_or(mesh)
                 }
                 Verdict::Exhausted => {
                     refused = refused.or(Some(region));
@@ -87,6 +89,21 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
             _ => Ok(meshes),
         }
+    }
+
+    /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer.
+    fn graded(
+        &self,
+        solved: &Solved<'a, P>,
+        region: usize,
+        measure: &Measure,
+        progress: &mut Progress<'a, P>,
+    ) -> Option<Vec<f64>> {
+        if progress.layers_sought[region] || !measure.is_rough_throughout() {
+            return None;
+        }
+        progress.layers_sought[region] = true;
+        graded(&solved.system, region, &solved.converged.work, self.options.max_intervals)
     }
 
     pub(super) fn verdicts(
