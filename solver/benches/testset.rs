@@ -25,6 +25,8 @@ use std::process::Command;
 use std::time::Instant;
 
 const TOLERANCE: f64 = 1e-6;
+/// The other tolerance that the work to it is counted for.
+const TIGHT: f64 = 1e-9;
 /// Repetitions stop after this many seconds.
 const PATIENCE: f64 = 0.1;
 const REPETITIONS: usize = 7;
@@ -234,6 +236,33 @@ fn summary(rows: &[Row], scipy: &BTreeMap<(String, String), Value>) -> String {
     out
 }
 
+/// What the runs take to a moderate and to a tight tolerance: points of evaluation and intervals.
+fn work(ids: &[String]) -> String {
+    let mut out = String::from("| | order 4 | order 6 | order 8 |\n|---|---|---|---|\n");
+    for tolerance in [TOLERANCE, TIGHT] {
+        let mut lines = [(); 3].map(|()| format!("| tolerance {tolerance:.0e}: "));
+        let names = ["evaluations, geometric mean", "intervals, sum", "runs refused"];
+        lines.iter_mut().zip(names).for_each(|(line, name)| line.push_str(name));
+        for order in ORDERS {
+            let options = Options { order, tolerance, ..Options::default() };
+            let cases = problems::cases();
+            let runs = cases.iter().filter(|case| ids.is_empty() || ids.iter().any(|id| id == case.id));
+            let runs = runs.flat_map(|case| case.parameters().into_iter().map(move |parameter| (case, parameter)));
+            let outcomes: Vec<_> = runs.map(|(case, parameter)| run(case, parameter, &options).solution).collect();
+            let solved: Vec<_> = outcomes.iter().flatten().collect();
+            let logarithms = solved.iter().map(|solution| (solution.stats().points() as f64).ln()).sum::<f64>();
+            let intervals: usize = solved.iter().map(|solution| solution.intervals()).sum();
+            let mean = (logarithms / solved.len().max(1) as f64).exp();
+            let values = [format!("{mean:.0}"), intervals.to_string(), (outcomes.len() - solved.len()).to_string()];
+            lines.iter_mut().zip(values).for_each(|(line, value)| {
+                let _ = write!(line, " | {value}");
+            });
+        }
+        let _ = writeln!(out, "{} |", lines.join(" |\n"));
+    }
+    out
+}
+
 fn reasons(rows: &[Row]) -> String {
     let mut out = String::new();
     for row in rows {
@@ -272,7 +301,7 @@ fn main() -> std::io::Result<()> {
         })
         .collect();
     let scipy = scipy(&ids);
-    let text = format!("{}\n{}\n{}", summary(&rows, &scipy), table(&rows, &scipy), folds());
+    let text = format!("{}\n{}\n{}\n{}", summary(&rows, &scipy), work(&ids), table(&rows, &scipy), folds());
     println!("{text}\n{}", reasons(&rows));
     if flags.iter().any(|flag| flag == "--write") { write(&text) } else { Ok(()) }
 }
