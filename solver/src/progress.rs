@@ -53,7 +53,13 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         Self {
             phase: Phase::Search,
             first: true,
-            rescue: Rescue { halvings: 0, insistent: true, origin: None, attempts: attempts(options) },
+            rescue: Rescue {
+                halvings: 0,
+                insistent: true,
+                origin: None,
+                layers_sought: false,
+                attempts: attempts(options),
+            },
             target: options.tolerance,
             tolerance: options.tolerance,
             fallback: None,
@@ -110,6 +116,8 @@ pub(crate) struct Rescue {
     /// The guess, unless it was a solution already, or the problem is linear as far as is known. It is returned to,
     /// too, where its own mesh brought convergence and a finer one has not.
     pub(crate) origin: Option<Start>,
+    /// Whether meshes for the layers that there may be beside the guess have been asked for.
+    pub(crate) layers_sought: bool,
     /// Orders to begin with from the guess, and whether every step must be progress then.
     pub(crate) attempts: &'static [(Order, bool)],
 }

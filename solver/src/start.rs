@@ -151,6 +151,27 @@ pub(crate) fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>
     solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
 }
 
+/// On other meshes, states interpolated linearly.
+pub(crate) fn on(start: &Start, meshes: Vec<Vec<f64>>) -> Start {
+    let regions = start.grids.iter().zip(&start.x.y).zip(meshes).map(|((grid, y), mesh)| {
+        let old = &grid.mesh;
+        let along = |values: Vec<f64>| -> Vec<f64> {
+            let mut j = 0;
+            let at = mesh.iter().map(|&s| {
+                while j + 2 < old.len() && old[j + 1] <= s {
+                    j += 1;
+                }
+                let part = (s - old[j]) / (old[j + 1] - old[j]);
+                values[j] + part * (values[j + 1] - values[j])
+            });
+            at.collect()
+        };
+        let states = y.chunks_exact(grid.node_stride()).map(|y| along(grid.unpack(y))).collect();
+        RegionGuess { mesh, states }
+    });
+    Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
+}
+
 /// Halves every interval, states interpolated linearly.
 pub(crate) fn halved(start: &Start) -> Start {
     let halve = |values: &[f64]| -> Vec<f64> {

@@ -118,6 +118,46 @@ fn the_second_mesh_is_fine_where_a_layer_may_be() {
     }
 }
 
+/// `ε u'' = -u' + u + u³ - g`, whose solution is `cos 3x + exp(-x/ε)` but for what is exponentially small.
+struct Reaction(f64);
+
+impl solver::bvp::Formulas for Reaction {
+    fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
+        let (c, s, layer) = ((3.0 * x).cos(), (3.0 * x).sin(), (-x / self.0).exp());
+        let u = c + layer;
+        // ε u'' + u' of the layer cancel.
+        let source = -9.0 * self.0 * c - 3.0 * s - u - u.powi(3);
+        (f[0], f[1]) = (y[1], (-y[1] + y[0] + y[0].powi(3) + source) / self.0);
+    }
+    fn rhs_derivatives(&self, x: f64, y: &[f64], c: &[f64], f: &mut [f64], columns: &mut [f64]) {
+        self.rhs(x, y, c, f);
+        columns.copy_from_slice(&[0.0, (1.0 + 3.0 * y[0] * y[0]) / self.0, 1.0, -1.0 / self.0]);
+    }
+    fn boundary(&self, a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]) {
+        (g[0], g[1]) = (a[0] - 2.0, b[0] - 3.0_f64.cos());
+    }
+    fn boundary_derivatives(&self, a: &[f64], b: &[f64], c: &[f64], g: &mut [f64], columns: &mut [f64]) {
+        self.boundary(a, b, c, g);
+        columns.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    }
+}
+
+/// From zero, on a mesh that does not resolve the layer, the iteration is led astray at every order. The derivatives at
+/// the guess tell where meshes are to be fine, and there it converges.
+#[test]
+fn an_iteration_that_a_thin_layer_leads_astray_starts_again_on_a_mesh_for_it() {
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let options = Options { order, tolerance: 1e-4, ..Options::default() };
+        let problem = Bvp::with(&["u", "slope"], (0.0, 1.0), Reaction(1e-6)).guess(4, |_, y| y.fill(0.0));
+        let solution = problem.solve(&options).unwrap();
+        let line = &solution.regions()[0];
+        let exact = |x: f64| (3.0 * x).cos() + (-x * 1e6).exp();
+        let error = line.mesh().iter().zip(line.state(0)).map(|(&x, u)| (u - exact(x)).abs()).fold(0.0, f64::max);
+        println!("{order:?}: {error:e}, {:?}", solution.history());
+        assert!(error <= 2e-4, "{order:?}: {error:e}");
+    }
+}
+
 /// A problem of Cash's with its solution.
 #[derive(Clone, Copy)]
 enum Cash {

@@ -1,6 +1,7 @@
 //! Which meshes to go on with: finer ones where defects are too large, halved ones where Newton's iteration failed.
 
 use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
+use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::error::{NewtonError, SolveError};
 use crate::layers::graded;
@@ -8,10 +9,10 @@ use crate::measure::{Solved, intervals};
 use crate::options::Order;
 use crate::phase::Action;
 use crate::problem::Problem;
-use crate::progress::{Next, Progress, measured};
+use crate::progress::{Next, Progress, Rescue, measured};
 use crate::refine::{Measure, Verdict, Wish, verdict};
 use crate::solution::Shortfall;
-use crate::start::{Start, halved, transfer};
+use crate::start::{Start, halved, on, transfer};
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
@@ -38,12 +39,25 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         let rescue = &mut progress.rescue;
+        if progress.first
+            && !hopeless
+            && let Some(start) = self.layered(&failed, rescue)
+        {
+            return Ok(Next::On(start));
+        }
         // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way.
         let undefined = self.options.other_orders && matches!(&error, NewtonError::NonFinite(_));
         let halvings = if undefined { 0 } else { self.options.rescues };
         if !hopeless && rescue.halvings < halvings && 2 * largest <= self.options.max_intervals {
             rescue.halvings += 1;
             return Ok(Next::On(halved(&failed)));
+        }
+        if !hopeless
+            && let Some(origin) = rescue.origin.clone()
+            && let Some(start) = self.layered(&origin, rescue)
+        {
+            rescue.halvings = 0;
+            return Ok(Next::On(start));
         }
         match (&rescue.origin, rescue.attempts.split_first()) {
             (Some(origin), Some((&(order, insistent), attempts))) if !hopeless => {
@@ -55,6 +69,28 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             }
             _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
         }
+    }
+
+    /// A guess on meshes for the layers that there may be beside it; none if that are no others, or not known.
+    fn layered(&mut self, guess: &Start, rescue: &mut Rescue) -> Option<Start> {
+        let wanted = self.options.other_orders && self.options.rescues > 0;
+        if !wanted || std::mem::replace(&mut rescue.layers_sought, true) {
+            return None;
+        }
+        let (system, mut x) = (self.system(guess.grids.clone()), guess.x.clone());
+        let mut work = system.work();
+        system.complete(&mut x, &mut self.stats);
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).ok()?;
+        let most = self.options.max_intervals;
+        let meshes = (0..system.grids.len()).map(|region| graded(&system, region, &work, most));
+        let meshes: Vec<Option<Vec<f64>>> = meshes.collect();
+        if meshes.iter().all(Option::is_none) {
+            return None;
+        }
+        let kept = |(mesh, grid): (Option<Vec<f64>>, &Grid)| mesh.unwrap_or_else(|| grid.mesh.clone());
+        let start = on(guess, meshes.into_iter().zip(&system.grids).map(kept).collect());
+        rescue.origin = Some(start.clone());
+        Some(start)
     }
 
     /// Finer meshes where the defects are too large. Where they are that everywhere, once in a solve, finer ones where
