@@ -31,6 +31,8 @@ pub(crate) struct Tableau {
     pub defect_order: f64,
     /// Where in the interval the defect is sampled, and the weight of each sample in its mean square.
     pub samples: &'static [(f64, f64)],
+    /// How many of them tell where a mesh is rough, and say well enough where.
+    pub first_samples: usize,
     /// See [`partial_integrals`](Self::partial_integrals).
     pub partial: OnceLock<Vec<Vec<f64>>>,
 }
@@ -97,6 +99,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     defect_order: 4.0,
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
+    first_samples: 3,
     partial: OnceLock::new(),
 };
 
@@ -115,13 +118,14 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     b: &[7.0 / 90.0, 7.0 / 90.0, 16.0 / 45.0, 16.0 / 45.0, 2.0 / 15.0],
     coupled: false,
     defect_order: 5.0,
-    // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70.
+    // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70, the inner two first.
     samples: &[
-        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
         (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
         (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
         (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
     ],
+    first_samples: 2,
     partial: OnceLock::new(),
 };
 
@@ -164,6 +168,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
         (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
         (0.966_234_757_101_576, 0.085_662_246_189_585_17),
     ],
+    first_samples: 6,
     partial: OnceLock::new(),
 };
 

@@ -15,12 +15,12 @@
 
 use super::defect::Tally;
 use super::evaluate::Stages;
-use super::interpolant::{Basis, Extended, Extension, Sample};
+use super::interpolant::{Basis, Extended, Extension};
 use crate::error::NonFinite;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, elementwise, vectorised};
+use crate::linear::simd::{Job, by_components, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
 use crate::tableau::{LOBATTO_OFFSET, Tableau};
@@ -85,83 +85,56 @@ fn weights_of_stages(tableau: &Tableau) -> [[f64; STAGES]; POINTS] {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    /// The collocation polynomial S₅, and what it lacks at the points: `h f(S₅) - S₅'` point by point, component by
-    /// component in working order. Its defects are counted.
-    pub(super) fn collocated(
+    /// What the collocation polynomial S₅ lacks at the points: `h f(S₅) - S₅'` point by point, component by component in
+    /// working order. Its defects are counted.
+    pub(super) fn lacking(
         &self,
-        extension: &mut Extension,
+        polynomial: &Extension,
         scales: &[f64],
         tally: &mut Tally,
-        sample: &mut Sample,
         stats: &mut Stats,
     ) -> Result<Numbers, NonFinite> {
-        self.collocate(extension);
-        let (n, intervals) = (self.n(), self.intervals());
-        let (mut points, mut f) = (Numbers::zeros(POINTS * n * intervals), self.room_of_slopes());
-        for (k, points) in points.chunks_exact_mut(n * intervals).enumerate() {
-            let sigma = 0.5 + offset(k);
-            let slope = Basis::slope(sigma);
-            self.sample(Some(extension), sigma, (&mut *sample, &mut f), stats)?;
-            for (i, out) in points.chunks_exact_mut(intervals).enumerate() {
-                self.weigh(Some(extension), &slope, i, out);
-                self.count(tally, i, scales[i], WEIGHTS[k % 2], out, &f);
-                let f = &f[i * intervals..];
-                elementwise(out, [self.h(), f], |slope, [h, f]| h * f - slope);
-            }
-        }
+        let points = [0, 1, 2, 3].map(|k| (0.5 + offset(k), WEIGHTS[k % 2]));
+        let mut lacking = Numbers::zeros(POINTS * self.n() * self.intervals());
+        self.counted(Some(polynomial), &points, scales, tally, &mut lacking, stats)?;
         tally.weigh_by(2.0 * (WEIGHTS[0] + WEIGHTS[1]));
-        Ok(points)
+        Ok(lacking)
     }
 
-    /// From S₅ to S, α to δ; `points`: what S₅ lacks there.
-    pub(super) fn correct(&self, extension: &mut Extension, scales: &[f64], points: &mut [f64]) {
-        let pattern = &self.system.layout.regions[self.region].state_pattern;
+    /// From S₅ to S, α to δ; `lacking`: what S₅ lacks at the points.
+    pub(super) fn correct(&self, extension: &mut Extension, scales: &[f64], lacking: &[f64]) {
         let weights = POINT_WEIGHTS.get_or_init(|| PointWeights {
             of_stages: weights_of_stages(self.system.tableau),
             of_slopes: values_of_slopes(),
         });
-        Correct { pattern, stages: self.stages, h: self.h(), scales, weights, points }.vectorised();
-        self.add(extension, points);
-    }
-
-    /// α and β of the collocation polynomial, from the slopes at the outer two of the inner stages.
-    pub(super) fn collocate(&self, extension: &mut Extension) {
-        let intervals = self.intervals();
-        let basis = Basis::slope(0.5 + LOBATTO_OFFSET);
-        let (below, above) = (Basis::slope(0.5 - LOBATTO_OFFSET), basis);
-        let (mut low, mut high) = (Numbers::zeros(intervals), Numbers::zeros(intervals));
-        for i in 0..self.n() {
-            let span = i * intervals..(i + 1) * intervals;
-            let (k2, k3) = (self.stages.slope(2, i, intervals), self.stages.slope(3, i, intervals));
-            self.weigh(None, &below, i, &mut low);
-            self.weigh(None, &above, i, &mut high);
-            let inputs = [self.h(), k2, k3, &low, &high];
-            elementwise(&mut extension.alpha[span.clone()], inputs, |_, [h, k2, k3, low, high]| {
-                0.5 * ((h * k3 - high) - (h * k2 - low)) / basis.alpha
-            });
-            elementwise(&mut extension.beta[span], inputs, |_, [h, k2, k3, low, high]| {
-                0.5 * ((h * k3 - high) + (h * k2 - low)) / basis.beta
-            });
-        }
-    }
-
-    /// Adds what has the values E at the points.
-    fn add(&self, extension: &mut Extension, points: &[f64]) {
         let len = extension.alpha.len();
-        let point = |k: usize| &points[k * len..(k + 1) * len];
-        let inputs = [point(0), point(1), point(2), point(3)];
-        let bump = OFFSETS.map(|t| Basis::value(0.5 + t).alpha);
-        let square = OFFSETS.map(|t| t * t);
-        // a + c τ² and b + d τ² at both offsets, and from them a, b, c, d.
-        let even = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] + e[k]) / bump[k]);
-        let odd = |e: [f64; POINTS]| [0, 1].map(|k| 0.5 * (e[k + 2] - e[k]) / (bump[k] * OFFSETS[k]));
-        let bend = |at: [f64; 2]| (at[1] - at[0]) / (square[1] - square[0]);
-        extension.gamma = Numbers::zeros(len);
-        extension.delta = Numbers::zeros(len);
-        elementwise(&mut extension.gamma, inputs, |_, e| bend(even(e)));
-        elementwise(&mut extension.delta, inputs, |_, e| bend(odd(e)));
-        elementwise(&mut extension.alpha, inputs, |alpha, e| alpha + even(e)[0] - square[0] * bend(even(e)));
-        elementwise(&mut extension.beta, inputs, |beta, e| beta + odd(e)[0] - square[0] * bend(odd(e)));
+        (extension.gamma, extension.delta) = (Numbers::zeros(len), Numbers::zeros(len));
+        let Extension { alpha, beta, gamma, delta } = extension;
+        let pattern = &self.system.layout.regions[self.region].state_pattern;
+        let bump: [&mut [f64]; 4] = [alpha, beta, gamma, delta];
+        let bump = bump.map(|values| values.as_chunks_mut::<W>().0);
+        let (lacking, h) = (lacking.as_chunks::<W>().0, self.h());
+        Correct { pattern, stages: self.stages, h, scales, weights, lacking, bump }.vectorised();
+    }
+
+    /// The collocation polynomial: α and β from the slopes at the outer two of the inner stages.
+    pub(super) fn collocation_polynomial(&self) -> Extension {
+        let bases = [0.5 - LOBATTO_OFFSET, 0.5 + LOBATTO_OFFSET].map(Basis::slope);
+        let (cubic, mut extension) = (self.pieces(None), self.flat());
+        let stages = self.stages.slopes(cubic.steps);
+        let lacking = |i: usize, t: usize| {
+            let of = |k: usize| cubic.length(t) * stages.of(2 + k, i, t) - cubic.weigh(&bases[k], i, t);
+            [of(0), of(1)]
+        };
+        by_components(&mut extension.alpha, cubic.steps, |i, t| {
+            let [low, high] = lacking(i, t);
+            (high - low).map(|odd| 0.5 * odd / bases[1].alpha)
+        });
+        by_components(&mut extension.beta, cubic.steps, |i, t| {
+            let [low, high] = lacking(i, t);
+            (high + low).map(|even| 0.5 * even / bases[1].beta)
+        });
+        extension
     }
 }
 
@@ -175,15 +148,17 @@ struct PointWeights {
 
 static POINT_WEIGHTS: OnceLock<PointWeights> = OnceLock::new();
 
-/// Solves for E at the points, interval by interval.
+/// Solves for E at the points, interval by interval, and adds what has these values to α to δ.
 struct Correct<'a> {
     pattern: &'a [(usize, usize)],
     stages: &'a Stages,
     h: &'a [f64],
     scales: &'a [f64],
     weights: &'a PointWeights,
-    /// Point by point, component by component in working order: the slopes wanted of E, on exit E.
-    points: &'a mut [f64],
+    /// Point by point, component by component in working order: the slopes wanted of E.
+    lacking: &'a [[f64; W]],
+    /// α, β, γ, δ.
+    bump: [&'a mut [[f64; W]]; 4],
 }
 
 impl Correct<'_> {
@@ -227,7 +202,7 @@ impl Job for Correct<'_> {
 
 impl Correct<'_> {
     #[inline(always)]
-    fn solve(self, n: usize) {
+    fn solve(mut self, n: usize) {
         let (m, steps) = (POINTS * n, self.h.len() / W);
         let from_slopes = &self.weights.of_slopes;
         let (mut data, mut x) = (Lanes::zeros(qr::room(m)), Lanes::zeros(m));
@@ -249,22 +224,36 @@ impl Correct<'_> {
                 }
             }
             qr::factor(m, &mut data);
-            let points = self.points.as_chunks::<W>().0;
             for (k, weights) in from_slopes.iter().enumerate() {
                 for (i, scale) in self.scales.iter().enumerate() {
                     let mut sum = Lane::ZERO;
                     for (l, weight) in weights.iter().enumerate() {
-                        sum += Lane(points[(l * n + i) * steps + t]).times(weight / scale);
+                        sum += Lane(self.lacking[(l * n + i) * steps + t]).times(weight / scale);
                     }
                     x[k * n + i] = sum;
                 }
             }
             qr::solve(m, &data, &mut x);
-            let points = self.points.as_chunks_mut::<W>().0;
-            for (at, x) in x.iter().enumerate() {
-                points[at * steps + t] = x.times(self.scales[at % n]).0;
+            for (i, &scale) in self.scales.iter().enumerate() {
+                self.add(i * steps + t, [0, 1, 2, 3].map(|k| x[k * n + i].times(scale)));
             }
         }
+    }
+
+    /// Adds what has the values `e` at the points.
+    #[inline(always)]
+    fn add(&mut self, at: usize, e: [Lane; POINTS]) {
+        let square = OFFSETS.map(|t| t * t);
+        // a + c τ² and b + d τ² at both offsets, and from them a, b, c, d.
+        let bump = OFFSETS.map(|t| Basis::value(0.5 + t).alpha);
+        let even = [0, 1].map(|k| (e[k + 2] + e[k]).map(|sum| 0.5 * sum / bump[k]));
+        let odd = [0, 1].map(|k| (e[k + 2] - e[k]).map(|difference| 0.5 * difference / (bump[k] * OFFSETS[k])));
+        let bend = |at: [Lane; 2]| (at[1] - at[0]).map(|rise| rise / (square[1] - square[0]));
+        let (even_bend, odd_bend) = (bend(even), bend(odd));
+        let [alpha, beta, gamma, delta] = &mut self.bump;
+        alpha[at] = (Lane(alpha[at]) + even[0] - even_bend.times(square[0])).0;
+        beta[at] = (Lane(beta[at]) + odd[0] - odd_bend.times(square[0])).0;
+        (gamma[at], delta[at]) = (even_bend.0, odd_bend.0);
     }
 }
 

@@ -1,19 +1,16 @@
 //! How far the continuous extension is from meeting the equations.
 
 use super::Scales;
-use super::interpolant::{Basis, Extended, Extension, Sample};
+use super::interpolant::{Basis, Extended, Extension, MOST_PLACES, Pieces, Sampled};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, elementwise, vectorised};
+use crate::linear::simd::{Job, by_components, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
 
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// The samples of order 6, and those of any, in the order in which they are taken.
-const INNER_FIRST: [usize; 4] = [1, 2, 0, 3];
-const IN_TURN: [usize; 6] = [0, 1, 2, 3, 4, 5];
 /// The collocation polynomial of order 8 is not corrected where its defect is as large as this: the mesh will be
 /// refined, and it says well enough where,
 const ROUGH: f64 = 0.3;
@@ -37,8 +34,8 @@ pub(crate) struct Defects {
     /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
     /// working order. Empty on rough meshes of orders 6 and 8, as are the samples.
     pub integrated: Numbers,
-    /// f(S) at one sample after the other, each `rows * interval_stride`, in working order.
-    pub samples: Numbers,
+    /// f(S) at the samples, in the order of the method's.
+    pub(super) samples: Vec<Sampled>,
 }
 
 /// Weighted squares of the defects at the samples taken so far, by states and intervals in working order.
@@ -74,49 +71,76 @@ impl Tally {
     }
 }
 
-/// Adds one sample of one state to a tally.
+/// Adds samples to a tally.
 struct Count<'a> {
-    /// h S'.
-    rise: &'a [f64],
-    f: &'a [f64],
-    h: &'a [f64],
-    terms: &'a [f64],
-    relative: &'a mut [f64],
-    absolute: &'a mut [f64],
-    weight: f64,
-    /// Y.
-    scale: f64,
+    pieces: Pieces<'a>,
+    sampled: &'a Sampled,
+    /// S' at each place, and the weight of the sample.
+    places: &'a [(Basis, f64)],
+    tally: &'a mut Tally,
+    /// Y of each state.
+    scales: &'a [f64],
     /// ℓ.
     length: f64,
+    /// Where `h (f - S')` is to go, place by place, state by state; empty if it is not wanted.
+    lacking: &'a mut [f64],
 }
 
-impl Count<'_> {
-    fn vectorised(self) {
-        vectorised(self);
-    }
-}
-
-impl<'a> Job for Count<'a> {
+impl Job for Count<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let (relative, _) = self.relative.as_chunks_mut::<W>();
-        let steps = relative.len();
-        let lanes = |values: &'a [f64]| &values.as_chunks::<W>().0[..steps];
-        let (rise, f, h, terms) = (lanes(self.rise), lanes(self.f), lanes(self.h), lanes(self.terms));
-        let absolute = &mut self.absolute.as_chunks_mut::<W>().0[..steps];
-        for t in 0..steps {
-            // Padding has no length and no defect.
-            let (h, f) = (Lane(h[t]), Lane(f[t]));
-            let defect = Lane(rise[t]).zip(h, |rise, h| if h > 0.0 { rise / h } else { 0.0 });
-            let defect = defect - f.zip(h, |f, h| if h > 0.0 { f } else { 0.0 });
-            let size = f.abs().zip(Lane(terms[t]), f64::max);
-            let fraction =
-                defect.times(self.length).zip(size, |defect, size| defect / (self.scale + size * self.length));
-            let moved = (defect * h).map(|moved| moved / self.scale);
-            relative[t] = (Lane(relative[t]) + fraction.times(self.weight) * fraction).0;
-            absolute[t] = (Lane(absolute[t]) + moved.times(self.weight) * moved).0;
+        let Self { pieces, sampled, places, tally, scales, length, lacking } = self;
+        let (lacking, steps) = (lacking.as_chunks_mut::<W>().0, pieces.steps);
+        let relative = tally.relative.as_chunks_mut::<W>().0.chunks_exact_mut(steps);
+        let absolute = tally.absolute.as_chunks_mut::<W>().0.chunks_exact_mut(steps);
+        let terms = tally.terms.as_chunks::<W>().0.chunks_exact(steps);
+        for (i, (((relative, absolute), terms), &scale)) in relative.zip(absolute).zip(terms).zip(scales).enumerate() {
+            for t in 0..steps {
+                let (h, terms) = (pieces.length(t), Lane(terms[t]));
+                for (place, (basis, weight)) in places.iter().enumerate() {
+                    let (f, rise) = (sampled.slope(i, place, t), pieces.weigh(basis, i, t));
+                    if let Some(lacking) = lacking.get_mut((place * scales.len() + i) * steps + t) {
+                        *lacking = (h * f - rise).0;
+                    }
+                    // Padding has no length and no defect.
+                    let defect = rise.zip(h, |rise, h| if h > 0.0 { rise / h } else { 0.0 });
+                    let defect = defect - f.zip(h, |f, h| if h > 0.0 { f } else { 0.0 });
+                    let size = f.abs().zip(terms, f64::max);
+                    let fraction = defect.times(length).zip(size, |defect, size| defect / (scale + size * length));
+                    let moved = (defect * h).map(|moved| moved / scale);
+                    relative[t] = (Lane(relative[t]) + fraction.times(*weight) * fraction).0;
+                    absolute[t] = (Lane(absolute[t]) + moved.times(*weight) * moved).0;
+                }
+            }
+        }
+    }
+}
+
+/// `Σ |∂f/∂y| |y|` of each state at the nodes, from the entries of the derivatives.
+struct Terms<'a> {
+    pattern: &'a [(usize, usize)],
+    dy: &'a [f64],
+    y: &'a [f64],
+    /// Vectors a component.
+    nodes: usize,
+    out: &'a mut [f64],
+}
+
+impl Job for Terms<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let (dy, y, out) = (self.dy.as_chunks::<W>().0, self.y.as_chunks::<W>().0, self.out.as_chunks_mut::<W>().0);
+        let n = out.len() / self.nodes;
+        for (&(row, state), dy) in self.pattern.iter().zip(dy.chunks_exact(self.nodes)).filter(|((row, _), _)| *row < n)
+        {
+            let (y, out) = (&y[state * self.nodes..][..self.nodes], &mut out[row * self.nodes..][..self.nodes]);
+            for (out, (dy, y)) in out.iter_mut().zip(dy.iter().zip(y)) {
+                *out = (Lane(*out) + (Lane(*dy) * Lane(*y)).abs()).0;
+            }
         }
     }
 }
@@ -133,59 +157,45 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         limit: f64,
         stats: &mut Stats,
     ) -> Result<(Extension, Defects), NonFinite> {
-        let states = &scales.states[self.region];
-        let (mut sample, mut tally) = (self.room(), self.tally());
-        let mut extension = self.no_extension();
-        if self.system.tableau.coupled {
-            let mut points = self.collocated(&mut extension, states, &mut tally, &mut sample, stats)?;
-            if limit <= LARGEST_LIMIT && tally.exceeds(ROUGH, limit) {
-                let defects = self.concluded(tally, states);
-                return Ok((extension, defects));
-            }
-            tally.clear();
-            self.correct(&mut extension, states, &mut points);
-        } else {
-            self.bootstrapped(&mut extension, &mut sample, stats)?;
+        let (states, mut tally) = (&scales.states[self.region], self.tally());
+        if !self.system.tableau.coupled {
+            let extension = self.bootstrapped(stats)?;
+            let defects = self.defects(&extension, states, tally, limit, stats)?;
+            return Ok((extension, defects));
         }
-        let defects = self.defects(&extension, states, (tally, sample), limit, stats)?;
+        let mut extension = self.collocation_polynomial();
+        let lacking = self.lacking(&extension, states, &mut tally, stats)?;
+        if limit <= LARGEST_LIMIT && tally.exceeds(ROUGH, limit) {
+            let defects = self.concluded(tally, states);
+            return Ok((extension, defects));
+        }
+        tally.clear();
+        self.correct(&mut extension, states, &lacking);
+        let defects = self.defects(&extension, states, tally, limit, stats)?;
         Ok((extension, defects))
     }
 
     /// What is known of the solution between the nodes without evaluating the equations there.
     pub(crate) fn unjudged(&self) -> Extension {
-        let mut extension = self.no_extension();
-        if self.system.tableau.coupled {
-            self.collocate(&mut extension);
-        }
-        extension
+        if self.system.tableau.coupled { self.collocation_polynomial() } else { self.flat() }
     }
 
     fn defects(
         &self,
         extension: &Extension,
         scales: &[f64],
-        (mut tally, mut sample): (Tally, Sample),
+        mut tally: Tally,
         limit: f64,
         stats: &mut Stats,
     ) -> Result<Defects, NonFinite> {
-        let intervals = self.intervals();
-        let (all, rows) = (self.system.tableau.samples, self.system.plan.regions[self.region].rows);
-        let (mut samples, mut rise) = (Numbers::zeros(all.len() * rows * intervals), Numbers::zeros(intervals));
-        // Two samples tell where a mesh is rough, and say well enough where.
-        let early = self.system.tableau.order == 6 && limit <= LARGEST_LIMIT;
-        let (mut taken, turns): (f64, &[usize]) = (0.0, if early { &INNER_FIRST } else { &IN_TURN[..all.len()] });
-        for (count, &k) in turns.iter().enumerate() {
-            if early && count == 2 && tally.exceeds(ROUGH, limit) {
-                tally.weigh_by(taken);
+        let (all, first) = (self.system.tableau.samples, self.system.tableau.first_samples);
+        let at_once = if limit <= LARGEST_LIMIT { first } else { all.len() };
+        let mut samples = Vec::with_capacity(all.len().div_ceil(at_once));
+        for part in all.chunks(at_once) {
+            samples.push(self.counted(Some(extension), part, scales, &mut tally, &mut [], stats)?);
+            if samples.len() == 1 && at_once < all.len() && tally.exceeds(ROUGH, limit) {
+                tally.weigh_by(part.iter().map(|sample| sample.1).sum());
                 return Ok(self.concluded(tally, scales));
-            }
-            let ((sigma, weight), f) = (all[k], &mut samples[k * rows * intervals..(k + 1) * rows * intervals]);
-            taken += weight;
-            self.sample(Some(extension), sigma, (&mut sample, &mut *f), stats)?;
-            let basis = Basis::slope(sigma);
-            for (i, &scale) in scales.iter().enumerate() {
-                self.weigh(Some(extension), &basis, i, &mut rise);
-                self.count(&mut tally, i, scale, weight, &rise, f);
             }
         }
         tally.weigh_by(1.0);
@@ -193,23 +203,33 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok(Defects { integrated, samples, ..self.concluded(tally, scales) })
     }
 
-    /// Adds a sample of state `i`, `rise`: h S' there.
-    pub(super) fn count(&self, tally: &mut Tally, i: usize, scale: f64, weight: f64, rise: &[f64], f: &[f64]) {
-        let row = i * rise.len()..(i + 1) * rise.len();
+    /// Takes samples at places of given weights and adds them to a tally; `h (f - S')` goes to `lacking`, place by place
+    /// and state by state, unless that is empty.
+    pub(super) fn counted(
+        &self,
+        extension: Option<&Extension>,
+        samples: &[(f64, f64)],
+        scales: &[f64],
+        tally: &mut Tally,
+        lacking: &mut [f64],
+        stats: &mut Stats,
+    ) -> Result<Sampled, NonFinite> {
+        let (mut sigmas, mut places) = ([0.0; MOST_PLACES], [(Basis::slope(0.0), 0.0); MOST_PLACES]);
+        for ((sigma, place), sample) in sigmas.iter_mut().zip(&mut places).zip(samples) {
+            (*sigma, *place) = (sample.0, (Basis::slope(sample.0), sample.1));
+        }
+        let sampled = self.sampled(extension, &sigmas[..samples.len()], stats)?;
         let (a, b) = self.system.layout.regions[self.region].interval;
-        let Tally { relative, absolute, terms, .. } = tally;
-        let count = Count {
-            rise,
-            f: &f[row.clone()],
-            h: self.h(),
-            terms: &terms[row.clone()],
-            relative: &mut relative[row.clone()],
-            absolute: &mut absolute[row],
-            weight,
-            scale,
+        vectorised(Count {
+            pieces: self.pieces(extension),
+            sampled: &sampled,
+            places: &places[..samples.len()],
+            tally,
+            scales,
             length: b - a,
-        };
-        count.vectorised();
+            lacking,
+        });
+        Ok(sampled)
     }
 
     /// What the samples say, in the mesh's order.
@@ -245,56 +265,68 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It
     /// is large where intervals are short although the solution hardly varies on them, and small in a layer.
     fn rounding(&self, terms: &[f64], scales: &[f64]) -> Numbers {
-        let intervals = self.intervals();
         let (a, b) = self.system.layout.regions[self.region].interval;
-        let length = b - a;
-        let mut out = Numbers::zeros(intervals);
-        for (i, &scale) in scales.iter().enumerate() {
-            let (y0, y1) = self.values(i);
-            let terms = &terms[i * intervals..(i + 1) * intervals];
-            elementwise(&mut out, [y0, y1, self.h(), terms], |most: f64, [y0, y1, h, terms]| {
-                let slope = if h > 0.0 { y0.abs().max(y1.abs()) / h } else { 0.0 };
-                most.max(ROUNDING * slope * length / (scale + terms * length))
-            });
-        }
+        let (cubic, terms) = (self.pieces(None), terms.as_chunks::<W>().0);
+        let mut out = Numbers::zeros(self.intervals());
+        by_components(&mut out, cubic.steps, |_, t| {
+            let (h, mut most) = (cubic.length(t), Lane::ZERO);
+            for (i, &scale) in scales.iter().enumerate() {
+                let [y0, y1] = cubic.values(i, t).map(Scalar::abs);
+                let slope = y0.zip(y1, f64::max).zip(h, |y, h| if h > 0.0 { y / h } else { 0.0 });
+                let rounding = slope.zip(Lane(terms[i * cubic.steps + t]), |slope, terms| {
+                    ROUNDING * slope * (b - a) / (scale + terms * (b - a))
+                });
+                most = most.zip(rounding, f64::max);
+            }
+            most
+        });
         out
     }
 
     /// An empty tally.
     fn tally(&self) -> Tally {
-        let (n, nodes, intervals) = (self.n(), self.nodes(), self.intervals());
-        let mut at_nodes = Numbers::zeros(n * nodes);
+        let (n, steps) = (self.n(), self.steps());
+        let mut at_nodes = Numbers::zeros(n * (steps + 1) * W);
         let pattern = &self.system.layout.regions[self.region].state_pattern;
-        for (entry, &(row, state)) in pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
-            let dy = &self.stages.nodes.dy[entry * nodes..(entry + 1) * nodes];
-            let y = &self.x.y[self.region][state * nodes..(state + 1) * nodes];
-            let out = &mut at_nodes[row * nodes..(row + 1) * nodes];
-            elementwise(out, [dy, y], |sum, [dy, y]| sum + (dy * y).abs());
-        }
-        let mut terms = Numbers::zeros(n * intervals);
-        for (terms, at_nodes) in terms.chunks_exact_mut(intervals).zip(at_nodes.chunks_exact(nodes)) {
-            elementwise(terms, [at_nodes, &at_nodes[W..]], |_, [left, right]| left.max(right));
-        }
-        Tally { relative: Numbers::zeros(n * intervals), absolute: Numbers::zeros(n * intervals), terms, weight: 0.0 }
+        let (dy, y) = (&self.stages.nodes.dy, &self.x.y[self.region]);
+        vectorised(Terms { pattern, dy, y, nodes: steps + 1, out: &mut at_nodes });
+        let (mut terms, at_nodes) = (Numbers::zeros(n * steps * W), at_nodes.as_chunks::<W>().0);
+        by_components(&mut terms, steps, |i, t| {
+            let at = i * (steps + 1) + t;
+            Lane(at_nodes[at]).zip(Lane(at_nodes[at + 1]), f64::max)
+        });
+        let (relative, absolute) = (Numbers::zeros(terms.len()), Numbers::zeros(terms.len()));
+        Tally { relative, absolute, terms, weight: 0.0 }
     }
 
     /// From f at the samples, all rows: what the defects of the states, and the quadrature of the integrals, amount to.
-    fn integrated(&self, samples: &[f64]) -> Numbers {
-        let (n, intervals) = (self.n(), self.intervals());
-        let rules = self.system.interval_integrals(self.region, self.stages);
-        let mut means = Numbers::zeros(self.system.plan.regions[self.region].rows * intervals);
-        for (f, &(_, weight)) in samples.chunks_exact(means.len()).zip(self.system.tableau.samples) {
-            elementwise(&mut means, [f], |mean, [f]| mean + weight * f);
-        }
-        for (row, out) in means.chunks_exact_mut(intervals).enumerate() {
-            if row < n {
-                let (left, right) = self.values(row);
-                elementwise(out, [left, right, self.h()], |mean, [left, right, h]| right - left - h * mean);
-            } else {
-                let rule = &rules[(row - n) * intervals..];
-                elementwise(out, [rule, self.h()], |mean, [rule, h]| rule - h * mean);
+    fn integrated(&self, samples: &[Sampled]) -> Numbers {
+        let (n, intervals, cubic) = (self.n(), self.intervals(), self.pieces(None));
+        let weights = self.system.tableau.samples;
+        let mean = |row: usize, t: usize| {
+            let (mut mean, mut rest) = (Lane::ZERO, weights);
+            for sampled in samples {
+                let (here, later) = rest.split_at(sampled.places.min(rest.len()));
+                for (place, &(_, weight)) in here.iter().enumerate() {
+                    mean += sampled.slope(row, place, t).times(weight);
+                }
+                rest = later;
             }
+            mean
+        };
+        let mut out = Numbers::zeros(self.rows() * intervals);
+        let (states, integrals) = out.split_at_mut(n * intervals);
+        by_components(states, cubic.steps, |i, t| {
+            let [left, right] = cubic.values(i, t);
+            right - left - cubic.length(t) * mean(i, t)
+        });
+        if !integrals.is_empty() {
+            let rules = self.system.interval_integrals(self.region, self.stages);
+            let rules = rules.as_chunks::<W>().0;
+            by_components(integrals, cubic.steps, |k, t| {
+                Lane(rules[k * cubic.steps + t]) - cubic.length(t) * mean(n + k, t)
+            });
         }
-        means
+        out
     }
 }

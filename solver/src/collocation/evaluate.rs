@@ -67,6 +67,33 @@ impl Stages {
             _ => &self.inner[stage - 2].f[row * intervals..][..intervals],
         }
     }
+
+    /// Slopes of all stages, in vectors.
+    pub(crate) fn slopes(&self, steps: usize) -> Slopes<'_> {
+        let nodes = self.nodes.f.as_chunks::<W>().0;
+        let mut stages = [(nodes, steps + 1); MOST_STAGES];
+        stages[1].0 = &nodes[1..];
+        for (stage, batch) in stages[2..].iter_mut().zip(&self.inner) {
+            *stage = (batch.f.as_chunks::<W>().0, steps);
+        }
+        Slopes { stages }
+    }
+}
+
+/// Slopes of all stages, a vector of intervals at a time.
+#[derive(Clone, Copy)]
+pub(crate) struct Slopes<'a> {
+    /// With the number of vectors a row.
+    stages: [(&'a [[f64; W]], usize); MOST_STAGES],
+}
+
+impl Slopes<'_> {
+    /// That of one row at one stage of interval `t` of every stretch.
+    #[inline(always)]
+    pub(crate) fn of(&self, stage: usize, row: usize, t: usize) -> Lane {
+        let (values, steps) = self.stages[stage];
+        Lane(values[row * steps + t])
+    }
 }
 
 impl<P: Problem + ?Sized> System<'_, P> {
@@ -213,26 +240,22 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
     /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals.
     fn stage_points(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
-        let grid = &self.grids[region];
-        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
-        let v = self.tableau.v[stage];
-        for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
-            let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
-            advance(stages, i, self.tableau.x[stage], out, [1.0 - v, v], ends, (1.0, &grid.h));
-        }
+        let (grid, v) = (&self.grids[region], self.tableau.v[stage]);
+        let slopes = stages.slopes(grid.steps);
+        advance(&slopes, self.tableau.x[stage], Advance { y, h: &grid.h, factors: [1.0 - v, v], sign: 1.0, out });
     }
 
     /// `y_1 - y_0 - h Σ b K`.
     fn interval_residuals(&self, region: usize, y: &[f64], stages: &mut Stages) {
         let grid = &self.grids[region];
-        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
         let mut phi = std::mem::take(&mut stages.phi);
-        for (i, out) in phi.chunks_exact_mut(intervals).enumerate() {
-            let ends = [&y[i * nodes..][..intervals], &y[i * nodes + W..][..intervals]];
-            match stages.chained.iter().find(|(u, _)| *u == i) {
-                Some(&(u, v)) => self.integrate_twice((u, v), stages, out, ends, &grid.h),
-                None => advance(stages, i, self.tableau.b, out, [-1.0, 1.0], ends, (-1.0, &grid.h)),
-            }
+        let slopes = stages.slopes(grid.steps);
+        let whole = Advance { y, h: &grid.h, factors: [-1.0, 1.0], sign: -1.0, out: &mut phi };
+        advance(&slopes, self.tableau.b, whole);
+        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
+        for &(u, v) in &stages.chained {
+            let ends = [&y[u * nodes..][..intervals], &y[u * nodes + W..][..intervals]];
+            self.integrate_twice((u, v), stages, &mut phi[u * intervals..][..intervals], ends, &grid.h);
         }
         stages.phi = phi;
     }
@@ -360,79 +383,64 @@ fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {
     }
 }
 
-/// `ends · (y_0, y_1) + sign h Σ w K` of one row, all intervals, at once.
-#[inline]
-fn advance(
-    stages: &Stages,
-    row: usize,
-    weights: &[f64],
-    out: &mut [f64],
+/// What [`advance`] makes of the slopes.
+struct Advance<'a> {
+    /// At the nodes, component by component.
+    y: &'a [f64],
+    h: &'a [f64],
+    /// Of both nodes.
     factors: [f64; 2],
-    ends: [&[f64]; 2],
-    (sign, h): (f64, &[f64]),
-) {
+    sign: f64,
+    out: &'a mut [f64],
+}
+
+/// `factors · (y_0, y_1) + sign h Σ w K` of all components, all intervals, at once.
+fn advance(slopes: &Slopes<'_>, weights: &[f64], advance: Advance<'_>) {
     let (mut used, mut count) = ([(0, 0.0); MOST_STAGES], 0);
     for (stage, &weight) in weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         used[count] = (stage, weight);
         count += 1;
     }
-    let run = Advance { stages, row, out, factors, ends, sign, h };
     match count {
-        2 => run.over([used[0], used[1]]),
-        3 => run.over([used[0], used[1], used[2]]),
-        4 => run.over([used[0], used[1], used[2], used[3]]),
-        _ => run.over(used),
+        2 => vectorised(Sum { advance, slopes, used: [used[0], used[1]] }),
+        3 => vectorised(Sum { advance, slopes, used: [used[0], used[1], used[2]] }),
+        4 => vectorised(Sum { advance, slopes, used: [used[0], used[1], used[2], used[3]] }),
+        _ => vectorised(Sum { advance, slopes, used }),
     }
 }
 
 /// Stages of a method at most; fewer are filled up by the first node's, with the weight 0.
 pub(super) const MOST_STAGES: usize = 5;
 
-struct Advance<'a> {
-    stages: &'a Stages,
-    row: usize,
-    out: &'a mut [f64],
-    factors: [f64; 2],
-    ends: [&'a [f64]; 2],
-    sign: f64,
-    h: &'a [f64],
-}
-
-impl Advance<'_> {
-    #[inline]
-    fn over<const S: usize>(self, used: [(usize, f64); S]) {
-        let slopes = used.map(|(stage, _)| self.stages.slope(stage, self.row, self.out.len()));
-        vectorised(Sum { advance: self, slopes, weights: used.map(|(_, weight)| weight) });
-    }
-}
-
 struct Sum<'a, const S: usize> {
     advance: Advance<'a>,
-    slopes: [&'a [f64]; S],
-    weights: [f64; S],
+    slopes: &'a Slopes<'a>,
+    /// Stages and their weights.
+    used: [(usize, f64); S],
 }
 
-impl<'a, const S: usize> Job for Sum<'a, S> {
+impl<const S: usize> Job for Sum<'_, S> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let Advance { out, factors, ends, sign, h, .. } = self.advance;
-        let (out, _) = out.as_chunks_mut::<W>();
-        let steps = out.len();
-        let lanes = |values: &'a [f64]| &values.as_chunks::<W>().0[..steps];
-        let (left, right, h) = (lanes(ends[0]), lanes(ends[1]), lanes(h));
-        let mut slopes = [h; S];
-        for (lanes_of, slope) in slopes.iter_mut().zip(self.slopes) {
-            *lanes_of = lanes(slope);
-        }
-        for t in 0..steps {
-            let mut sum = Lane::ZERO;
-            for (slope, &weight) in slopes.iter().zip(&self.weights) {
-                sum += Lane(slope[t]).times(weight);
+        let Advance { y, h, factors, sign, out } = self.advance;
+        let (y, h, out) = (y.as_chunks::<W>().0, h.as_chunks::<W>().0, out.as_chunks_mut::<W>().0);
+        let steps = h.len();
+        for (i, out) in out.chunks_exact_mut(steps).enumerate() {
+            let y = &y[i * (steps + 1)..][..steps + 1];
+            let slopes = self.used.map(|(stage, weight)| {
+                let (values, stride) = self.slopes.stages[stage];
+                (&values[i * stride..][..steps], weight)
+            });
+            for t in 0..steps {
+                let mut sum = Lane::ZERO;
+                for (slope, weight) in &slopes {
+                    sum += Lane(slope[t]).times(*weight);
+                }
+                let ends = Lane(y[t]).times(factors[0]) + Lane(y[t + 1]).times(factors[1]);
+                out[t] = (ends + Lane(h[t]).times(sign) * sum).0;
             }
-            let ends = Lane(left[t]).times(factors[0]) + Lane(right[t]).times(factors[1]);
-            out[t] = (ends + Lane(h[t]).times(sign) * sum).0;
         }
     }
 }

@@ -12,16 +12,18 @@
 //! + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at 1/4 and 3/4 cancel, and the slope there;
 //! both are accurate to O(h⁶), and the defect is O(h⁵). Order 8: see [`corrected`](super::corrected).
 
-use super::defect::Defects;
 use super::evaluate::Stages;
 use super::{Iterate, System};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
-use crate::linear::scalar::W;
-use crate::linear::simd::elementwise;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, by_components, vectorised};
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
 use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
+
+/// Places of an interval at which the right-hand side is evaluated at once, at most.
+pub(super) const MOST_PLACES: usize = 6;
 
 /// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
@@ -94,10 +96,111 @@ impl Basis {
     }
 }
 
-/// Points of one evaluation at the same σ in all intervals; reused from one to the next.
-pub(super) struct Sample {
-    s: Numbers,
-    y: Numbers,
+/// What a continuous extension is made of, a vector of intervals at a time: interval `t` of every stretch.
+#[derive(Clone, Copy)]
+pub(super) struct Pieces<'a> {
+    /// Vectors a component.
+    pub steps: usize,
+    /// Node values and slopes, `steps + 1` vectors a component.
+    y: &'a [[f64; W]],
+    f: &'a [[f64; W]],
+    /// Lengths.
+    h: &'a [[f64; W]],
+    /// α and β; empty where neither is known.
+    lower: [&'a [[f64; W]]; 2],
+    /// γ and δ; empty where there are none.
+    higher: [&'a [[f64; W]]; 2],
+}
+
+impl Pieces<'_> {
+    /// h.
+    #[inline(always)]
+    pub(super) fn length(&self, t: usize) -> Lane {
+        Lane(self.h[t])
+    }
+
+    /// Component `i` at both nodes.
+    #[inline(always)]
+    pub(super) fn values(&self, i: usize, t: usize) -> [Lane; 2] {
+        let at = i * (self.steps + 1) + t;
+        [Lane(self.y[at]), Lane(self.y[at + 1])]
+    }
+
+    /// Its slopes there.
+    #[inline(always)]
+    pub(super) fn slopes(&self, i: usize, t: usize) -> [Lane; 2] {
+        let at = i * (self.steps + 1) + t;
+        [Lane(self.f[at]), Lane(self.f[at + 1])]
+    }
+
+    /// The weighted sum of a basis, without `y_0`, of component `i`.
+    #[inline(always)]
+    pub(super) fn weigh(&self, basis: &Basis, i: usize, t: usize) -> Lane {
+        let ([y0, y1], [f0, f1]) = (self.values(i, t), self.slopes(i, t));
+        let slopes = self.length(t) * (f0.times(basis.left) + f1.times(basis.right));
+        let (mut sum, at) = ((y1 - y0).times(basis.rise) + slopes, i * self.steps + t);
+        if let [Some(alpha), Some(beta)] = self.lower.map(|values| values.get(at)) {
+            sum = sum + Lane(*alpha).times(basis.alpha) + Lane(*beta).times(basis.beta);
+        }
+        if let [Some(gamma), Some(delta)] = self.higher.map(|values| values.get(at)) {
+            sum = sum + Lane(*gamma).times(basis.gamma) + Lane(*delta).times(basis.delta);
+        }
+        sum
+    }
+}
+
+/// The right-hand side at the same places of all intervals.
+#[derive(Debug, Clone)]
+pub(super) struct Sampled {
+    /// How many.
+    pub places: usize,
+    /// Vectors a place and row.
+    steps: usize,
+    /// Row by row, place by place in working order.
+    f: Numbers,
+}
+
+impl Sampled {
+    /// One row at one place of interval `t` of every stretch.
+    #[inline(always)]
+    pub(super) fn slope(&self, row: usize, place: usize, t: usize) -> Lane {
+        Lane(self.f.as_chunks::<W>().0[(row * self.places + place) * self.steps + t])
+    }
+}
+
+/// Where the right-hand side is to be evaluated.
+struct Places<'a> {
+    pieces: Pieces<'a>,
+    /// Nodes.
+    nodes: &'a [f64],
+    /// σ of each, and the basis there.
+    bases: &'a [(f64, Basis)],
+    /// Place by place in working order, component by component those of y.
+    s: &'a mut [f64],
+    y: &'a mut [f64],
+}
+
+impl Job for Places<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { pieces, nodes, bases, s, y } = self;
+        let (nodes, steps) = (nodes.as_chunks::<W>().0, pieces.steps);
+        for ((sigma, _), s) in bases.iter().zip(s.as_chunks_mut::<W>().0.chunks_exact_mut(steps)) {
+            for (t, s) in s.iter_mut().enumerate() {
+                *s = (Lane(nodes[t]) + pieces.length(t).times(*sigma)).0;
+            }
+        }
+        for (i, y) in y.as_chunks_mut::<W>().0.chunks_exact_mut(bases.len() * steps).enumerate() {
+            for ((_, basis), y) in bases.iter().zip(y.chunks_exact_mut(steps)) {
+                for (t, y) in y.iter_mut().enumerate() {
+                    // y_0 is by far the largest, and comes last: what is rounded then is rounded once.
+                    *y = (pieces.values(i, t)[0] + pieces.weigh(basis, i, t)).0;
+                }
+            }
+        }
+    }
 }
 
 /// One region at a converged iterate.
@@ -109,77 +212,67 @@ pub(crate) struct Extended<'a, 'p, P: Problem + ?Sized> {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    /// An extension that adds nothing to the cubic.
-    pub(super) fn no_extension(&self) -> Extension {
-        let len = self.n() * self.intervals();
-        Extension {
-            alpha: Numbers::zeros(len),
-            beta: Numbers::zeros(len),
-            gamma: Numbers::default(),
-            delta: Numbers::default(),
-        }
-    }
-
     /// That of order 4 or 6: see the module's head.
     ///
     /// # Errors
     /// The right-hand side is undefined between the collocation points.
-    pub(super) fn bootstrapped(
-        &self,
-        extension: &mut Extension,
-        sample: &mut Sample,
-        stats: &mut Stats,
-    ) -> Result<(), NonFinite> {
+    pub(super) fn bootstrapped(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
         if self.system.tableau.order == 6 {
-            return self.match_middle(extension, sample, stats);
+            return self.match_middle(stats);
         }
-        let intervals = self.intervals();
-        let (mut slope, mut f) = (Numbers::zeros(intervals), self.room_of_slopes());
-        for (sigma, sign) in [(0.5 - QUARTIC_OFFSET, 1.0), (0.5 + QUARTIC_OFFSET, -1.0)] {
-            self.sample(None, sigma, (&mut *sample, &mut f), stats)?;
-            let basis = Basis::slope(sigma);
-            for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
-                self.weigh(None, &basis, i, &mut slope);
-                elementwise(alpha, [self.h(), &f[i * intervals..], &slope], |alpha, [h, f, slope]| {
-                    alpha + 0.5 * sign * (h * f - slope) / QUARTIC_SLOPE
-                });
-            }
-        }
-        Ok(())
+        let places = [0.5 - QUARTIC_OFFSET, 0.5 + QUARTIC_OFFSET];
+        let (cubic, sampled, bases) =
+            (self.pieces(None), self.sampled(None, &places, stats)?, places.map(Basis::slope));
+        let mut extension = self.flat();
+        by_components(&mut extension.alpha, cubic.steps, |i, t| {
+            let lacking = |k: usize| cubic.length(t) * sampled.slope(i, k, t) - cubic.weigh(&bases[k], i, t);
+            let half = |lacking: Lane, sign: f64| lacking.map(|lacking| 0.5 * sign * lacking / QUARTIC_SLOPE);
+            half(lacking(0), 1.0) + half(lacking(1), -1.0)
+        });
+        Ok(extension)
     }
 
     /// Value and slope at the middle of each interval, to O(h⁶).
-    fn match_middle(&self, extension: &mut Extension, sample: &mut Sample, stats: &mut Stats) -> Result<(), NonFinite> {
-        let intervals = self.intervals();
+    fn match_middle(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
         let (value, slope) = (Basis::value(0.5), Basis::slope(0.5));
-        let mut cubic = Numbers::zeros(intervals);
-        for (i, alpha) in extension.alpha.chunks_exact_mut(intervals).enumerate() {
-            let stage = |stage| self.stages.slope(stage, i, intervals);
-            let (y0, y1) = self.values(i);
-            self.weigh(None, &value, i, &mut cubic);
-            elementwise(alpha, [stage(0), stage(1), stage(2), stage(3), self.h()], |_, [f0, f1, f3, f4, h]| {
-                h * ((f0 - f1) / 24.0 + (f3 - f4) / 6.0)
-            });
-            elementwise(alpha, [y0, y1, &cubic], |rise, [y0, y1, cubic]| {
-                (0.5 * (y1 - y0) + rise - cubic) / value.alpha
-            });
-        }
-        let mut f = self.room_of_slopes();
-        self.sample(Some(extension), 0.5, (sample, &mut f), stats)?;
-        for i in 0..self.n() {
-            self.weigh(Some(extension), &slope, i, &mut cubic);
-            let beta = &mut extension.beta[i * intervals..(i + 1) * intervals];
-            elementwise(beta, [self.h(), &f[i * intervals..], &cubic], |_, [h, f, known]| (h * f - known) / slope.beta);
-        }
-        Ok(())
+        let (mut extension, cubic) = (self.flat(), self.pieces(None));
+        let stages = self.stages.slopes(cubic.steps);
+        by_components(&mut extension.alpha, cubic.steps, |i, t| {
+            let ([y0, y1], [f0, f1, f3, f4]) = (cubic.values(i, t), [0, 1, 2, 3].map(|stage| stages.of(stage, i, t)));
+            let rise = cubic.length(t) * ((f0 - f1).map(|f| f / 24.0) + (f3 - f4).map(|f| f / 6.0));
+            ((y1 - y0).times(0.5) + rise - cubic.weigh(&value, i, t)).map(|lacking| lacking / value.alpha)
+        });
+        let (sampled, mut beta) = (self.sampled(Some(&extension), &[0.5], stats)?, self.flat_term());
+        let quartic = self.pieces(Some(&extension));
+        by_components(&mut beta, quartic.steps, |i, t| {
+            let lacking = quartic.length(t) * sampled.slope(i, 0, t) - quartic.weigh(&slope, i, t);
+            lacking.map(|lacking| lacking / slope.beta)
+        });
+        extension.beta = beta;
+        Ok(extension)
+    }
+
+    /// An extension that adds nothing to the cubic.
+    pub(super) fn flat(&self) -> Extension {
+        let (gamma, delta) = (Numbers::default(), Numbers::default());
+        Extension { alpha: self.flat_term(), beta: self.flat_term(), gamma, delta }
+    }
+
+    fn flat_term(&self) -> Numbers {
+        Numbers::zeros(self.n() * self.intervals())
     }
 
     pub(super) fn n(&self) -> usize {
         self.system.plan.regions[self.region].n
     }
 
-    pub(super) fn nodes(&self) -> usize {
-        self.system.grids[self.region].node_stride()
+    /// States and integrals.
+    pub(super) fn rows(&self) -> usize {
+        self.system.plan.regions[self.region].rows
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.system.grids[self.region].steps
     }
 
     pub(super) fn intervals(&self) -> usize {
@@ -190,179 +283,35 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         &self.system.grids[self.region].h
     }
 
-    /// Component `i` at the left and right nodes of all intervals.
-    pub(super) fn values(&self, i: usize) -> (&[f64], &[f64]) {
-        let y = &self.x.y[self.region][i * self.nodes()..(i + 1) * self.nodes()];
-        (&y[..self.intervals()], &y[W..])
+    /// Without extension: of the cubic.
+    pub(super) fn pieces<'b>(&'b self, extension: Option<&'b Extension>) -> Pieces<'b> {
+        let lanes = |values: &'b [f64]| values.as_chunks::<W>().0;
+        let (lower, higher) = extension.map_or(([&[][..]; 2], [&[][..]; 2]), |extension| {
+            let Extension { alpha, beta, gamma, delta } = extension;
+            ([lanes(alpha), lanes(beta)], [lanes(gamma), lanes(delta)])
+        });
+        let (y, f) = (lanes(&self.x.y[self.region]), lanes(&self.stages.nodes.f));
+        Pieces { steps: self.steps(), y, f, h: lanes(self.h()), lower, higher }
     }
 
-    /// The weighted sums of a basis (without `y_0`), component `i`, all intervals. Without extension: of the cubic.
-    pub(super) fn weigh(&self, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
-        self.weigh_from(0.0, extension, basis, i, out);
-    }
-
-    /// The same, and `y_0` with a weight of its own.
-    fn weigh_from(&self, start: f64, extension: Option<&Extension>, basis: &Basis, i: usize, out: &mut [f64]) {
-        let (y0, y1) = self.values(i);
-        let (f0, f1, h) = (self.stages.slope(0, i, out.len()), self.stages.slope(1, i, out.len()), self.h());
-        let first = i * out.len();
-        let cubic = |y0: f64, y1: f64, f0: f64, f1: f64, h: f64| {
-            basis.rise * (y1 - y0) + h * (basis.left * f0 + basis.right * f1)
-        };
-        // y_0 is by far the largest, and comes last: what is rounded then is rounded once.
-        match extension {
-            None => {
-                elementwise(out, [y0, y1, f0, f1, h], |_, [y0, y1, f0, f1, h]| start * y0 + cubic(y0, y1, f0, f1, h))
-            }
-            Some(Extension { alpha, beta, delta, .. }) if delta.is_empty() => {
-                let inputs = [y0, y1, f0, f1, h, &alpha[first..], &beta[first..]];
-                elementwise(out, inputs, |_, [y0, y1, f0, f1, h, alpha, beta]| {
-                    start * y0 + (cubic(y0, y1, f0, f1, h) + basis.alpha * alpha + basis.beta * beta)
-                });
-            }
-            Some(Extension { alpha, beta, gamma, delta }) => {
-                let bump = [&alpha[first..], &beta[first..], &gamma[first..], &delta[first..]];
-                let inputs = [y0, y1, f0, f1, h, bump[0], bump[1], bump[2], bump[3]];
-                elementwise(out, inputs, |_, [y0, y1, f0, f1, h, alpha, beta, gamma, delta]| {
-                    let quintic = cubic(y0, y1, f0, f1, h) + basis.alpha * alpha + basis.beta * beta;
-                    start * y0 + (quintic + basis.gamma * gamma + basis.delta * delta)
-                });
-            }
-        }
-    }
-
-    /// Room for [`sample`](Self::sample).
-    pub(super) fn room(&self) -> Sample {
-        let (intervals, n) = (self.intervals(), self.n());
-        Sample { s: Numbers::zeros(intervals), y: Numbers::zeros(n * intervals) }
-    }
-
-    /// Room for f at one sample, all rows.
-    pub(super) fn room_of_slopes(&self) -> Numbers {
-        Numbers::zeros(self.system.plan.regions[self.region].rows * self.intervals())
-    }
-
-    /// S and f(S) at one σ in all intervals. Without extension: of the cubic.
-    pub(super) fn sample(
+    /// f(S) at the same places of all intervals. Without extension: of the cubic.
+    pub(super) fn sampled(
         &self,
         extension: Option<&Extension>,
-        sigma: f64,
-        (sample, f): (&mut Sample, &mut [f64]),
+        places: &[f64],
         stats: &mut Stats,
-    ) -> Result<(), NonFinite> {
-        let (basis, intervals) = (Basis::value(sigma), self.intervals());
-        for (i, y) in sample.y.chunks_exact_mut(intervals).enumerate() {
-            self.weigh_from(1.0, extension, &basis, i, y);
-        }
-        let grid = &self.system.grids[self.region];
-        elementwise(&mut sample.s, [&grid.s, &grid.h], |_, [s, h]| s + sigma * h);
-        let at = Points { len: intervals, stride: intervals, s: &sample.s, y: &sample.y };
-        stats.rhs_points += intervals;
-        self.system.problem.rhs(self.region, &at, &self.x.constants, f);
-        self.system.check_values(self.region, &at, f)
-    }
-
-    /// Right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
-    /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
-    ///
-    /// `ε' = f_y ε + S' - f(S)` is rough where S is not the solution. As smooth as the method takes a solution to be is
-    /// `e = S̃ - y` with `S̃ = y_0 + ∫ f(S) ds`, of which `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`. Its stages are
-    /// those of the method, and `ε = e + S - S̃` there: all that the nodes' errors do not know of is in
-    /// `X_r = S - S̃ - v_r J + h Σ_k x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
-    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
-        let (tableau, n, len) = (self.system.tableau, self.n(), self.intervals());
-        let rows = self.system.plan.regions[self.region].rows;
-        let pattern = &self.system.layout.regions[self.region].state_pattern;
-        let (h, jump) = (self.h(), |state: usize| &defects.integrated[state * len..][..len]);
-        let mut integrated = defects.integrated.clone();
-        for &(u, v) in &self.stages.chained {
-            // v counts half at either node, at the right one with e_1; the integral of S̃ - S is that of its stages.
-            let weight = tableau.b[1] - 0.5;
-            elementwise(&mut integrated[u * len..][..len], [jump(v), h], |sum, [jump, h]| sum + weight * h * jump);
-        }
-        // X, and f_y X of the stages so far.
-        let (mut moved, mut slopes) = (Numbers::zeros(n * len), Vec::<Numbers>::new());
-        for stage in 2..tableau.stages() {
-            let v_r = tableau.v[stage];
-            self.improvement(extension, defects, stage, &mut moved);
-            for &(u, v) in &self.stages.chained {
-                let out = &mut integrated[u * len..][..len];
-                elementwise(out, [&moved[v * len..], h], |sum, [rise, h]| sum - tableau.b[stage] * h * rise);
-            }
-            for (state, moved) in moved.chunks_exact_mut(len).enumerate() {
-                elementwise(moved, [jump(state)], |rise, [jump]| -rise - v_r * jump);
-                for (slopes, &x) in slopes.iter().zip(tableau.x[stage].iter().skip(2)) {
-                    elementwise(moved, [&slopes[state * len..], h], |moved, [slope, h]| moved + x * h * slope);
-                }
-            }
-            if let Some(odd) = tableau.odd_part(stage) {
-                for &(u, v) in &self.stages.chained {
-                    elementwise(&mut moved[u * len..][..len], [jump(u), jump(v), h], |moved, [below, above, h]| {
-                        moved + odd * (6.0 * h * above - 12.0 * below)
-                    });
-                }
-            }
-            let mut slope = Numbers::zeros(rows * len);
-            let dy = &self.stages.inner[stage - 2].dy;
-            for (entry, &(row, state)) in pattern.iter().enumerate() {
-                let inputs = [&dy[entry * len..], &moved[state * len..]];
-                elementwise(&mut slope[row * len..][..len], inputs, |sum, [dy, moved]| sum + dy * moved);
-            }
-            for (row, out) in integrated.chunks_exact_mut(len).enumerate() {
-                if let Some(&(_, v)) = self.stages.chained.iter().find(|(u, _)| *u == row) {
-                    let weight = tableau.twice_integrated(stage);
-                    elementwise(out, [&slope[v * len..], h], |sum, [slope, h]| sum + weight * h * slope * h);
-                } else {
-                    let weight = tableau.b[stage];
-                    elementwise(out, [&slope[row * len..], h], |sum, [slope, h]| sum + weight * h * slope);
-                }
-            }
-            slopes.push(slope);
-        }
-        integrated
-    }
-
-    /// What the defect moves the inner stages by, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' - f(S)) ds`, as
-    /// [`Iterate::inner`] stands: right-hand sides of the linearised stage equations.
-    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Numbers {
-        let tableau = self.system.tableau;
-        let len = self.n() * self.intervals();
-        let mut out = Numbers::zeros(tableau.unknown_stages() * len);
-        for (stage, out) in out.chunks_exact_mut(len).enumerate() {
-            let c = tableau.c[stage + 2];
-            self.improvement(extension, defects, stage + 2, out);
-            elementwise(out, [&defects.integrated], |improvement, [whole]| -improvement - c * whole);
-        }
-        out
-    }
-
-    /// `S̃ - S` at one stage of all intervals. The samples are even in number.
-    fn improvement(&self, extension: &Extension, defects: &Defects, stage: usize, out: &mut [f64]) {
-        let intervals = self.intervals();
-        let rows = self.system.plan.regions[self.region].rows * intervals;
-        let Some(weights) = self.system.tableau.partial_integrals().get(stage) else { return };
-        let basis = Basis::value(self.system.tableau.c[stage]);
-        let mut known = Numbers::zeros(intervals);
-        for (i, out) in out.chunks_exact_mut(intervals).enumerate() {
-            let span = i * intervals..(i + 1) * intervals;
-            let (f0, f1) = (self.stages.slope(0, i, intervals), self.stages.slope(1, i, intervals));
-            self.weigh(Some(extension), &basis, i, &mut known);
-            let (left, right) = (weights[0], weights[1]);
-            if let [a, b, c, d] = weights[2..] {
-                // The same in one pass, for the four samples of order 6.
-                let sample = |k: usize| &defects.samples[k * rows..][span.clone()];
-                let inputs = [f0, f1, sample(0), sample(1), sample(2), sample(3), self.h(), &known];
-                elementwise(out, inputs, |_, [f0, f1, s, t, u, v, h, known]| {
-                    h * (left * f0 + right * f1 + a * s + b * t + c * u + d * v) - known
-                });
-                continue;
-            }
-            elementwise(out, [f0, f1], |_, [f0, f1]| left * f0 + right * f1);
-            for (pair, weights) in defects.samples.chunks_exact(2 * rows).zip(weights[2..].chunks_exact(2)) {
-                let pair = [&pair[span.clone()], &pair[rows..][span.clone()]];
-                elementwise(out, pair, |sum, [f, g]| sum + weights[0] * f + weights[1] * g);
-            }
-            elementwise(out, [self.h(), &known], |mean, [h, known]| h * mean - known);
-        }
+    ) -> Result<Sampled, NonFinite> {
+        let (count, len) = (places.len(), places.len() * self.intervals());
+        let (mut s, mut y) = (Numbers::zeros(len), Numbers::zeros(self.n() * len));
+        let mut bases = [(0.0, Basis::value(0.0)); MOST_PLACES];
+        bases.iter_mut().zip(places).for_each(|(basis, &sigma)| *basis = (sigma, Basis::value(sigma)));
+        let (pieces, nodes) = (self.pieces(extension), &self.system.grids[self.region].s);
+        vectorised(Places { pieces, nodes, bases: &bases[..count], s: &mut s, y: &mut y });
+        let mut f = Numbers::zeros(self.rows() * len);
+        let at = Points { len, stride: len, s: &s, y: &y };
+        stats.rhs_points += len;
+        self.system.problem.rhs(self.region, &at, &self.x.constants, &mut f);
+        self.system.check_values(self.region, &at, &f)?;
+        Ok(Sampled { places: count, steps: self.steps(), f })
     }
 }

@@ -9,6 +9,7 @@ pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
 pub(crate) mod interpolant;
+mod moments;
 pub(crate) mod parameter;
 pub(crate) mod plan;
 pub(crate) mod transpose;

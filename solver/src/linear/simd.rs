@@ -119,6 +119,33 @@ impl<const K: usize, F: Fn(f64, [f64; K]) -> f64> Job for Elementwise<'_, K, F> 
     }
 }
 
+/// `out[i * steps + t] = f(i, t)` for components `i` and vectors `t`, `steps` of them a component, with the widest
+/// vectors the processor has.
+#[inline(always)]
+pub(crate) fn by_components(out: &mut [f64], steps: usize, f: impl Fn(usize, usize) -> Lane) {
+    vectorised(ByComponents { out, steps, f });
+}
+
+struct ByComponents<'a, F> {
+    out: &'a mut [f64],
+    steps: usize,
+    f: F,
+}
+
+impl<F: Fn(usize, usize) -> Lane> Job for ByComponents<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let (out, _) = self.out.as_chunks_mut::<W>();
+        for (i, out) in out.chunks_exact_mut(self.steps).enumerate() {
+            for (t, out) in out.iter_mut().enumerate() {
+                *out = (self.f)(i, t).0;
+            }
+        }
+    }
+}
+
 /// Largest magnitude; NaN if any value is NaN or infinite.
 pub(crate) fn largest(lanes: impl Iterator<Item = Lane>, rest: &[f64]) -> f64 {
     vectorised(Largest { lanes, rest })

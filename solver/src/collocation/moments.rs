@@ -1,0 +1,174 @@
+//! What the defect does to the inner stages: right-hand sides of the linearised equations for the error.
+//!
+//! The error `ε = S - y` of the continuous extension S has `ε' = f_y ε + S' - f(S)`, which is rough where S is not the
+//! solution. As smooth as a method takes a solution to be is `S̃ = y_0 + ∫ f(S) ds`. At each stage S̃ - S is had by
+//! quadrature from f(S) at the places where the defect was sampled.
+
+use super::defect::Defects;
+use super::evaluate::Batch;
+use super::interpolant::{Basis, Extended, Extension, Pieces, Sampled};
+use crate::linear::memory::{Lanes, Numbers};
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, by_components, vectorised};
+use crate::problem::Problem;
+use crate::tableau::Tableau;
+
+/// `S̃ - S` at the stages.
+#[derive(Clone, Copy)]
+struct Improvement<'a> {
+    pieces: Pieces<'a>,
+    samples: &'a [Sampled],
+    /// Weights of the slopes at both nodes, then of the samples, in the integral from 0 to each stage.
+    weights: &'a [Vec<f64>],
+}
+
+impl Improvement<'_> {
+    /// At a stage with this basis: component `i`, interval `t` of every stretch.
+    #[inline(always)]
+    fn at(&self, stage: usize, basis: &Basis, i: usize, t: usize) -> Lane {
+        let ([f0, f1], weights) = (self.pieces.slopes(i, t), &self.weights[stage]);
+        let (mut mean, mut rest) = (f0.times(weights[0]) + f1.times(weights[1]), &weights[2..]);
+        for sampled in self.samples {
+            let (here, later) = rest.split_at(sampled.places.min(rest.len()));
+            for (place, &weight) in here.iter().enumerate() {
+                mean += sampled.slope(i, place, t).times(weight);
+            }
+            rest = later;
+        }
+        self.pieces.length(t) * mean - self.pieces.weigh(basis, i, t)
+    }
+}
+
+impl<P: Problem + ?Sized> Extended<'_, '_, P> {
+    fn improvement<'b>(&'b self, extension: &'b Extension, defects: &'b Defects) -> Improvement<'b> {
+        let weights = self.system.tableau.partial_integrals();
+        Improvement { pieces: self.pieces(Some(extension)), samples: &defects.samples, weights }
+    }
+
+    /// What the defect moves the inner stages by where their states are unknowns, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' -
+    /// f(S)) ds`, as [`Iterate::inner`](super::Iterate::inner) stands: right-hand sides of the linearised stage
+    /// equations.
+    pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Numbers {
+        let (tableau, len) = (self.system.tableau, self.n() * self.intervals());
+        let improvement = self.improvement(extension, defects);
+        let (steps, whole) = (improvement.pieces.steps, defects.integrated.as_chunks::<W>().0);
+        let mut out = Numbers::zeros(tableau.unknown_stages() * len);
+        for (stage, out) in out.chunks_exact_mut(len).enumerate() {
+            let (stage, c) = (stage + 2, tableau.c[stage + 2]);
+            let basis = Basis::value(c);
+            by_components(out, steps, |i, t| {
+                -improvement.at(stage, &basis, i, t) - Lane(whole[i * steps + t]).times(c)
+            });
+        }
+        out
+    }
+
+    /// Right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
+    /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
+    ///
+    /// With `e = S̃ - y`, of which `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`, the stages of e are those of the
+    /// method, and `ε = e + S - S̃` there: all that the nodes' errors do not know of is in `X_r = S - S̃ - v_r J + h Σ_k
+    /// x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
+    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
+        let (tableau, n, rows) = (self.system.tableau, self.n(), self.rows());
+        let mut integrated = defects.integrated.clone();
+        let mut slopes = Lanes::zeros((tableau.stages() - 2) * rows);
+        let improve = Improve {
+            tableau,
+            improvement: self.improvement(extension, defects),
+            inner: &self.stages.inner,
+            pattern: &self.system.layout.regions[self.region].state_pattern,
+            chained: &self.stages.chained,
+            jumps: defects.integrated.as_chunks::<W>().0,
+            rows,
+            rises: &mut Lanes::zeros(n),
+            moved: &mut Lanes::zeros(n),
+            slopes: &mut slopes,
+            integrated: integrated.as_chunks_mut::<W>().0,
+        };
+        vectorised(improve);
+        integrated
+    }
+}
+
+/// See [`Extended::improved`].
+struct Improve<'a> {
+    tableau: &'static Tableau,
+    improvement: Improvement<'a>,
+    inner: &'a [Batch],
+    pattern: &'a [(usize, usize)],
+    chained: &'a [(usize, usize)],
+    /// J, row by row.
+    jumps: &'a [[f64; W]],
+    rows: usize,
+    /// S̃ - S and X at one stage, and f_y X at one stage after the other.
+    rises: &'a mut [Lane],
+    moved: &'a mut [Lane],
+    slopes: &'a mut [Lane],
+    /// What is wanted; J on entry.
+    integrated: &'a mut [[f64; W]],
+}
+
+impl Job for Improve<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        for t in 0..self.improvement.pieces.steps {
+            self.improve(t);
+        }
+    }
+}
+
+impl Improve<'_> {
+    /// Interval `t` of every stretch.
+    #[inline(always)]
+    fn improve(&mut self, t: usize) {
+        let (tableau, steps) = (self.tableau, self.improvement.pieces.steps);
+        let (h, jumps) = (self.improvement.pieces.length(t), self.jumps);
+        let jump = |state: usize| Lane(jumps[state * steps + t]);
+        for &(u, v) in self.chained {
+            // v counts half at either node, at the right one with e_1; the integral of S̃ - S is that of its stages.
+            self.add(u, h.times(tableau.b[1] - 0.5) * jump(v), t);
+        }
+        for stage in 2..tableau.stages() {
+            let (basis, v_r, b) = (Basis::value(tableau.c[stage]), tableau.v[stage], tableau.b[stage]);
+            for i in 0..self.rises.len() {
+                self.rises[i] = self.improvement.at(stage, &basis, i, t);
+            }
+            for &(u, v) in self.chained {
+                self.add(u, -(h.times(b) * self.rises[v]), t);
+            }
+            let (known, slopes) = self.slopes.split_at_mut((stage - 2) * self.rows);
+            for (i, moved) in self.moved.iter_mut().enumerate() {
+                *moved = -self.rises[i] - jump(i).times(v_r);
+                for (slopes, &x) in known.chunks_exact(self.rows).zip(tableau.x[stage].iter().skip(2)) {
+                    *moved += h.times(x) * slopes[i];
+                }
+            }
+            if let Some(odd) = tableau.odd_part(stage) {
+                for &(u, v) in self.chained {
+                    self.moved[u] += ((h * jump(v)).times(6.0) - jump(u).times(12.0)).times(odd);
+                }
+            }
+            let (slopes, dy) = (&mut slopes[..self.rows], self.inner[stage - 2].dy.as_chunks::<W>().0);
+            slopes.fill(Lane::ZERO);
+            for (entry, &(row, state)) in self.pattern.iter().enumerate() {
+                slopes[row] += Lane(dy[entry * steps + t]) * self.moved[state];
+            }
+            for row in 0..self.rows {
+                let twice = self.chained.iter().find(|(u, _)| *u == row);
+                let (weight, from) =
+                    twice.map_or((h.times(b), row), |&(_, v)| ((h * h).times(tableau.twice_integrated(stage)), v));
+                let slope = self.slopes[(stage - 2) * self.rows + from];
+                self.add(row, weight * slope, t);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, row: usize, value: Lane, t: usize) {
+        let out = &mut self.integrated[row * self.improvement.pieces.steps + t];
+        *out = (Lane(*out) + value).0;
+    }
+}
