@@ -3,6 +3,7 @@
 use super::coupled::{COUPLED, Coupling, Parts};
 use super::evaluate::{Batch, MOST_STAGES, Stages};
 use super::plan::RegionPlan;
+use super::roles::Role;
 use super::{Scales, System};
 use crate::linear::chain::Block;
 use crate::linear::memory::Lanes;
@@ -31,6 +32,8 @@ pub(crate) struct Assembly<'a> {
     /// Interval lengths.
     h: &'a [[f64; W]],
     steps: usize,
+    /// Typical magnitudes of the states.
+    magnitudes: &'a [f64],
     states: Vec<Entry>,
     constants: Vec<Entry>,
     /// dK/dy_0, dK/dy_1 by rows of `n`, dK/dc by rows of `p`: all stages one after the other.
@@ -39,7 +42,8 @@ pub(crate) struct Assembly<'a> {
     by_constant: Lanes,
     /// The stage's dY/d(...), then the sums over stages.
     sum: Lanes,
-    coupling: Coupling,
+    /// Room for the unknowns at the inner stages of one interval.
+    unknowns: Lanes,
     /// States whose derivative is another, that other, and the factor that makes it dimensionless.
     chained: Vec<(usize, usize, f64)>,
 }
@@ -49,7 +53,13 @@ pub(crate) struct Assembly<'a> {
 struct Couple<'a, 'b> {
     assembly: &'a mut Assembly<'b>,
     t: usize,
-    coupled: &'a mut [Lane],
+    inner: Inner<'a>,
+}
+
+/// What is kept of the inner stages of one interval of every stretch, if their states are unknowns.
+pub(crate) struct Inner<'a> {
+    pub coupling: &'a Coupling,
+    pub kept: &'a mut [Lane],
 }
 
 impl Couple<'_, '_> {
@@ -65,10 +75,11 @@ impl Job for Couple<'_, '_> {
     #[inline(always)]
     fn run(self) {
         // Compiled once more each where the sizes are those of one or two equations of second order.
-        match (self.assembly.plan.n, self.assembly.plan.active.len(), self.assembly.plan.columns.len()) {
-            (2, 0, 0) => self.assembly.differentiate_coupled((2, 0, 0), self.t, self.coupled),
-            (4, 0, 0) => self.assembly.differentiate_coupled((4, 0, 0), self.t, self.coupled),
-            sizes => self.assembly.differentiate_coupled(sizes, self.t, self.coupled),
+        let plan = self.assembly.plan;
+        match (self.inner.coupling.roles.unknowns.len(), plan.n, plan.active.len(), plan.columns.len()) {
+            (1, 2, 0, 0) => self.assembly.differentiate_coupled(1, (2, 0, 0), self.t, self.inner),
+            (2, 4, 0, 0) => self.assembly.differentiate_coupled(2, (4, 0, 0), self.t, self.inner),
+            (q, n, k, p) => self.assembly.differentiate_coupled(q, (n, k, p), self.t, self.inner),
         }
     }
 }
@@ -78,7 +89,7 @@ impl<'a> Assembly<'a> {
         system: &'a System<'_, P>,
         region: usize,
         stages: &'a Stages,
-        scales: &Scales,
+        scales: &'a Scales,
     ) -> Self {
         let plan = &system.plan.regions[region];
         let grid = &system.grids[region];
@@ -95,6 +106,7 @@ impl<'a> Assembly<'a> {
             stages,
             h: grid.h.as_chunks::<W>().0,
             steps: grid.steps,
+            magnitudes: d,
             states: states
                 .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
                 .collect(),
@@ -110,13 +122,13 @@ impl<'a> Assembly<'a> {
             right: Lanes::zeros(count * rows * n),
             by_constant: Lanes::zeros(count * rows * p),
             sum: Lanes::zeros(rows * n.max(p)),
-            coupling: Coupling::new(system.tableau, plan),
+            unknowns: Lanes::zeros(system.tableau.unknown_stages() * n),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
         }
     }
 
     /// Writes interval `t` of every stretch, its equations divided by `row_scale` (out, `n` entries) so that no
-    /// coefficient of a node exceeds 1. `coupled`: what is kept of its inner stages, if they are unknowns.
+    /// coefficient of a node exceeds 1.
     #[inline(always)]
     pub(crate) fn fill<R: Rows>(
         &mut self,
@@ -124,15 +136,15 @@ impl<'a> Assembly<'a> {
         t: usize,
         block: &mut Block<Lane>,
         row_scale: &mut [Lane],
-        coupled: &mut [Lane],
+        inner: Inner<'_>,
     ) {
         // Compiled once more where there are no integrals and constants, for one or two equations of second order.
         match (rows.n(), self.plan.active.len(), self.plan.columns.len(), self.tableau.coupled) {
             (2, 0, 0, false) => self.linearise_alone::<2>(t, block),
             (4, 0, 0, false) => self.linearise_alone::<4>(t, block),
-            (2, 0, 0, true) => self.linearise((2, 0, 0), t, block, coupled),
-            (4, 0, 0, true) => self.linearise((4, 0, 0), t, block, coupled),
-            (n, k, p, _) => self.linearise((n, k, p), t, block, coupled),
+            (2, 0, 0, true) => self.linearise((2, 0, 0), t, block, inner),
+            (4, 0, 0, true) => self.linearise((4, 0, 0), t, block, inner),
+            (n, k, p, _) => self.linearise((n, k, p), t, block, inner),
         }
         scale_rows(rows.n(), self.plan.columns.len(), block, row_scale);
     }
@@ -218,14 +230,14 @@ impl<'a> Assembly<'a> {
 
     /// `n` states, `k` active integrals, `p` constants.
     #[inline(always)]
-    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, coupled: &mut [Lane]) {
+    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, inner: Inner<'_>) {
         let (h, all) = (Lane(self.h[t]), n + k);
         let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };
         for stage in 0..known {
             self.differentiate_stage(n, all, p, t, stage, h);
         }
         if self.tableau.coupled {
-            Couple { assembly: self, t, coupled }.vectorised();
+            Couple { assembly: self, t, inner }.vectorised();
         }
         self.combine(n, all, p, h, block);
     }
@@ -284,19 +296,25 @@ impl<'a> Assembly<'a> {
         chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
     }
 
-    /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled). `n` states, `k` active
-    /// integrals, `p` constants.
+    /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled). `q` unknowns a stage, `n`
+    /// states, `k` active integrals, `p` constants.
     #[inline(always)]
-    fn differentiate_coupled(&mut self, (n, k, p): (usize, usize, usize), t: usize, coupled: &mut [Lane]) {
-        let (h, all, inner, m) = (Lane(self.h[t]), n + k, COUPLED, COUPLED * n);
+    fn differentiate_coupled(
+        &mut self,
+        q: usize,
+        (n, k, p): (usize, usize, usize),
+        t: usize,
+        Inner { coupling, kept }: Inner<'_>,
+    ) {
+        let (h, all, m) = (Lane(self.h[t]), n + k, COUPLED * n);
         self.left[2 * all * n..].fill(Lane::ZERO);
         self.right[2 * all * n..].fill(Lane::ZERO);
         self.by_constant[2 * all * p..].fill(Lane::ZERO);
-        let Parts { qr, moves, slopes } = self.coupling.parts_mut(m, coupled);
+        let Parts { qr, moves, slopes } = coupling.parts_mut(kept);
         slopes.fill(Lane::ZERO);
-        let matrix = qr::matrix(m, qr);
+        let matrix = qr::matrix(COUPLED * q, qr);
         matrix.fill(Lane::ZERO);
-        add_to_diagonal(matrix, m, 1.0);
+        add_to_diagonal(matrix, COUPLED * q, 1.0);
         for (j, batch) in self.stages.inner.iter().enumerate() {
             let (dy, dc) = (batch.dy.as_chunks::<W>().0, batch.dc.as_chunks::<W>().0);
             for entry in &self.constants {
@@ -305,19 +323,16 @@ impl<'a> Assembly<'a> {
             }
             for entry in &self.states {
                 let value = Lane(dy[entry.from * self.steps + t]).times(entry.factor) * h;
-                let column = j * n + entry.column;
-                slopes[column * all + entry.row] += value.times(self.tableau.b[j + 2]);
+                slopes[(j * n + entry.column) * all + entry.row] += value.times(self.tableau.b[j + 2]);
                 if entry.row < n {
-                    for i in 0..inner {
-                        matrix[column * m + i * n + entry.row] -= value.times(self.tableau.x[i + 2][j + 2]);
-                    }
+                    self.insert((q, coupling), (j, entry.row, entry.column), value, h, matrix);
                 }
             }
         }
-        qr::factor(m, qr);
+        qr::factor(COUPLED * q, qr);
         self.move_stages(n, all, p, h, moves);
         for column in moves.chunks_exact_mut(m) {
-            qr::solve(m, qr, column);
+            coupling.solve((q, n, all), (qr, slopes), &mut self.unknowns, column);
         }
         for (j, batch) in self.stages.inner.iter().enumerate() {
             let dy = batch.dy.as_chunks::<W>().0;
@@ -331,6 +346,37 @@ impl<'a> Assembly<'a> {
                 }
                 for q in 0..p {
                     self.by_constant[first_constant + row * p + q] += value * moves[(2 * n + q) * m + at];
+                }
+            }
+        }
+    }
+
+    /// Takes `h J_j`, the entry of a row and a state, off the matrix of the stage equations.
+    #[inline(always)]
+    fn insert(
+        &self,
+        (q, coupling): (usize, &Coupling),
+        (j, row, state): (usize, usize, usize),
+        value: Lane,
+        h: Lane,
+        matrix: &mut [Lane],
+    ) {
+        let (m, roles, weights) = (COUPLED * q, &coupling.roles, coupling.weights);
+        match (roles.of[row], roles.of[state]) {
+            (Role::IntegralOf(_), _) => {}
+            (Role::Unknown(row), Role::Unknown(column)) => {
+                for i in 0..COUPLED {
+                    matrix[(j * q + column) * m + i * q + row] -= value.times(weights[i][j]);
+                }
+            }
+            (Role::Unknown(row), Role::IntegralOf(column)) => {
+                let of = roles.unknowns[column];
+                let moved = value * h.times(self.magnitudes[of] / self.magnitudes[state]);
+                for l in 0..COUPLED {
+                    let moved = moved.times(weights[j][l]);
+                    for i in 0..COUPLED {
+                        matrix[(l * q + column) * m + i * q + row] -= moved.times(weights[i][j]);
+                    }
                 }
             }
         }

@@ -16,6 +16,7 @@
 use super::defect::Tally;
 use super::evaluate::Stages;
 use super::interpolant::{Basis, Extended, Extension};
+use super::roles::{Role, Roles};
 use crate::error::NonFinite;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
@@ -114,7 +115,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let bump: [&mut [f64]; 4] = [alpha, beta, gamma, delta];
         let bump = bump.map(|values| values.as_chunks_mut::<W>().0);
         let (lacking, h) = (lacking.as_chunks::<W>().0, self.h());
-        Correct { pattern, stages: self.stages, h, scales, weights, lacking, bump }.vectorised();
+        let roles = &Roles::new(self.n(), &self.stages.second_order);
+        Correct { pattern, stages: self.stages, h, scales, weights, roles, lacking, bump }.vectorised();
     }
 
     /// The collocation polynomial: α and β from the slopes at the outer two of the inner stages.
@@ -155,6 +157,8 @@ struct Correct<'a> {
     h: &'a [f64],
     scales: &'a [f64],
     weights: &'a PointWeights,
+    /// What each state is in the equations for E.
+    roles: &'a Roles,
     /// Point by point, component by component in working order: the slopes wanted of E.
     lacking: &'a [[f64; W]],
     /// α, β, γ, δ.
@@ -192,50 +196,94 @@ impl Job for Correct<'_> {
     #[inline(always)]
     fn run(self) {
         // Compiled once more each where the sizes are those of one or two equations of second order.
-        match self.scales.len() {
-            2 => self.solve(2),
-            4 => self.solve(4),
-            n => self.solve(n),
+        match (self.roles.unknowns.len(), self.scales.len()) {
+            (1, 2) => self.solve(1, 2),
+            (2, 4) => self.solve(2, 4),
+            (q, n) => self.solve(q, n),
         }
     }
 }
 
 impl Correct<'_> {
+    /// `q` unknowns a point, `n` states.
     #[inline(always)]
-    fn solve(mut self, n: usize) {
-        let (m, steps) = (POINTS * n, self.h.len() / W);
-        let from_slopes = &self.weights.of_slopes;
-        let (mut data, mut x) = (Lanes::zeros(qr::room(m)), Lanes::zeros(m));
+    fn solve(mut self, q: usize, n: usize) {
+        let (m, steps) = (POINTS * q, self.h.len() / W);
+        let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
+        let (mut data, mut e, mut unknowns) = (Lanes::zeros(qr::room(m)), Lanes::zeros(POINTS * n), Lanes::zeros(m));
         for t in 0..steps {
             let h = Lane(self.h.as_chunks::<W>().0[t]);
-            let matrix = qr::matrix(m, &mut data);
-            matrix.fill(Lane::ZERO);
-            for i in 0..m {
-                matrix[i * m + i] = Lane::ONE;
-            }
-            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
-                let factor = h.times(self.scales[state] / self.scales[row]);
-                let derivatives = self.derivatives(entry, t);
-                for l in 0..POINTS {
-                    let value = derivatives[l] * factor;
-                    for (k, weights) in from_slopes.iter().enumerate() {
-                        matrix[(l * n + state) * m + k * n + row] -= value.times(weights[l]);
-                    }
-                }
-            }
-            qr::factor(m, &mut data);
             for (k, weights) in from_slopes.iter().enumerate() {
                 for (i, scale) in self.scales.iter().enumerate() {
                     let mut sum = Lane::ZERO;
                     for (l, weight) in weights.iter().enumerate() {
                         sum += Lane(self.lacking[(l * n + i) * steps + t]).times(weight / scale);
                     }
-                    x[k * n + i] = sum;
+                    e[k * n + i] = sum;
                 }
             }
-            qr::solve(m, &data, &mut x);
+            self.assemble((q, n), t, h, qr::matrix(m, &mut data), &mut e);
+            qr::factor(m, &mut data);
+            for k in 0..POINTS {
+                for (r, &row) in roles.unknowns[..q].iter().enumerate() {
+                    unknowns[k * q + r] = e[k * n + row];
+                }
+            }
+            qr::solve(m, &data, &mut unknowns);
+            for k in 0..POINTS {
+                for (r, &row) in roles.unknowns[..q].iter().enumerate() {
+                    e[k * n + row] = unknowns[k * q + r];
+                }
+            }
+            for &(u, v) in &roles.integrals {
+                let rise = h.times(self.scales[v] / self.scales[u]);
+                for (k, weights) in from_slopes.iter().enumerate() {
+                    for (l, &weight) in weights.iter().enumerate() {
+                        let risen = (rise * e[l * n + v]).times(weight);
+                        e[k * n + u] += risen;
+                    }
+                }
+            }
             for (i, &scale) in self.scales.iter().enumerate() {
-                self.add(i * steps + t, [0, 1, 2, 3].map(|k| x[k * n + i].times(scale)));
+                self.add(i * steps + t, [0, 1, 2, 3].map(|k| e[k * n + i].times(scale)));
+            }
+        }
+    }
+
+    /// The matrix of the equations for the unknowns among E at the points of one interval. What is known of the others,
+    /// in `e`, goes to the right-hand sides there.
+    #[inline(always)]
+    fn assemble(&self, (q, n): (usize, usize), t: usize, h: Lane, matrix: &mut [Lane], e: &mut [Lane]) {
+        let (m, roles, from_slopes) = (POINTS * q, self.roles, &self.weights.of_slopes);
+        matrix.fill(Lane::ZERO);
+        for i in 0..m {
+            matrix[i * m + i] = Lane::ONE;
+        }
+        for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
+            let Role::Unknown(r) = roles.of[row] else { continue };
+            let factor = h.times(self.scales[state] / self.scales[row]);
+            let derivatives = self.derivatives(entry, t).map(|derivative| derivative * factor);
+            match roles.of[state] {
+                Role::Unknown(column) => {
+                    for (l, &value) in derivatives.iter().enumerate() {
+                        for (k, weights) in from_slopes.iter().enumerate() {
+                            matrix[(l * q + column) * m + k * q + r] -= value.times(weights[l]);
+                        }
+                    }
+                }
+                Role::IntegralOf(column) => {
+                    let rise = h.times(self.scales[roles.unknowns[column]] / self.scales[state]);
+                    for (j, &value) in derivatives.iter().enumerate() {
+                        let (known, moved) = (value * e[j * n + state], value * rise);
+                        for (k, weights) in from_slopes.iter().enumerate() {
+                            e[k * n + row] += known.times(weights[j]);
+                            let moved = moved.times(weights[j]);
+                            for (l, &weight) in from_slopes[j].iter().enumerate() {
+                                matrix[(l * q + column) * m + k * q + r] -= moved.times(weight);
+                            }
+                        }
+                    }
+                }
             }
         }
     }

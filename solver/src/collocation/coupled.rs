@@ -9,11 +9,15 @@
 //!
 //! (j on the left over the inner stages) are solved for `dY = z + D [dy_0; dy_1; dc]`. What is left of the interval's
 //! equations has nodes and constants only, and `h Σ_j b_j J_j z_j` on its right-hand side.
+//!
+//! An equation of second order is two states, of which one, u, has the other, v, for derivative. Its stage equations
+//! say what `dU_i = h Σ_j x_ij dV_j + ...` is: put into those of the others they leave one unknown a stage, not two.
 
 use super::evaluate::{Derivatives, Work};
 use super::factor::{Factorisation, RegionFactor};
 use super::grid::Grid;
 use super::plan::RegionPlan;
+use super::roles::Roles;
 use super::{Iterate, System};
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
@@ -27,10 +31,10 @@ use crate::tableau::Tableau;
 /// Inner stages of the methods whose inner stages are coupled.
 pub(crate) const COUPLED: usize = 3;
 
-/// Sizes of one interval's share.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The shape of one interval's share.
+#[derive(Debug, Clone)]
 pub(crate) struct Coupling {
-    /// Unknowns of the interval: states at its inner stages. 0 if they are functions of the nodes.
+    /// States at the interval's inner stages. 0 if they are functions of the nodes.
     pub m: usize,
     /// States.
     n: usize,
@@ -38,6 +42,12 @@ pub(crate) struct Coupling {
     columns: usize,
     /// States and active integrals.
     all: usize,
+    /// What each state is in the stage equations.
+    pub roles: Roles,
+    /// x_ij of the inner stages.
+    pub weights: [[f64; COUPLED]; COUPLED],
+    /// 1 / b_j of the inner stages.
+    inverse_weights: [f64; COUPLED],
 }
 
 /// What is kept of one interval.
@@ -52,27 +62,122 @@ pub(crate) struct Parts<S> {
 
 impl Coupling {
     pub(crate) fn new(tableau: &Tableau, plan: &RegionPlan) -> Self {
-        let n = plan.n;
-        Self { m: tableau.unknown_stages() * n, n, columns: 2 * n + plan.columns.len(), all: n + plan.active.len() }
+        let (n, mut weights, mut inverse_weights) = (plan.n, [[0.0; COUPLED]; COUPLED], [0.0; COUPLED]);
+        if tableau.coupled {
+            weights.iter_mut().zip(&tableau.x[2..]).for_each(|(weights, x)| weights.copy_from_slice(&x[2..]));
+            inverse_weights.iter_mut().zip(&tableau.b[2..]).for_each(|(inverse, b)| *inverse = 1.0 / b);
+        }
+        Self {
+            m: tableau.unknown_stages() * n,
+            n,
+            columns: 2 * n + plan.columns.len(),
+            all: n + plan.active.len(),
+            roles: Roles::new(n, &[]),
+            weights,
+            inverse_weights,
+        }
     }
 
     /// Values that are kept of one interval.
-    pub(crate) fn len(self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         qr::room(self.m) + self.m * (self.columns + self.all)
     }
 
     #[inline(always)]
-    fn parts<T>(self, data: &[T]) -> Parts<&[T]> {
+    fn parts<'a, T>(&self, data: &'a [T]) -> Parts<&'a [T]> {
         let (qr, rest) = data.split_at(qr::room(self.m));
         let (moves, slopes) = rest.split_at(self.m * self.columns);
         Parts { qr, moves, slopes }
     }
 
     #[inline(always)]
-    pub(crate) fn parts_mut<T>(self, m: usize, data: &mut [T]) -> Parts<&mut [T]> {
-        let (qr, rest) = data.split_at_mut(qr::room(m));
-        let (moves, slopes) = rest.split_at_mut(m * self.columns);
+    pub(crate) fn parts_mut<'a, T>(&self, data: &'a mut [T]) -> Parts<&'a mut [T]> {
+        let (qr, rest) = data.split_at_mut(qr::room(self.m));
+        let (moves, slopes) = rest.split_at_mut(self.m * self.columns);
         Parts { qr, moves, slopes }
+    }
+
+    /// `h J_j`, the entry of a row and a state, as kept: by columns of `all`, `n` a stage.
+    #[inline(always)]
+    fn entry(&self, slopes: &[Lane], (n, all): (usize, usize), (j, row, state): (usize, usize, usize)) -> Lane {
+        slopes[(j * n + state) * all + row].times(self.inverse_weights[j])
+    }
+
+    /// Solves the stage equations of one interval in place, `q` unknowns a stage, `n` states, `all` rows. `unknowns`:
+    /// room for those.
+    #[inline(always)]
+    pub(super) fn solve(
+        &self,
+        (q, n, all): (usize, usize, usize),
+        (factored, slopes): (&[Lane], &[Lane]),
+        unknowns: &mut [Lane],
+        x: &mut [Lane],
+    ) {
+        let (m, weights) = (COUPLED * q, self.weights);
+        if q == n {
+            return qr::solve(m, factored, x);
+        }
+        let rows = &self.roles.unknowns[..q];
+        for i in 0..COUPLED {
+            for (r, &row) in rows.iter().enumerate() {
+                unknowns[i * q + r] = x[i * n + row];
+            }
+        }
+        for &(u, _) in &self.roles.integrals {
+            for j in 0..COUPLED {
+                let known = x[j * n + u];
+                for (r, &row) in rows.iter().enumerate() {
+                    let moved = self.entry(slopes, (n, all), (j, row, u)) * known;
+                    for i in 0..COUPLED {
+                        unknowns[i * q + r] += moved.times(weights[i][j]);
+                    }
+                }
+            }
+        }
+        qr::solve(m, factored, unknowns);
+        for i in 0..COUPLED {
+            for (r, &row) in rows.iter().enumerate() {
+                x[i * n + row] = unknowns[i * q + r];
+            }
+        }
+        for &(u, v) in &self.roles.integrals {
+            let rise = self.entry(slopes, (n, all), (0, u, v));
+            for i in 0..COUPLED {
+                for j in 0..COUPLED {
+                    x[i * n + u] += (rise * x[j * n + v]).times(weights[i][j]);
+                }
+            }
+        }
+    }
+
+    /// Solves the transposed stage equations of one interval in place.
+    fn solve_transposed(&self, Parts { qr: factored, slopes, .. }: &Parts<&[Lane]>, x: &mut [Lane]) {
+        let (q, n, all) = (self.roles.unknowns.len(), self.n, self.all);
+        let weights = self.weights;
+        for &(u, v) in &self.roles.integrals {
+            let rise = self.entry(slopes, (n, all), (0, u, v));
+            for j in 0..COUPLED {
+                for i in 0..COUPLED {
+                    let moved = (rise * x[i * n + u]).times(weights[i][j]);
+                    x[j * n + v] += moved;
+                }
+            }
+        }
+        let at = (0..COUPLED).flat_map(|i| self.roles.unknowns.iter().map(move |row| i * n + row));
+        let mut unknowns = Lanes::collected(COUPLED * q, at.clone().map(|at| x[at]));
+        qr::solve_transposed(COUPLED * q, factored, &mut unknowns);
+        at.zip(&unknowns).for_each(|(at, value)| x[at] = *value);
+        for &(u, _) in &self.roles.integrals {
+            for j in 0..COUPLED {
+                for &row in &self.roles.unknowns {
+                    let entry = self.entry(slopes, (n, all), (j, row, u));
+                    for i in 0..COUPLED {
+                        let moved = (entry * x[i * n + row]).times(weights[i][j]);
+                        x[j * n + u] += moved;
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -105,10 +210,11 @@ impl Job for Inward<'_> {
     #[inline(always)]
     fn run(self) {
         // Compiled once more each where the sizes are those of one or two equations of second order.
-        match (self.factor.coupling.m, self.factor.coupling.n, self.factor.coupling.all) {
-            (SMALL_M, 2, 2) => self.eliminate(SMALL_M, 2, 2),
-            (MEDIUM_M, 4, 4) => self.eliminate(MEDIUM_M, 4, 4),
-            (m, n, all) => self.eliminate(m, n, all),
+        let Coupling { roles, n, all, .. } = &self.factor.coupling;
+        match (roles.unknowns.len(), *n, *all) {
+            (1, 2, 2) => self.eliminate(1, 2, 2),
+            (2, 4, 4) => self.eliminate(2, 4, 4),
+            (q, n, all) => self.eliminate(q, n, all),
         }
     }
 }
@@ -120,13 +226,13 @@ const MEDIUM_M: usize = 4 * COUPLED;
 
 impl Inward<'_> {
     #[inline(always)]
-    fn eliminate(self, m: usize, n: usize, all: usize) {
+    fn eliminate(self, q: usize, n: usize, all: usize) {
         let RegionFactor { coupling, coupled, .. } = self.factor;
-        let mut sums = Lanes::zeros(all - n);
-        let steps = self.inner.chunks_exact_mut(m).zip(self.rhs.chunks_exact_mut(n));
+        let (mut sums, mut unknowns) = (Lanes::zeros(all - n), Lanes::zeros(COUPLED * q));
+        let steps = self.inner.chunks_exact_mut(COUPLED * n).zip(self.rhs.chunks_exact_mut(n));
         for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
             let Parts { qr, slopes, .. } = coupling.parts(data);
-            qr::solve(m, qr, z);
+            coupling.solve((q, n, all), (qr, slopes), &mut unknowns, z);
             for (&z, slopes) in z.iter().zip(slopes.chunks_exact(all)) {
                 for i in 0..n {
                     rhs[i] += slopes[i] * z;
@@ -198,7 +304,7 @@ impl RegionFactor {
     pub(super) fn solve_stages_transposed(&self, weights: &mut [Lane]) {
         let data = self.coupled.chunks_exact(self.coupling.len());
         for (weights, data) in weights.chunks_exact_mut(self.coupling.m).zip(data) {
-            qr::solve_transposed(self.coupling.m, self.coupling.parts(data).qr, weights);
+            self.coupling.solve_transposed(&self.coupling.parts(data), weights);
         }
     }
 }

@@ -35,7 +35,7 @@ pub(crate) struct Defects {
     /// working order. Empty on rough meshes of orders 6 and 8, as are the samples.
     pub integrated: Numbers,
     /// f(S) at the samples, in the order of the method's.
-    pub(super) samples: Vec<Sampled>,
+    pub samples: Vec<Sampled>,
 }
 
 /// Weighted squares of the defects at the samples taken so far, by states and intervals in working order.

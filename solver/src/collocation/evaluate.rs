@@ -33,6 +33,9 @@ pub(crate) struct Stages {
     /// States whose derivative is another state and nothing else, with that state: at all nodes where derivatives were
     /// last evaluated. Only at order 6: see [`ODD`](crate::tableau::ODD).
     pub chained: Vec<(usize, usize)>,
+    /// The same for coupled inner stages, as far as the derivatives at all nodes and stages say: see
+    /// [`Role`](super::coupled::Role).
+    pub second_order: Vec<(usize, usize)>,
 }
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
@@ -116,7 +119,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let inner = self.tableau.c[2..].iter().map(|&c| at(c)).collect();
             let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * stride);
             let (nodes, phi) = (batch(grid.node_stride(), false), Numbers::zeros(plan.n * stride));
-            Stages { nodes, inner, phi, psi, chained: Vec::new() }
+            Stages { nodes, inner, phi, psi, chained: Vec::new(), second_order: Vec::new() }
         });
         Work {
             regions: regions.collect(),
@@ -194,6 +197,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         self.interval_residuals(region, &x.y[region], stages);
         if self.tableau.coupled {
             self.stage_residuals(region, x, stages);
+            if derivatives != Derivatives::None {
+                let batches: Vec<&Batch> = std::iter::once(&stages.nodes).chain(&stages.inner).collect();
+                stages.second_order = self.second_order(region, &batches);
+            }
         }
         Ok(())
     }
@@ -211,25 +218,37 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
     /// See [`Stages::chained`].
     fn chained(&self, region: usize, y: &[f64], nodes: &Batch) -> Vec<(usize, usize)> {
-        let (layout, n) = (&self.layout.regions[region], self.plan.regions[region].n);
         let stride = self.grids[region].node_stride();
-        let are = |values: &[f64], entry: usize, value: f64| {
-            values[entry * stride..][..stride].iter().all(|found| *found == value)
+        let mut found = self.second_order(region, &[nodes]);
+        found.retain(|&(u, v)| nodes.f[u * stride..][..stride] == y[v * stride..][..stride]);
+        found
+    }
+
+    /// States whose derivative depends on another state alone, with slope 1, as the derivatives in the batches say; no
+    /// two on the same.
+    fn second_order(&self, region: usize, batches: &[&Batch]) -> Vec<(usize, usize)> {
+        let layout = &self.layout.regions[region];
+        let are = |of: fn(&Batch) -> &[f64], entry: usize, count: usize, value: f64| {
+            batches.iter().all(|batch| {
+                let stride = of(batch).len() / count;
+                of(batch)[entry * stride..][..stride].iter().all(|found| *found == value)
+            })
         };
+        let (states, constants) = (&layout.state_pattern, &layout.constant_pattern);
+        let by_state = |entry: usize, value: f64| are(|batch| &batch.dy, entry, states.len(), value);
+        let by_constant = |entry: usize| are(|batch| &batch.dc, entry, constants.len(), 0.0);
         // The only argument that a row depends on, if that is another state, with slope 1.
         let only = |row: usize| {
             let of_row = |(_, at): &(usize, &(usize, usize))| at.0 == row;
-            let states = layout.state_pattern.iter().enumerate().filter(of_row);
-            let mut states = states.filter(|(entry, _)| !are(&nodes.dy, *entry, 0.0));
-            let (entry, &(_, state)) = states.next()?;
-            let mut constants = layout.constant_pattern.iter().enumerate().filter(of_row);
-            let alone = states.next().is_none() && constants.all(|(entry, _)| are(&nodes.dc, entry, 0.0));
-            (alone && state != row && are(&nodes.dy, entry, 1.0)).then_some(state)
+            let mut arguments = states.iter().enumerate().filter(of_row).filter(|(entry, _)| !by_state(*entry, 0.0));
+            let (entry, &(_, state)) = arguments.next()?;
+            let mut constants = constants.iter().enumerate().filter(of_row);
+            let alone = arguments.next().is_none() && constants.all(|(entry, _)| by_constant(entry));
+            (alone && state != row && by_state(entry, 1.0)).then_some(state)
         };
         let mut found: Vec<(usize, usize)> = Vec::new();
-        for u in 0..n {
+        for u in 0..self.plan.regions[region].n {
             if let Some(v) = only(u)
-                && nodes.f[u * stride..][..stride] == y[v * stride..][..stride]
                 && found.iter().all(|&(_, other)| other != v)
             {
                 found.push((u, v));

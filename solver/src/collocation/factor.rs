@@ -6,6 +6,7 @@ use super::assemble::Assembly;
 use super::coupled::{Coupling, Inward, Outward, scaled};
 use super::evaluate::Work;
 use super::plan::RegionPlan;
+use super::roles::Roles;
 use super::{Correction, Scales, System};
 use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
@@ -58,7 +59,7 @@ impl Factorisation {
     pub(crate) fn new<P: Problem + ?Sized>(system: &System<'_, P>) -> Self {
         let regions = system.plan.regions.iter().zip(&system.grids).map(|(plan, grid)| {
             let coupling = Coupling::new(system.tableau, plan);
-            let kept = if coupling.m > 0 { coupling.len() } else { 0 };
+            let kept = coupling.len();
             RegionFactor {
                 lanes: Chain::new(plan.sizes(), grid.steps),
                 top: Chain::new(plan.sizes(), W),
@@ -86,7 +87,11 @@ impl Factorisation {
     pub(crate) fn condense<P: Problem + ?Sized>(&mut self, system: &System<'_, P>, work: &Work, scales: Scales) {
         self.scales = scales;
         for (region, factor) in self.regions.iter_mut().enumerate() {
-            let assembly = Assembly::new(system, region, &work.regions[region], &self.scales);
+            let stages = &work.regions[region];
+            if system.tableau.coupled {
+                factor.coupling.roles = Roles::new(factor.coupling.roles.of.len(), &stages.second_order);
+            }
+            let assembly = Assembly::new(system, region, stages, &self.scales);
             FactorRegion { assembly, n: system.plan.regions[region].n, factor }.vectorised();
         }
         self.assemble_dense(system, work);

@@ -151,7 +151,7 @@ impl Pieces<'_> {
 
 /// The right-hand side at the same places of all intervals.
 #[derive(Debug, Clone)]
-pub(super) struct Sampled {
+pub(crate) struct Sampled {
     /// How many.
     pub places: usize,
     /// Vectors a place and row.

@@ -12,6 +12,7 @@ pub(crate) mod interpolant;
 mod moments;
 pub(crate) mod parameter;
 pub(crate) mod plan;
+pub(crate) mod roles;
 pub(crate) mod transpose;
 
 use crate::linear::memory::{Lanes, Numbers};

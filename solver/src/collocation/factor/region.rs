@@ -1,7 +1,8 @@
 //! One region, eliminated and solved for: several stretches of it side by side in vector registers.
 
 use super::RegionFactor;
-use crate::collocation::assemble::Assembly;
+use crate::collocation::assemble::{Assembly, Inner};
+use crate::collocation::coupled::Coupling;
 use crate::linear::chain::{Block, Intervals, Reduced};
 use crate::linear::memory::Lanes;
 use crate::linear::reflect::Rows;
@@ -33,8 +34,7 @@ impl RowsJob for FactorRegion<'_, '_> {
 #[inline(always)]
 fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFactor) {
     let RegionFactor { lanes, top, row_scale, coupling, coupled } = factor;
-    let kept = if coupling.m > 0 { coupling.len() } else { 0 };
-    lanes.factor(rows, Stretches { assembly, row_scale, coupled, kept });
+    lanes.factor(rows, Stretches { assembly, row_scale, coupling, coupled });
     top.factor(rows, Reduced(&lanes.end));
 }
 
@@ -42,17 +42,17 @@ fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFa
 struct Stretches<'a, 'b> {
     assembly: Assembly<'a>,
     row_scale: &'b mut [Lane],
+    coupling: &'b Coupling,
     coupled: &'b mut [Lane],
-    /// Values of `coupled` an interval.
-    kept: usize,
 }
 
 impl Intervals<Lane> for Stretches<'_, '_> {
     #[inline(always)]
     fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>) {
         let n = rows.n();
-        let coupled = &mut self.coupled[t * self.kept..(t + 1) * self.kept];
-        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n], coupled);
+        let len = self.coupling.len();
+        let inner = Inner { coupling: self.coupling, kept: &mut self.coupled[t * len..(t + 1) * len] };
+        self.assembly.fill(rows, t, block, &mut self.row_scale[t * n..(t + 1) * n], inner);
     }
 }
 
