@@ -25,6 +25,8 @@ pub(crate) struct Tableau {
     /// `x[r]` has `r` entries; if the inner stages are coupled, one for each stage.
     pub x: &'static [&'static [f64]],
     pub b: &'static [f64],
+    /// How many inner stages at a time depend on none of each other, or are unknowns: their points are one batch.
+    pub batches: &'static [usize],
     /// Whether the inner stages depend on each other, so that their values are unknowns.
     pub coupled: bool,
     /// Exponent of the step in the defect of the dense output.
@@ -95,6 +97,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     v: &[0.0, 1.0, 0.5],
     x: &[&[], &[0.0], &[0.125, -0.125]],
     b: &[1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0],
+    batches: &[1],
     coupled: false,
     defect_order: 4.0,
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
@@ -116,6 +119,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
         &[-5.0 / 24.0, 5.0 / 24.0, 2.0 / 3.0, -2.0 / 3.0],
     ],
     b: &[7.0 / 90.0, 7.0 / 90.0, 16.0 / 45.0, 16.0 / 45.0, 2.0 / 15.0],
+    batches: &[2, 1],
     coupled: false,
     defect_order: 5.0,
     // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70, the inner two first.
@@ -157,6 +161,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
         &[1.0 / 64.0, -1.0 / 64.0, 0.167_073_072_211_931_67, -0.167_073_072_211_931_67, 0.0],
     ],
     b: &[0.05, 0.05, 49.0 / 180.0, 49.0 / 180.0, 16.0 / 45.0],
+    batches: &[COUPLED],
     coupled: true,
     defect_order: 7.0,
     // Gauss points of order 12 on [0, 1]: zeros of the Legendre polynomial of degree 6.
@@ -204,6 +209,7 @@ mod tests {
                 assert!((sum - 1.0 / f64::from(power + 1)).abs() < 1e-15, "order {} power {power}", tableau.order);
             }
             assert!(!tableau.coupled || tableau.stages() == COUPLED + 2);
+            assert_eq!(tableau.batches.iter().sum::<usize>() + 2, tableau.stages());
             for r in 0..tableau.stages() {
                 // y = s^q is reproduced for q <= 3 (MIRK stage conditions), by collocation of degree 5 for q <= 5.
                 for q in 1..=if tableau.coupled { 5_i32 } else { 3 } {

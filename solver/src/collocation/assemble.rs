@@ -1,9 +1,9 @@
 //! Coefficients of the linearised interval equations: the chain rule through the stages.
 
 use super::coupled::{COUPLED, Coupling, Parts};
-use super::evaluate::{Batch, MOST_STAGES, Stages};
 use super::plan::RegionPlan;
 use super::roles::Role;
+use super::stages::{MOST_STAGES, Stages, View};
 use super::{Scales, System};
 use crate::linear::chain::Block;
 use crate::linear::memory::Lanes;
@@ -28,10 +28,10 @@ struct Entry {
 pub(crate) struct Assembly<'a> {
     plan: &'a RegionPlan,
     tableau: &'static Tableau,
-    stages: &'a Stages,
+    /// Values at the stages.
+    views: [View<'a>; MOST_STAGES],
     /// Interval lengths.
     h: &'a [[f64; W]],
-    steps: usize,
     /// Typical magnitudes of the states.
     magnitudes: &'a [f64],
     states: Vec<Entry>,
@@ -103,9 +103,8 @@ impl<'a> Assembly<'a> {
         Self {
             plan,
             tableau: system.tableau,
-            stages,
+            views: stages.views(grid.steps),
             h: grid.h.as_chunks::<W>().0,
-            steps: grid.steps,
             magnitudes: d,
             states: states
                 .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
@@ -157,10 +156,10 @@ impl<'a> Assembly<'a> {
         let stages = self.tableau.stages().min(MOST_STAGES);
         // By sides, stages, rows.
         let mut moves = [[[[Lane::ZERO; N]; N]; MOST_STAGES]; 2];
-        moves[0][0] = self.jacobian(&self.stages.nodes, t, self.steps + 1);
-        moves[1][1] = self.jacobian(&self.stages.nodes, t + 1, self.steps + 1);
+        moves[0][0] = self.jacobian(0, t);
+        moves[1][1] = self.jacobian(1, t);
         for stage in 2..stages {
-            let jacobian: [[Lane; N]; N] = self.jacobian(&self.stages.inner[stage - 2], t, self.steps);
+            let jacobian: [[Lane; N]; N] = self.jacobian(stage, t);
             let v = self.tableau.v[stage];
             for (side, (moves, own)) in moves.iter_mut().zip([1.0 - v, v]).enumerate() {
                 let mut sum = [[Lane::ZERO; N]; N];
@@ -219,11 +218,10 @@ impl<'a> Assembly<'a> {
 
     /// Derivatives of the right-hand side at one stage, dimensionless.
     #[inline(always)]
-    fn jacobian<const N: usize>(&self, batch: &Batch, step: usize, steps: usize) -> [[Lane; N]; N] {
-        let dy = batch.dy.as_chunks::<W>().0;
+    fn jacobian<const N: usize>(&self, stage: usize, t: usize) -> [[Lane; N]; N] {
         let mut out = [[Lane::ZERO; N]; N];
         for entry in &self.states {
-            out[entry.row][entry.column] += Lane(dy[entry.from * steps + step]).times(entry.factor);
+            out[entry.row][entry.column] += self.views[stage].dy(entry.from, t).times(entry.factor);
         }
         out
     }
@@ -250,20 +248,15 @@ impl<'a> Assembly<'a> {
         self.left[before..here].fill(Lane::ZERO);
         self.right[before..here].fill(Lane::ZERO);
         self.by_constant[constants..constants + all * p].fill(Lane::ZERO);
-        let (batch, step, steps) = match stage {
-            0 => (&self.stages.nodes, t, self.steps + 1),
-            1 => (&self.stages.nodes, t + 1, self.steps + 1),
-            _ => (&self.stages.inner[stage - 2], t, self.steps),
-        };
-        let (dy, dc) = (batch.dy.as_chunks::<W>().0, batch.dc.as_chunks::<W>().0);
+        let view = self.views[stage];
         for entry in &self.constants {
-            let value = Lane(dc[entry.from * steps + step]).times(entry.factor);
+            let value = view.dc(entry.from, t).times(entry.factor);
             self.by_constant[constants + entry.row * p + entry.column] += value;
         }
         if stage < 2 {
             let out = if stage == 0 { &mut self.left } else { &mut self.right };
             for entry in &self.states {
-                let value = Lane(dy[entry.from * steps + step]).times(entry.factor);
+                let value = view.dy(entry.from, t).times(entry.factor);
                 out[before + entry.row * n + entry.column] += value;
             }
             return;
@@ -273,7 +266,7 @@ impl<'a> Assembly<'a> {
             weights.filter(move |&(earlier, weight)| *weight != 0.0 && Some(earlier) != skip)
         };
         let (v, sum) = (self.tableau.v[stage], &mut self.sum);
-        let chain = Chain { entries: &self.states, dy, steps, step };
+        let chain = Chain { entries: &self.states, view, t };
         let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, chained: &self.chained, h });
         // Widths are known when compiled if the number of states is.
         argument(&self.left, n, all * n, n, h, known(Some(1)), sum);
@@ -315,14 +308,14 @@ impl<'a> Assembly<'a> {
         let matrix = qr::matrix(COUPLED * q, qr);
         matrix.fill(Lane::ZERO);
         add_to_diagonal(matrix, COUPLED * q, 1.0);
-        for (j, batch) in self.stages.inner.iter().enumerate() {
-            let (dy, dc) = (batch.dy.as_chunks::<W>().0, batch.dc.as_chunks::<W>().0);
+        for j in 0..COUPLED {
+            let view = self.views[j + 2];
             for entry in &self.constants {
-                let value = Lane(dc[entry.from * self.steps + t]).times(entry.factor);
+                let value = view.dc(entry.from, t).times(entry.factor);
                 self.by_constant[(j + 2) * all * p + entry.row * p + entry.column] += value;
             }
             for entry in &self.states {
-                let value = Lane(dy[entry.from * self.steps + t]).times(entry.factor) * h;
+                let value = view.dy(entry.from, t).times(entry.factor) * h;
                 slopes[(j * n + entry.column) * all + entry.row] += value.times(self.tableau.b[j + 2]);
                 if entry.row < n {
                     self.insert((q, coupling), (j, entry.row, entry.column), value, h, matrix);
@@ -334,11 +327,11 @@ impl<'a> Assembly<'a> {
         for column in moves.chunks_exact_mut(m) {
             coupling.solve((q, n, all), (qr, slopes), &mut self.unknowns, column);
         }
-        for (j, batch) in self.stages.inner.iter().enumerate() {
-            let dy = batch.dy.as_chunks::<W>().0;
+        for j in 0..COUPLED {
+            let view = self.views[j + 2];
             let (first, first_constant) = ((j + 2) * all * n, (j + 2) * all * p);
             for entry in &self.states {
-                let value = Lane(dy[entry.from * self.steps + t]).times(entry.factor);
+                let value = view.dy(entry.from, t).times(entry.factor);
                 let (row, at) = (entry.row, j * n + entry.column);
                 for q in 0..n {
                     self.left[first + row * n + q] += value * moves[q * m + at];
@@ -521,9 +514,8 @@ fn add_times<const N: usize>(sum: &mut [[Lane; N]; N], weight: Lane, matrix: &[[
 /// Multiplication by the states' Jacobian at one stage.
 struct Chain<'a> {
     entries: &'a [Entry],
-    dy: &'a [[f64; W]],
-    steps: usize,
-    step: usize,
+    view: View<'a>,
+    t: usize,
 }
 
 impl Chain<'_> {
@@ -531,7 +523,7 @@ impl Chain<'_> {
     #[inline(always)]
     fn apply(&self, width: usize, argument: &[Lane], out: &mut [Lane]) {
         for entry in self.entries {
-            let value = Lane(self.dy[entry.from * self.steps + self.step]).times(entry.factor);
+            let value = self.view.dy(entry.from, self.t).times(entry.factor);
             let out = &mut out[entry.row * width..][..width];
             let argument = &argument[entry.column * width..][..width];
             for j in 0..width {

@@ -14,14 +14,14 @@
 //! by h J: where that is large, S follows what f asks of it between the nodes.
 
 use super::defect::Tally;
-use super::evaluate::Stages;
-use super::interpolant::{Basis, Extended, Extension};
+use super::interpolant::{Basis, Extended, Extension, Pieces};
 use super::roles::{Role, Roles};
+use super::stages::{MOST_STAGES, View};
 use crate::error::NonFinite;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, by_components, vectorised};
+use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
 use crate::tableau::{LOBATTO_OFFSET, Tableau};
@@ -35,7 +35,7 @@ const WEIGHTS: [f64; 2] = [0.215_872_690_604_931_3, 0.138_413_023_680_782_97];
 /// Points of collocation.
 const POINTS: usize = 4;
 /// Stages of the method whose derivatives are interpolated.
-const STAGES: usize = 5;
+const STAGES: usize = MOST_STAGES;
 
 /// τ of the points: [`OFFSETS`] to the left, then to the right.
 fn offset(k: usize) -> f64 {
@@ -116,27 +116,43 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let bump = bump.map(|values| values.as_chunks_mut::<W>().0);
         let (lacking, h) = (lacking.as_chunks::<W>().0, self.h());
         let roles = &Roles::new(self.n(), &self.stages.second_order);
-        Correct { pattern, stages: self.stages, h, scales, weights, roles, lacking, bump }.vectorised();
+        Correct { pattern, views: self.stages.views(self.steps()), h, scales, weights, roles, lacking, bump }
+            .vectorised();
     }
 
     /// The collocation polynomial: α and β from the slopes at the outer two of the inner stages.
     pub(super) fn collocation_polynomial(&self) -> Extension {
         let bases = [0.5 - LOBATTO_OFFSET, 0.5 + LOBATTO_OFFSET].map(Basis::slope);
-        let (cubic, mut extension) = (self.pieces(None), self.flat());
-        let stages = self.stages.slopes(cubic.steps);
-        let lacking = |i: usize, t: usize| {
-            let of = |k: usize| cubic.length(t) * stages.of(2 + k, i, t) - cubic.weigh(&bases[k], i, t);
-            [of(0), of(1)]
-        };
-        by_components(&mut extension.alpha, cubic.steps, |i, t| {
-            let [low, high] = lacking(i, t);
-            (high - low).map(|odd| 0.5 * odd / bases[1].alpha)
-        });
-        by_components(&mut extension.beta, cubic.steps, |i, t| {
-            let [low, high] = lacking(i, t);
-            (high + low).map(|even| 0.5 * even / bases[1].beta)
-        });
+        let (cubic, mut extension, views) = (self.pieces(None), self.flat(), self.stages.views(self.steps()));
+        let Extension { alpha, beta, .. } = &mut extension;
+        vectorised(Interpolate { cubic, views, bases, alpha, beta });
         extension
+    }
+}
+
+/// α and β of the collocation polynomial.
+struct Interpolate<'a> {
+    cubic: Pieces<'a>,
+    views: [View<'a>; STAGES],
+    /// Weights in the slopes of the cubic at the outer two of the inner stages.
+    bases: [Basis; 2],
+    alpha: &'a mut [f64],
+    beta: &'a mut [f64],
+}
+
+impl Job for Interpolate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { cubic, views, bases, alpha, beta } = self;
+        let (alpha, beta) = (alpha.as_chunks_mut::<W>().0, beta.as_chunks_mut::<W>().0);
+        for (at, (alpha, beta)) in alpha.iter_mut().zip(beta).enumerate() {
+            let (i, t) = (at / cubic.steps, at % cubic.steps);
+            let [low, high] = [0, 1].map(|k| cubic.length(t) * views[2 + k].f(i, t) - cubic.weigh(&bases[k], i, t));
+            *alpha = (high - low).map(|odd| 0.5 * odd / bases[1].alpha).0;
+            *beta = (high + low).map(|even| 0.5 * even / bases[1].beta).0;
+        }
     }
 }
 
@@ -153,7 +169,8 @@ static POINT_WEIGHTS: OnceLock<PointWeights> = OnceLock::new();
 /// Solves for E at the points, interval by interval, and adds what has these values to α to δ.
 struct Correct<'a> {
     pattern: &'a [(usize, usize)],
-    stages: &'a Stages,
+    /// Values at the stages.
+    views: [View<'a>; STAGES],
     h: &'a [f64],
     scales: &'a [f64],
     weights: &'a PointWeights,
@@ -173,13 +190,7 @@ impl Correct<'_> {
     /// Derivatives of one entry at the points, in vectors.
     #[inline(always)]
     fn derivatives(&self, entry: usize, t: usize) -> [Lane; POINTS] {
-        let steps = self.h.len() / W;
-        let mut known = [Lane::ZERO; STAGES];
-        let nodes = &self.stages.nodes.dy.as_chunks::<W>().0[entry * (steps + 1) + t..][..2];
-        (known[0], known[1]) = (Lane(nodes[0]), Lane(nodes[1]));
-        for (known, batch) in known[2..].iter_mut().zip(&self.stages.inner) {
-            *known = Lane(batch.dy.as_chunks::<W>().0[entry * steps + t]);
-        }
+        let known = self.views.map(|view| view.dy(entry, t));
         let mut out = [Lane::ZERO; POINTS];
         for (out, weights) in out.iter_mut().zip(&self.weights.of_stages) {
             for (known, &weight) in known.iter().zip(weights) {

@@ -1,5 +1,6 @@
 //! The residual of the collocation equations, and the derivatives at all stages.
 
+use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
 use super::{Iterate, System};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
@@ -7,36 +8,6 @@ use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
-
-/// Values of one batch of points.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Batch {
-    pub s: Numbers,
-    pub y: Numbers,
-    /// Right-hand side and integrands.
-    pub f: Numbers,
-    pub dy: Numbers,
-    pub dc: Numbers,
-}
-
-/// Values of one region at all its stages.
-#[derive(Debug, Clone)]
-pub(crate) struct Stages {
-    /// Stages 0 and 1 (`s` and `y` unused: they are the grid's and the iterate's).
-    pub nodes: Batch,
-    /// Stages 2, 3, ...
-    pub inner: Vec<Batch>,
-    /// Interval residuals `y_1 - y_0 - h Σ b K`, `n * interval_stride`.
-    pub phi: Numbers,
-    /// Residuals of the stage equations, as [`Iterate::inner`] stands; empty if that is.
-    pub psi: Numbers,
-    /// States whose derivative is another state and nothing else, with that state: at all nodes where derivatives were
-    /// last evaluated. Only at order 6: see [`ODD`](crate::tableau::ODD).
-    pub chained: Vec<(usize, usize)>,
-    /// The same for coupled inner stages, as far as the derivatives at all nodes and stages say: see
-    /// [`Role`](super::coupled::Role).
-    pub second_order: Vec<(usize, usize)>,
-}
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
 #[derive(Debug, Clone)]
@@ -60,65 +31,28 @@ pub(crate) enum Derivatives {
     All,
 }
 
-impl Stages {
-    /// Slopes of one stage and row, one an interval.
-    #[inline]
-    pub(crate) fn slope(&self, stage: usize, row: usize, intervals: usize) -> &[f64] {
-        match stage {
-            0 => &self.nodes.f[row * (intervals + W)..][..intervals],
-            1 => &self.nodes.f[row * (intervals + W) + W..][..intervals],
-            _ => &self.inner[stage - 2].f[row * intervals..][..intervals],
-        }
-    }
-
-    /// Slopes of all stages, in vectors.
-    pub(crate) fn slopes(&self, steps: usize) -> Slopes<'_> {
-        let nodes = self.nodes.f.as_chunks::<W>().0;
-        let mut stages = [(nodes, steps + 1); MOST_STAGES];
-        stages[1].0 = &nodes[1..];
-        for (stage, batch) in stages[2..].iter_mut().zip(&self.inner) {
-            *stage = (batch.f.as_chunks::<W>().0, steps);
-        }
-        Slopes { stages }
-    }
-}
-
-/// Slopes of all stages, a vector of intervals at a time.
-#[derive(Clone, Copy)]
-pub(crate) struct Slopes<'a> {
-    /// With the number of vectors a row.
-    stages: [(&'a [[f64; W]], usize); MOST_STAGES],
-}
-
-impl Slopes<'_> {
-    /// That of one row at one stage of interval `t` of every stretch.
-    #[inline(always)]
-    pub(crate) fn of(&self, stage: usize, row: usize, t: usize) -> Lane {
-        let (values, steps) = self.stages[stage];
-        Lane(values[row * steps + t])
-    }
-}
-
 impl<P: Problem + ?Sized> System<'_, P> {
     /// Memory for [`evaluate`](Self::evaluate).
     pub(crate) fn work(&self) -> Work {
         let regions = self.plan.regions.iter().zip(&self.grids).map(|(plan, grid)| {
-            let batch = |stride: usize, own_points: bool| Batch {
-                s: Numbers::zeros(if own_points { stride } else { 0 }),
-                y: Numbers::zeros(if own_points { plan.n * stride } else { 0 }),
+            let batch = |stride: usize, points: usize| Batch {
+                s: Numbers::zeros(points),
+                y: Numbers::zeros(plan.n * points),
                 f: Numbers::zeros(plan.rows * stride),
                 dy: Numbers::zeros(plan.state_nonzeros * stride),
                 dc: Numbers::zeros(plan.constant_nonzeros * stride),
             };
-            let stride = grid.interval_stride();
-            let at = |c: f64| {
-                let mut batch = batch(stride, true);
-                elementwise(&mut batch.s, [&grid.s, &grid.h], |_, [s, h]| s + c * h);
+            let (len, mut places) = (grid.interval_stride(), self.tableau.c[2..].iter());
+            let inner = self.tableau.batches.iter().map(|&count| {
+                let mut batch = batch(count * len, count * len);
+                for (s, &c) in batch.s.chunks_exact_mut(len).zip(&mut places) {
+                    elementwise(s, [&grid.s, &grid.h], |_, [s, h]| s + c * h);
+                }
                 batch
-            };
-            let inner = self.tableau.c[2..].iter().map(|&c| at(c)).collect();
-            let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * stride);
-            let (nodes, phi) = (batch(grid.node_stride(), false), Numbers::zeros(plan.n * stride));
+            });
+            let inner = inner.collect();
+            let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * len);
+            let (nodes, phi) = (batch(grid.node_stride(), 0), Numbers::zeros(plan.n * len));
             Stages { nodes, inner, phi, psi, chained: Vec::new(), second_order: Vec::new() }
         });
         Work {
@@ -176,22 +110,25 @@ impl<P: Problem + ?Sized> System<'_, P> {
         if self.tableau.has_odd_parts() && derivatives != Derivatives::None {
             stages.chained = self.chained(region, &x.y[region], &stages.nodes);
         }
-        for stage in 2..self.tableau.stages() {
-            let mut batch = std::mem::take(&mut stages.inner[stage - 2]);
-            let stride = grid.interval_stride();
+        let mut stage = 2;
+        for index in 0..stages.inner.len() {
+            // The stages of one batch depend on those before it alone, so that they can do without it.
+            let mut batch = std::mem::take(&mut stages.inner[index]);
+            let places = self.tableau.batches[index];
             if self.tableau.coupled {
-                let first = (stage - 2) * batch.y.len();
-                let len = batch.y.len();
-                batch.y.copy_from_slice(&x.inner[region][first..first + len]);
+                self.copy_inner(region, x, &mut batch.y);
             } else {
-                self.stage_points(region, stage, &x.y[region], stages, &mut batch.y);
-                self.add_odd_parts(region, stage, &x.y[region], stages, &mut batch.y);
+                for place in 0..places {
+                    self.stage_points(region, stage + place, (&x.y[region], stages), &mut batch.y, (place, places));
+                    self.add_odd_parts(region, stage + place, (&x.y[region], stages), &mut batch.y, (place, places));
+                }
             }
+            stage += places;
             let (s, y) = (std::mem::take(&mut batch.s), std::mem::take(&mut batch.y));
-            let at = Points { len: stride, stride, s: &s, y: &y };
+            let at = Points { len: s.len(), stride: s.len(), s: &s, y: &y };
             let outcome = self.call(region, at, &x.constants, derivatives, &mut batch, stats);
             (batch.s, batch.y) = (s, y);
-            stages.inner[stage - 2] = batch;
+            stages.inner[index] = batch;
             outcome?;
         }
         self.interval_residuals(region, &x.y[region], stages);
@@ -199,10 +136,20 @@ impl<P: Problem + ?Sized> System<'_, P> {
             self.stage_residuals(region, x, stages);
             if derivatives != Derivatives::None {
                 let batches: Vec<&Batch> = std::iter::once(&stages.nodes).chain(&stages.inner).collect();
-                stages.second_order = self.second_order(region, &batches);
+                stages.second_order = second_order(&self.layout.regions[region], &batches);
             }
         }
         Ok(())
+    }
+
+    /// The states at coupled inner stages, from stage by stage to component by component.
+    fn copy_inner(&self, region: usize, x: &Iterate, out: &mut [f64]) {
+        let (n, len) = (self.plan.regions[region].n, self.grids[region].interval_stride());
+        let places = out.len() / (n * len);
+        for (at, values) in x.inner[region].chunks_exact(len).enumerate() {
+            let (place, i) = (at / n, at % n);
+            out[(i * places + place) * len..][..len].copy_from_slice(values);
+        }
     }
 
     /// `Y - (1 - v) y_0 - v y_1 - h Σ x K` of all inner stages.
@@ -210,7 +157,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let len = stages.phi.len();
         let mut psi = std::mem::take(&mut stages.psi);
         for (stage, out) in psi.chunks_exact_mut(len).enumerate() {
-            self.stage_points(region, stage + 2, &x.y[region], stages, out);
+            self.stage_points(region, stage + 2, (&x.y[region], stages), out, (0, 1));
             elementwise(out, [&x.inner[region][stage * len..]], |point, [y]| y - point);
         }
         stages.psi = psi;
@@ -219,58 +166,31 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// See [`Stages::chained`].
     fn chained(&self, region: usize, y: &[f64], nodes: &Batch) -> Vec<(usize, usize)> {
         let stride = self.grids[region].node_stride();
-        let mut found = self.second_order(region, &[nodes]);
+        let mut found = second_order(&self.layout.regions[region], &[nodes]);
         found.retain(|&(u, v)| nodes.f[u * stride..][..stride] == y[v * stride..][..stride]);
         found
     }
 
-    /// States whose derivative depends on another state alone, with slope 1, as the derivatives in the batches say; no
-    /// two on the same.
-    fn second_order(&self, region: usize, batches: &[&Batch]) -> Vec<(usize, usize)> {
-        let layout = &self.layout.regions[region];
-        let are = |of: fn(&Batch) -> &[f64], entry: usize, count: usize, value: f64| {
-            batches.iter().all(|batch| {
-                let stride = of(batch).len() / count;
-                of(batch)[entry * stride..][..stride].iter().all(|found| *found == value)
-            })
-        };
-        let (states, constants) = (&layout.state_pattern, &layout.constant_pattern);
-        let by_state = |entry: usize, value: f64| are(|batch| &batch.dy, entry, states.len(), value);
-        let by_constant = |entry: usize| are(|batch| &batch.dc, entry, constants.len(), 0.0);
-        // The only argument that a row depends on, if that is another state, with slope 1.
-        let only = |row: usize| {
-            let of_row = |(_, at): &(usize, &(usize, usize))| at.0 == row;
-            let mut arguments = states.iter().enumerate().filter(of_row).filter(|(entry, _)| !by_state(*entry, 0.0));
-            let (entry, &(_, state)) = arguments.next()?;
-            let mut constants = constants.iter().enumerate().filter(of_row);
-            let alone = arguments.next().is_none() && constants.all(|(entry, _)| by_constant(entry));
-            (alone && state != row && by_state(entry, 1.0)).then_some(state)
-        };
-        let mut found: Vec<(usize, usize)> = Vec::new();
-        for u in 0..self.plan.regions[region].n {
-            if let Some(v) = only(u)
-                && found.iter().all(|&(_, other)| other != v)
-            {
-                found.push((u, v));
-            }
-        }
-        found
-    }
-
-    /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals.
-    fn stage_points(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
+    /// `(1 - v) y_0 + v y_1 + h Σ x K` of one stage, all intervals, to one place of several of a batch.
+    fn stage_points(
+        &self,
+        region: usize,
+        stage: usize,
+        (y, stages): (&[f64], &Stages),
+        out: &mut [f64],
+        place: (usize, usize),
+    ) {
         let (grid, v) = (&self.grids[region], self.tableau.v[stage]);
-        let slopes = stages.slopes(grid.steps);
-        advance(&slopes, self.tableau.x[stage], Advance { y, h: &grid.h, factors: [1.0 - v, v], sign: 1.0, out });
+        let whole = Advance { y, h: &grid.h, factors: [1.0 - v, v], sign: 1.0, place, out };
+        advance(&stages.views(grid.steps), self.tableau.x[stage], whole);
     }
 
     /// `y_1 - y_0 - h Σ b K`.
     fn interval_residuals(&self, region: usize, y: &[f64], stages: &mut Stages) {
         let grid = &self.grids[region];
         let mut phi = std::mem::take(&mut stages.phi);
-        let slopes = stages.slopes(grid.steps);
-        let whole = Advance { y, h: &grid.h, factors: [-1.0, 1.0], sign: -1.0, out: &mut phi };
-        advance(&slopes, self.tableau.b, whole);
+        let whole = Advance { y, h: &grid.h, factors: [-1.0, 1.0], sign: -1.0, place: (0, 1), out: &mut phi };
+        advance(&stages.views(grid.steps), self.tableau.b, whole);
         let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
         for &(u, v) in &stages.chained {
             let ends = [&y[u * nodes..][..intervals], &y[u * nodes + W..][..intervals]];
@@ -280,7 +200,14 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 
     /// See [`ODD`](crate::tableau::ODD).
-    fn add_odd_parts(&self, region: usize, stage: usize, y: &[f64], stages: &Stages, out: &mut [f64]) {
+    fn add_odd_parts(
+        &self,
+        region: usize,
+        stage: usize,
+        (y, stages): (&[f64], &Stages),
+        out: &mut [f64],
+        (place, places): (usize, usize),
+    ) {
         let Some(odd) = self.tableau.odd_part(stage) else { return };
         let grid = &self.grids[region];
         let (nodes, len) = (grid.node_stride(), grid.interval_stride());
@@ -288,7 +215,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let (left, right) = (&y[u * nodes..][..len], &y[u * nodes + W..][..len]);
             let slope = |stage, row| stages.slope(stage, row, len);
             let inputs = [&grid.h, left, right, slope(0, u), slope(1, u), slope(0, v), slope(1, v)];
-            elementwise(&mut out[u * len..][..len], inputs, |point, [h, u0, u1, v0, v1, k0, k1]| {
+            elementwise(&mut out[(u * places + place) * len..][..len], inputs, |point, [h, u0, u1, v0, v1, k0, k1]| {
                 point + odd * (12.0 * (u1 - u0) + h * (h * (k1 - k0) - 6.0 * (v0 + v1)))
             });
         }
@@ -410,31 +337,30 @@ struct Advance<'a> {
     /// Of both nodes.
     factors: [f64; 2],
     sign: f64,
+    /// Which place of how many `out` has for each component.
+    place: (usize, usize),
     out: &'a mut [f64],
 }
 
 /// `factors · (y_0, y_1) + sign h Σ w K` of all components, all intervals, at once.
-fn advance(slopes: &Slopes<'_>, weights: &[f64], advance: Advance<'_>) {
+fn advance(views: &[View<'_>; MOST_STAGES], weights: &[f64], advance: Advance<'_>) {
     let (mut used, mut count) = ([(0, 0.0); MOST_STAGES], 0);
     for (stage, &weight) in weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         used[count] = (stage, weight);
         count += 1;
     }
     match count {
-        2 => vectorised(Sum { advance, slopes, used: [used[0], used[1]] }),
-        3 => vectorised(Sum { advance, slopes, used: [used[0], used[1], used[2]] }),
-        4 => vectorised(Sum { advance, slopes, used: [used[0], used[1], used[2], used[3]] }),
-        _ => vectorised(Sum { advance, slopes, used }),
+        2 => vectorised(Sum { advance, views, used: [used[0], used[1]] }),
+        3 => vectorised(Sum { advance, views, used: [used[0], used[1], used[2]] }),
+        4 => vectorised(Sum { advance, views, used: [used[0], used[1], used[2], used[3]] }),
+        _ => vectorised(Sum { advance, views, used }),
     }
 }
 
-/// Stages of a method at most; fewer are filled up by the first node's, with the weight 0.
-pub(super) const MOST_STAGES: usize = 5;
-
 struct Sum<'a, const S: usize> {
     advance: Advance<'a>,
-    slopes: &'a Slopes<'a>,
-    /// Stages and their weights.
+    views: &'a [View<'a>; MOST_STAGES],
+    /// Stages and their weights; fewer are filled up by the first node's, with the weight 0.
     used: [(usize, f64); S],
 }
 
@@ -443,15 +369,13 @@ impl<const S: usize> Job for Sum<'_, S> {
 
     #[inline(always)]
     fn run(self) {
-        let Advance { y, h, factors, sign, out } = self.advance;
+        let Advance { y, h, factors, sign, place: (place, places), out } = self.advance;
         let (y, h, out) = (y.as_chunks::<W>().0, h.as_chunks::<W>().0, out.as_chunks_mut::<W>().0);
         let steps = h.len();
-        for (i, out) in out.chunks_exact_mut(steps).enumerate() {
+        for (i, out) in out.chunks_exact_mut(places * steps).enumerate() {
+            let out = &mut out[place * steps..][..steps];
             let y = &y[i * (steps + 1)..][..steps + 1];
-            let slopes = self.used.map(|(stage, weight)| {
-                let (values, stride) = self.slopes.stages[stage];
-                (&values[i * stride..][..steps], weight)
-            });
+            let slopes = self.used.map(|(stage, weight)| (self.views[stage].row(i, steps), weight));
             for t in 0..steps {
                 let mut sum = Lane::ZERO;
                 for (slope, weight) in &slopes {

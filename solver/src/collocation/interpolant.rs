@@ -12,7 +12,7 @@
 //! + (K_3 - K_4)/6]`, in which the O(h⁴) errors of the stages K_3 and K_4 at 1/4 and 3/4 cancel, and the slope there;
 //! both are accurate to O(h⁶), and the defect is O(h⁵). Order 8: see [`corrected`](super::corrected).
 
-use super::evaluate::Stages;
+use super::stages::Stages;
 use super::{Iterate, System};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
@@ -236,9 +236,9 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn match_middle(&self, stats: &mut Stats) -> Result<Extension, NonFinite> {
         let (value, slope) = (Basis::value(0.5), Basis::slope(0.5));
         let (mut extension, cubic) = (self.flat(), self.pieces(None));
-        let stages = self.stages.slopes(cubic.steps);
+        let stages = self.stages.views(cubic.steps);
         by_components(&mut extension.alpha, cubic.steps, |i, t| {
-            let ([y0, y1], [f0, f1, f3, f4]) = (cubic.values(i, t), [0, 1, 2, 3].map(|stage| stages.of(stage, i, t)));
+            let ([y0, y1], [f0, f1, f3, f4]) = (cubic.values(i, t), [0, 1, 2, 3].map(|stage| stages[stage].f(i, t)));
             let rise = cubic.length(t) * ((f0 - f1).map(|f| f / 24.0) + (f3 - f4).map(|f| f / 6.0));
             ((y1 - y0).times(0.5) + rise - cubic.weigh(&value, i, t)).map(|lacking| lacking / value.alpha)
         });

@@ -13,6 +13,7 @@ mod moments;
 pub(crate) mod parameter;
 pub(crate) mod plan;
 pub(crate) mod roles;
+pub(crate) mod stages;
 pub(crate) mod transpose;
 
 use crate::linear::memory::{Lanes, Numbers};

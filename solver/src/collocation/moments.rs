@@ -5,8 +5,8 @@
 //! quadrature from f(S) at the places where the defect was sampled.
 
 use super::defect::Defects;
-use super::evaluate::Batch;
 use super::interpolant::{Basis, Extended, Extension, Pieces, Sampled};
+use super::stages::{MOST_STAGES, View};
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, by_components, vectorised};
@@ -76,7 +76,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let improve = Improve {
             tableau,
             improvement: self.improvement(extension, defects),
-            inner: &self.stages.inner,
+            views: self.stages.views(self.steps()),
             pattern: &self.system.layout.regions[self.region].state_pattern,
             chained: &self.stages.chained,
             jumps: defects.integrated.as_chunks::<W>().0,
@@ -95,7 +95,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 struct Improve<'a> {
     tableau: &'static Tableau,
     improvement: Improvement<'a>,
-    inner: &'a [Batch],
+    /// Values at the stages.
+    views: [View<'a>; MOST_STAGES],
     pattern: &'a [(usize, usize)],
     chained: &'a [(usize, usize)],
     /// J, row by row.
@@ -151,10 +152,10 @@ impl Improve<'_> {
                     self.moved[u] += ((h * jump(v)).times(6.0) - jump(u).times(12.0)).times(odd);
                 }
             }
-            let (slopes, dy) = (&mut slopes[..self.rows], self.inner[stage - 2].dy.as_chunks::<W>().0);
+            let (slopes, view) = (&mut slopes[..self.rows], self.views[stage]);
             slopes.fill(Lane::ZERO);
             for (entry, &(row, state)) in self.pattern.iter().enumerate() {
-                slopes[row] += Lane(dy[entry * steps + t]) * self.moved[state];
+                slopes[row] += view.dy(entry, t) * self.moved[state];
             }
             for row in 0..self.rows {
                 let twice = self.chained.iter().find(|(u, _)| *u == row);

@@ -1,8 +1,9 @@
 //! Derivatives of the collocation equations and integrals along a direction, and the transpose.
 
 use super::coupled::{scaled, unscaled};
-use super::evaluate::{Batch, Stages, Work};
+use super::evaluate::Work;
 use super::factor::{RegionFactor, Rhs};
+use super::stages::{Stage, Stages};
 use super::{Scales, System};
 use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -55,9 +56,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let mut out = vec![0.0; m * len];
         let mut rates = vec![0.0; rows * len];
         for stage in 0..self.tableau.stages() {
-            let (batch, stride, offset) = stages.batch(stage, len);
+            let at = stages.stage(stage, len);
             rates.fill(0.0);
-            explicit_rates(region, batch, stride, offset, direction, &mut rates);
+            explicit_rates(region, at, direction, &mut rates);
             for (out, x) in out.chunks_exact_mut(d.len() * len).zip(&self.tableau.x[2..]) {
                 for (out, rates) in out.chunks_exact_mut(len).zip(rates.chunks_exact(len)) {
                     elementwise(out, [h, rates], |sum, [h, rate]| sum + x[stage] * h * rate);
@@ -87,8 +88,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
         for stage in 0..self.tableau.stages() {
             let (known, rest) = rates.split_at_mut(stage * rows * len);
             let out = &mut rest[..rows * len];
-            let (batch, stride, offset) = stages.batch(stage, len);
-            explicit_rates(region, batch, stride, offset, direction, out);
+            let at = stages.stage(stage, len);
+            explicit_rates(region, at, direction, out);
             shift.fill(0.0);
             let unknown = self.tableau.coupled && stage >= 2;
             if unknown && !inner.is_empty() {
@@ -121,7 +122,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 }
             }
             if (stage >= 2 && !self.tableau.coupled) || nodes.is_some() {
-                chain(region, batch, stride, offset, &shift, out);
+                chain(region, at, &shift, out);
             }
             let b = self.tableau.b[stage];
             for (sums, out) in sums.chunks_exact_mut(len).zip(out.chunks_exact(len)) {
@@ -178,7 +179,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let explicit = if self.tableau.coupled {
             self.pull_back_inner(index, stages, (factor, d), &mut rates, &mut nodes);
             for (stage, rates) in rates.chunks_exact(rows * len).enumerate().skip(2) {
-                weigh_constants(region, stages.batch(stage, len), rates, constants);
+                weigh_constants(region, stages.stage(stage, len), rates, constants);
             }
             2
         } else {
@@ -188,9 +189,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         for stage in (0..explicit).rev() {
             let (known, rest) = rates.split_at_mut(stage * rows * len);
             let out = &rest[..rows * len];
-            weigh_constants(region, stages.batch(stage, len), out, constants);
+            weigh_constants(region, stages.stage(stage, len), out, constants);
             shift.fill(0.0);
-            weigh_states(region, stages.batch(stage, len), out, &mut shift);
+            weigh_states(region, stages.stage(stage, len), out, &mut shift);
             let v = self.tableau.v[stage];
             for (nodes, shift) in nodes.chunks_exact_mut(len + W).zip(shift.chunks_exact(len)) {
                 for p in 0..len {
@@ -239,7 +240,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let mut weights = vec![0.0; m * len];
         for (inner, weights) in weights.chunks_exact_mut(n * len).enumerate() {
             let slopes = &rates[(inner + 2) * rows * len..][..rows * len];
-            weigh_states(region, stages.batch(inner + 2, len), slopes, weights);
+            weigh_states(region, stages.stage(inner + 2, len), slopes, weights);
         }
         // The factored equations are in units of d, their transposes in units of 1/d.
         let reciprocals: Vec<f64> = d.iter().map(|d| 1.0 / d).collect();
@@ -264,56 +265,40 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 /// `constants += (∂f/∂c)ᵀ weights`.
-fn weigh_constants(
-    region: &Region,
-    (batch, stride, offset): (&Batch, usize, usize),
-    weights: &[f64],
-    constants: &mut [f64],
-) {
+fn weigh_constants(region: &Region, Stage { batch, stride, first }: Stage<'_>, weights: &[f64], constants: &mut [f64]) {
     let len = weights.len() / region.rows();
     for (entry, &(row, constant)) in region.constant_pattern.iter().enumerate() {
-        let values = &batch.dc[entry * stride + offset..][..len];
+        let values = &batch.dc[entry * stride + first..][..len];
         constants[constant] += weights[row * len..].iter().zip(values).map(|(a, b)| a * b).sum::<f64>();
     }
 }
 
 /// `states += Jᵀ weights`.
-fn weigh_states(region: &Region, (batch, stride, offset): (&Batch, usize, usize), weights: &[f64], states: &mut [f64]) {
+fn weigh_states(region: &Region, Stage { batch, stride, first }: Stage<'_>, weights: &[f64], states: &mut [f64]) {
     let len = weights.len() / region.rows();
     for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
-        let values = &batch.dy[entry * stride + offset..][..len];
+        let values = &batch.dy[entry * stride + first..][..len];
         let (states, weights) = (&mut states[state * len..(state + 1) * len], &weights[row * len..(row + 1) * len]);
         elementwise(states, [values, weights], |sum, [value, weight]| sum + value * weight);
     }
 }
 
-impl Stages {
-    /// The batch of a stage, its stride, and where its first interval stands.
-    fn batch(&self, stage: usize, len: usize) -> (&Batch, usize, usize) {
-        match stage {
-            0 => (&self.nodes, len + W, 0),
-            1 => (&self.nodes, len + W, W),
-            _ => (&self.inner[stage - 2], len, 0),
-        }
-    }
-}
-
-fn explicit_rates(region: &Region, batch: &Batch, stride: usize, offset: usize, direction: &[f64], out: &mut [f64]) {
+fn explicit_rates(region: &Region, Stage { batch, stride, first }: Stage<'_>, direction: &[f64], out: &mut [f64]) {
     let len = out.len() / region.rows();
     for (entry, &(row, constant)) in region.constant_pattern.iter().enumerate() {
         let rate = direction[constant];
         if rate != 0.0 {
-            let values = &batch.dc[entry * stride + offset..][..len];
+            let values = &batch.dc[entry * stride + first..][..len];
             elementwise(&mut out[row * len..(row + 1) * len], [values], |out, [value]| out + rate * value);
         }
     }
 }
 
 /// `out += J shift`.
-fn chain(region: &Region, batch: &Batch, stride: usize, offset: usize, shift: &[f64], out: &mut [f64]) {
+fn chain(region: &Region, Stage { batch, stride, first }: Stage<'_>, shift: &[f64], out: &mut [f64]) {
     let len = out.len() / region.rows();
     for (entry, &(row, state)) in region.state_pattern.iter().enumerate() {
-        let values = &batch.dy[entry * stride + offset..][..len];
+        let values = &batch.dy[entry * stride + first..][..len];
         let shift = &shift[state * len..(state + 1) * len];
         let out = &mut out[row * len..(row + 1) * len];
         elementwise(out, [values, shift], |out, [value, shift]| out + value * shift);

@@ -1,0 +1,156 @@
+//! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
+
+use crate::linear::memory::Numbers;
+use crate::linear::scalar::{Lane, W};
+use crate::problem::Region;
+
+/// Stages of a method at most.
+pub(crate) const MOST_STAGES: usize = 5;
+
+/// Values of one batch of points: at the nodes, or at one place after the other of all intervals.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Batch {
+    pub s: Numbers,
+    pub y: Numbers,
+    /// Right-hand side and integrands.
+    pub f: Numbers,
+    pub dy: Numbers,
+    pub dc: Numbers,
+}
+
+/// Values of one region at all its stages.
+#[derive(Debug, Clone)]
+pub(crate) struct Stages {
+    /// Stages 0 and 1 (`s` and `y` unused: they are the grid's and the iterate's).
+    pub nodes: Batch,
+    /// Stages 2, 3, ..., in the method's [`batches`](crate::tableau::Tableau::batches).
+    pub inner: Vec<Batch>,
+    /// Interval residuals `y_1 - y_0 - h Σ b K`, `n * interval_stride`.
+    pub phi: Numbers,
+    /// Residuals of the stage equations, as [`Iterate::inner`](super::Iterate::inner) stands; empty if that is.
+    pub psi: Numbers,
+    /// States whose derivative is another state and nothing else, with that state: at all nodes where derivatives were
+    /// last evaluated. Only at order 6: see [`ODD`](crate::tableau::ODD).
+    pub chained: Vec<(usize, usize)>,
+    /// The same for coupled inner stages, as far as the derivatives at all nodes and stages say: see
+    /// [`Role`](super::roles::Role).
+    pub second_order: Vec<(usize, usize)>,
+}
+
+/// Where the values of one stage stand.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stage<'a> {
+    pub batch: &'a Batch,
+    /// From one row or entry to the next.
+    pub stride: usize,
+    /// Of the first interval.
+    pub first: usize,
+}
+
+impl Stages {
+    /// `intervals`: in working order.
+    pub(crate) fn stage(&self, stage: usize, intervals: usize) -> Stage<'_> {
+        let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
+        match stage {
+            0 => nodes,
+            1 => Stage { first: W, ..nodes },
+            _ => {
+                let mut place = stage - 2;
+                for batch in &self.inner {
+                    let places = batch.s.len() / intervals;
+                    if place < places {
+                        return Stage { batch, stride: batch.s.len(), first: place * intervals };
+                    }
+                    place -= places;
+                }
+                nodes
+            }
+        }
+    }
+
+    /// Slopes of one stage and row, one an interval.
+    #[inline]
+    pub(crate) fn slope(&self, stage: usize, row: usize, intervals: usize) -> &[f64] {
+        let Stage { batch, stride, first } = self.stage(stage, intervals);
+        &batch.f[row * stride + first..][..intervals]
+    }
+
+    /// All of them in vectors, `steps` a row; where the method has fewer, the rest repeat the first.
+    pub(crate) fn views(&self, steps: usize) -> [View<'_>; MOST_STAGES] {
+        let count = 2 + self.inner.iter().map(|batch| batch.s.len() / (steps * W)).sum::<usize>();
+        std::array::from_fn(|stage| View::of(self.stage(if stage < count { stage } else { 0 }, steps * W)))
+    }
+}
+
+/// Values of one stage in vectors: interval `t` of every stretch.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a> {
+    f: &'a [[f64; W]],
+    dy: &'a [[f64; W]],
+    dc: &'a [[f64; W]],
+    /// Vectors from one row or entry to the next.
+    stride: usize,
+}
+
+impl<'a> View<'a> {
+    fn of(Stage { batch, stride, first }: Stage<'a>) -> Self {
+        let lanes = |values: &'a Numbers| values.get(first..).unwrap_or_default().as_chunks::<W>().0;
+        Self { f: lanes(&batch.f), dy: lanes(&batch.dy), dc: lanes(&batch.dc), stride: stride / W }
+    }
+
+    /// Slope of one row.
+    #[inline(always)]
+    pub(crate) fn f(&self, row: usize, t: usize) -> Lane {
+        Lane(self.f[row * self.stride + t])
+    }
+
+    /// Slopes of one row, all intervals.
+    #[inline(always)]
+    pub(crate) fn row(&self, row: usize, steps: usize) -> &'a [[f64; W]] {
+        &self.f[row * self.stride..][..steps]
+    }
+
+    /// Derivative of one entry of the states' pattern.
+    #[inline(always)]
+    pub(crate) fn dy(&self, entry: usize, t: usize) -> Lane {
+        Lane(self.dy[entry * self.stride + t])
+    }
+
+    /// Derivative of one entry of the constants' pattern.
+    #[inline(always)]
+    pub(crate) fn dc(&self, entry: usize, t: usize) -> Lane {
+        Lane(self.dc[entry * self.stride + t])
+    }
+}
+
+/// States whose derivative depends on another state alone, with slope 1, as the derivatives in the batches say; no two
+/// on the same.
+pub(super) fn second_order(layout: &Region, batches: &[&Batch]) -> Vec<(usize, usize)> {
+    let are = |of: fn(&Batch) -> &[f64], entry: usize, count: usize, value: f64| {
+        batches.iter().all(|batch| {
+            let stride = of(batch).len() / count;
+            of(batch)[entry * stride..][..stride].iter().all(|found| *found == value)
+        })
+    };
+    let (states, constants) = (&layout.state_pattern, &layout.constant_pattern);
+    let by_state = |entry: usize, value: f64| are(|batch| &batch.dy, entry, states.len(), value);
+    let by_constant = |entry: usize| are(|batch| &batch.dc, entry, constants.len(), 0.0);
+    // The only argument that a row depends on, if that is another state, with slope 1.
+    let only = |row: usize| {
+        let of_row = |(_, at): &(usize, &(usize, usize))| at.0 == row;
+        let mut arguments = states.iter().enumerate().filter(of_row).filter(|(entry, _)| !by_state(*entry, 0.0));
+        let (entry, &(_, state)) = arguments.next()?;
+        let mut constants = constants.iter().enumerate().filter(of_row);
+        let alone = arguments.next().is_none() && constants.all(|(entry, _)| by_constant(entry));
+        (alone && state != row && by_state(entry, 1.0)).then_some(state)
+    };
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    for u in 0..layout.states.len() {
+        if let Some(v) = only(u)
+            && found.iter().all(|&(_, other)| other != v)
+        {
+            found.push((u, v));
+        }
+    }
+    found
+}
