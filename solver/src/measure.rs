@@ -179,7 +179,7 @@ impl Error {
             }
             let integrated = if improved.is_empty() { &defects.integrated } else { &improved };
             let len = grid.interval_stride();
-            let mut lanes = Lanes::zeros(grid.steps * plan.n);
+            let mut lanes = Lanes::unset(grid.steps * plan.n);
             for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
                 let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
                 for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {

@@ -71,7 +71,7 @@ impl Packed<'_> {
     /// nodes keep their values exactly.
     fn sampled(&self, new: &Grid, tableau: &Tableau) -> (Numbers, Numbers) {
         let (nodes, len, stages) = (new.node_stride(), new.interval_stride(), tableau.unknown_stages());
-        let (mut y, mut inner) = (Numbers::zeros(self.states * nodes), Numbers::zeros(stages * self.states * len));
+        let (mut y, mut inner) = (Numbers::unset(self.states * nodes), Numbers::unset(stages * self.states * len));
         let mut order: Vec<usize> = (0..stages).collect();
         order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
         let mut interval = Interval::default();

@@ -117,11 +117,11 @@ impl<'a> Assembly<'a> {
                     factor: constant_scale(column) / row_scale(row),
                 })
                 .collect(),
-            left: Lanes::zeros(count * rows * n),
-            right: Lanes::zeros(count * rows * n),
-            by_constant: Lanes::zeros(count * rows * p),
-            sum: Lanes::zeros(rows * n.max(p)),
-            unknowns: Lanes::zeros(system.tableau.unknown_stages() * n),
+            left: Lanes::unset(count * rows * n),
+            right: Lanes::unset(count * rows * n),
+            by_constant: Lanes::unset(count * rows * p),
+            sum: Lanes::unset(rows * n.max(p)),
+            unknowns: Lanes::unset(system.tableau.unknown_stages() * n),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
         }
     }

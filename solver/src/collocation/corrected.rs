@@ -96,7 +96,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         stats: &mut Stats,
     ) -> Result<Numbers, NonFinite> {
         let points = [0, 1, 2, 3].map(|k| (0.5 + offset(k), WEIGHTS[k % 2]));
-        let mut lacking = Numbers::zeros(POINTS * self.n() * self.intervals());
+        let mut lacking = Numbers::unset(POINTS * self.n() * self.intervals());
         self.counted(Some(polynomial), &points, scales, tally, &mut lacking, stats)?;
         tally.weigh_by(2.0 * (WEIGHTS[0] + WEIGHTS[1]));
         Ok(lacking)
@@ -109,7 +109,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             of_slopes: values_of_slopes(),
         });
         let len = extension.alpha.len();
-        (extension.gamma, extension.delta) = (Numbers::zeros(len), Numbers::zeros(len));
+        (extension.gamma, extension.delta) = (Numbers::unset(len), Numbers::unset(len));
         let Extension { alpha, beta, gamma, delta } = extension;
         let pattern = &self.system.layout.regions[self.region].state_pattern;
         let bump: [&mut [f64]; 4] = [alpha, beta, gamma, delta];
@@ -221,7 +221,7 @@ impl Correct<'_> {
     fn solve(mut self, q: usize, n: usize) {
         let (m, steps) = (POINTS * q, self.h.len() / W);
         let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
-        let (mut data, mut e, mut unknowns) = (Lanes::zeros(qr::room(m)), Lanes::zeros(POINTS * n), Lanes::zeros(m));
+        let (mut data, mut e, mut unknowns) = (Lanes::unset(qr::room(m)), Lanes::unset(POINTS * n), Lanes::unset(m));
         for t in 0..steps {
             let h = Lane(self.h.as_chunks::<W>().0[t]);
             for (k, weights) in from_slopes.iter().enumerate() {

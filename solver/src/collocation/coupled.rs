@@ -228,7 +228,7 @@ impl Inward<'_> {
     #[inline(always)]
     fn eliminate(self, q: usize, n: usize, all: usize) {
         let RegionFactor { coupling, coupled, .. } = self.factor;
-        let (mut sums, mut unknowns) = (Lanes::zeros(all - n), Lanes::zeros(COUPLED * q));
+        let (mut sums, mut unknowns) = (Lanes::zeros(all - n), Lanes::unset(COUPLED * q));
         let steps = self.inner.chunks_exact_mut(COUPLED * n).zip(self.rhs.chunks_exact_mut(n));
         for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
             let Parts { qr, slopes, .. } = coupling.parts(data);
@@ -379,7 +379,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let (mut first, mut last) = (None, limit);
         for _ in 0..ROUNDS {
             let changes = factorisation.stage_correction(self, work);
-            let size = largest(changes.iter().flatten().copied(), &[]);
+            let size = largest(changes.iter().map(|lanes| &lanes[..]), &[]);
             let from = *first.get_or_insert(size);
             if size <= MET {
                 return Settled::Met;
@@ -418,7 +418,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
 /// Row by row in working order, `m * interval_stride`, to interval by interval in units of the scales.
 pub(crate) fn scaled(values: &[f64], d: &[f64], m: usize, factor: f64) -> Lanes {
     let values = values.as_chunks::<W>().0;
-    let mut out = Lanes::zeros(values.len());
+    let mut out = Lanes::unset(values.len());
     for (row, values) in values.chunks_exact(values.len() / m).enumerate() {
         let factor = factor / d[row % d.len()];
         for (out, value) in out.chunks_exact_mut(m).zip(values) {
@@ -439,32 +439,33 @@ pub(crate) fn unscaled(lanes: &[Lane], d: &[f64], m: usize) -> Vec<f64> {
 /// order) where those are to be believed.
 pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Numbers {
     let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
-    let states = y.len() / stride;
-    let mut out = Numbers::zeros(tableau.unknown_stages() * states * len);
+    let (states, intervals) = (y.len() / stride, grid.intervals());
+    let mut out = Numbers::unset(tableau.unknown_stages() * states * len);
+    // Of each interval, what slopes at its ends come to over it.
+    let mut rises: Vec<[f64; 2]> = Vec::with_capacity(intervals);
     for (i, y) in y.chunks_exact(stride).enumerate() {
         let values = grid.unpack(y);
         let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
         let slopes = mesh::slopes(mesh, &values);
         let given = f.map(|f| grid.unpack(&f[i * stride..(i + 1) * stride]));
-        let ends = |j: usize, h: f64| {
-            let own = [h * slopes[j], h * slopes[j + 1]];
-            let given = given.as_ref().map(|given| [h * given[j], h * given[j + 1]]);
+        rises.clear();
+        rises.extend(mesh.windows(2).enumerate().map(|(j, ends)| {
+            let of = |slopes: &[f64]| [slopes[j], slopes[j + 1]].map(|slope| (ends[1] - ends[0]) * slope);
+            let (own, given) = (of(&slopes), given.as_deref().map(of));
             let near = |given: &[f64; 2]| own.iter().zip(given).all(|(a, b)| (a - b).abs() <= BELIEVED * size);
             given.filter(near).unwrap_or(own)
-        };
+        }));
         for (stage, &c) in tableau.c[2..].iter().enumerate() {
             let basis = super::interpolant::Basis::value(c);
             let out = &mut out[(stage * states + i) * len..][..len];
-            for (p, out) in out.iter_mut().enumerate() {
-                let j = grid.index(p);
-                // Padding repeats the last node.
-                *out = if j < grid.intervals() {
-                    let [left, right] = ends(j, mesh[j + 1] - mesh[j]);
-                    values[j] + basis.rise * (values[j + 1] - values[j]) + basis.left * left + basis.right * right
-                } else {
-                    values[grid.intervals()]
-                };
-            }
+            // Padding repeats the last node.
+            out.fill(values[intervals]);
+            let mut places = values.windows(2).zip(&rises);
+            grid.each(intervals, |p| {
+                if let Some((y, [left, right])) = places.next() {
+                    out[p] = y[0] + basis.rise * (y[1] - y[0]) + basis.left * left + basis.right * right;
+                }
+            });
         }
     }
     out

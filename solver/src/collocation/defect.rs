@@ -267,7 +267,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn rounding(&self, terms: &[f64], scales: &[f64]) -> Numbers {
         let (a, b) = self.system.layout.regions[self.region].interval;
         let (cubic, terms) = (self.pieces(None), terms.as_chunks::<W>().0);
-        let mut out = Numbers::zeros(self.intervals());
+        let mut out = Numbers::unset(self.intervals());
         by_components(&mut out, cubic.steps, |_, t| {
             let (h, mut most) = (cubic.length(t), Lane::ZERO);
             for (i, &scale) in scales.iter().enumerate() {
@@ -290,7 +290,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let pattern = &self.system.layout.regions[self.region].state_pattern;
         let (dy, y) = (&self.stages.nodes.dy, &self.x.y[self.region]);
         vectorised(Terms { pattern, dy, y, nodes: steps + 1, out: &mut at_nodes });
-        let (mut terms, at_nodes) = (Numbers::zeros(n * steps * W), at_nodes.as_chunks::<W>().0);
+        let (mut terms, at_nodes) = (Numbers::unset(n * steps * W), at_nodes.as_chunks::<W>().0);
         by_components(&mut terms, steps, |i, t| {
             let at = i * (steps + 1) + t;
             Lane(at_nodes[at]).zip(Lane(at_nodes[at + 1]), f64::max)
@@ -314,7 +314,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             }
             mean
         };
-        let mut out = Numbers::zeros(self.rows() * intervals);
+        let mut out = Numbers::unset(self.rows() * intervals);
         let (states, integrals) = out.split_at_mut(n * intervals);
         by_components(states, cubic.steps, |i, t| {
             let [left, right] = cubic.values(i, t);

@@ -8,6 +8,7 @@ use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
+use crate::tableau::Tableau;
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
 #[derive(Debug, Clone)]
@@ -36,8 +37,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(crate) fn work(&self) -> Work {
         let regions = self.plan.regions.iter().zip(&self.grids).map(|(plan, grid)| {
             let batch = |stride: usize, points: usize| Batch {
-                s: Numbers::zeros(points),
-                y: Numbers::zeros(plan.n * points),
+                s: Numbers::unset(points),
+                y: Numbers::unset(plan.n * points),
                 f: Numbers::zeros(plan.rows * stride),
                 dy: Numbers::zeros(plan.state_nonzeros * stride),
                 dc: Numbers::zeros(plan.constant_nonzeros * stride),
@@ -51,8 +52,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 batch
             });
             let inner = inner.collect();
-            let psi = Numbers::zeros(self.tableau.unknown_stages() * plan.n * len);
-            let (nodes, phi) = (batch(grid.node_stride(), 0), Numbers::zeros(plan.n * len));
+            let psi = Numbers::unset(self.tableau.unknown_stages() * plan.n * len);
+            let (nodes, phi) = (batch(grid.node_stride(), 0), Numbers::unset(plan.n * len));
             Stages { nodes, inner, phi, psi, chained: Vec::new(), second_order: Vec::new() }
         });
         Work {
@@ -154,12 +155,15 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
     /// `Y - (1 - v) y_0 - v y_1 - h Σ x K` of all inner stages.
     fn stage_residuals(&self, region: usize, x: &Iterate, stages: &mut Stages) {
-        let len = stages.phi.len();
-        let mut psi = std::mem::take(&mut stages.psi);
-        for (stage, out) in psi.chunks_exact_mut(len).enumerate() {
-            self.stage_points(region, stage + 2, (&x.y[region], stages), out, (0, 1));
-            elementwise(out, [&x.inner[region][stage * len..]], |point, [y]| y - point);
-        }
+        let (grid, mut psi) = (&self.grids[region], std::mem::take(&mut stages.psi));
+        vectorised(StageResiduals {
+            tableau: self.tableau,
+            views: stages.views(grid.steps),
+            h: grid.h.as_chunks::<W>().0,
+            y: x.y[region].as_chunks::<W>().0,
+            inner: x.inner[region].as_chunks::<W>().0,
+            out: psi.as_chunks_mut::<W>().0,
+        });
         stages.psi = psi;
     }
 
@@ -325,6 +329,45 @@ fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {
         if weight != 0.0 {
             let slopes = stages.slope(stage, row, out.len());
             elementwise(out, [slopes], |out, [slope]| out + weight * slope);
+        }
+    }
+}
+
+/// What the states at coupled inner stages lack of what the slopes say.
+struct StageResiduals<'a> {
+    tableau: &'static Tableau,
+    views: [View<'a>; MOST_STAGES],
+    h: &'a [[f64; W]],
+    /// At the nodes, component by component.
+    y: &'a [[f64; W]],
+    /// At the inner stages, stage by stage.
+    inner: &'a [[f64; W]],
+    out: &'a mut [[f64; W]],
+}
+
+impl Job for StageResiduals<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { tableau, views, h, y, inner, out } = self;
+        let (steps, n) = (h.len(), y.len() / (h.len() + 1));
+        for (stage, out) in out.chunks_exact_mut(n * steps).enumerate() {
+            let v = tableau.v[stage + 2];
+            let mut weights = [0.0; MOST_STAGES];
+            weights.copy_from_slice(tableau.x[stage + 2]);
+            for (i, out) in out.chunks_exact_mut(steps).enumerate() {
+                let (y, inner) = (&y[i * (steps + 1)..][..steps + 1], &inner[(stage * n + i) * steps..][..steps]);
+                let slopes = views.map(|view| view.row(i, steps));
+                for t in 0..steps {
+                    let mut sum = Lane::ZERO;
+                    for (slope, weight) in slopes.iter().zip(weights) {
+                        sum += Lane(slope[t]).times(weight);
+                    }
+                    let ends = Lane(y[t]).times(1.0 - v) + Lane(y[t + 1]).times(v);
+                    out[t] = (Lane(inner[t]) - (ends + Lane(h[t]) * sum)).0;
+                }
+            }
         }
     }
 }

@@ -63,9 +63,9 @@ impl Factorisation {
             RegionFactor {
                 lanes: Chain::new(plan.sizes(), grid.steps),
                 top: Chain::new(plan.sizes(), W),
-                row_scale: Lanes::zeros(grid.steps * plan.n),
+                row_scale: Lanes::unset(grid.steps * plan.n),
                 coupling,
-                coupled: Lanes::zeros(grid.steps * kept),
+                coupled: Lanes::unset(grid.steps * kept),
             }
         });
         Self {
@@ -200,7 +200,7 @@ impl Factorisation {
         let regions = system.grids.iter().zip(&work.regions).zip(&self.scales.states).map(|((grid, stages), d)| {
             let n = d.len();
             let (phi, _) = stages.phi.as_chunks::<W>();
-            let mut rhs = Lanes::zeros(grid.steps * n);
+            let mut rhs = Lanes::unset(grid.steps * n);
             for (i, scale) in d.iter().enumerate() {
                 for (out, phi) in rhs.chunks_exact_mut(n).zip(&phi[i * grid.steps..]) {
                     out[i] = Lane(*phi).times(-1.0 / scale);
@@ -286,7 +286,7 @@ impl Factorisation {
         let mut u = Vec::with_capacity(system.grids.len());
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let grid = &system.grids[region];
-            let mut nodes = Lanes::zeros((grid.steps + 1) * plan.n);
+            let mut nodes = Lanes::unset((grid.steps + 1) * plan.n);
             let constants: Vec<f64> = plan.columns.iter().map(|&column| c[column]).collect();
             let ends = &dense[plan.first_end..plan.first_end + 2 * plan.n];
             let (first, last) = ends.split_at(plan.n);

@@ -302,7 +302,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         stats: &mut Stats,
     ) -> Result<Sampled, NonFinite> {
         let (count, len) = (places.len(), places.len() * self.intervals());
-        let (mut s, mut y) = (Numbers::zeros(len), Numbers::zeros(self.n() * len));
+        let (mut s, mut y) = (Numbers::unset(len), Numbers::unset(self.n() * len));
         let mut bases = [(0.0, Basis::value(0.0)); MOST_PLACES];
         bases.iter_mut().zip(places).for_each(|(basis, &sigma)| *basis = (sigma, Basis::value(sigma)));
         let (pieces, nodes) = (self.pieces(extension), &self.system.grids[self.region].s);

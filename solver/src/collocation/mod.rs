@@ -18,7 +18,7 @@ pub(crate) mod transpose;
 
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::largest;
+use crate::linear::simd::{largest, largest_number};
 use crate::magnitude::Magnitudes;
 use crate::problem::{Layout, Problem};
 use crate::tableau::Tableau;
@@ -73,7 +73,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(crate) fn scales(&self, x: &Iterate) -> Scales {
         let states = self.magnitudes.states.iter().zip(&x.y).map(|(magnitudes, y)| {
             let stride = y.len() / magnitudes.len();
-            let found = y.chunks_exact(stride).map(|y| largest(y.as_chunks::<W>().0.iter().map(|y| Lane(*y)), &[]));
+            let found = y.chunks_exact(stride).map(largest_number);
             magnitudes.iter().zip(found).map(|(magnitude, found)| magnitude.of(found)).collect()
         });
         let constants = self.magnitudes.constants.iter().zip(&x.constants);
@@ -173,7 +173,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
     /// Largest component; NaN if any is not finite.
     pub(crate) fn largest(&self, dx: &Correction) -> f64 {
-        largest(dx.u.iter().chain(&dx.inner).flatten().copied(), &dx.c)
+        largest(dx.u.iter().chain(&dx.inner).map(|lanes| &lanes[..]), &dx.c)
     }
 }
 

@@ -52,7 +52,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let (tableau, len) = (self.system.tableau, self.n() * self.intervals());
         let improvement = self.improvement(extension, defects);
         let (steps, whole) = (improvement.pieces.steps, defects.integrated.as_chunks::<W>().0);
-        let mut out = Numbers::zeros(tableau.unknown_stages() * len);
+        let mut out = Numbers::unset(tableau.unknown_stages() * len);
         for (stage, out) in out.chunks_exact_mut(len).enumerate() {
             let (stage, c) = (stage + 2, tableau.c[stage + 2]);
             let basis = Basis::value(c);
@@ -72,7 +72,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let (tableau, n, rows) = (self.system.tableau, self.n(), self.rows());
         let mut integrated = defects.integrated.clone();
-        let mut slopes = Lanes::zeros((tableau.stages() - 2) * rows);
+        let mut slopes = Lanes::unset((tableau.stages() - 2) * rows);
         let improve = Improve {
             tableau,
             improvement: self.improvement(extension, defects),
@@ -81,8 +81,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             chained: &self.stages.chained,
             jumps: defects.integrated.as_chunks::<W>().0,
             rows,
-            rises: &mut Lanes::zeros(n),
-            moved: &mut Lanes::zeros(n),
+            rises: &mut Lanes::unset(n),
+            moved: &mut Lanes::unset(n),
             slopes: &mut slopes,
             integrated: integrated.as_chunks_mut::<W>().0,
         };

@@ -38,8 +38,8 @@ pub(crate) struct Block<T: Reused> {
 
 impl<T: Reused> Block<T> {
     pub(crate) fn new(Sizes { n, p, k }: Sizes) -> Self {
-        let zeros = Array::zeros;
-        Self { a: zeros(n * n), b: zeros(n * n), c: zeros(n * p), fa: zeros(k * n), fb: zeros(k * n), fc: zeros(k * p) }
+        let unset = Array::unset;
+        Self { a: unset(n * n), b: unset(n * n), c: unset(n * p), fa: unset(k * n), fb: unset(k * n), fc: unset(k * p) }
     }
 }
 
@@ -126,7 +126,7 @@ pub(crate) struct Chain<T: Reused> {
 
 impl<T: Reused> Chain<T> {
     pub(crate) fn new(sizes: Sizes, steps: usize) -> Self {
-        let data = Array::zeros(kept_len(sizes) * steps.saturating_sub(1));
+        let data = Array::unset(kept_len(sizes) * steps.saturating_sub(1));
         Self { sizes, data, end: Block::new(sizes), block: Block::new(sizes) }
     }
 

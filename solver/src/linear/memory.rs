@@ -24,7 +24,7 @@ impl<T> Shelf<T> {
         Self { classes: [const { Vec::new() }; CLASSES], held: 0 }
     }
 
-    /// Empty, with room for at least `len` values.
+    /// With room for at least `len` values, and whatever values it was given back with.
     fn take(&mut self, len: usize) -> Vec<T> {
         let class = len.next_power_of_two().trailing_zeros() as usize;
         match self.classes.get_mut(class).and_then(Vec::pop) {
@@ -37,12 +37,11 @@ impl<T> Shelf<T> {
         }
     }
 
-    fn give(&mut self, mut values: Vec<T>) {
+    fn give(&mut self, values: Vec<T>) {
         let capacity = values.capacity();
         if (self.held + capacity) * size_of::<T>() <= MOST
             && let Some(class) = self.classes.get_mut(capacity.ilog2() as usize)
         {
-            values.clear();
             self.held += capacity;
             class.push(values);
         }
@@ -78,7 +77,7 @@ pub(crate) type Numbers = Array<f64>;
 pub(crate) type Lanes = Array<Lane>;
 
 impl<T: Kept> Array<T> {
-    /// With room for `len` values, but without any.
+    /// With room for `len` values, and whatever values.
     fn room(len: usize) -> Vec<T> {
         if len == 0 {
             return Vec::new();
@@ -90,12 +89,25 @@ impl<T: Kept> Array<T> {
 
     pub(crate) fn zeros(len: usize) -> Self {
         let mut values = Self::room(len);
+        values.clear();
         values.resize(len, T::ZERO);
+        Self(values)
+    }
+
+    /// For what is written before it is read: the values may be any. With debug assertions they are NaN, so that tests
+    /// see what is read too early.
+    pub(crate) fn unset(len: usize) -> Self {
+        let mut values = Self::room(len);
+        if cfg!(debug_assertions) {
+            values.clear();
+        }
+        values.resize(len, T::ONE.times(f64::NAN));
         Self(values)
     }
 
     pub(crate) fn of(values: &[T]) -> Self {
         let mut copied = Self::room(values.len());
+        copied.clear();
         copied.extend_from_slice(values);
         Self(copied)
     }
@@ -103,6 +115,7 @@ impl<T: Kept> Array<T> {
     /// So many values.
     pub(crate) fn collected(len: usize, values: impl Iterator<Item = T>) -> Self {
         let mut all = Self::room(len);
+        all.clear();
         all.extend(values);
         Self(all)
     }
@@ -201,6 +214,7 @@ mod tests {
             assert_eq!(held() > before, kept, "{len}");
             let again = Numbers::zeros(len);
             assert!(again.len() == len && again.iter().all(|&x| x == 0.0));
+            assert_eq!(Numbers::unset(len).len(), len);
             // Where an array that is not kept comes to lie is the allocator's to say: it may be the same place.
             assert!(again.as_ptr() == at || !kept, "{len}");
             assert_eq!(held(), before, "{len}");

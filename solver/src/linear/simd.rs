@@ -147,16 +147,27 @@ impl<F: Fn(usize, usize) -> Lane> Job for ByComponents<'_, F> {
 }
 
 /// Largest magnitude; NaN if any value is NaN or infinite.
-pub(crate) fn largest(lanes: impl Iterator<Item = Lane>, rest: &[f64]) -> f64 {
-    vectorised(Largest { lanes, rest })
+pub(crate) fn largest<'a>(lanes: impl Iterator<Item = &'a [Lane]>, rest: &[f64]) -> f64 {
+    let found = lanes.map(|lanes| vectorised(Largest { lanes: lanes.iter().copied() }));
+    found.chain(rest.iter().map(|x| x.abs() + x * 0.0)).fold(0.0, larger)
 }
 
-struct Largest<'a, I> {
+/// Of numbers, as many as are a multiple of `W`.
+pub(crate) fn largest_number(values: &[f64]) -> f64 {
+    vectorised(Largest { lanes: values.as_chunks::<W>().0.iter().map(|lane| Lane(*lane)) })
+}
+
+/// NaN if either is.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+struct Largest<I> {
     lanes: I,
-    rest: &'a [f64],
 }
 
-impl<I: Iterator<Item = Lane>> Job for Largest<'_, I> {
+impl<I: Iterator<Item = Lane>> Job for Largest<I> {
     type Output = f64;
 
     #[inline(always)]
@@ -167,8 +178,7 @@ impl<I: Iterator<Item = Lane>> Job for Largest<'_, I> {
             // x * 0 is 0 for a finite x and NaN otherwise.
             sums += lane.times(0.0);
         }
-        let sum = sums.0.iter().chain(self.rest).fold(0.0, |sum, x| sum + x * 0.0);
-        most.0.iter().chain(self.rest).fold(sum, |max: f64, x| if max.is_nan() { max } else { max.max(x.abs()) })
+        most.0.iter().zip(sums.0).fold(0.0, |max, (most, sum)| larger(max, most + sum))
     }
 }
 
@@ -182,7 +192,12 @@ mod tests {
             let mut values: Vec<f64> = (0..len).map(|i| -0.5 + i as f64 / 100.0).collect();
             let found = |values: &[f64]| {
                 let (lanes, rest) = values.as_chunks::<W>();
-                largest(lanes.iter().map(|x| Lane(*x)), rest)
+                let lanes: Vec<Lane> = lanes.iter().map(|x| Lane(*x)).collect();
+                let found = largest(lanes.chunks(2), rest);
+                if rest.is_empty() {
+                    assert_eq!(largest_number(values).to_bits(), found.to_bits());
+                }
+                found
             };
             assert_eq!(found(&values), values.iter().fold(0.0, |max: f64, x| max.max(x.abs())));
             for at in 0..len {

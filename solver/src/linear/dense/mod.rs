@@ -1,18 +1,18 @@
 //! The small dense system that is left for ends and constants: LU with partial pivoting, in one thread, by faer, or by
-//! nalgebra where the feature `faer` is off.
+//! nalgebra where the feature `faer` is off or the unknowns are few.
 //!
 //! Elimination with complete pivoting would reveal the rank at once, but takes 9, 25 and 57 µs for 30, 44 and 60
 //! unknowns where partial pivoting, as called here, takes 5, 16 and 20 µs (x86-64 with AVX2; a substitution 1 to 3 µs
 //! either way). A pivot that is small beside the others raises a suspicion; singular values (some 300 µs) then tell.
 
 #[cfg(feature = "faer")]
+mod by_either;
+#[cfg(feature = "faer")]
 mod by_faer;
-// With both at hand, tests compare them.
-#[cfg(any(test, not(feature = "faer")))]
 mod by_nalgebra;
 
 #[cfg(feature = "faer")]
-use by_faer::Factors;
+use by_either::Factors;
 #[cfg(not(feature = "faer"))]
 use by_nalgebra::Factors;
 use nalgebra::{DMatrix, Dyn, SVD};
