@@ -115,7 +115,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let bump: [&mut [f64]; 4] = [alpha, beta, gamma, delta];
         let bump = bump.map(|values| values.as_chunks_mut::<W>().0);
         let (lacking, h) = (lacking.as_chunks::<W>().0, self.h());
-        let roles = &Roles::new(self.n(), &self.stages.second_order);
+        let roles = &*self.stages.roles;
         Correct { pattern, views: self.stages.views(self.steps()), h, scales, weights, roles, lacking, bump }
             .vectorised();
     }

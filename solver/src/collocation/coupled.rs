@@ -27,6 +27,7 @@ use crate::mesh;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
 use crate::tableau::Tableau;
+use std::sync::Arc;
 
 /// Inner stages of the methods whose inner stages are coupled.
 pub(crate) const COUPLED: usize = 3;
@@ -43,7 +44,7 @@ pub(crate) struct Coupling {
     /// States and active integrals.
     all: usize,
     /// What each state is in the stage equations.
-    pub roles: Roles,
+    pub roles: Arc<Roles>,
     /// x_ij of the inner stages.
     pub weights: [[f64; COUPLED]; COUPLED],
     /// 1 / b_j of the inner stages.
@@ -72,7 +73,7 @@ impl Coupling {
             n,
             columns: 2 * n + plan.columns.len(),
             all: n + plan.active.len(),
-            roles: Roles::new(n, &[]),
+            roles: Arc::default(),
             weights,
             inverse_weights,
         }
@@ -330,7 +331,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
                 let len = grid.node_stride();
                 let at = Points { len, stride: len, s: &grid.s, y };
-                let mut f = Numbers::zeros(self.layout.regions[region].rows() * len);
+                let mut f = Numbers::unset(self.layout.regions[region].rows() * len);
                 stats.rhs_points += len;
                 self.problem.rhs(region, &at, &x.constants, &mut f);
                 interpolated(self.tableau, grid, y, Some(&f))

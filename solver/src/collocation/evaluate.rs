@@ -1,5 +1,6 @@
 //! The residual of the collocation equations, and the derivatives at all stages.
 
+use super::roles::Roles;
 use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
 use super::{Iterate, System};
 use crate::error::NonFinite;
@@ -9,6 +10,7 @@ use crate::linear::simd::{Job, elementwise, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
 use crate::tableau::Tableau;
+use std::sync::Arc;
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
 #[derive(Debug, Clone)]
@@ -39,8 +41,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let batch = |stride: usize, points: usize| Batch {
                 s: Numbers::unset(points),
                 y: Numbers::unset(plan.n * points),
-                f: Numbers::zeros(plan.rows * stride),
-                dy: Numbers::zeros(plan.state_nonzeros * stride),
+                f: Numbers::unset(plan.rows * stride),
+                dy: Numbers::unset(plan.state_nonzeros * stride),
+                // Only what is asked for is written.
                 dc: Numbers::zeros(plan.constant_nonzeros * stride),
             };
             let (len, mut places) = (grid.interval_stride(), self.tableau.c[2..].iter());
@@ -54,7 +57,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             let inner = inner.collect();
             let psi = Numbers::unset(self.tableau.unknown_stages() * plan.n * len);
             let (nodes, phi) = (batch(grid.node_stride(), 0), Numbers::unset(plan.n * len));
-            Stages { nodes, inner, phi, psi, chained: Vec::new(), second_order: Vec::new() }
+            Stages { nodes, inner, phi, psi, chained: Vec::new(), roles: Arc::default() }
         });
         Work {
             regions: regions.collect(),
@@ -136,8 +139,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         if self.tableau.coupled {
             self.stage_residuals(region, x, stages);
             if derivatives != Derivatives::None {
-                let batches: Vec<&Batch> = std::iter::once(&stages.nodes).chain(&stages.inner).collect();
-                stages.second_order = second_order(&self.layout.regions[region], &batches);
+                let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
+                let found = second_order(&self.layout.regions[region], batches);
+                stages.roles = Arc::new(Roles::new(self.plan.regions[region].n, &found));
             }
         }
         Ok(())
@@ -170,7 +174,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// See [`Stages::chained`].
     fn chained(&self, region: usize, y: &[f64], nodes: &Batch) -> Vec<(usize, usize)> {
         let stride = self.grids[region].node_stride();
-        let mut found = second_order(&self.layout.regions[region], &[nodes]);
+        let mut found = second_order(&self.layout.regions[region], std::iter::once(nodes));
         found.retain(|&(u, v)| nodes.f[u * stride..][..stride] == y[v * stride..][..stride]);
         found
     }

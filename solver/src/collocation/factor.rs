@@ -6,7 +6,6 @@ use super::assemble::Assembly;
 use super::coupled::{Coupling, Inward, Outward, scaled};
 use super::evaluate::Work;
 use super::plan::RegionPlan;
-use super::roles::Roles;
 use super::{Correction, Scales, System};
 use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
@@ -15,6 +14,7 @@ use crate::linear::scalar::{Lane, Scalar, W};
 use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
 use region::{Backward, FactorRegion, Forward};
+use std::sync::Arc;
 
 /// One region: the stretches side by side, then the stretches one after another.
 #[derive(Debug, Clone)]
@@ -88,9 +88,7 @@ impl Factorisation {
         self.scales = scales;
         for (region, factor) in self.regions.iter_mut().enumerate() {
             let stages = &work.regions[region];
-            if system.tableau.coupled {
-                factor.coupling.roles = Roles::new(factor.coupling.roles.of.len(), &stages.second_order);
-            }
+            factor.coupling.roles = Arc::clone(&stages.roles);
             let assembly = Assembly::new(system, region, stages, &self.scales);
             FactorRegion { assembly, n: system.plan.regions[region].n, factor }.vectorised();
         }

@@ -307,7 +307,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         bases.iter_mut().zip(places).for_each(|(basis, &sigma)| *basis = (sigma, Basis::value(sigma)));
         let (pieces, nodes) = (self.pieces(extension), &self.system.grids[self.region].s);
         vectorised(Places { pieces, nodes, bases: &bases[..count], s: &mut s, y: &mut y });
-        let mut f = Numbers::zeros(self.rows() * len);
+        let mut f = Numbers::unset(self.rows() * len);
         let at = Points { len, stride: len, s: &s, y: &y };
         stats.rhs_points += len;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut f);

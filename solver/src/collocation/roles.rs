@@ -1,7 +1,7 @@
 //! Which states are unknowns of coupled equations inside an interval, and which follow from others.
 
 /// What each state of a region is.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Roles {
     /// States that are unknowns, in order.
     pub unknowns: Vec<usize>,

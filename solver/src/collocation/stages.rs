@@ -1,8 +1,10 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
+use super::roles::Roles;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, W};
 use crate::problem::Region;
+use std::sync::Arc;
 
 /// Stages of a method at most.
 pub(crate) const MOST_STAGES: usize = 5;
@@ -32,9 +34,8 @@ pub(crate) struct Stages {
     /// States whose derivative is another state and nothing else, with that state: at all nodes where derivatives were
     /// last evaluated. Only at order 6: see [`ODD`](crate::tableau::ODD).
     pub chained: Vec<(usize, usize)>,
-    /// The same for coupled inner stages, as far as the derivatives at all nodes and stages say: see
-    /// [`Role`](super::roles::Role).
-    pub second_order: Vec<(usize, usize)>,
+    /// What each state is in the equations of coupled inner stages, as the derivatives at all nodes and stages say.
+    pub roles: Arc<Roles>,
 }
 
 /// Where the values of one stage stand.
@@ -125,9 +126,12 @@ impl<'a> View<'a> {
 
 /// States whose derivative depends on another state alone, with slope 1, as the derivatives in the batches say; no two
 /// on the same.
-pub(super) fn second_order(layout: &Region, batches: &[&Batch]) -> Vec<(usize, usize)> {
+pub(super) fn second_order<'a>(
+    layout: &Region,
+    batches: impl Iterator<Item = &'a Batch> + Clone,
+) -> Vec<(usize, usize)> {
     let are = |of: fn(&Batch) -> &[f64], entry: usize, count: usize, value: f64| {
-        batches.iter().all(|batch| {
+        batches.clone().all(|batch| {
             let stride = of(batch).len() / count;
             of(batch)[entry * stride..][..stride].iter().all(|found| *found == value)
         })
