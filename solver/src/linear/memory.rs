@@ -214,13 +214,22 @@ mod tests {
             assert_eq!(held() > before, kept, "{len}");
             let again = Numbers::zeros(len);
             assert!(again.len() == len && again.iter().all(|&x| x == 0.0));
-            assert_eq!(Numbers::unset(len).len(), len);
             // Where an array that is not kept comes to lie is the allocator's to say: it may be the same place.
             assert!(again.as_ptr() == at || !kept, "{len}");
             assert_eq!(held(), before, "{len}");
             assert_eq!(&*again.clone(), &*again);
         }
         assert!(Numbers::default().is_empty());
+    }
+
+    #[test]
+    fn what_is_not_set_has_its_length_and_shows_when_it_is_read() {
+        drop(Numbers::of(&[1.0; 100]));
+        for len in [0, 7, 100, 120] {
+            let values = Numbers::unset(len);
+            assert_eq!(values.len(), len);
+            assert!(!cfg!(debug_assertions) || values.iter().all(|x| x.is_nan()));
+        }
     }
 
     #[test]
