@@ -78,8 +78,16 @@ impl Stages {
 
     /// All of them in vectors, `steps` a row; where the method has fewer, the rest repeat the first.
     pub(crate) fn views(&self, steps: usize) -> [View<'_>; MOST_STAGES] {
-        let count = 2 + self.inner.iter().map(|batch| batch.s.len() / (steps * W)).sum::<usize>();
-        std::array::from_fn(|stage| View::of(self.stage(if stage < count { stage } else { 0 }, steps * W)))
+        let intervals = steps * W;
+        let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
+        let mut views = [View::of(nodes); MOST_STAGES];
+        views[1] = View::of(Stage { first: W, ..nodes });
+        let batches = self.inner.iter().flat_map(|batch| {
+            let stride = batch.s.len();
+            (0..stride).step_by(intervals).map(move |first| View::of(Stage { batch, stride, first }))
+        });
+        views[2..].iter_mut().zip(batches).for_each(|(view, found)| *view = found);
+        views
     }
 }
 
