@@ -1,5 +1,7 @@
 //! Coefficients of the linearised interval equations: the chain rule through the stages.
 
+mod pairs;
+
 use super::coupled::{COUPLED, Coupling, Parts};
 use super::plan::RegionPlan;
 use super::roles::Role;
@@ -13,6 +15,7 @@ use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::tableau::Tableau;
+use pairs::Pairs;
 
 /// Entries of a sparse Jacobian: where they stand, where they go, and the factor that makes them dimensionless.
 #[derive(Debug, Clone)]
@@ -74,13 +77,8 @@ impl Job for Couple<'_, '_> {
 
     #[inline(always)]
     fn run(self) {
-        // Compiled once more each where the sizes are those of one or two equations of second order.
-        let plan = self.assembly.plan;
-        match (self.inner.coupling.roles.unknowns.len(), plan.n, plan.active.len(), plan.columns.len()) {
-            (1, 2, 0, 0) => self.assembly.differentiate_coupled(1, (2, 0, 0), self.t, self.inner),
-            (2, 4, 0, 0) => self.assembly.differentiate_coupled(2, (4, 0, 0), self.t, self.inner),
-            (q, n, k, p) => self.assembly.differentiate_coupled(q, (n, k, p), self.t, self.inner),
-        }
+        let (plan, q) = (self.assembly.plan, self.inner.coupling.roles.unknowns.len());
+        self.assembly.differentiate_coupled(q, (plan.n, plan.active.len(), plan.columns.len()), self.t, self.inner);
     }
 }
 
@@ -141,8 +139,6 @@ impl<'a> Assembly<'a> {
         match (rows.n(), self.plan.active.len(), self.plan.columns.len(), self.tableau.coupled) {
             (2, 0, 0, false) => self.linearise_alone::<2>(t, block),
             (4, 0, 0, false) => self.linearise_alone::<4>(t, block),
-            (2, 0, 0, true) => self.linearise((2, 0, 0), t, block, inner),
-            (4, 0, 0, true) => self.linearise((4, 0, 0), t, block, inner),
             (n, k, p, _) => self.linearise((n, k, p), t, block, inner),
         }
         scale_rows(rows.n(), self.plan.columns.len(), block, row_scale);
@@ -229,6 +225,9 @@ impl<'a> Assembly<'a> {
     /// `n` states, `k` active integrals, `p` constants.
     #[inline(always)]
     fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, inner: Inner<'_>) {
+        if self.tableau.coupled && Pairs::fits(self, &inner) {
+            return Pairs { assembly: self, t, inner, block }.vectorised();
+        }
         let (h, all) = (Lane(self.h[t]), n + k);
         let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };
         for stage in 0..known {

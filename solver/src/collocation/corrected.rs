@@ -114,7 +114,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let pattern = &self.system.layout.regions[self.region].state_pattern;
         let bump: [&mut [f64]; 4] = [alpha, beta, gamma, delta];
         let bump = bump.map(|values| values.as_chunks_mut::<W>().0);
-        let (lacking, h) = (lacking.as_chunks::<W>().0, self.h());
+        let (lacking, h) = (lacking.as_chunks::<W>().0, self.h().as_chunks::<W>().0);
         let roles = &*self.stages.roles;
         Correct { pattern, views: self.stages.views(self.steps()), h, scales, weights, roles, lacking, bump }
             .vectorised();
@@ -171,7 +171,7 @@ struct Correct<'a> {
     pattern: &'a [(usize, usize)],
     /// Values at the stages.
     views: [View<'a>; STAGES],
-    h: &'a [f64],
+    h: &'a [[f64; W]],
     scales: &'a [f64],
     weights: &'a PointWeights,
     /// What each state is in the equations for E.
@@ -206,43 +206,111 @@ impl Job for Correct<'_> {
 
     #[inline(always)]
     fn run(self) {
-        // Compiled once more each where the sizes are those of one or two equations of second order.
-        match (self.roles.unknowns.len(), self.scales.len()) {
-            (1, 2) => self.solve(1, 2),
-            (2, 4) => self.solve(2, 4),
-            (q, n) => self.solve(q, n),
+        // Compiled once more each for one or two equations of second order and nothing else.
+        let Roles { unknowns, integrals, .. } = self.roles;
+        match (unknowns.len(), integrals.len()) {
+            (1, 1) => self.solve_pairs::<1, 2, 4>(),
+            (2, 2) => self.solve_pairs::<2, 4, 8>(),
+            (q, _) => self.solve(q),
         }
     }
 }
 
 impl Correct<'_> {
-    /// `q` unknowns a point, `n` states.
+    /// The slopes wanted of E, taken to the points: `values_of_slopes` times them, of state `i`.
     #[inline(always)]
-    fn solve(mut self, q: usize, n: usize) {
-        let (m, steps) = (POINTS * q, self.h.len() / W);
+    fn wanted(&self, i: usize, t: usize) -> [Lane; POINTS] {
+        let (n, steps) = (self.scales.len(), self.h.len());
+        let lacking: [Lane; POINTS] = std::array::from_fn(|l| Lane(self.lacking[(l * n + i) * steps + t]));
+        self.weights.of_slopes.map(|weights| {
+            let sum = lacking.iter().zip(weights).fold(Lane::ZERO, |sum, (slope, weight)| sum + slope.times(weight));
+            sum.times(1.0 / self.scales[i])
+        })
+    }
+
+    /// As [`solve`](Self::solve), where `Q` states are unknowns and the other `Q` of `N` their integrals; `M` unknowns
+    /// at the points. All sizes are known when compiled.
+    #[inline(always)]
+    fn solve_pairs<const Q: usize, const N: usize, const M: usize>(mut self) {
+        let (roles, from_slopes) = (self.roles, self.weights.of_slopes);
+        let mut data = Lanes::unset(qr::room(M));
+        // v of each equation, and the u that it is the derivative of.
+        let (mut v, mut u) = ([0; Q], [0; Q]);
+        for (r, &unknown) in roles.unknowns.iter().enumerate().take(Q) {
+            v[r] = unknown;
+            u[r] = roles.integrals.iter().find(|(_, of)| *of == unknown).map_or(unknown, |&(integral, _)| integral);
+        }
+        for t in 0..self.h.len() {
+            let h = Lane(self.h[t]);
+            let rise: [Lane; Q] = std::array::from_fn(|r| h.times(self.scales[v[r]] / self.scales[u[r]]));
+            let mut by_u = u.map(|state| self.wanted(state, t));
+            let wanted = v.map(|state| self.wanted(state, t));
+            let mut by_v: [Lane; M] = std::array::from_fn(|at| wanted[at % Q][at / Q]);
+            let mut jacobian = [[[Lane::ZERO; POINTS]; N]; N];
+            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < N) {
+                let factor = h.times(self.scales[state] / self.scales[row]);
+                for (sum, derivative) in jacobian[row][state].iter_mut().zip(self.derivatives(entry, t)) {
+                    *sum += derivative * factor;
+                }
+            }
+            let matrix = qr::matrix(M, &mut data);
+            for r in 0..Q {
+                for c in 0..Q {
+                    let (by_integral, by_unknown) = (jacobian[v[r]][u[c]], jacobian[v[r]][v[c]]);
+                    for k in 0..POINTS {
+                        for j in 0..POINTS {
+                            by_v[k * Q + r] += (by_integral[j] * by_u[c][j]).times(from_slopes[k][j]);
+                        }
+                        for l in 0..POINTS {
+                            let mut twice = Lane::ZERO;
+                            for j in 0..POINTS {
+                                twice += by_integral[j].times(from_slopes[k][j] * from_slopes[j][l]);
+                            }
+                            let moved = by_unknown[l].times(from_slopes[k][l]) + twice * rise[c];
+                            let same = if (k, r) == (l, c) { Lane::ONE } else { Lane::ZERO };
+                            matrix[(l * Q + c) * M + k * Q + r] = same - moved;
+                        }
+                    }
+                }
+            }
+            qr::factor(M, &mut data);
+            qr::solve(M, &data, &mut by_v);
+            for r in 0..Q {
+                let unknown: [Lane; POINTS] = std::array::from_fn(|k| by_v[k * Q + r]);
+                for (by_u, weights) in by_u[r].iter_mut().zip(from_slopes) {
+                    for (unknown, weight) in unknown.iter().zip(weights) {
+                        *by_u += (rise[r] * *unknown).times(weight);
+                    }
+                }
+                self.add(u[r] * self.h.len() + t, by_u[r].map(|e| e.times(self.scales[u[r]])));
+                self.add(v[r] * self.h.len() + t, unknown.map(|e| e.times(self.scales[v[r]])));
+            }
+        }
+    }
+
+    /// `q` unknowns a point.
+    #[inline(always)]
+    fn solve(mut self, q: usize) {
+        let (n, m, steps) = (self.scales.len(), POINTS * q, self.h.len());
         let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
         let (mut data, mut e, mut unknowns) = (Lanes::unset(qr::room(m)), Lanes::unset(POINTS * n), Lanes::unset(m));
         for t in 0..steps {
-            let h = Lane(self.h.as_chunks::<W>().0[t]);
-            for (k, weights) in from_slopes.iter().enumerate() {
-                for (i, scale) in self.scales.iter().enumerate() {
-                    let mut sum = Lane::ZERO;
-                    for (l, weight) in weights.iter().enumerate() {
-                        sum += Lane(self.lacking[(l * n + i) * steps + t]).times(weight / scale);
-                    }
-                    e[k * n + i] = sum;
+            let h = Lane(self.h[t]);
+            for i in 0..n {
+                for (k, wanted) in self.wanted(i, t).into_iter().enumerate() {
+                    e[k * n + i] = wanted;
                 }
             }
             self.assemble((q, n), t, h, qr::matrix(m, &mut data), &mut e);
             qr::factor(m, &mut data);
             for k in 0..POINTS {
-                for (r, &row) in roles.unknowns[..q].iter().enumerate() {
+                for (r, &row) in roles.unknowns.iter().enumerate() {
                     unknowns[k * q + r] = e[k * n + row];
                 }
             }
             qr::solve(m, &data, &mut unknowns);
             for k in 0..POINTS {
-                for (r, &row) in roles.unknowns[..q].iter().enumerate() {
+                for (r, &row) in roles.unknowns.iter().enumerate() {
                     e[k * n + row] = unknowns[k * q + r];
                 }
             }
