@@ -183,6 +183,8 @@ struct Correct<'a> {
 }
 
 impl Correct<'_> {
+    /// Not generic, so that it is compiled once and not with every problem.
+    #[inline(never)]
     fn vectorised(self) {
         vectorised(self);
     }
@@ -190,11 +192,11 @@ impl Correct<'_> {
     /// Derivatives of one entry at the points, in vectors.
     #[inline(always)]
     fn derivatives(&self, entry: usize, t: usize) -> [Lane; POINTS] {
-        let known = self.views.map(|view| view.dy(entry, t));
         let mut out = [Lane::ZERO; POINTS];
-        for (out, weights) in out.iter_mut().zip(&self.weights.of_stages) {
-            for (known, &weight) in known.iter().zip(weights) {
-                *out += known.times(weight);
+        for (stage, view) in self.views.iter().enumerate() {
+            let known = view.dy(entry, t);
+            for (out, weights) in out.iter_mut().zip(&self.weights.of_stages) {
+                *out += known.times(weights[stage]);
             }
         }
         out
@@ -247,7 +249,8 @@ impl Correct<'_> {
             let wanted = v.map(|state| self.wanted(state, t));
             let mut by_v: [Lane; M] = std::array::from_fn(|at| wanted[at % Q][at / Q]);
             let mut jacobian = [[[Lane::ZERO; POINTS]; N]; N];
-            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < N) {
+            let unknown = |(_, (row, _)): &(usize, &(usize, usize))| v.contains(row);
+            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(unknown) {
                 let factor = h.times(self.scales[state] / self.scales[row]);
                 for (sum, derivative) in jacobian[row][state].iter_mut().zip(self.derivatives(entry, t)) {
                     *sum += derivative * factor;

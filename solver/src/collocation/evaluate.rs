@@ -362,11 +362,10 @@ impl Job for StageResiduals<'_> {
             weights.copy_from_slice(tableau.x[stage + 2]);
             for (i, out) in out.chunks_exact_mut(steps).enumerate() {
                 let (y, inner) = (&y[i * (steps + 1)..][..steps + 1], &inner[(stage * n + i) * steps..][..steps]);
-                let slopes = views.map(|view| view.row(i, steps));
                 for t in 0..steps {
                     let mut sum = Lane::ZERO;
-                    for (slope, weight) in slopes.iter().zip(weights) {
-                        sum += Lane(slope[t]).times(weight);
+                    for (view, weight) in views.iter().zip(weights) {
+                        sum += view.f(i, t).times(weight);
                     }
                     let ends = Lane(y[t]).times(1.0 - v) + Lane(y[t + 1]).times(v);
                     out[t] = (Lane(inner[t]) - (ends + Lane(h[t]) * sum)).0;

@@ -82,11 +82,14 @@ impl Stages {
         let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
         let mut views = [View::of(nodes); MOST_STAGES];
         views[1] = View::of(Stage { first: W, ..nodes });
-        let batches = self.inner.iter().flat_map(|batch| {
-            let stride = batch.s.len();
-            (0..stride).step_by(intervals).map(move |first| View::of(Stage { batch, stride, first }))
-        });
-        views[2..].iter_mut().zip(batches).for_each(|(view, found)| *view = found);
+        let mut rest = views[2..].iter_mut().peekable();
+        for batch in &self.inner {
+            let (stride, mut first) = (batch.s.len(), 0);
+            while let Some(view) = rest.next_if(|_| first < stride) {
+                *view = View::of(Stage { batch, stride, first });
+                first += intervals;
+            }
+        }
         views
     }
 }
