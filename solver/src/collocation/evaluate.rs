@@ -43,8 +43,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 y: Numbers::unset(plan.n * points),
                 f: Numbers::unset(plan.rows * stride),
                 dy: Numbers::unset(plan.state_nonzeros * stride),
-                // Only what is asked for is written.
-                dc: Numbers::zeros(plan.constant_nonzeros * stride),
+                dc: Numbers::unset(plan.constant_nonzeros * stride),
             };
             let (len, mut places) = (grid.interval_stride(), self.tableau.c[2..].iter());
             let inner = self.tableau.batches.iter().map(|&count| {
@@ -140,7 +139,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             self.stage_residuals(region, x, stages);
             if derivatives != Derivatives::None {
                 let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
-                let found = second_order(&self.layout.regions[region], batches);
+                let found = second_order(&self.layout.regions[region], &self.plan.regions[region], batches);
                 stages.roles = Arc::new(Roles::new(self.plan.regions[region].n, &found));
             }
         }
@@ -174,7 +173,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// See [`Stages::chained`].
     fn chained(&self, region: usize, y: &[f64], nodes: &Batch) -> Vec<(usize, usize)> {
         let stride = self.grids[region].node_stride();
-        let mut found = second_order(&self.layout.regions[region], std::iter::once(nodes));
+        let mut found = second_order(&self.layout.regions[region], &self.plan.regions[region], std::iter::once(nodes));
         found.retain(|&(u, v)| nodes.f[u * stride..][..stride] == y[v * stride..][..stride]);
         found
     }
@@ -247,17 +246,15 @@ impl<P: Problem + ?Sized> System<'_, P> {
         });
     }
 
+    /// The integrals that boundary equations depend on.
     fn integrate(&self, region: usize, work: &mut Work) {
         let plan = &self.plan.regions[region];
-        if plan.n == plan.rows {
-            return;
-        }
         let h = &self.grids[region].h;
-        let mut sums = vec![0.0; h.len()];
-        for row in plan.n..plan.rows {
+        let mut sums = Numbers::unset(if plan.active.is_empty() { 0 } else { h.len() });
+        for &integral in &plan.active {
             sums.fill(0.0);
-            add_slopes(self.tableau.b, &work.regions[region], row, &mut sums);
-            work.integrals[plan.first_integral + row - plan.n] = sums.iter().zip(h).map(|(sum, h)| sum * h).sum();
+            add_slopes(self.tableau.b, &work.regions[region], plan.n + integral, &mut sums);
+            work.integrals[plan.first_integral + integral] = sums.iter().zip(h).map(|(sum, h)| sum * h).sum();
         }
     }
 
@@ -316,16 +313,30 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 }
 
+/// Of numbers, as many as are a multiple of `W`.
 fn finite(values: &[f64]) -> bool {
-    // x * 0 is 0 for a finite x and NaN otherwise.
-    let mut sums = [0.0; 8];
-    let (chunks, rest) = values.as_chunks::<8>();
-    for chunk in chunks {
-        for (sum, x) in sums.iter_mut().zip(chunk) {
-            *sum += x * 0.0;
+    vectorised(Finite(values.as_chunks::<W>().0))
+}
+
+struct Finite<'a>(&'a [[f64; W]]);
+
+impl Job for Finite<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        // x * 0 is 0 for a finite x and NaN otherwise.
+        let mut sums = [Lane::ZERO; 2];
+        let (pairs, last) = self.0.as_chunks::<2>();
+        for pair in pairs {
+            sums[0] += Lane(pair[0]).times(0.0);
+            sums[1] += Lane(pair[1]).times(0.0);
         }
+        for lane in last {
+            sums[0] += Lane(*lane).times(0.0);
+        }
+        (sums[0] + sums[1]).0.iter().sum::<f64>() == 0.0
     }
-    sums.iter().sum::<f64>() == 0.0 && rest.iter().all(|x| x.is_finite())
 }
 
 fn add_slopes(weights: &[f64], stages: &Stages, row: usize, out: &mut [f64]) {

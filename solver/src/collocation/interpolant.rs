@@ -225,9 +225,12 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             (self.pieces(None), self.sampled(None, &places, stats)?, places.map(Basis::slope));
         let mut extension = self.flat();
         by_components(&mut extension.alpha, cubic.steps, |i, t| {
-            let lacking = |k: usize| cubic.length(t) * sampled.slope(i, k, t) - cubic.weigh(&bases[k], i, t);
-            let half = |lacking: Lane, sign: f64| lacking.map(|lacking| 0.5 * sign * lacking / QUARTIC_SLOPE);
-            half(lacking(0), 1.0) + half(lacking(1), -1.0)
+            let mut sum = Lane::ZERO;
+            for (k, (basis, sign)) in bases.iter().zip([1.0, -1.0]).enumerate() {
+                let lacking = cubic.length(t) * sampled.slope(i, k, t) - cubic.weigh(basis, i, t);
+                sum += lacking.map(|lacking| 0.5 * sign * lacking / QUARTIC_SLOPE);
+            }
+            sum
         });
         Ok(extension)
     }

@@ -1,5 +1,6 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
+use super::plan::RegionPlan;
 use super::roles::Roles;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, W};
@@ -135,10 +136,11 @@ impl<'a> View<'a> {
     }
 }
 
-/// States whose derivative depends on another state alone, with slope 1, as the derivatives in the batches say; no two
-/// on the same.
+/// States whose derivative depends on another state, with slope 1, and on no other state and no unknown constant, as the
+/// derivatives in the batches say; no two on the same.
 pub(super) fn second_order<'a>(
     layout: &Region,
+    plan: &RegionPlan,
     batches: impl Iterator<Item = &'a Batch> + Clone,
 ) -> Vec<(usize, usize)> {
     let are = |of: fn(&Batch) -> &[f64], entry: usize, count: usize, value: f64| {
@@ -147,16 +149,16 @@ pub(super) fn second_order<'a>(
             of(batch)[entry * stride..][..stride].iter().all(|found| *found == value)
         })
     };
-    let (states, constants) = (&layout.state_pattern, &layout.constant_pattern);
+    let states = &layout.state_pattern;
     let by_state = |entry: usize, value: f64| are(|batch| &batch.dy, entry, states.len(), value);
-    let by_constant = |entry: usize| are(|batch| &batch.dc, entry, constants.len(), 0.0);
+    let by_constant = |entry: usize| are(|batch| &batch.dc, entry, plan.constant_nonzeros, 0.0);
     // The only argument that a row depends on, if that is another state, with slope 1.
     let only = |row: usize| {
         let of_row = |(_, at): &(usize, &(usize, usize))| at.0 == row;
         let mut arguments = states.iter().enumerate().filter(of_row).filter(|(entry, _)| !by_state(*entry, 0.0));
         let (entry, &(_, state)) = arguments.next()?;
-        let mut constants = constants.iter().enumerate().filter(of_row);
-        let alone = arguments.next().is_none() && constants.all(|(entry, _)| by_constant(entry));
+        let mut constants = plan.constant_entries.iter().filter(|(_, at, _)| *at == row);
+        let alone = arguments.next().is_none() && constants.all(|&(entry, ..)| by_constant(entry));
         (alone && state != row && by_state(entry, 1.0)).then_some(state)
     };
     let mut found: Vec<(usize, usize)> = Vec::new();
