@@ -43,7 +43,9 @@ pub(crate) struct Assembly<'a> {
     left: Lanes,
     right: Lanes,
     by_constant: Lanes,
-    /// The stage's dY/d(...), then the sums over stages.
+    /// One stage's dY/dy_0, dY/dy_1 and dY/dc.
+    arguments: Lanes,
+    /// Sums over stages.
     sum: Lanes,
     /// Room for the unknowns at the inner stages of one interval.
     unknowns: Lanes,
@@ -118,6 +120,7 @@ impl<'a> Assembly<'a> {
             left: Lanes::unset(count * rows * n),
             right: Lanes::unset(count * rows * n),
             by_constant: Lanes::unset(count * rows * p),
+            arguments: Lanes::unset(n * (2 * n + p)),
             sum: Lanes::unset(rows * n.max(p)),
             unknowns: Lanes::unset(system.tableau.unknown_stages() * n),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
@@ -264,28 +267,29 @@ impl<'a> Assembly<'a> {
             let weights = self.tableau.x[stage].iter().enumerate();
             weights.filter(move |&(earlier, weight)| *weight != 0.0 && Some(earlier) != skip)
         };
-        let (v, sum) = (self.tableau.v[stage], &mut self.sum);
-        let chain = Chain { entries: &self.states, view, t };
+        let (v, (nodes, by_constant)) = (self.tableau.v[stage], self.arguments.split_at_mut(2 * n * n));
+        let (left, right) = nodes.split_at_mut(n * n);
         let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, chained: &self.chained, h });
         // Widths are known when compiled if the number of states is.
-        argument(&self.left, n, all * n, n, h, known(Some(1)), sum);
-        add_to_diagonal(sum, n, 1.0 - v);
+        argument(&self.left, n, all * n, n, h, known(Some(1)), left);
+        add_to_diagonal(left, n, 1.0 - v);
+        argument(&self.right, n, all * n, n, h, known(Some(0)), right);
+        add_to_diagonal(right, n, v);
+        argument(&self.by_constant, n, all * p, p, h, known(None), by_constant);
         if let Some(odd) = &odd {
-            odd.add_node(n, -1.0, &self.left[..n * n], sum);
+            odd.add_node(n, -1.0, &self.left[..n * n], left);
+            odd.add_node(n, 1.0, &self.right[all * n..][..n * n], right);
+            odd.add_slopes(p, -1.0, &self.by_constant[..n * p], by_constant);
+            odd.add_slopes(p, 1.0, &self.by_constant[all * p..][..n * p], by_constant);
         }
-        chain.apply(n, sum, &mut self.left[before..here]);
-        argument(&self.right, n, all * n, n, h, known(Some(0)), sum);
-        add_to_diagonal(sum, n, v);
-        if let Some(odd) = &odd {
-            odd.add_node(n, 1.0, &self.right[all * n..][..n * n], sum);
+        let (by_left, by_right) = (&mut self.left[before..here], &mut self.right[before..here]);
+        let slopes = &mut self.by_constant[constants..constants + all * p];
+        for entry in &self.states {
+            let value = view.dy(entry.from, t).times(entry.factor);
+            add_row(value, &left[entry.column * n..][..n], &mut by_left[entry.row * n..][..n]);
+            add_row(value, &right[entry.column * n..][..n], &mut by_right[entry.row * n..][..n]);
+            add_row(value, &by_constant[entry.column * p..][..p], &mut slopes[entry.row * p..][..p]);
         }
-        chain.apply(n, sum, &mut self.right[before..here]);
-        argument(&self.by_constant, n, all * p, p, h, known(None), sum);
-        if let Some(odd) = &odd {
-            odd.add_slopes(p, -1.0, &self.by_constant[..n * p], sum);
-            odd.add_slopes(p, 1.0, &self.by_constant[all * p..][..n * p], sum);
-        }
-        chain.apply(p, sum, &mut self.by_constant[constants..constants + all * p]);
     }
 
     /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled). `q` unknowns a stage, `n`
@@ -510,25 +514,11 @@ fn add_times<const N: usize>(sum: &mut [[Lane; N]; N], weight: Lane, matrix: &[[
     }
 }
 
-/// Multiplication by the states' Jacobian at one stage.
-struct Chain<'a> {
-    entries: &'a [Entry],
-    view: View<'a>,
-    t: usize,
-}
-
-impl Chain<'_> {
-    /// `out += J argument`, by rows of `width`.
-    #[inline(always)]
-    fn apply(&self, width: usize, argument: &[Lane], out: &mut [Lane]) {
-        for entry in self.entries {
-            let value = self.view.dy(entry.from, self.t).times(entry.factor);
-            let out = &mut out[entry.row * width..][..width];
-            let argument = &argument[entry.column * width..][..width];
-            for j in 0..width {
-                out[j] += value * argument[j];
-            }
-        }
+/// `out += value * row`
+#[inline(always)]
+fn add_row(value: Lane, row: &[Lane], out: &mut [Lane]) {
+    for (out, argument) in out.iter_mut().zip(row) {
+        *out += value * *argument;
     }
 }
 
