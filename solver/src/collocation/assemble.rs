@@ -67,6 +67,12 @@ pub(crate) struct Inner<'a> {
     pub kept: &'a mut [Lane],
 }
 
+impl Inner<'_> {
+    fn reborrowed(&mut self) -> Inner<'_> {
+        Inner { coupling: self.coupling, kept: self.kept }
+    }
+}
+
 impl Couple<'_, '_> {
     #[inline(never)]
     fn vectorised(self) {
@@ -227,9 +233,9 @@ impl<'a> Assembly<'a> {
 
     /// `n` states, `k` active integrals, `p` constants.
     #[inline(always)]
-    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, inner: Inner<'_>) {
-        if self.tableau.coupled && Pairs::fits(self, &inner) {
-            return Pairs { assembly: self, t, inner, block }.vectorised();
+    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, mut inner: Inner<'_>) {
+        if self.tableau.coupled && (Pairs { assembly: self, t, inner: inner.reborrowed(), block }).vectorised() {
+            return;
         }
         let (h, all) = (Lane(self.h[t]), n + k);
         let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };

@@ -15,7 +15,7 @@
 
 use super::defect::Tally;
 use super::interpolant::{Basis, Extended, Extension, Pieces};
-use super::roles::{Role, Roles};
+use super::roles::{Pairs, Role, Roles};
 use super::stages::{MOST_STAGES, View};
 use crate::error::NonFinite;
 use crate::linear::memory::{Lanes, Numbers};
@@ -209,11 +209,12 @@ impl Job for Correct<'_> {
     #[inline(always)]
     fn run(self) {
         // Compiled once more each for one or two equations of second order and nothing else.
-        let Roles { unknowns, integrals, .. } = self.roles;
-        match (unknowns.len(), integrals.len()) {
-            (1, 1) => self.solve_pairs::<1, 2, 4>(),
-            (2, 2) => self.solve_pairs::<2, 4, 8>(),
-            (q, _) => self.solve(q),
+        if let Some(pairs) = self.roles.pairs::<1>() {
+            self.solve_pairs::<1, 2, 4>(pairs);
+        } else if let Some(pairs) = self.roles.pairs::<2>() {
+            self.solve_pairs::<2, 4, 8>(pairs);
+        } else {
+            self.solve();
         }
     }
 }
@@ -233,15 +234,9 @@ impl Correct<'_> {
     /// As [`solve`](Self::solve), where `Q` states are unknowns and the other `Q` of `N` their integrals; `M` unknowns
     /// at the points. All sizes are known when compiled.
     #[inline(always)]
-    fn solve_pairs<const Q: usize, const N: usize, const M: usize>(mut self) {
-        let (roles, from_slopes) = (self.roles, self.weights.of_slopes);
+    fn solve_pairs<const Q: usize, const N: usize, const M: usize>(mut self, pairs: Pairs<Q>) {
+        let (Pairs { unknowns: v, integrals: u }, from_slopes) = (pairs, self.weights.of_slopes);
         let mut data = Lanes::unset(qr::room(M));
-        // v of each equation, and the u that it is the derivative of.
-        let (mut v, mut u) = ([0; Q], [0; Q]);
-        for (r, &unknown) in roles.unknowns.iter().enumerate().take(Q) {
-            v[r] = unknown;
-            u[r] = roles.integrals.iter().find(|(_, of)| *of == unknown).map_or(unknown, |&(integral, _)| integral);
-        }
         for t in 0..self.h.len() {
             let h = Lane(self.h[t]);
             let rise: [Lane; Q] = std::array::from_fn(|r| h.times(self.scales[v[r]] / self.scales[u[r]]));
@@ -291,10 +286,10 @@ impl Correct<'_> {
         }
     }
 
-    /// `q` unknowns a point.
     #[inline(always)]
-    fn solve(mut self, q: usize) {
-        let (n, m, steps) = (self.scales.len(), POINTS * q, self.h.len());
+    fn solve(mut self) {
+        let (n, q, steps) = (self.scales.len(), self.roles.unknowns.len(), self.h.len());
+        let m = POINTS * q;
         let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
         let (mut data, mut e, mut unknowns) = (Lanes::unset(qr::room(m)), Lanes::unset(POINTS * n), Lanes::unset(m));
         for t in 0..steps {

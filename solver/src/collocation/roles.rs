@@ -20,7 +20,26 @@ pub(crate) enum Role {
     IntegralOf(usize),
 }
 
+/// States in pairs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pairs<const Q: usize> {
+    /// The unknowns, in order.
+    pub unknowns: [usize; Q],
+    /// The integral of each.
+    pub integrals: [usize; Q],
+}
+
 impl Roles {
+    /// The states as `Q` pairs, if they are nothing else.
+    pub(crate) fn pairs<const Q: usize>(&self) -> Option<Pairs<Q>> {
+        let unknowns: [usize; Q] = self.unknowns.as_slice().try_into().ok()?;
+        let mut integrals = [0; Q];
+        for (integral, unknown) in integrals.iter_mut().zip(unknowns) {
+            *integral = self.integrals.iter().find(|(_, of)| *of == unknown)?.0;
+        }
+        Some(Pairs { unknowns, integrals })
+    }
+
     /// Of `n` states, where the first of each pair has the second for derivative. Of a chain of them every other one is
     /// an integral.
     pub(crate) fn new(n: usize, second_order: &[(usize, usize)]) -> Self {
@@ -55,6 +74,10 @@ mod tests {
         assert_eq!(Roles::new(3, &[(0, 1), (1, 2)]).unknowns, [1, 2]);
         assert_eq!(Roles::new(3, &[(1, 2), (0, 1)]).unknowns, [0, 2]);
         assert_eq!(Roles::new(2, &[]).of, [Role::Unknown(0), Role::Unknown(1)]);
+        assert!(Roles::new(2, &[]).pairs::<1>().is_none() && Roles::new(2, &[]).pairs::<2>().is_none());
+        let crossed = Roles::new(4, &[(0, 3), (2, 1)]).pairs::<2>().unwrap();
+        assert_eq!((crossed.unknowns, crossed.integrals), ([1, 3], [2, 0]));
+        assert!(Roles::new(3, &[(0, 1)]).pairs::<2>().is_none() && Roles::new(3, &[(0, 1)]).pairs::<1>().is_none());
         // u' = v, v' = u.
         assert_eq!(Roles::new(2, &[(0, 1), (1, 0)]).unknowns, [1]);
     }

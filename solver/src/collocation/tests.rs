@@ -1,5 +1,6 @@
 //! The linearisation against finite differences of the residual, and its elimination against a dense solve.
 
+use super::coupled::Inward;
 use super::evaluate::{Derivatives, Work};
 use super::factor::{Factorisation, Rhs};
 use super::grid::Grid;
@@ -32,7 +33,7 @@ struct Mixed {
     sizes: Vec<(usize, usize)>,
     constants: usize,
     nonlinear: bool,
-    /// Whether the first state of each region has the second for its derivative.
+    /// Whether of two states each the second is the derivative of the first.
     chained: bool,
     coefficients: Vec<f64>,
 }
@@ -88,8 +89,10 @@ impl Model for Mixed {
                 *f += value * self.weight(region, row, 40 + i);
             }
         }
-        if self.chained && y.len() > 1 {
-            f[0] = y[1];
+        if self.chained {
+            for (f, y) in f[..y.len()].chunks_exact_mut(2).zip(y.chunks_exact(2)) {
+                f[0] = y[1];
+            }
         }
     }
 
@@ -213,7 +216,8 @@ fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64>
 }
 
 fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals: &[usize], nonlinear: bool, seed: u64) {
-    for (tableau, chained) in [(&ORDER_4, false), (&ORDER_6, false), (&ORDER_6, true), (&ORDER_8, false)] {
+    let methods = [(&ORDER_4, false), (&ORDER_6, false), (&ORDER_6, true), (&ORDER_8, false), (&ORDER_8, true)];
+    for (tableau, chained) in methods {
         let mixed = Mixed::new(sizes, constants, (nonlinear, chained), seed);
         let problem = Differentiated::new(mixed).unwrap();
         let chosen: Vec<usize> = (0..unknowns).rev().collect();
@@ -228,6 +232,9 @@ fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals:
         factorisation.factor(&setup.system, &setup.work, setup.system.scales(&x));
         let found = flat(&setup.system, &factorisation.newton_correction(&setup.system, &setup.work));
         check_transpose(&setup, &factorisation, seed);
+        if tableau.coupled {
+            check_stages(&setup, &factorisation, chained, seed);
+        }
         if !nonlinear {
             one_step_suffices(&mut setup, &x, seed);
         }
@@ -343,8 +350,38 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
     assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
 }
 
+/// Equations of second order take one unknown a stage, and `w · solve(r) = solve_transposed(w) · r` for the stages'
+/// equations.
+fn check_stages(setup: &Setup<'_>, factorisation: &Factorisation, chained: bool, seed: u64) {
+    let mut random = Random(seed ^ 0x77);
+    for ((factor, grid), plan) in factorisation.regions.iter().zip(&setup.system.grids).zip(&setup.system.plan.regions)
+    {
+        let integrals = if chained { plan.n / 2 } else { 0 };
+        assert_eq!(factor.coupling.roles.integrals.len(), integrals);
+        assert_eq!(factor.coupling.roles.unknowns.len(), plan.n - integrals);
+        let mut some = || -> Lanes {
+            (0..grid.steps * factor.coupling.m).map(|_| Lane(std::array::from_fn(|_| random.next()))).collect()
+        };
+        let (right, mut weights) = (some(), some());
+        let dot = |a: &Lanes, b: &Lanes| -> f64 { a.iter().zip(b).flat_map(|(a, b)| (*a * *b).0).sum() };
+        let (mut solved, mut rhs) = (right.clone(), Lanes::zeros(grid.steps * plan.n));
+        let mut functionals = vec![0.0; plan.active.len()];
+        let inward = Inward { factor, inner: &mut solved, rhs: &mut rhs, functionals: &mut functionals };
+        inward.vectorised();
+        let forward = dot(&weights, &solved);
+        factor.solve_stages_transposed(&mut weights);
+        let backward = dot(&weights, &right);
+        assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
+    }
+}
+
 #[test]
 fn elimination_agrees_with_a_dense_solve_for_every_size() {
+    // One and two equations of second order and nothing else.
+    for (n, intervals) in [(2, 1), (2, 5), (2, 8), (4, 3), (4, 8), (4, 13)] {
+        check(&[(n, 0)], 0, 0, &[intervals], false, 3 * n as u64 + intervals as u64);
+        check(&[(n, 0)], 0, 0, &[intervals], true, 3 * n as u64 + intervals as u64);
+    }
     for n in 1..=8 {
         for intervals in [1, 2, 3, 4, 5, 7, 8, 9, 13] {
             check(&[(n, 1)], 1, 1, &[intervals], false, 11 * n as u64 + intervals as u64);
