@@ -86,7 +86,11 @@ impl Job for Couple<'_, '_> {
     #[inline(always)]
     fn run(self) {
         let (plan, q) = (self.assembly.plan, self.inner.coupling.roles.unknowns.len());
-        self.assembly.differentiate_coupled(q, (plan.n, plan.active.len(), plan.columns.len()), self.t, self.inner);
+        // Compiled once more for the sizes of a branch of one equation of second order in one constant.
+        match (q, plan.n, plan.active.len(), plan.columns.len()) {
+            (1, 2, 1, 1) => self.assembly.differentiate_coupled(1, (2, 1, 1), self.t, self.inner),
+            (q, n, k, p) => self.assembly.differentiate_coupled(q, (n, k, p), self.t, self.inner),
+        }
     }
 }
 

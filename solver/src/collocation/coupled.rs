@@ -210,11 +210,13 @@ impl Job for Inward<'_> {
 
     #[inline(always)]
     fn run(self) {
-        // Compiled once more each where the sizes are those of one or two equations of second order.
+        // Compiled once more each where the sizes are those of one or two equations of second order, and of a branch of
+        // one.
         let Coupling { roles, n, all, .. } = &self.factor.coupling;
         match (roles.unknowns.len(), *n, *all) {
             (1, 2, 2) => self.eliminate(1, 2, 2),
             (2, 4, 4) => self.eliminate(2, 4, 4),
+            (1, 2, 3) => self.eliminate(1, 2, 3),
             (q, n, all) => self.eliminate(q, n, all),
         }
     }
