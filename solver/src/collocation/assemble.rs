@@ -39,13 +39,12 @@ pub(crate) struct Assembly<'a> {
     magnitudes: &'a [f64],
     states: Vec<Entry>,
     constants: Vec<Entry>,
-    /// dK/dy_0, dK/dy_1 by rows of `n`, dK/dc by rows of `p`: all stages one after the other.
-    left: Lanes,
-    right: Lanes,
-    by_constant: Lanes,
-    /// One stage's dY/dy_0, dY/dy_1 and dY/dc.
+    /// dK: derivatives of the slopes of all rows with respect to the left node, the right one and the constants, one
+    /// after the other in each row, stage by stage.
+    slopes: Lanes,
+    /// dY of one stage: the same of the states.
     arguments: Lanes,
-    /// Sums over stages.
+    /// Sums of dK over the stages.
     sum: Lanes,
     /// Room for the unknowns at the inner stages of one interval.
     unknowns: Lanes,
@@ -109,7 +108,7 @@ impl<'a> Assembly<'a> {
         let constants = plan.constant_entries.iter();
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
         let (n, p) = (plan.n, plan.columns.len());
-        let (rows, count) = (n + plan.active.len(), system.tableau.stages());
+        let (rows, width, count) = (n + plan.active.len(), 2 * n + p, system.tableau.stages());
         Self {
             plan,
             tableau: system.tableau,
@@ -127,11 +126,9 @@ impl<'a> Assembly<'a> {
                     factor: constant_scale(column) / row_scale(row),
                 })
                 .collect(),
-            left: Lanes::unset(count * rows * n),
-            right: Lanes::unset(count * rows * n),
-            by_constant: Lanes::unset(count * rows * p),
-            arguments: Lanes::unset(n * (2 * n + p)),
-            sum: Lanes::unset(rows * n.max(p)),
+            slopes: Lanes::unset(count * rows * width),
+            arguments: Lanes::unset(n * width),
+            sum: Lanes::unset(rows * width),
             unknowns: Lanes::unset(system.tableau.unknown_stages() * n),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
         }
@@ -255,50 +252,38 @@ impl<'a> Assembly<'a> {
     /// dK = J dY + dJ/dc of one stage.
     #[inline(always)]
     fn differentiate_stage(&mut self, n: usize, all: usize, p: usize, t: usize, stage: usize, h: Lane) {
-        let (before, here) = (stage * all * n, (stage + 1) * all * n);
-        let constants = stage * all * p;
-        self.left[before..here].fill(Lane::ZERO);
-        self.right[before..here].fill(Lane::ZERO);
-        self.by_constant[constants..constants + all * p].fill(Lane::ZERO);
-        let view = self.views[stage];
+        let (width, view) = (2 * n + p, self.views[stage]);
+        let (known, rest) = self.slopes.split_at_mut(stage * all * width);
+        let out = &mut rest[..all * width];
+        out.fill(Lane::ZERO);
         for entry in &self.constants {
-            let value = view.dc(entry.from, t).times(entry.factor);
-            self.by_constant[constants + entry.row * p + entry.column] += value;
+            out[entry.row * width + 2 * n + entry.column] += view.dc(entry.from, t).times(entry.factor);
         }
         if stage < 2 {
-            let out = if stage == 0 { &mut self.left } else { &mut self.right };
             for entry in &self.states {
-                let value = view.dy(entry.from, t).times(entry.factor);
-                out[before + entry.row * n + entry.column] += value;
+                out[entry.row * width + stage * n + entry.column] += view.dy(entry.from, t).times(entry.factor);
             }
             return;
         }
-        let known = |skip: Option<usize>| {
-            let weights = self.tableau.x[stage].iter().enumerate();
-            weights.filter(move |&(earlier, weight)| *weight != 0.0 && Some(earlier) != skip)
-        };
-        let (v, (nodes, by_constant)) = (self.tableau.v[stage], self.arguments.split_at_mut(2 * n * n));
-        let (left, right) = nodes.split_at_mut(n * n);
-        let odd = self.tableau.odd_part(stage).map(|odd| Odd { odd, chained: &self.chained, h });
-        // Widths are known when compiled if the number of states is.
-        argument(&self.left, n, all * n, n, h, known(Some(1)), left);
-        add_to_diagonal(left, n, 1.0 - v);
-        argument(&self.right, n, all * n, n, h, known(Some(0)), right);
-        add_to_diagonal(right, n, v);
-        argument(&self.by_constant, n, all * p, p, h, known(None), by_constant);
-        if let Some(odd) = &odd {
-            odd.add_node(n, -1.0, &self.left[..n * n], left);
-            odd.add_node(n, 1.0, &self.right[all * n..][..n * n], right);
-            odd.add_slopes(p, -1.0, &self.by_constant[..n * p], by_constant);
-            odd.add_slopes(p, 1.0, &self.by_constant[all * p..][..n * p], by_constant);
+        let arguments = &mut self.arguments[..n * width];
+        arguments.fill(Lane::ZERO);
+        for (known, &weight) in known.chunks_exact(all * width).zip(self.tableau.x[stage]) {
+            if weight != 0.0 {
+                add_row(h.times(weight), &known[..n * width], arguments);
+            }
         }
-        let (by_left, by_right) = (&mut self.left[before..here], &mut self.right[before..here]);
-        let slopes = &mut self.by_constant[constants..constants + all * p];
+        let v = self.tableau.v[stage];
+        for i in 0..n {
+            arguments[i * width + i] += Lane::ONE.times(1.0 - v);
+            arguments[i * width + n + i] += Lane::ONE.times(v);
+        }
+        if let Some(odd) = self.tableau.odd_part(stage) {
+            let nodes = [&known[..n * width], &known[all * width..][..n * width]];
+            Odd { odd, chained: &self.chained, h }.add(n, width, nodes, arguments);
+        }
         for entry in &self.states {
             let value = view.dy(entry.from, t).times(entry.factor);
-            add_row(value, &left[entry.column * n..][..n], &mut by_left[entry.row * n..][..n]);
-            add_row(value, &right[entry.column * n..][..n], &mut by_right[entry.row * n..][..n]);
-            add_row(value, &by_constant[entry.column * p..][..p], &mut slopes[entry.row * p..][..p]);
+            add_row(value, &arguments[entry.column * width..][..width], &mut out[entry.row * width..][..width]);
         }
     }
 
@@ -312,10 +297,8 @@ impl<'a> Assembly<'a> {
         t: usize,
         Inner { coupling, kept }: Inner<'_>,
     ) {
-        let (h, all, m) = (Lane(self.h[t]), n + k, COUPLED * n);
-        self.left[2 * all * n..].fill(Lane::ZERO);
-        self.right[2 * all * n..].fill(Lane::ZERO);
-        self.by_constant[2 * all * p..].fill(Lane::ZERO);
+        let (h, all, width, m) = (Lane(self.h[t]), n + k, 2 * n + p, COUPLED * n);
+        self.slopes[2 * all * width..].fill(Lane::ZERO);
         let Parts { qr, moves, slopes } = coupling.parts_mut(kept);
         slopes.fill(Lane::ZERO);
         let matrix = qr::matrix(COUPLED * q, qr);
@@ -324,8 +307,8 @@ impl<'a> Assembly<'a> {
         for j in 0..COUPLED {
             let view = self.views[j + 2];
             for entry in &self.constants {
-                let value = view.dc(entry.from, t).times(entry.factor);
-                self.by_constant[(j + 2) * all * p + entry.row * p + entry.column] += value;
+                let at = ((j + 2) * all + entry.row) * width + 2 * n + entry.column;
+                self.slopes[at] += view.dc(entry.from, t).times(entry.factor);
             }
             for entry in &self.states {
                 let value = view.dy(entry.from, t).times(entry.factor) * h;
@@ -342,16 +325,11 @@ impl<'a> Assembly<'a> {
         }
         for j in 0..COUPLED {
             let view = self.views[j + 2];
-            let (first, first_constant) = ((j + 2) * all * n, (j + 2) * all * p);
             for entry in &self.states {
                 let value = view.dy(entry.from, t).times(entry.factor);
-                let (row, at) = (entry.row, j * n + entry.column);
-                for q in 0..n {
-                    self.left[first + row * n + q] += value * moves[q * m + at];
-                    self.right[first + row * n + q] += value * moves[(n + q) * m + at];
-                }
-                for q in 0..p {
-                    self.by_constant[first_constant + row * p + q] += value * moves[(2 * n + q) * m + at];
+                let (row, at) = (((j + 2) * all + entry.row) * width, j * n + entry.column);
+                for q in 0..width {
+                    self.slopes[row + q] += value * moves[q * m + at];
                 }
             }
         }
@@ -391,24 +369,21 @@ impl<'a> Assembly<'a> {
     /// The right-hand sides of the stage equations when nodes and constants move, by columns of `m`.
     #[inline(always)]
     fn move_stages(&self, n: usize, all: usize, p: usize, h: Lane, moves: &mut [Lane]) {
-        let m = COUPLED * n;
-        for i in 0..COUPLED {
-            let (x, v) = (self.tableau.x[i + 2], self.tableau.v[i + 2]);
-            let (by_left, by_right) = (h.times(x[0]), h.times(x[1]));
-            for q in 0..n {
-                for row in 0..n {
-                    let same = if row == q { Lane::ONE } else { Lane::ZERO };
-                    moves[q * m + i * n + row] = same.times(1.0 - v) + by_left * self.left[row * n + q];
-                    moves[(n + q) * m + i * n + row] = same.times(v) + by_right * self.right[(all + row) * n + q];
-                }
-            }
-            for q in 0..p {
-                for row in 0..n {
+        let (m, width) = (COUPLED * n, 2 * n + p);
+        for (q, column) in moves.chunks_exact_mut(m).enumerate() {
+            // What nodes do to the slopes of inner stages is what is sought.
+            let known = if q < 2 * n { 2 } else { COUPLED + 2 };
+            for (i, column) in column.chunks_exact_mut(n).enumerate() {
+                let (x, v) = (self.tableau.x[i + 2], self.tableau.v[i + 2]);
+                for (row, out) in column.iter_mut().enumerate() {
                     let mut sum = Lane::ZERO;
-                    for (j, &x) in x.iter().enumerate() {
-                        sum += self.by_constant[(j * all + row) * p + q].times(x);
+                    for (j, &x) in x.iter().enumerate().take(known) {
+                        sum += self.slopes[(j * all + row) * width + q].times(x);
                     }
-                    moves[(2 * n + q) * m + i * n + row] = h * sum;
+                    *out = h * sum;
+                }
+                if q < 2 * n {
+                    column[q % n] += Lane::ONE.times(if q < n { 1.0 - v } else { v });
                 }
             }
         }
@@ -417,19 +392,28 @@ impl<'a> Assembly<'a> {
     /// `A = -I - h Σ b dK/dy_0`, `B = I - h Σ b dK/dy_1`, `C = -h Σ b dK/dc`; functionals `h Σ b dQ`.
     #[inline(always)]
     fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
-        let (b, sum) = (self.tableau.b, &mut self.sum);
-        let twice = Twice { tableau: self.tableau, chained: &self.chained, all, h };
-        quadrature(&self.left, n, all, b, h, sum);
-        twice.integrate(n, &self.left, sum);
-        transposed(sum, n, n, &mut block.a, &mut block.fa);
+        let (width, sum) = (2 * n + p, &mut self.sum[..all * (2 * n + p)]);
+        sum.fill(Lane::ZERO);
+        for (slopes, &b) in self.slopes.chunks_exact(all * width).zip(self.tableau.b) {
+            add_row(h.times(b), slopes, sum);
+        }
+        Twice { tableau: self.tableau, chained: &self.chained, all, h }.integrate(width, &self.slopes, sum);
+        let (equations, functionals) = sum.split_at(n * width);
+        for (i, row) in equations.chunks_exact(width).enumerate() {
+            for j in 0..n {
+                (block.a[j * n + i], block.b[j * n + i]) = (-row[j], -row[n + j]);
+            }
+            for j in 0..p {
+                block.c[j * n + i] = -row[2 * n + j];
+            }
+        }
+        for (i, row) in functionals.chunks_exact(width).enumerate() {
+            block.fa[i * n..(i + 1) * n].copy_from_slice(&row[..n]);
+            block.fb[i * n..(i + 1) * n].copy_from_slice(&row[n..2 * n]);
+            block.fc[i * p..(i + 1) * p].copy_from_slice(&row[2 * n..]);
+        }
         add_to_diagonal(&mut block.a, n, -1.0);
-        quadrature(&self.right, n, all, b, h, sum);
-        twice.integrate(n, &self.right, sum);
-        transposed(sum, n, n, &mut block.b, &mut block.fb);
         add_to_diagonal(&mut block.b, n, 1.0);
-        quadrature(&self.by_constant, p, all, b, h, sum);
-        twice.integrate(p, &self.by_constant, sum);
-        transposed(sum, n, p, &mut block.c, &mut block.fc);
     }
 }
 
@@ -441,25 +425,17 @@ struct Odd<'a> {
 }
 
 impl Odd<'_> {
-    /// When the left (`sign` -1) or right node moves, `slopes`: dK there.
+    /// To dY, `sum`, for dK at both nodes, by rows of `width` for `n` states.
     #[inline(always)]
-    fn add_node(&self, n: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
-        self.add_slopes(n, sign, slopes, sum);
-        for &(u, _, _) in self.chained {
-            for q in 0..n {
-                sum[u * n + q] += self.h.times(-6.0 * self.odd) * slopes[u * n + q];
-            }
-            sum[u * n + u] += Lane::ONE.times(12.0 * sign * self.odd);
-        }
-    }
-
-    /// When the slopes of the derivatives move, by rows of `width`.
-    #[inline(always)]
-    fn add_slopes(&self, width: usize, sign: f64, slopes: &[Lane], sum: &mut [Lane]) {
-        for &(u, v, factor) in self.chained {
-            let weight = (self.h * self.h).times(sign * self.odd * factor);
-            for q in 0..width {
-                sum[u * width + q] += weight * slopes[v * width + q];
+    fn add(&self, n: usize, width: usize, nodes: [&[Lane]; 2], sum: &mut [Lane]) {
+        let once = self.h.times(-6.0 * self.odd);
+        for (side, (slopes, sign)) in nodes.into_iter().zip([-1.0, 1.0]).enumerate() {
+            for &(u, v, factor) in self.chained {
+                let twice = (self.h * self.h).times(sign * self.odd * factor);
+                let sum = &mut sum[u * width..][..width];
+                add_row(twice, &slopes[v * width..][..width], sum);
+                add_row(once, &slopes[u * width..][..width], sum);
+                sum[side * n + u] += Lane::ONE.times(12.0 * sign * self.odd);
             }
         }
     }
@@ -530,54 +506,6 @@ fn add_row(value: Lane, row: &[Lane], out: &mut [Lane]) {
     for (out, argument) in out.iter_mut().zip(row) {
         *out += value * *argument;
     }
-}
-
-/// `h Σ x dK` over the earlier stages, `n` rows of `width`; a stage holds `stride` values.
-#[inline(always)]
-fn argument<'a>(
-    stages: &[Lane],
-    n: usize,
-    stride: usize,
-    width: usize,
-    h: Lane,
-    earlier: impl Iterator<Item = (usize, &'a f64)>,
-    sum: &mut [Lane],
-) {
-    let sum = &mut sum[..n * width];
-    sum.fill(Lane::ZERO);
-    for (stage, &weight) in earlier {
-        let weight = h.times(weight);
-        let known = &stages[stage * stride..][..n * width];
-        for j in 0..n * width {
-            sum[j] += weight * known[j];
-        }
-    }
-}
-
-/// `h Σ b dK` over all stages, `all` rows of `width`.
-#[inline(always)]
-fn quadrature(stages: &[Lane], width: usize, all: usize, b: &[f64], h: Lane, sum: &mut [Lane]) {
-    let sum = &mut sum[..all * width];
-    sum.fill(Lane::ZERO);
-    for (stage, &b) in b.iter().enumerate() {
-        let weight = h.times(b);
-        let known = &stages[stage * all * width..][..all * width];
-        for j in 0..all * width {
-            sum[j] += weight * known[j];
-        }
-    }
-}
-
-/// The rows of the equations by columns and negated, those of the functionals as they are.
-#[inline(always)]
-fn transposed(sum: &[Lane], n: usize, width: usize, equations: &mut [Lane], functionals: &mut [Lane]) {
-    let equations = &mut equations[..n * width];
-    for j in 0..width {
-        for i in 0..n {
-            equations[j * n + i] = -sum[i * width + j];
-        }
-    }
-    functionals.copy_from_slice(&sum[n * width..][..functionals.len()]);
 }
 
 #[inline(always)]
