@@ -284,7 +284,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     }
 
     /// An empty tally.
-    fn tally(&self) -> Tally {
+    pub(super) fn tally(&self) -> Tally {
         let (n, steps) = (self.n(), self.steps());
         let mut at_nodes = Numbers::zeros(n * (steps + 1) * W);
         let pattern = &self.system.layout.regions[self.region].state_pattern;

@@ -4,6 +4,7 @@ use super::coupled::Inward;
 use super::evaluate::{Derivatives, Work};
 use super::factor::{Factorisation, Rhs};
 use super::grid::Grid;
+use super::interpolant::{Extended, Extension};
 use super::plan::Plan;
 use super::transpose::Weights;
 use super::{Correction, Iterate, System};
@@ -372,6 +373,43 @@ fn check_stages(setup: &Setup<'_>, factorisation: &Factorisation, chained: bool,
         factor.solve_stages_transposed(&mut weights);
         let backward = dot(&weights, &right);
         assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
+    }
+}
+
+/// What corrects the continuous extension of order 8 solves linear equations exactly at its points: whether states are
+/// all unknowns there, or some are found to be integrals of others, or all are in pairs.
+#[test]
+fn the_corrected_extension_meets_linear_equations_at_its_points() {
+    for (n, integrals, constants, chained) in [
+        (2, 0, 0, true),
+        (4, 0, 0, true),
+        (4, 2, 1, true),
+        (2, 1, 2, true),
+        (3, 1, 0, true),
+        (5, 0, 2, true),
+        (2, 0, 0, false),
+        (3, 2, 1, false),
+    ] {
+        let mixed = Mixed::new(&[(n, integrals)], constants, (false, chained), 17 + n as u64);
+        let problem = Differentiated::new(mixed).unwrap();
+        let chosen: Vec<usize> = (0..constants).collect();
+        let plan = Plan::new(problem.layout(), &chosen);
+        let mut setup = setup(&problem, plan, &[7], &ORDER_8, 5);
+        let (x, mut stats) = (setup.x.clone(), Stats::default());
+        let x = met(&mut setup, &x);
+        setup.system.evaluate(&x, Derivatives::Planned, &mut setup.work, &mut stats).unwrap();
+        let (system, stages) = (&setup.system, &setup.work.regions[0]);
+        assert_eq!(stages.roles.integrals.len(), if chained { n / 2 } else { 0 });
+        let (extended, scales) = (Extended { system, region: 0, x: &x, stages }, system.scales(&x));
+        let (mut extension, mut tally) = (extended.collocation_polynomial(), extended.tally());
+        let mut lacking =
+            |extension: &Extension| extended.lacking(extension, &scales.states[0], &mut tally, &mut stats).unwrap();
+        let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let before = lacking(&extension);
+        assert!(largest(&before) > 1e-6, "{n} states: nothing to correct");
+        extended.correct(&mut extension, &scales.states[0], &before);
+        let after = lacking(&extension);
+        assert!(largest(&after) < 1e-12, "{n} states, {integrals} integrals: {:e}", largest(&after));
     }
 }
 
