@@ -214,62 +214,9 @@ fn scatter(values: &[f64], out: &mut [f64], stride: usize, j: usize) {
     }
 }
 
-/// The first `N` rows of a batch, `len` values each.
-#[inline(always)]
-fn rows<const N: usize>(values: &[f64], stride: usize, len: usize) -> [&[f64]; N] {
-    std::array::from_fn(|i| &values[i * stride..][..len])
-}
-
-/// The same, to be written.
-#[inline(always)]
-fn rows_mut<const N: usize>(values: &mut [f64], stride: usize, len: usize) -> [&mut [f64]; N] {
-    let mut all = values.chunks_mut(stride.max(1));
-    std::array::from_fn(|_| all.next().and_then(|row| row.get_mut(..len)).unwrap_or_default())
-}
-
-/// One or two equations of second order without parameters: all sizes are known when compiled, `N` states and `SQUARE`
-/// derivatives.
-impl<M: Formulas> Bvp<M> {
-    #[inline(always)]
-    fn few_values<const N: usize>(&self, at: &Points<'_>, f: &mut [f64]) {
-        let (y, s, start) = (rows::<N>(at.y, at.stride, at.len), &at.s[..at.len], self.layout.regions[0].interval.0);
-        let (f, mut out) = (rows_mut::<N>(f, at.stride, at.len), [0.0; N]);
-        for (j, &s) in s.iter().enumerate() {
-            let y = y.map(|y| y[j]);
-            self.formulas.rhs(s, &y, &[], &mut out);
-            if let Some(term) = &self.singular {
-                term.complete(s - start, &y, &mut out);
-            }
-            for i in 0..N {
-                f[i][j] = out[i];
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn few_derivatives<const N: usize, const SQUARE: usize>(&self, at: &Points<'_>, f: &mut [f64], dy: &mut [f64]) {
-        let (y, s, start) = (rows::<N>(at.y, at.stride, at.len), &at.s[..at.len], self.layout.regions[0].interval.0);
-        let (f, mut out) = (rows_mut::<N>(f, at.stride, at.len), [0.0; N]);
-        let (dy, mut columns) = (rows_mut::<SQUARE>(dy, at.stride, at.len), [0.0; SQUARE]);
-        for (j, &s) in s.iter().enumerate() {
-            let y = y.map(|y| y[j]);
-            self.formulas.rhs_derivatives(s, &y, &[], &mut out, &mut columns);
-            if let Some(term) = &self.singular {
-                term.complete(s - start, &y, &mut out);
-                term.complete_derivatives(s - start, &mut columns);
-            }
-            for i in 0..N {
-                f[i][j] = out[i];
-            }
-            for i in 0..SQUARE {
-                dy[i][j] = columns[i];
-            }
-        }
-    }
-}
-
 impl<M: Formulas> Bvp<M> {
     /// f at all points, `n` states.
+    #[inline(always)]
     fn values(&self, n: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
         let start = self.layout.regions[0].interval.0;
         let (mut room, mut more) = ([0.0; ROOM], Vec::new());
@@ -287,6 +234,7 @@ impl<M: Formulas> Bvp<M> {
     }
 
     /// The same with derivatives, by states and by parameters.
+    #[inline(always)]
     fn derivatives(
         &self,
         n: usize,
@@ -321,10 +269,11 @@ impl<M: Formulas> Problem for Bvp<M> {
     }
 
     fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {
-        match (self.layout.regions[0].states.len(), constants.len()) {
-            (2, 0) => self.few_values::<2>(at, f),
-            (4, 0) => self.few_values::<4>(at, f),
-            (n, _) => self.values(n, at, constants, f),
+        // Compiled once more each where the states are those of one or two equations of second order.
+        match self.layout.regions[0].states.len() {
+            2 => self.values(2, at, constants, f),
+            4 => self.values(4, at, constants, f),
+            n => self.values(n, at, constants, f),
         }
     }
 
@@ -338,10 +287,10 @@ impl<M: Formulas> Problem for Bvp<M> {
         dy: &mut [f64],
         dc: &mut [f64],
     ) {
-        match (self.layout.regions[0].states.len(), constants.len()) {
-            (2, 0) => self.few_derivatives::<2, 4>(at, f, dy),
-            (4, 0) => self.few_derivatives::<4, 16>(at, f, dy),
-            (n, _) => self.derivatives(n, at, constants, (f, dy, dc)),
+        match self.layout.regions[0].states.len() {
+            2 => self.derivatives(2, at, constants, (f, dy, dc)),
+            4 => self.derivatives(4, at, constants, (f, dy, dc)),
+            n => self.derivatives(n, at, constants, (f, dy, dc)),
         }
     }
 

@@ -87,8 +87,8 @@ fn weights_of_stages(tableau: &Tableau) -> [[f64; STAGES]; POINTS] {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    /// What the collocation polynomial S₅ lacks at the points: `h f(S₅) - S₅'` point by point, component by component in
-    /// working order. Its defects are counted.
+    /// What the collocation polynomial S₅ lacks at the points: `h f(S₅) - S₅'` point by point, component by component
+    /// in working order. Its defects are counted.
     pub(super) fn lacking(
         &self,
         polynomial: &Extension,

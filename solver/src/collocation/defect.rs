@@ -203,8 +203,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Ok(Defects { integrated, samples, ..self.concluded(tally, scales) })
     }
 
-    /// Takes samples at places of given weights and adds them to a tally; `h (f - S')` goes to `lacking`, place by place
-    /// and state by state, unless that is empty.
+    /// Takes samples at places of given weights and adds them to a tally; `h (f - S')` goes to `lacking`, place by
+    /// place and state by state, unless that is empty.
     pub(super) fn counted(
         &self,
         extension: Option<&Extension>,
@@ -302,18 +302,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// From f at the samples, all rows: what the defects of the states, and the quadrature of the integrals, amount to.
     fn integrated(&self, samples: &[Sampled]) -> Numbers {
         let (n, intervals, cubic) = (self.n(), self.intervals(), self.pieces(None));
-        let weights = self.system.tableau.samples;
-        let mean = |row: usize, t: usize| {
-            let (mut mean, mut rest) = (Lane::ZERO, weights);
-            for sampled in samples {
-                let (here, later) = rest.split_at(sampled.places.min(rest.len()));
-                for (place, &(_, weight)) in here.iter().enumerate() {
-                    mean += sampled.slope(row, place, t).times(weight);
-                }
-                rest = later;
-            }
-            mean
-        };
+        let weights = || self.system.tableau.samples.iter().map(|sample| sample.1);
+        let mean = |row: usize, t: usize| Sampled::weighted(Lane::ZERO, samples, weights(), row, t);
         let mut out = Numbers::unset(self.rows() * intervals);
         let (states, integrals) = out.split_at_mut(n * intervals);
         by_components(states, cubic.steps, |i, t| {

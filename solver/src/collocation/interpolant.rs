@@ -166,6 +166,23 @@ impl Sampled {
     pub(super) fn slope(&self, row: usize, place: usize, t: usize) -> Lane {
         Lane(self.f.as_chunks::<W>().0[(row * self.places + place) * self.steps + t])
     }
+
+    /// `sum`, and one row at all places of all samples with these weights.
+    #[inline(always)]
+    pub(super) fn weighted(
+        mut sum: Lane,
+        samples: &[Self],
+        mut weights: impl Iterator<Item = f64>,
+        row: usize,
+        t: usize,
+    ) -> Lane {
+        for sampled in samples {
+            for (place, weight) in (0..sampled.places).zip(&mut weights) {
+                sum += sampled.slope(row, place, t).times(weight);
+            }
+        }
+        sum
+    }
 }
 
 /// Where the right-hand side is to be evaluated.

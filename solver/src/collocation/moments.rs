@@ -27,14 +27,8 @@ impl Improvement<'_> {
     #[inline(always)]
     fn at(&self, stage: usize, basis: &Basis, i: usize, t: usize) -> Lane {
         let ([f0, f1], weights) = (self.pieces.slopes(i, t), &self.weights[stage]);
-        let (mut mean, mut rest) = (f0.times(weights[0]) + f1.times(weights[1]), &weights[2..]);
-        for sampled in self.samples {
-            let (here, later) = rest.split_at(sampled.places.min(rest.len()));
-            for (place, &weight) in here.iter().enumerate() {
-                mean += sampled.slope(i, place, t).times(weight);
-            }
-            rest = later;
-        }
+        let ends = f0.times(weights[0]) + f1.times(weights[1]);
+        let mean = Sampled::weighted(ends, self.samples, weights[2..].iter().copied(), i, t);
         self.pieces.length(t) * mean - self.pieces.weigh(basis, i, t)
     }
 }
@@ -45,8 +39,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Improvement { pieces: self.pieces(Some(extension)), samples: &defects.samples, weights }
     }
 
-    /// What the defect moves the inner stages by where their states are unknowns, `∫_0^c (S' - f(S)) ds - c ∫_0^1 (S' -
-    /// f(S)) ds`, as [`Iterate::inner`](super::Iterate::inner) stands: right-hand sides of the linearised stage
+    /// What the defect moves the inner stages by where their states are unknowns, `∫_0^c (S' - f(S)) ds - c ∫_0^1
+    /// (S' - f(S)) ds`, as [`Iterate::inner`](super::Iterate::inner) stands: right-hand sides of the linearised stage
     /// equations.
     pub(crate) fn moments(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let (tableau, len) = (self.system.tableau, self.n() * self.intervals());
@@ -67,8 +61,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
     ///
     /// With `e = S̃ - y`, of which `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`, the stages of e are those of the
-    /// method, and `ε = e + S - S̃` there: all that the nodes' errors do not know of is in `X_r = S - S̃ - v_r J + h Σ_k
-    /// x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
+    /// method, and `ε = e + S - S̃` there: all that the nodes' errors do not know of is in
+    /// `X_r = S - S̃ - v_r J + h Σ_k x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
     pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
         let (tableau, n, rows) = (self.system.tableau, self.n(), self.rows());
         let mut integrated = defects.integrated.clone();

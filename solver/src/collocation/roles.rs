@@ -51,12 +51,13 @@ impl Roles {
             }
         }
         let unknowns: Vec<usize> = (0..n).filter(|state| integrals.iter().all(|(u, _)| u != state)).collect();
-        let index = |state: usize| unknowns.iter().position(|unknown| *unknown == state).unwrap_or(0);
-        let role = |state: usize| match integrals.iter().find(|(u, _)| *u == state) {
-            Some(&(_, v)) => Role::IntegralOf(index(v)),
-            None => Role::Unknown(index(state)),
-        };
-        let of = (0..n).map(role).collect();
+        let mut of = vec![Role::Unknown(0); n];
+        unknowns.iter().enumerate().for_each(|(index, &state)| of[state] = Role::Unknown(index));
+        for &(u, v) in &integrals {
+            if let Role::Unknown(index) = of[v] {
+                of[u] = Role::IntegralOf(index);
+            }
+        }
         Self { unknowns, integrals, of }
     }
 }

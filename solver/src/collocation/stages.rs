@@ -50,24 +50,26 @@ pub(crate) struct Stage<'a> {
 }
 
 impl Stages {
-    /// `intervals`: in working order.
-    pub(crate) fn stage(&self, stage: usize, intervals: usize) -> Stage<'_> {
+    /// Where the values of all stages stand, `intervals` of them in working order; where the method has fewer stages,
+    /// the rest repeat the first.
+    fn all(&self, intervals: usize) -> [Stage<'_>; MOST_STAGES] {
         let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
-        match stage {
-            0 => nodes,
-            1 => Stage { first: W, ..nodes },
-            _ => {
-                let mut place = stage - 2;
-                for batch in &self.inner {
-                    let places = batch.s.len() / intervals;
-                    if place < places {
-                        return Stage { batch, stride: batch.s.len(), first: place * intervals };
-                    }
-                    place -= places;
-                }
-                nodes
+        let mut all = [nodes; MOST_STAGES];
+        all[1].first = W;
+        let mut rest = all[2..].iter_mut().peekable();
+        for batch in &self.inner {
+            let (stride, mut first) = (batch.s.len(), 0);
+            while let Some(stage) = rest.next_if(|_| first < stride) {
+                *stage = Stage { batch, stride, first };
+                first += intervals;
             }
         }
+        all
+    }
+
+    /// Where those of one stage stand.
+    pub(crate) fn stage(&self, stage: usize, intervals: usize) -> Stage<'_> {
+        self.all(intervals)[stage]
     }
 
     /// Slopes of one stage and row, one an interval.
@@ -79,19 +81,7 @@ impl Stages {
 
     /// All of them in vectors, `steps` a row; where the method has fewer, the rest repeat the first.
     pub(crate) fn views(&self, steps: usize) -> [View<'_>; MOST_STAGES] {
-        let intervals = steps * W;
-        let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
-        let mut views = [View::of(nodes); MOST_STAGES];
-        views[1] = View::of(Stage { first: W, ..nodes });
-        let mut rest = views[2..].iter_mut().peekable();
-        for batch in &self.inner {
-            let (stride, mut first) = (batch.s.len(), 0);
-            while let Some(view) = rest.next_if(|_| first < stride) {
-                *view = View::of(Stage { batch, stride, first });
-                first += intervals;
-            }
-        }
-        views
+        self.all(steps * W).map(View::of)
     }
 }
 
@@ -136,8 +126,8 @@ impl<'a> View<'a> {
     }
 }
 
-/// States whose derivative depends on another state, with slope 1, and on no other state and no unknown constant, as the
-/// derivatives in the batches say; no two on the same.
+/// States whose derivative depends on another state, with slope 1, and on no other state and no unknown constant, as
+/// the derivatives in the batches say; no two on the same.
 pub(super) fn second_order<'a>(
     layout: &Region,
     plan: &RegionPlan,

@@ -2,7 +2,7 @@
 
 use super::{OFFSETS, POINTS, PointWeights, STAGES};
 use crate::collocation::interpolant::Basis;
-use crate::collocation::roles::{Pairs, Role, Roles};
+use crate::collocation::roles::{Role, Roles};
 use crate::collocation::stages::View;
 use crate::linear::memory::Lanes;
 use crate::linear::qr;
@@ -51,13 +51,11 @@ impl Job for Correct<'_> {
 
     #[inline(always)]
     fn run(self) {
-        // Compiled once more each for one or two equations of second order and nothing else.
-        if let Some(pairs) = self.roles.pairs::<1>() {
-            self.solve_pairs::<1, 2, 4>(pairs);
-        } else if let Some(pairs) = self.roles.pairs::<2>() {
-            self.solve_pairs::<2, 4, 8>(pairs);
-        } else {
-            self.solve();
+        // Compiled once more each where the sizes are those of one or two equations of second order.
+        match (self.roles.unknowns.len(), self.scales.len()) {
+            (1, 2) => self.solve(1, 2),
+            (2, 4) => self.solve(2, 4),
+            (q, n) => self.solve(q, n),
         }
     }
 }
@@ -74,66 +72,10 @@ impl Correct<'_> {
         })
     }
 
-    /// As [`solve`](Self::solve), where `Q` states are unknowns and the other `Q` of `N` their integrals; `M` unknowns
-    /// at the points. All sizes are known when compiled.
+    /// Finds E at the points, interval by interval: `q` unknowns a point, `n` states.
     #[inline(always)]
-    fn solve_pairs<const Q: usize, const N: usize, const M: usize>(mut self, pairs: Pairs<Q>) {
-        let (Pairs { unknowns: v, integrals: u }, from_slopes) = (pairs, self.weights.of_slopes);
-        let mut data = Lanes::unset(qr::room(M));
-        for t in 0..self.h.len() {
-            let h = Lane(self.h[t]);
-            let rise: [Lane; Q] = std::array::from_fn(|r| h.times(self.scales[v[r]] / self.scales[u[r]]));
-            let mut by_u = u.map(|state| self.wanted(state, t));
-            let wanted = v.map(|state| self.wanted(state, t));
-            let mut by_v: [Lane; M] = std::array::from_fn(|at| wanted[at % Q][at / Q]);
-            let mut jacobian = [[[Lane::ZERO; POINTS]; N]; N];
-            let unknown = |(_, (row, _)): &(usize, &(usize, usize))| v.contains(row);
-            for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(unknown) {
-                let factor = h.times(self.scales[state] / self.scales[row]);
-                for (sum, derivative) in jacobian[row][state].iter_mut().zip(self.derivatives(entry, t)) {
-                    *sum += derivative * factor;
-                }
-            }
-            let matrix = qr::matrix(M, &mut data);
-            for r in 0..Q {
-                for c in 0..Q {
-                    let (by_integral, by_unknown) = (jacobian[v[r]][u[c]], jacobian[v[r]][v[c]]);
-                    for k in 0..POINTS {
-                        for j in 0..POINTS {
-                            by_v[k * Q + r] += (by_integral[j] * by_u[c][j]).times(from_slopes[k][j]);
-                        }
-                        for l in 0..POINTS {
-                            let mut twice = Lane::ZERO;
-                            for j in 0..POINTS {
-                                twice += by_integral[j].times(from_slopes[k][j] * from_slopes[j][l]);
-                            }
-                            let moved = by_unknown[l].times(from_slopes[k][l]) + twice * rise[c];
-                            let same = if (k, r) == (l, c) { Lane::ONE } else { Lane::ZERO };
-                            matrix[(l * Q + c) * M + k * Q + r] = same - moved;
-                        }
-                    }
-                }
-            }
-            qr::factor(M, &mut data);
-            qr::solve(M, &data, &mut by_v);
-            for r in 0..Q {
-                let unknown: [Lane; POINTS] = std::array::from_fn(|k| by_v[k * Q + r]);
-                for (by_u, weights) in by_u[r].iter_mut().zip(from_slopes) {
-                    for (unknown, weight) in unknown.iter().zip(weights) {
-                        *by_u += (rise[r] * *unknown).times(weight);
-                    }
-                }
-                self.add(u[r] * self.h.len() + t, by_u[r].map(|e| e.times(self.scales[u[r]])));
-                self.add(v[r] * self.h.len() + t, unknown.map(|e| e.times(self.scales[v[r]])));
-            }
-        }
-    }
-
-    /// Finds E at the points, interval by interval, for any equations.
-    #[inline(always)]
-    fn solve(mut self) {
-        let (n, q, steps) = (self.scales.len(), self.roles.unknowns.len(), self.h.len());
-        let m = POINTS * q;
+    fn solve(mut self, q: usize, n: usize) {
+        let (m, steps) = (POINTS * q, self.h.len());
         let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
         let (mut data, mut e, mut unknowns) = (Lanes::unset(qr::room(m)), Lanes::unset(POINTS * n), Lanes::unset(m));
         for t in 0..steps {
