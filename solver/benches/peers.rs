@@ -9,10 +9,11 @@
 //!
 //! The sources are compiled here (`gfortran -O2 -march=native`) and loaded; nothing of them is kept. Every code is
 //! given the same functions for right-hand sides and derivatives. For every problem and accuracy all configurations
-//! of each code are tried: tolerances 1e-3 to 1e-11; orders 4, 6 and 8 from 4, 8 and 16 intervals here; 3 to 7
-//! collocation points from 5, 10 and 20 intervals in COLNEW; with and without conditioning in TWPBVPC. The fastest
-//! that reaches the accuracy counts, and those three are then timed in turn, the least of nine rounds each. COLNEW
-//! solves equations of second order as they are, the others a system of twice as many.
+//! of each code are tried: tolerances 1e-3 to 1e-11; orders 4, 6 and 8 from 4, 8 and 16 intervals here, with and
+//! without defect correction; 3 to 7 collocation points from 5, 10 and 20 intervals in COLNEW; with and without
+//! conditioning in TWPBVPC. The fastest that reaches the accuracy counts, and those three are then timed in turn, the
+//! least of nine rounds each. COLNEW solves equations of second order as they are, the others a system of twice as
+//! many.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
 
 #[path = "peers/cases.rs"]

@@ -2,12 +2,12 @@
 
 use crate::collocation::coupled::scaled;
 use crate::collocation::defect::Defects;
-use crate::collocation::evaluate::Work;
+use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::Grid;
 use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, Scales, System};
-use crate::error::{NewtonError, SolveError};
+use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -25,10 +25,12 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     pub converged: Converged,
     pub extensions: Vec<Extension>,
     pub defects: Vec<Defects>,
-    /// The estimated error, once it has been asked for.
-    estimate: OnceCell<f64>,
+    /// The estimated error, once it has been asked for, and its largest component.
+    estimate: OnceCell<(Error, f64)>,
     /// See [`worst_boundary_residual`](Self::worst_boundary_residual).
     boundary: OnceCell<(f64, usize)>,
+    /// See [`is_corrected`](Self::is_corrected).
+    corrected: bool,
     /// The defects as last measured.
     pub measures: RefCell<Option<Measures>>,
 }
@@ -53,7 +55,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     ) -> Result<Self, SolveError> {
         let (extensions, defects) = judged(&system, &converged, &converged.factorisation.scales, limit, stats)?;
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
-        Ok(Self { system, converged, extensions, defects, estimate, boundary, measures })
+        Ok(Self { system, converged, extensions, defects, estimate, boundary, corrected: false, measures })
     }
 
     /// The same with defects in the magnitudes of the solution, where those of the last factored iterate are far larger
@@ -73,8 +75,12 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
         let Converged { x, work, .. } = &self.converged;
-        let regions = self.extensions.iter().enumerate();
-        regions.map(|(region, extension)| RegionSolution::new(&self.system, region, x, work, extension)).collect()
+        let error = self.estimate.get().filter(|_| self.corrected);
+        let regions = self.extensions.iter().enumerate().map(|(region, extension)| {
+            let errors = error.map_or(&[][..], |(error, _)| &error.parts[region]);
+            RegionSolution::new(&self.system, region, (x, work), extension, errors)
+        });
+        regions.collect()
     }
 
     /// Meshes and states.
@@ -93,14 +99,55 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     ///
     /// Computed once.
     pub(crate) fn error_estimate(&self, stats: &mut Stats) -> f64 {
-        *self.estimate.get_or_init(|| self.estimate_error(stats))
+        self.estimated_error(stats).1
     }
 
-    fn estimate_error(&self, stats: &mut Stats) -> f64 {
-        let Converged { x, work, factorisation, .. } = &self.converged;
-        let judged = (&self.extensions[..], &self.defects[..]);
-        let error = Error::of(&self.system, (x, work), factorisation, judged, stats);
-        self.converged.largest(&self.system, error.correction)
+    fn estimated_error(&self, stats: &mut Stats) -> &(Error, f64) {
+        self.estimate.get_or_init(|| {
+            let Converged { x, work, factorisation, .. } = &self.converged;
+            let judged = (&self.extensions[..], &self.defects[..]);
+            let error = Error::of(&self.system, (x, work), factorisation, judged, stats);
+            let largest = self.converged.largest(&self.system, &error.correction);
+            (error, largest)
+        })
+    }
+
+    /// Takes the estimated error off the solution, unless its boundary residuals exceed `limit` then or the right-hand
+    /// side is undefined there. What is between the nodes moves with them; defects stay what they were.
+    ///
+    /// # Errors
+    /// The right-hand side cannot be evaluated again at the solution that was found.
+    pub(crate) fn correct(&mut self, limit: f64, stats: &mut Stats) -> Result<(), NonFinite> {
+        let (error, _) = self.estimated_error(stats);
+        let Converged { x, factorisation, .. } = &self.converged;
+        let corrected = self.system.stepped(x, &factorisation.scales, -1.0, &error.correction);
+        let found = std::mem::replace(&mut self.converged.x, corrected);
+        self.corrected = true;
+        if self.evaluate(stats).is_ok() && self.worst_boundary_residual().0 <= limit {
+            return Ok(());
+        }
+        self.converged.x = found;
+        self.corrected = false;
+        self.evaluate(stats)
+    }
+
+    /// The equations at the solution as it stands.
+    fn evaluate(&mut self, stats: &mut Stats) -> Result<(), NonFinite> {
+        let (system, Converged { x, work, .. }) = (&self.system, &mut self.converged);
+        self.boundary = OnceCell::new();
+        system.evaluate(x, Derivatives::None, work, stats)?;
+        let Some((error, _)) = self.estimate.get().filter(|_| self.corrected) else { return Ok(()) };
+        for (plan, errors) in system.plan.regions.iter().zip(&error.integrals) {
+            for &k in &plan.active {
+                work.integrals[plan.first_integral + k] -= errors[k];
+            }
+        }
+        system.evaluate_boundary(x, work)
+    }
+
+    /// Whether the estimated error has been taken off.
+    pub(crate) fn is_corrected(&self) -> bool {
+        self.corrected
     }
 
     /// Boundary residuals relative to the largest term of their equations: the worst, and whose it is.
@@ -153,6 +200,8 @@ pub(crate) struct Error {
     pub correction: Correction,
     /// What the defects of the integrals themselves add to the error of each, region by region.
     pub integrals: Vec<Vec<f64>>,
+    /// The same over each interval, integral by integral in working order.
+    parts: Vec<Vec<f64>>,
 }
 
 impl Error {
@@ -164,7 +213,7 @@ impl Error {
         stats: &mut Stats,
     ) -> Self {
         let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.to_vec() };
-        let mut integrals = Vec::new();
+        let (mut integrals, mut all_parts) = (Vec::new(), Vec::new());
         for (region, defects) in defects.iter().enumerate() {
             let extended = Extended { system, region, x, stages: &work.regions[region] };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
@@ -187,16 +236,18 @@ impl Error {
                 }
             }
             rhs.regions.push(lanes);
-            let mut sums: Vec<f64> =
-                integrated.chunks_exact(len).skip(plan.n).map(|parts| parts.iter().sum()).collect();
-            if let Some(sum) = sums.last_mut().filter(|_| system.plan.by_quadrature) {
-                *sum = 0.0;
+            let mut parts = integrated[plan.n * len..].to_vec();
+            if system.plan.by_quadrature {
+                let first = parts.len().saturating_sub(len);
+                parts[first..].fill(0.0);
             }
+            let sums: Vec<f64> = parts.chunks_exact(len).map(|parts| parts.iter().sum()).collect();
             rhs.integrals.push(plan.active.iter().map(|&k| sums[k]).collect());
             integrals.push(sums);
+            all_parts.push(parts);
         }
         stats.linear_solves += 1;
-        Self { correction: factorisation.solve(system, rhs), integrals }
+        Self { correction: factorisation.solve(system, rhs), integrals, parts: all_parts }
     }
 }
 

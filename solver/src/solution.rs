@@ -32,12 +32,14 @@ pub struct RegionSolution {
 }
 
 impl RegionSolution {
+    /// `errors`: what is to be taken off the integrals over each interval, integral by integral in working order; empty
+    /// if nothing is.
     pub(crate) fn new<P: Problem + ?Sized>(
         system: &System<'_, P>,
         region: usize,
-        x: &Iterate,
-        work: &Work,
+        (x, work): (&Iterate, &Work),
         extension: &Extension,
+        errors: &[f64],
     ) -> Self {
         let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
         let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
@@ -46,7 +48,9 @@ impl RegionSolution {
         let on_intervals = |values: &[f64]| -> Vec<Vec<f64>> {
             values.chunks_exact(intervals).map(|y| grid.unpack_intervals(y)).collect()
         };
-        let each = on_intervals(&system.interval_integrals(region, stages));
+        let mut each = system.interval_integrals(region, stages);
+        each.iter_mut().zip(errors).for_each(|(part, error)| *part -= error);
+        let each = on_intervals(&each);
         let cumulative = each.iter().map(|each| {
             let mut sum = 0.0;
             let sums = each.iter().map(|part| {
@@ -281,6 +285,8 @@ pub struct Solution {
     #[cfg_attr(feature = "serde", serde(with = "crate::serialised::estimate"))]
     pub(crate) error_estimate: f64,
     pub(crate) accuracy: Accuracy,
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub(crate) corrected: bool,
     pub(crate) orientation: Option<Orientation>,
     pub(crate) branch_check: BranchCheck,
     pub(crate) stats: Stats,
@@ -330,6 +336,13 @@ impl Solution {
     /// Whether [`error_estimate`](Self::error_estimate) meets the tolerance, and if not why.
     pub fn accuracy(&self) -> Accuracy {
         self.accuracy
+    }
+
+    /// Whether the estimated error has been taken off the solution: see
+    /// [`Options::defect_correction`](crate::Options::defect_correction). Its defects and
+    /// [`error_estimate`](Self::error_estimate) are those from before.
+    pub fn is_corrected(&self) -> bool {
+        self.corrected
     }
 
     /// Sign of the determinant of the problem linearised there; none if that is singular or not known.

@@ -57,7 +57,7 @@ pub(crate) fn solve_within(
     let plan = Plan::new(layout, unknowns);
     let mut run = Run::new(problem, plan, options, observer, budget);
     let solved = run.refine(Start::from(guess))?;
-    run.finish(&solved)
+    run.conclude(solved)
 }
 
 /// # Errors

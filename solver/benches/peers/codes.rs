@@ -21,7 +21,7 @@ pub enum Code {
 /// What a code can be told.
 #[derive(Debug, Clone, Copy)]
 pub enum Configuration {
-    Here { order: Order, tolerance: f64, intervals: usize },
+    Here { order: Order, tolerance: f64, intervals: usize, correction: bool },
     Colnew { points: c_int, tolerance: f64, intervals: c_int },
     Twpbvpc { conditioning: bool, tolerance: f64 },
 }
@@ -29,7 +29,10 @@ pub enum Configuration {
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Here { order, tolerance, .. } => write!(f, "order {}, {tolerance:.0e}", order.number()),
+            Self::Here { order, tolerance, correction, .. } => {
+                let corrected = if *correction { ", corrected" } else { "" };
+                write!(f, "order {}, {tolerance:.0e}{corrected}", order.number())
+            }
             Self::Colnew { points, tolerance, .. } => write!(f, "k = {points}, {tolerance:.0e}"),
             Self::Twpbvpc { conditioning: true, tolerance } => write!(f, "conditioning, {tolerance:.0e}"),
             Self::Twpbvpc { conditioning: false, tolerance } => write!(f, "{tolerance:.0e}"),
@@ -55,7 +58,10 @@ impl Code {
             match self {
                 Self::Here => [Order::Four, Order::Six, Order::Eight]
                     .into_iter()
-                    .flat_map(|order| [4, 8, 16].map(|intervals| Configuration::Here { order, tolerance, intervals }))
+                    .flat_map(|order| [4, 8, 16].map(|intervals| (order, intervals)))
+                    .flat_map(|(order, intervals)| {
+                        [false, true].map(|correction| Configuration::Here { order, tolerance, intervals, correction })
+                    })
                     .collect(),
                 Self::Colnew => (3..=7)
                     .flat_map(|points| {
@@ -73,7 +79,10 @@ impl Code {
     /// `None` if the code fails.
     pub fn solve(self, case: &'static Case, configuration: &Configuration) -> Option<Run> {
         match *configuration {
-            Configuration::Here { order, tolerance, intervals } => here(case, order, tolerance, intervals),
+            Configuration::Here { order, tolerance, intervals, correction } => {
+                let options = Options { order, tolerance, defect_correction: correction, ..Options::default() };
+                here(case, &options, intervals)
+            }
             Configuration::Colnew { points, tolerance, intervals } => colnew(case, points, tolerance, intervals),
             Configuration::Twpbvpc { conditioning, tolerance } => twpbvpc(case, conditioning, tolerance),
         }
@@ -164,14 +173,13 @@ fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f: Op
     }
 }
 
-fn here(case: &'static Case, order: Order, tolerance: f64, intervals: usize) -> Option<Run> {
-    let options = Options { order, tolerance, ..Options::default() };
+fn here(case: &'static Case, options: &Options, intervals: usize) -> Option<Run> {
     let names: &[&str] = if case.equations() == 1 { &["u", "u'"] } else { &["u1", "u1'", "u2", "u2'"] };
     // The peers' are known beforehand too.
     let ends = ends(case);
     let start = Instant::now();
     let problem = Bvp::with(names, case.interval, System(case, ends)).guess(intervals, |_, y| y.fill(0.0));
-    let solution = problem.solve(&options).ok()?;
+    let solution = problem.solve(options).ok()?;
     let seconds = start.elapsed().as_secs_f64();
     let line = &solution.regions()[0];
     let values = (0..line.mesh().len()).flat_map(|j| (0..names.len()).map(move |i| line.state(i)[j]));

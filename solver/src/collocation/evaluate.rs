@@ -83,15 +83,25 @@ impl<P: Problem + ?Sized> System<'_, P> {
             self.integrate(region, work);
             self.copy_ends(region, x, &mut work.ends);
         }
-        let Work { ends, integrals, g, dz, .. } = work;
         if derivatives == Derivatives::None {
-            self.problem.boundary(ends, integrals, &x.constants, g);
-        } else {
-            self.problem.boundary_jacobian(ends, integrals, &x.constants, g, dz);
-            if let Some(at) = dz.iter().position(|value| !value.is_finite()) {
-                return Err(NonFinite::boundary_derivative(self.layout, at));
-            }
+            return self.evaluate_boundary(x, work);
         }
+        let Work { ends, integrals, g, dz, .. } = work;
+        self.problem.boundary_jacobian(ends, integrals, &x.constants, g, dz);
+        match dz.iter().position(|value| !value.is_finite()) {
+            Some(at) => Err(NonFinite::boundary_derivative(self.layout, at)),
+            None => self.check_boundary(g),
+        }
+    }
+
+    /// The boundary equations alone, at the ends and integrals that are held.
+    pub(crate) fn evaluate_boundary(&self, x: &Iterate, work: &mut Work) -> Result<(), NonFinite> {
+        let Work { ends, integrals, g, .. } = work;
+        self.problem.boundary(ends, integrals, &x.constants, g);
+        self.check_boundary(g)
+    }
+
+    fn check_boundary(&self, g: &[f64]) -> Result<(), NonFinite> {
         match g.iter().position(|value| !value.is_finite()) {
             Some(equation) => Err(NonFinite::boundary(self.layout, equation)),
             None => Ok(()),

@@ -331,7 +331,7 @@ impl<'a, 'o, P: Problem + ?Sized> Follower<'a, 'o, P> {
         // On the path errors were not estimated.
         self.run.keep = false;
         let start = Start { grids: here.system.grids.clone(), x: here.converged.x.clone() };
-        let outcome = self.run.refine(start).and_then(|solved| self.run.finish(&solved));
+        let outcome = self.run.refine(start).and_then(|solved| self.run.conclude(solved));
         match outcome {
             Ok(mut solution) => {
                 solution.branch_check = self.check.and(solution.branch_check.placed(1.0));

@@ -214,8 +214,9 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// The solution at the start, with the tangent of the parameter alone.
     pub(super) fn first(&mut self, start: &Guess) -> Result<Reference, SolveError> {
         self.check(start)?;
-        let options = &self.options.solve;
-        let solution = solve_within(self.problem, start, self.unknowns, options, self.observer, self.budget)?;
+        // The branch goes on from solutions of the collocation equations.
+        let options = Options { defect_correction: false, ..self.options.solve.clone() };
+        let solution = solve_within(self.problem, start, self.unknowns, &options, self.observer, self.budget)?;
         self.stats += *solution.stats();
         let linearisation = Linearisation::new(self.problem, &solution)?;
         self.budget.charge(linearisation.stats());

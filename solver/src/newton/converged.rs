@@ -57,10 +57,10 @@ impl Converged {
     }
 
     /// The largest component of what is given in the factorisation's magnitudes, in those of the solution.
-    pub(crate) fn largest<P: Problem + ?Sized>(&self, system: &System<'_, P>, mut dx: Correction) -> f64 {
-        if let Some(found) = &self.outgrown {
-            system.rescale(&mut dx, &self.factorisation.scales, found);
-        }
-        system.largest(&dx)
+    pub(crate) fn largest<P: Problem + ?Sized>(&self, system: &System<'_, P>, dx: &Correction) -> f64 {
+        let Some(found) = &self.outgrown else { return system.largest(dx) };
+        let mut rescaled = dx.clone();
+        system.rescale(&mut rescaled, &self.factorisation.scales, found);
+        system.largest(&rescaled)
     }
 }

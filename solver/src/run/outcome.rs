@@ -85,7 +85,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let regions = (0..system.grids.len()).map(|region| {
             let stages = &converged.work.regions[region];
             let extension = Extended { system: &system, region, x: &converged.x, stages }.unjudged();
-            RegionSolution::new(&system, region, &converged.x, &converged.work, &extension)
+            RegionSolution::new(&system, region, (&converged.x, &converged.work), &extension, &[])
         });
         let (tolerance, because) = (self.options.tolerance, Shortfall::Uncontrolled);
         let solution = Solution {
@@ -97,12 +97,27 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             max_boundary_residual: f64::NAN,
             error_estimate: f64::NAN,
             accuracy: Accuracy::Short { estimate: f64::NAN, tolerance, because },
+            corrected: false,
             orientation: converged.factorisation.orientation(),
             branch_check: self.check,
             stats: self.stats,
             history: Vec::new(),
         };
         Ok((solution, system, converged))
+    }
+
+    /// As [`finish`](Self::finish), less the estimated error where that is asked for and meets the tolerance: a larger
+    /// estimate is not to be trusted so far.
+    pub(crate) fn conclude(&mut self, mut solved: Solved<'_, P>) -> Result<Solution, SolveError> {
+        let options = self.options;
+        if options.defect_correction && solved.error_estimate(&mut self.stats) <= options.tolerance {
+            let corrected = solved.correct(options.boundary_tolerance(), &mut self.stats);
+            corrected.map_err(|error| SolveError::Newton {
+                error: NewtonError::NonFinite(error),
+                intervals: intervals(&solved.system.grids),
+            })?;
+        }
+        self.finish(&solved)
     }
 
     /// The solution, if its boundary residuals too meet their tolerance.
@@ -141,6 +156,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             max_boundary_residual: solved.worst_boundary_residual().0,
             error_estimate,
             accuracy,
+            corrected: solved.is_corrected(),
             orientation: solved.converged.factorisation.orientation(),
             branch_check: self.check,
             stats: self.stats,
