@@ -135,6 +135,9 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     fn evaluate(&mut self, stats: &mut Stats) -> Result<(), NonFinite> {
         let (system, Converged { x, work, .. }) = (&self.system, &mut self.converged);
         self.boundary = OnceCell::new();
+        if system.layout.integrals() == 0 {
+            return system.evaluate_nodes(x, work, stats);
+        }
         system.evaluate(x, Derivatives::None, work, stats)?;
         let Some((error, _)) = self.estimate.get().filter(|_| self.corrected) else { return Ok(()) };
         for (plan, errors) in system.plan.regions.iter().zip(&error.integrals) {
@@ -217,19 +220,24 @@ impl Error {
         for (region, defects) in defects.iter().enumerate() {
             let extended = Extended { system, region, x, stages: &work.regions[region] };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
+            let scales = &factorisation.scales.states[region];
             let mut improved = Numbers::default();
             if system.tableau.coupled {
                 // The stages follow the defects as their equations say.
                 let moments = extended.moments(&extensions[region], defects);
                 let m = factorisation.regions[region].coupling.m;
-                rhs.inner.push(scaled(&moments, &factorisation.scales.states[region], m, 1.0));
+                rhs.inner.push(scaled(&moments, scales, m, 1.0));
+                improved = defects.integrated.clone();
             } else if system.tableau.order > 4 {
                 improved = extended.improved(&extensions[region], defects);
+            }
+            if !improved.is_empty() {
+                extended.add_remainders(&extensions[region], defects, scales, &mut improved);
             }
             let integrated = if improved.is_empty() { &defects.integrated } else { &improved };
             let len = grid.interval_stride();
             let mut lanes = Lanes::unset(grid.steps * plan.n);
-            for (i, scale) in factorisation.scales.states[region].iter().enumerate() {
+            for (i, scale) in scales.iter().enumerate() {
                 let integrated = integrated[i * len..(i + 1) * len].as_chunks::<W>().0;
                 for (out, integrated) in lanes.chunks_exact_mut(plan.n).zip(integrated) {
                     out[i] = Lane(*integrated).times(1.0 / scale);

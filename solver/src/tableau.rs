@@ -13,6 +13,7 @@
 //! interval.
 
 use crate::collocation::coupled::COUPLED;
+use crate::collocation::interpolant::{Basis, MOST_PLACES};
 use std::sync::OnceLock;
 
 /// A Runge-Kutta method whose first two stages are the nodes.
@@ -37,6 +38,19 @@ pub(crate) struct Tableau {
     pub first_samples: usize,
     /// See [`partial_integrals`](Self::partial_integrals).
     pub partial: OnceLock<Vec<Vec<f64>>>,
+    /// See [`remainders`](Self::remainders).
+    pub remainders: OnceLock<Vec<Remainder>>,
+}
+
+/// What quadrature by the samples finds of the integral `∫_0^1 L(σ) D(σ) dσ` beyond the method's, `b D(c)`, with L
+/// Lagrange's polynomial of a stage with place c and weight b, and `D = S - S̃` the difference of the continuous extension
+/// and what its slopes integrate to, `S̃ = y_0 + h ∫_0^σ f(S)`: weights of what D is made of.
+#[derive(Debug, Clone)]
+pub(crate) struct Remainder {
+    /// Of what S is made of.
+    pub basis: Basis,
+    /// Of `h f(S)` at 0, 1 and the samples; 0 where there are fewer.
+    pub slopes: [f64; 2 + MOST_PLACES],
 }
 
 impl Tableau {
@@ -74,19 +88,39 @@ impl Tableau {
     pub(crate) fn partial_integrals(&self) -> &[Vec<f64>] {
         self.partial.get_or_init(|| self.c.iter().map(|&end| partial_integrals(self.samples, end)).collect())
     }
+
+    /// One a stage.
+    pub(crate) fn remainders(&self) -> &[Remainder] {
+        self.remainders.get_or_init(|| (0..self.stages()).map(|stage| self.remainder(stage)).collect())
+    }
+
+    fn remainder(&self, stage: usize) -> Remainder {
+        let at = self.samples.iter().map(|&(x, weight)| (x, weight * lagrange(self.c, stage, x)));
+        let terms: Vec<(f64, f64)> = at.chain([(self.c[stage], -self.b[stage])]).collect();
+        let basis = Basis::combined(terms.iter().map(|&(x, weight)| (weight, Basis::value(x))));
+        let mut slopes = [0.0; 2 + MOST_PLACES];
+        for (x, weight) in terms {
+            for (sum, part) in slopes.iter_mut().zip(partial_integrals(self.samples, x)) {
+                *sum -= weight * part;
+            }
+        }
+        Remainder { basis, slopes }
+    }
 }
 
 /// The samples are the points of a Gauss rule, which is exact for these integrals.
 fn partial_integrals(samples: &[(f64, f64)], end: f64) -> Vec<f64> {
     let places = samples.iter().map(|sample| sample.0);
     let nodes: Vec<f64> = std::iter::once(0.0).chain(places).chain(std::iter::once(1.0)).collect();
-    let lagrange = |k: usize, x: f64| -> f64 {
-        let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
-        others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
-    };
-    let integral = |k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(k, end * x)).sum();
+    let integral = |k: usize| samples.iter().map(|(x, weight)| end * weight * lagrange(&nodes, k, end * x)).sum();
     let last = nodes.len() - 1;
     [0, last].into_iter().chain(1..last).map(integral).collect()
+}
+
+/// Lagrange's polynomial that is 1 at node `k` and 0 at the others.
+fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
+    let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
+    others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
 }
 
 /// Three-stage Lobatto IIIA, order 4: Simpson's rule with a Hermite midpoint. A. Axelsson, BIT 4 (1964) 69;
@@ -104,6 +138,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
     first_samples: 3,
     partial: OnceLock::new(),
+    remainders: OnceLock::new(),
 };
 
 /// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
@@ -131,6 +166,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     ],
     first_samples: 2,
     partial: OnceLock::new(),
+    remainders: OnceLock::new(),
 };
 
 /// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
@@ -175,6 +211,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
     ],
     first_samples: 6,
     partial: OnceLock::new(),
+    remainders: OnceLock::new(),
 };
 
 /// Where a state u has another, v, for derivative, with slopes K, order 6 takes

@@ -94,6 +94,32 @@ impl<P: Problem + ?Sized> System<'_, P> {
         }
     }
 
+    /// The right-hand side at the nodes alone, and the boundary equations where there are no integrals.
+    ///
+    /// # Errors
+    /// As [`evaluate`](Self::evaluate).
+    pub(crate) fn evaluate_nodes(&self, x: &Iterate, work: &mut Work, stats: &mut Stats) -> Result<(), NonFinite> {
+        for (region, stages) in work.regions.iter_mut().enumerate() {
+            self.call_nodes(region, x, Derivatives::None, stages, stats)?;
+            self.copy_ends(region, x, &mut work.ends);
+        }
+        self.evaluate_boundary(x, work)
+    }
+
+    fn call_nodes(
+        &self,
+        region: usize,
+        x: &Iterate,
+        derivatives: Derivatives,
+        stages: &mut Stages,
+        stats: &mut Stats,
+    ) -> Result<(), NonFinite> {
+        let grid = &self.grids[region];
+        let stride = grid.node_stride();
+        let at = Points { len: stride, stride, s: &grid.s, y: &x.y[region] };
+        self.call(region, at, &x.constants, derivatives, &mut stages.nodes, stats)
+    }
+
     /// The boundary equations alone, at the ends and integrals that are held.
     pub(crate) fn evaluate_boundary(&self, x: &Iterate, work: &mut Work) -> Result<(), NonFinite> {
         let Work { ends, integrals, g, .. } = work;
@@ -116,10 +142,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stages: &mut Stages,
         stats: &mut Stats,
     ) -> Result<(), NonFinite> {
-        let grid = &self.grids[region];
-        let stride = grid.node_stride();
-        let at = Points { len: stride, stride, s: &grid.s, y: &x.y[region] };
-        self.call(region, at, &x.constants, derivatives, &mut stages.nodes, stats)?;
+        self.call_nodes(region, x, derivatives, stages, stats)?;
         if self.tableau.has_odd_parts() && derivatives != Derivatives::None {
             stages.chained = self.chained(region, &x.y[region], &stages.nodes);
         }

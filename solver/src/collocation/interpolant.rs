@@ -23,7 +23,7 @@ use crate::stats::Stats;
 use crate::tableau::{QUARTIC_OFFSET, QUARTIC_SLOPE};
 
 /// Places of an interval at which the right-hand side is evaluated at once, at most.
-pub(super) const MOST_PLACES: usize = 6;
+pub(crate) const MOST_PLACES: usize = 6;
 
 /// α, β, γ, δ of all intervals of a region, component by component in working order.
 #[derive(Debug, Clone)]
@@ -35,8 +35,11 @@ pub(crate) struct Extension {
     pub delta: Numbers,
 }
 
+/// What a continuous extension is made of beside `y_0`: see [`Basis`].
+pub(crate) const PARTS: usize = 7;
+
 /// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β`, `γ`, `δ` in S and in its derivatives at one σ.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Basis {
     pub rise: f64,
     pub left: f64,
@@ -78,6 +81,25 @@ impl Basis {
             gamma: bump * t * t + 2.0 * value * t,
             delta: bump * t * t * t + 3.0 * value * t * t,
         }
+    }
+
+    /// All of them but that of `y_0`.
+    pub(crate) fn weights(&self) -> [f64; PARTS] {
+        let Self { rise, left, right, alpha, beta, gamma, delta } = *self;
+        [rise, left, right, alpha, beta, gamma, delta]
+    }
+
+    /// The weighted sum of several.
+    pub(crate) fn combined(all: impl Iterator<Item = (f64, Self)>) -> Self {
+        all.fold(Self::default(), |sum, (weight, basis)| Self {
+            rise: sum.rise + weight * basis.rise,
+            left: sum.left + weight * basis.left,
+            right: sum.right + weight * basis.right,
+            alpha: sum.alpha + weight * basis.alpha,
+            beta: sum.beta + weight * basis.beta,
+            gamma: sum.gamma + weight * basis.gamma,
+            delta: sum.delta + weight * basis.delta,
+        })
     }
 
     /// Weights in d²S/dσ²; that of `y_0` is 0.
@@ -131,6 +153,15 @@ impl Pieces<'_> {
     pub(super) fn slopes(&self, i: usize, t: usize) -> [Lane; 2] {
         let at = i * (self.steps + 1) + t;
         [Lane(self.f[at]), Lane(self.f[at + 1])]
+    }
+
+    /// What S is made of, without `y_0`, of component `i`: as [`Basis::weights`].
+    #[inline(always)]
+    pub(super) fn parts(&self, i: usize, t: usize) -> [Lane; PARTS] {
+        let ([y0, y1], [f0, f1], h, at) = (self.values(i, t), self.slopes(i, t), self.length(t), i * self.steps + t);
+        let term = |values: &[[f64; W]]| values.get(at).map_or(Lane::ZERO, |value| Lane(*value));
+        let ([alpha, beta], [gamma, delta]) = (self.lower.map(term), self.higher.map(term));
+        [y1 - y0, h * f0, h * f1, alpha, beta, gamma, delta]
     }
 
     /// The weighted sum of a basis, without `y_0`, of component `i`.

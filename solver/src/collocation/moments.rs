@@ -5,13 +5,13 @@
 //! quadrature from f(S) at the places where the defect was sampled.
 
 use super::defect::Defects;
-use super::interpolant::{Basis, Extended, Extension, Pieces, Sampled};
+use super::interpolant::{Basis, Extended, Extension, MOST_PLACES, Pieces, Sampled};
 use super::stages::{MOST_STAGES, View};
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, by_components, vectorised};
 use crate::problem::Problem;
-use crate::tableau::Tableau;
+use crate::tableau::{Remainder, Tableau};
 
 /// `S̃ - S` at the stages.
 #[derive(Clone, Copy)]
@@ -82,6 +82,112 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         };
         vectorised(improve);
         integrated
+    }
+
+    /// Adds to right-hand sides of the linearised interval equations, and of each integral's, what the method's
+    /// quadrature at the stages misses of `∫ f_y (S - S̃) ds`: S - S̃ is a polynomial of too high a degree for it. Without
+    /// that a fixed part of the error is missed, however short the intervals.
+    pub(crate) fn add_remainders(
+        &self,
+        extension: &Extension,
+        defects: &Defects,
+        scales: &[f64],
+        integrated: &mut [f64],
+    ) {
+        vectorised(AddRemainders {
+            remainders: self.system.tableau.remainders(),
+            pieces: self.pieces(Some(extension)),
+            samples: &defects.samples,
+            views: self.stages.views(self.steps()),
+            pattern: &self.system.layout.regions[self.region].state_pattern,
+            scales,
+            room: [(); 2].map(|()| Lanes::unset(self.n())),
+            weighed: &mut Lanes::unset(self.system.tableau.stages() * self.n()),
+            integrated: integrated.as_chunks_mut::<W>().0,
+        });
+    }
+}
+
+/// See [`Extended::add_remainders`].
+struct AddRemainders<'a> {
+    /// One a stage.
+    remainders: &'a [Remainder],
+    pieces: Pieces<'a>,
+    samples: &'a [Sampled],
+    views: [View<'a>; MOST_STAGES],
+    pattern: &'a [(usize, usize)],
+    /// Typical magnitudes of the states.
+    scales: &'a [f64],
+    /// One value a state.
+    room: [Lanes; 2],
+    /// One value a stage and state.
+    weighed: &'a mut [Lane],
+    integrated: &'a mut [[f64; W]],
+}
+
+/// The stage in the middle of the interval, at orders 6 and 8.
+const MIDDLE: usize = 4;
+
+impl Job for AddRemainders<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        let (n, steps) = (self.scales.len(), self.pieces.steps);
+        for t in 0..steps {
+            let h = self.pieces.length(t);
+            // The first term of a series in h f_y: it counts where that is small.
+            let part = self.size(t).map(|size| 1.0 / (1.0 + (size / 4.0) * (size / 4.0)));
+            for i in 0..n {
+                let parts = self.pieces.parts(i, t);
+                let [f0, f1] = self.pieces.slopes(i, t);
+                let mut slopes = [Lane::ZERO; 2 + MOST_PLACES];
+                slopes[..2].copy_from_slice(&[f0, f1]);
+                let sampled = self.samples.iter().flat_map(|sampled| (0..sampled.places).map(move |at| (sampled, at)));
+                for (slope, (sampled, place)) in slopes[2..].iter_mut().zip(sampled) {
+                    *slope = sampled.slope(i, place, t);
+                }
+                for (stage, remainder) in self.remainders.iter().enumerate() {
+                    let mean = weighted(&slopes, &remainder.slopes);
+                    let sum = weighted(&parts, &remainder.basis.weights()) + h * mean;
+                    self.weighed[stage * n + i] = part * h * sum;
+                }
+            }
+            for (entry, &(row, state)) in self.pattern.iter().enumerate() {
+                let out = &mut self.integrated[row * steps + t];
+                let mut sum = Lane(*out);
+                for (view, weighed) in self.views.iter().zip(self.weighed.chunks_exact(n)) {
+                    sum += view.dy(entry, t) * weighed[state];
+                }
+                *out = sum.0;
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn weighted<const N: usize>(values: &[Lane; N], weights: &[f64; N]) -> Lane {
+    values.iter().zip(weights).fold(Lane::ZERO, |sum, (value, weight)| sum + value.times(*weight))
+}
+
+impl AddRemainders<'_> {
+    /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch.
+    #[inline(always)]
+    fn size(&mut self, t: usize) -> Lane {
+        let (h, [once, twice]) = (self.pieces.length(t), &mut self.room);
+        once.fill(Lane::ZERO);
+        twice.fill(Lane::ZERO);
+        let entries = || self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < self.scales.len());
+        let entry = |entry: usize, row: usize, state: usize| {
+            (h * self.views[MIDDLE].dy(entry, t)).abs().times(self.scales[state] / self.scales[row])
+        };
+        for (at, &(row, state)) in entries() {
+            once[row] += entry(at, row, state);
+        }
+        for (at, &(row, state)) in entries() {
+            twice[row] += entry(at, row, state) * once[state];
+        }
+        twice.iter().fold(Lane::ZERO, |most, size| most.zip(*size, f64::max))
     }
 }
 
