@@ -69,6 +69,7 @@ mod phase;
 pub mod problem;
 mod progress;
 mod refine;
+mod rows;
 mod run;
 #[cfg(feature = "serde")]
 mod serialised;

@@ -223,7 +223,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             let rates = self.system.weighted_rates(region, stages, Some(&nodes), &inner, &constants);
             let len = grid.interval_stride();
             TangentRegion {
-                states: nodes.chunks_exact(grid.node_stride()).map(|y| grid.unpack(y)).collect(),
+                states: grid.unpack(&nodes).iter().map(<[f64]>::to_vec).collect(),
                 integrals: rates.chunks_exact(len).skip(plan.n).map(|rates| rates.iter().sum()).collect(),
             }
         });

@@ -87,7 +87,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     pub(crate) fn guess(&self) -> Vec<RegionGuess> {
         let regions = self.system.grids.iter().zip(&self.converged.x.y).map(|(grid, y)| RegionGuess {
             mesh: grid.mesh.clone(),
-            states: y.chunks_exact(grid.node_stride()).map(|y| grid.unpack(y)).collect(),
+            states: grid.unpack(y).iter().map(<[f64]>::to_vec).collect(),
         });
         regions.collect()
     }

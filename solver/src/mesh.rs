@@ -77,21 +77,18 @@ pub(crate) fn distinct(mesh: Vec<f64>) -> Vec<f64> {
     kept
 }
 
-/// Slopes at the nodes of the parabolas through each node and its neighbours.
-pub(crate) fn slopes(mesh: &[f64], values: &[f64]) -> Vec<f64> {
-    let secants: Vec<f64> =
-        mesh.windows(2).zip(values.windows(2)).map(|(s, y)| (y[1] - y[0]) / (s[1] - s[0])).collect();
+/// Slope at node `j` of the parabola through it and its neighbours; at an end that of the secant beside it.
+pub(crate) fn slope(mesh: &[f64], values: &[f64], j: usize) -> f64 {
+    let secant = |j: usize| (values[j + 1] - values[j]) / (mesh[j + 1] - mesh[j]);
     let last = mesh.len() - 1;
-    (0..=last)
-        .map(|j| match j {
-            0 => secants[0],
-            _ if j == last => secants[last - 1],
-            _ => {
-                let (left, right) = (mesh[j] - mesh[j - 1], mesh[j + 1] - mesh[j]);
-                (secants[j - 1] * right + secants[j] * left) / (left + right)
-            }
-        })
-        .collect()
+    match j {
+        0 => secant(0),
+        _ if j == last => secant(last - 1),
+        _ => {
+            let (left, right) = (mesh[j] - mesh[j - 1], mesh[j + 1] - mesh[j]);
+            (secant(j - 1) * right + secant(j) * left) / (left + right)
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,71 @@
-//! Numbers that are not finite, as JSON and other formats without them can carry them: as nothing.
+//! Solutions as they are written, and numbers that are not finite, as JSON and other formats without them can carry
+//! them: as nothing.
 
+use crate::rows::Rows;
+use crate::solution::RegionSolution;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// A [`RegionSolution`], row by row.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Region {
+    mesh: Vec<f64>,
+    y: Vec<Vec<f64>>,
+    f: Vec<Vec<f64>>,
+    alpha: Vec<Vec<f64>>,
+    beta: Vec<Vec<f64>>,
+    #[serde(default)]
+    gamma: Vec<Vec<f64>>,
+    #[serde(default)]
+    delta: Vec<Vec<f64>>,
+    integrals: Vec<f64>,
+    cumulative: Vec<Vec<f64>>,
+}
+
+impl From<RegionSolution> for Region {
+    fn from(region: RegionSolution) -> Self {
+        let rows = |rows: &Rows| rows.iter().map(<[f64]>::to_vec).collect();
+        let [alpha, beta, gamma, delta] = region.extension.each_ref().map(rows);
+        let (y, f, cumulative) = (rows(&region.y), rows(&region.f), rows(&region.cumulative));
+        Self { mesh: region.mesh, y, f, alpha, beta, gamma, delta, integrals: region.integrals, cumulative }
+    }
+}
+
+impl TryFrom<Region> for RegionSolution {
+    type Error = String;
+
+    /// # Errors
+    /// Which rows do not fit the mesh or the number of states or integrals.
+    fn try_from(region: Region) -> Result<Self, String> {
+        let Region { mesh, y, f, alpha, beta, gamma, delta, integrals, cumulative } = region;
+        if mesh.len() < 2 {
+            return Err(format!("a mesh of {} nodes; at least 2 are expected", mesh.len()));
+        }
+        let (states, nodes, intervals) = (y.len(), mesh.len(), mesh.len() - 1);
+        let rows = |what: &str, rows: Vec<Vec<f64>>, count: usize, width: usize| {
+            let found = || rows.iter().map(Vec::len).find(|len| *len != width);
+            match (rows.len() == count).then(found) {
+                None => Err(format!("{} rows of {what}; {count} are expected", rows.len())),
+                Some(Some(len)) => Err(format!("a row of {len} values of {what}; {width} are expected")),
+                Some(None) => Ok(Rows::new(rows.concat(), width)),
+            }
+        };
+        // γ and δ come together, at order 8.
+        let higher = if gamma.is_empty() && delta.is_empty() { 0 } else { states };
+        Ok(Self {
+            y: rows("y", y, states, nodes)?,
+            f: rows("f", f, states, nodes)?,
+            extension: [
+                rows("alpha", alpha, states, intervals)?,
+                rows("beta", beta, states, intervals)?,
+                rows("gamma", gamma, higher, intervals)?,
+                rows("delta", delta, higher, intervals)?,
+            ],
+            cumulative: rows("cumulative", cumulative, integrals.len(), nodes)?,
+            mesh,
+            integrals,
+        })
+    }
+}
 
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)

@@ -6,29 +6,25 @@ use crate::collocation::{Iterate, System};
 use crate::options::Order;
 use crate::orientation::{BranchCheck, Orientation};
 use crate::problem::{Layout, Problem};
+use crate::rows::Rows;
 use crate::stats::Stats;
 use std::fmt;
 
 /// One region of a [`Solution`].
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(into = "crate::serialised::Region", try_from = "crate::serialised::Region"))]
 pub struct RegionSolution {
-    mesh: Vec<f64>,
+    pub(crate) mesh: Vec<f64>,
     /// State by state, at the nodes.
-    y: Vec<Vec<f64>>,
+    pub(crate) y: Rows,
     /// Right-hand sides at the nodes.
-    f: Vec<Vec<f64>>,
-    /// Coefficients of the continuous extension, one an interval.
-    alpha: Vec<Vec<f64>>,
-    beta: Vec<Vec<f64>>,
-    /// Empty below order 8, as is δ.
-    #[cfg_attr(feature = "serde", serde(default))]
-    gamma: Vec<Vec<f64>>,
-    #[cfg_attr(feature = "serde", serde(default))]
-    delta: Vec<Vec<f64>>,
-    integrals: Vec<f64>,
+    pub(crate) f: Rows,
+    /// Coefficients of the continuous extension, α to δ, one an interval; γ and δ are empty below order 8.
+    pub(crate) extension: [Rows; 4],
+    pub(crate) integrals: Vec<f64>,
     /// Integral by integral, from the start of the region to each node.
-    cumulative: Vec<Vec<f64>>,
+    pub(crate) cumulative: Rows,
 }
 
 impl RegionSolution {
@@ -42,32 +38,26 @@ impl RegionSolution {
         errors: &[f64],
     ) -> Self {
         let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
-        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
-        let stages = &work.regions[region];
-        let at_nodes = |values: &[f64]| values.chunks_exact(nodes).take(plan.n).map(|y| grid.unpack(y)).collect();
-        let on_intervals = |values: &[f64]| -> Vec<Vec<f64>> {
-            values.chunks_exact(intervals).map(|y| grid.unpack_intervals(y)).collect()
-        };
-        let mut each = system.interval_integrals(region, stages);
-        each.iter_mut().zip(errors).for_each(|(part, error)| *part -= error);
-        let each = on_intervals(&each);
-        let cumulative = each.iter().map(|each| {
+        let (stages, nodes) = (&work.regions[region], plan.n * grid.node_stride());
+        let mut parts = system.interval_integrals(region, stages);
+        parts.iter_mut().zip(errors).for_each(|(part, error)| *part -= error);
+        let parts = grid.unpack_intervals(&parts);
+        let mut cumulative = Vec::with_capacity(parts.len() * grid.mesh.len());
+        for parts in parts.iter() {
             let mut sum = 0.0;
-            let sums = each.iter().map(|part| {
+            cumulative.push(sum);
+            for part in parts {
                 sum += part;
-                sum
-            });
-            std::iter::once(0.0).chain(sums).collect()
-        });
-        let cumulative: Vec<Vec<f64>> = cumulative.collect();
+                cumulative.push(sum);
+            }
+        }
+        let cumulative = Rows::new(cumulative, grid.mesh.len());
+        let Extension { alpha, beta, gamma, delta } = extension;
         Self {
             mesh: grid.mesh.clone(),
-            y: at_nodes(&x.y[region]),
-            f: at_nodes(&stages.nodes.f),
-            alpha: on_intervals(&extension.alpha),
-            beta: on_intervals(&extension.beta),
-            gamma: on_intervals(&extension.gamma),
-            delta: on_intervals(&extension.delta),
+            y: grid.unpack(&x.y[region][..nodes]),
+            f: grid.unpack(&stages.nodes.f[..nodes]),
+            extension: [alpha, beta, gamma, delta].map(|values| grid.unpack_intervals(values)),
             integrals: cumulative.iter().filter_map(|sums| sums.last().copied()).collect(),
             cumulative,
         }
@@ -90,12 +80,12 @@ impl RegionSolution {
 
     /// State `i` at the nodes; empty if there is no such state.
     pub fn state(&self, i: usize) -> &[f64] {
-        self.y.get(i).map_or(&[], Vec::as_slice)
+        self.y.row(i)
     }
 
     /// Derivative of state `i` at the nodes; empty if there is no such state.
     pub fn slope(&self, i: usize) -> &[f64] {
-        self.f.get(i).map_or(&[], Vec::as_slice)
+        self.f.row(i)
     }
 
     /// Integrals over the region.
@@ -105,7 +95,7 @@ impl RegionSolution {
 
     /// Integral `k` from the region's start to each node; empty if there is no such integral.
     pub fn cumulative(&self, k: usize) -> &[f64] {
-        self.cumulative.get(k).map_or(&[], Vec::as_slice)
+        self.cumulative.row(k)
     }
 
     /// States at `s`, by the continuous extension; outside the region the last polynomial goes on. Writes as many
@@ -114,7 +104,7 @@ impl RegionSolution {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::value(sigma);
         for (i, y) in y.iter_mut().enumerate().take(self.states()) {
-            *y = self.y[i][j] + self.combine(&basis, i, j, h);
+            *y = self.y.row(i)[j] + self.combine(&basis, i, j, h);
         }
     }
 
@@ -146,7 +136,7 @@ impl RegionSolution {
         let places = self.places(s);
         let mut values = Vec::with_capacity(self.states() * s.len());
         for i in 0..self.states() {
-            values.extend(places.iter().map(|(j, h, basis)| self.y[i][*j] + self.combine(basis, i, *j, *h)));
+            values.extend(places.iter().map(|(j, h, basis)| self.y.row(i)[*j] + self.combine(basis, i, *j, *h)));
         }
         values
     }
@@ -154,7 +144,8 @@ impl RegionSolution {
     /// The same, each state by itself.
     pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
         let places = self.places(mesh);
-        let along = |i: usize| places.iter().map(move |(j, h, basis)| self.y[i][*j] + self.combine(basis, i, *j, *h));
+        let along =
+            |i: usize| places.iter().map(move |(j, h, basis)| self.y.row(i)[*j] + self.combine(basis, i, *j, *h));
         (0..self.states()).map(|i| along(i).collect()).collect()
     }
 
@@ -200,13 +191,14 @@ impl RegionSolution {
     }
 
     fn combine(&self, basis: &Basis, i: usize, j: usize, h: f64) -> f64 {
-        let (y, f) = (&self.y[i], &self.f[i]);
+        let (y, f) = (self.y.row(i), self.f.row(i));
+        let [alpha, beta, gamma, delta] = self.extension.each_ref().map(|rows| rows.row(i));
         let quintic = basis.rise * (y[j + 1] - y[j])
             + h * (basis.left * f[j] + basis.right * f[j + 1])
-            + basis.alpha * self.alpha[i][j]
-            + basis.beta * self.beta[i][j];
-        match (self.gamma.get(i), self.delta.get(i)) {
-            (Some(gamma), Some(delta)) => quintic + basis.gamma * gamma[j] + basis.delta * delta[j],
+            + basis.alpha * alpha[j]
+            + basis.beta * beta[j];
+        match (gamma.get(j), delta.get(j)) {
+            (Some(gamma), Some(delta)) => quintic + basis.gamma * gamma + basis.delta * delta,
             _ => quintic,
         }
     }

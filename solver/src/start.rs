@@ -155,7 +155,7 @@ pub(crate) fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>
 pub(crate) fn on(start: &Start, meshes: Vec<Vec<f64>>) -> Start {
     let regions = start.grids.iter().zip(&start.x.y).zip(meshes).map(|((grid, y), mesh)| {
         let old = &grid.mesh;
-        let along = |values: Vec<f64>| -> Vec<f64> {
+        let along = |values: &[f64]| -> Vec<f64> {
             let mut j = 0;
             let at = mesh.iter().map(|&s| {
                 while j + 2 < old.len() && old[j + 1] <= s {
@@ -166,7 +166,7 @@ pub(crate) fn on(start: &Start, meshes: Vec<Vec<f64>>) -> Start {
             });
             at.collect()
         };
-        let states = y.chunks_exact(grid.node_stride()).map(|y| along(grid.unpack(y))).collect();
+        let states = grid.unpack(y).iter().map(along).collect();
         RegionGuess { mesh, states }
     });
     Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
@@ -178,10 +178,11 @@ pub(crate) fn halved(start: &Start) -> Start {
         let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
         pairs.chain(values.last().copied()).collect()
     };
-    let regions = start.grids.iter().zip(&start.x.y).map(|(grid, y)| RegionGuess {
-        mesh: halve(&grid.mesh),
-        states: y.chunks_exact(grid.node_stride()).map(|y| halve(&grid.unpack(y))).collect(),
-    });
+    let regions = start
+        .grids
+        .iter()
+        .zip(&start.x.y)
+        .map(|(grid, y)| RegionGuess { mesh: halve(&grid.mesh), states: grid.unpack(y).iter().map(halve).collect() });
     Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
 }
 

@@ -444,19 +444,20 @@ pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<
     let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
     let (states, intervals) = (y.len() / stride, grid.intervals());
     let mut out = Numbers::unset(tableau.unknown_stages() * states * len);
+    let (values, given) = (grid.unpack(y), f.map(|f| grid.unpack(&f[..y.len()])));
     // Of each interval, what slopes at its ends come to over it.
     let mut rises: Vec<[f64; 2]> = Vec::with_capacity(intervals);
-    for (i, y) in y.chunks_exact(stride).enumerate() {
-        let values = grid.unpack(y);
+    for (i, values) in values.iter().enumerate() {
         let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
-        let slopes = mesh::slopes(mesh, &values);
-        let given = f.map(|f| grid.unpack(&f[i * stride..(i + 1) * stride]));
+        let given = given.as_ref().map(|given| given.row(i));
+        let mut left = mesh::slope(mesh, values, 0);
         rises.clear();
         rises.extend(mesh.windows(2).enumerate().map(|(j, ends)| {
-            let of = |slopes: &[f64]| [slopes[j], slopes[j + 1]].map(|slope| (ends[1] - ends[0]) * slope);
-            let (own, given) = (of(&slopes), given.as_deref().map(of));
+            let right = mesh::slope(mesh, values, j + 1);
+            let of = |slopes: [f64; 2]| slopes.map(|slope| (ends[1] - ends[0]) * slope);
+            let own = of([std::mem::replace(&mut left, right), right]);
             let near = |given: &[f64; 2]| own.iter().zip(given).all(|(a, b)| (a - b).abs() <= BELIEVED * size);
-            given.filter(near).unwrap_or(own)
+            given.map(|given| of([given[j], given[j + 1]])).filter(near).unwrap_or(own)
         }));
         for (stage, &c) in tableau.c[2..].iter().enumerate() {
             let basis = super::interpolant::Basis::value(c);

@@ -7,6 +7,7 @@
 
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
+use crate::rows::Rows;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
@@ -101,23 +102,29 @@ impl Grid {
         (0..self.node_stride()).map(|p| values[self.index(p)]).collect()
     }
 
-    /// One component at the nodes, out of working order.
-    pub(crate) fn unpack(&self, values: &[f64]) -> Vec<f64> {
-        self.in_order(values, self.mesh.len())
+    /// Components at the nodes, out of working order.
+    pub(crate) fn unpack(&self, values: &[f64]) -> Rows {
+        self.in_order(values, self.node_stride(), self.mesh.len())
     }
 
-    /// One component of the intervals, out of working order.
-    pub(crate) fn unpack_intervals(&self, values: &[f64]) -> Vec<f64> {
-        self.in_order(values, self.intervals())
+    /// Components of the intervals, out of working order.
+    pub(crate) fn unpack_intervals(&self, values: &[f64]) -> Rows {
+        self.in_order(values, self.interval_stride(), self.intervals())
     }
 
-    fn in_order(&self, values: &[f64], count: usize) -> Vec<f64> {
-        let mut out = Vec::with_capacity(count);
-        self.each(count, |p| out.push(values[p]));
-        if out.len() < count {
-            out.push(values[self.last()]);
+    /// `count` values of each component, `stride` in working order.
+    fn in_order(&self, values: &[f64], stride: usize, count: usize) -> Rows {
+        let mut out = Vec::with_capacity(values.len() / stride * count);
+        for values in values.chunks_exact(stride) {
+            for l in 0..W {
+                let left = count.saturating_sub(l * self.steps).min(self.steps);
+                out.extend(values[l..].iter().step_by(W).take(left));
+            }
+            if count > W * self.steps {
+                out.push(values[self.last()]);
+            }
         }
-        out
+        Rows::new(out, count)
     }
 
     /// As [`pack`](Self::pack), all components one after the other.
@@ -137,9 +144,9 @@ mod tests {
         for intervals in 1..40 {
             let mesh: Vec<f64> = (0..=intervals).map(|j| (j * j + 1) as f64).collect();
             let grid = Grid::new(mesh.clone());
-            assert_eq!(grid.unpack(&grid.s), mesh);
+            assert_eq!(grid.unpack(&grid.s).row(0), mesh);
             let lengths: Vec<f64> = mesh.windows(2).map(|pair| pair[1] - pair[0]).collect();
-            assert_eq!(grid.unpack_intervals(&grid.h), lengths);
+            assert_eq!(grid.unpack_intervals(&grid.h).row(0), lengths);
             assert_eq!(grid.h.iter().sum::<f64>(), mesh[intervals] - mesh[0]);
         }
     }

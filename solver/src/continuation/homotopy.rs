@@ -8,7 +8,7 @@
 //! arclength, since t need not grow all the way. S. Smale, J. Math. Econ. 3 (1976) 107-120; H. B. Keller (1977).
 
 use crate::guess::Guess;
-use crate::mesh::slopes;
+use crate::mesh::slope;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 
 /// See the module's head. `t` is the last of the constants.
@@ -33,10 +33,10 @@ impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
         }
         let last = inner.inputs();
         layout.boundary_pattern.extend((0..inner.equations.len()).map(|row| (row, last)));
-        let slopes = guess
-            .regions
-            .iter()
-            .map(|region| region.states.iter().map(|values| slopes(&region.mesh, values)).collect());
+        let slopes = guess.regions.iter().map(|region| {
+            let along = |values: &Vec<f64>| (0..values.len()).map(|j| slope(&region.mesh, values, j)).collect();
+            region.states.iter().map(along).collect()
+        });
         let mut homotopy = Self { problem, guess, layout, slopes: slopes.collect(), g: Vec::new() };
         homotopy.g = homotopy.boundary_of_guess();
         homotopy
