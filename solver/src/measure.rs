@@ -189,11 +189,18 @@ fn judged<P: Problem + ?Sized>(
 /// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a
 /// linear one: what is left is rounding.
 const LINEAR: f64 = 1e-9;
+/// Near its solution every problem looks like one. From here on, in typical magnitudes, it does not.
+const FAR: f64 = 0.01;
 
 impl Converged {
     /// Whether the problem is linear as far as the iteration tells.
     pub(crate) fn seems_linear(&self) -> bool {
         self.contraction <= LINEAR
+    }
+
+    /// Whether it is linear for sure: so little is left of a correction that was large.
+    pub(crate) fn is_linear(&self) -> bool {
+        self.linear || (self.seems_linear() && self.first >= FAR)
     }
 }
 

@@ -28,7 +28,7 @@ const SIMPLIFIED_CONTRACTION: f64 = 0.25;
 const SIMPLIFIED_LIMIT: f64 = 4.0;
 
 /// A last correction that is so much smaller than the tolerance of the iteration is not applied: the right-hand side
-/// need not be evaluated once more then. Linear problems end so.
+/// need not be evaluated once more then.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Corrections are measured in the magnitudes of the last factored iterate. Those of the iterate that they lead to may
 /// be far smaller, as after a step too far, or from a guess that is far too large: beyond this factor they count.
@@ -86,6 +86,8 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     outgrown: Option<Scales>,
     iteration: usize,
     contraction: Option<f64>,
+    /// Largest component of the first correction.
+    first: Option<f64>,
     /// How often a singular matrix has been stepped away from.
     escapes: usize,
     /// Whether no step has been damped.
@@ -163,6 +165,7 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         outgrown: None,
         iteration: 0,
         contraction: None,
+        first: None,
         escapes: 0,
         full_steps: true,
     };
@@ -189,6 +192,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             let dx = self.correction();
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
+            self.first = self.first.or(Some(largest));
             self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
             if largest <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
@@ -311,6 +315,10 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 damping = (damping / 2.0).max(self.limits.smallest_damping);
                 continue;
             }
+            if damping == 1.0 && self.limits.tolerance >= NEAR_ROUNDING && self.is_met() {
+                self.contraction = self.contraction.or(Some(0.0));
+                return Ok(Step::Done(Last { x: trial, evaluated: true, size: 0.0 }));
+            }
             let simplified = self.correction();
             let new_size = self.system.norm(&simplified);
             let contraction = new_size / size;
@@ -340,6 +348,13 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             return Ok(Step::Moved { x: trial, simplified, damping, contraction });
         }
+    }
+
+    /// Whether the residual that is held is one of rounding: a further correction would be, too. Linear problems end so.
+    fn is_met(&self) -> bool {
+        let scales = &self.factorisation.scales;
+        self.system.is_rounded(&self.work, scales)
+            && self.system.boundary_residuals(&self.work, scales).all(|residual| residual == 0.0)
     }
 
     /// After the last correction, whose residual is held.
@@ -412,6 +427,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             factorisation: self.factorisation,
             outgrown: self.outgrown,
             contraction: self.contraction.unwrap_or(0.0),
+            first: self.first.unwrap_or(0.0),
+            linear: false,
             at_once: self.iteration == 1 && self.contraction.is_none(),
             iterations: self.iteration,
             full_steps: self.full_steps && self.escapes == 0,

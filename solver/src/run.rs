@@ -56,6 +56,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
+    /// Whether the problem is linear, as an iteration of this solve has shown.
+    linear: bool,
     /// That of the options, but while a start for it is sought with another.
     order: Order,
     /// Why the last solve ended if not for a small estimated error.
@@ -85,6 +87,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             coarsen: true,
             check: BranchCheck::Kept,
             orientation: None,
+            linear: false,
             order: options.order,
             shortfall: Shortfall::Uncontrolled,
         }
@@ -94,7 +97,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let mut progress = Progress::new(self.options, self.layout.regions.len());
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
-        (self.check, self.orientation) = (BranchCheck::Kept, None);
+        (self.check, self.orientation, self.linear) = (BranchCheck::Kept, None, false);
         let mut meshes = 0;
         loop {
             let found = self.solve_on(start, &mut progress)?;
@@ -262,7 +265,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             defects: vec![f64::INFINITY; system.grids.len()],
             newton_iterations: self.stats.newton_iterations - before,
         };
-        let converged = match outcome {
+        let mut converged = match outcome {
             Ok(converged) => converged,
             Err(failure) => {
                 self.history.push(record);
@@ -279,6 +282,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 };
             }
         };
+        converged.linear = self.linear;
+        self.linear = converged.is_linear();
         let orientation = converged.factorisation.orientation();
         let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
         self.check = self.check.and(check).across(self.orientation, orientation);

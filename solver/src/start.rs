@@ -7,6 +7,7 @@ use crate::collocation::interpolant::{Basis, Extension};
 use crate::guess::{Guess, RegionGuess};
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
+use crate::linear::simd::elementwise;
 use crate::measure::Solved;
 use crate::mesh::split;
 use crate::newton::Converged;
@@ -39,7 +40,7 @@ pub(crate) fn carried<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<V
             f: &work.regions[region].nodes.f,
             extension: &solved.extensions[region],
         };
-        let (nodes, stages) = old.sampled(new, tableau);
+        let (nodes, stages) = old.sampled(new, tableau, solved.converged.is_linear());
         y.push(nodes);
         if tableau.coupled {
             inner.push(stages);
@@ -68,11 +69,12 @@ struct Interval {
 
 impl Packed<'_> {
     /// At the nodes of another mesh and at the inner stages there that are unknowns, as an [`Iterate`] has them. Old
-    /// nodes keep their values exactly.
-    fn sampled(&self, new: &Grid, tableau: &Tableau) -> (Numbers, Numbers) {
+    /// nodes keep their values exactly. Where the problem is linear, one iteration leads from anywhere to its solution:
+    /// between the nodes, straight lines do.
+    fn sampled(&self, new: &Grid, tableau: &Tableau, linear: bool) -> (Numbers, Numbers) {
         let (nodes, len, stages) = (new.node_stride(), new.interval_stride(), tableau.unknown_stages());
         let (mut y, mut inner) = (Numbers::unset(self.states * nodes), Numbers::unset(stages * self.states * len));
-        let mut order: Vec<usize> = (0..stages).collect();
+        let mut order: Vec<usize> = if linear { Vec::new() } else { (0..stages).collect() };
         order.sort_by(|&a, &b| tableau.c[a + 2].total_cmp(&tableau.c[b + 2]));
         let mut interval = Interval::default();
         for (j, p) in new.positions() {
@@ -90,6 +92,14 @@ impl Packed<'_> {
         // The last row repeats the first of the next stretch.
         for y in y.chunks_exact_mut(nodes) {
             y.copy_within(1..W, len);
+        }
+        if linear {
+            for (stage, inner) in inner.chunks_exact_mut(self.states * len).enumerate() {
+                let c = tableau.c[stage + 2];
+                for (inner, y) in inner.chunks_exact_mut(len).zip(y.chunks_exact(nodes)) {
+                    elementwise(inner, [&y[..len], &y[W..]], |_, [left, right]| left + c * (right - left));
+                }
+            }
         }
         (y, inner)
     }

@@ -2,15 +2,18 @@
 
 use super::roles::Roles;
 use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
-use super::{Iterate, System};
+use super::{Iterate, Scales, System};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, elementwise, vectorised};
+use crate::linear::simd::{Job, elementwise, largest_number, vectorised};
 use crate::problem::{Points, Problem, Scope};
 use crate::stats::Stats;
 use crate::tableau::Tableau;
 use std::sync::Arc;
+
+/// Residuals of intervals and stages, in typical magnitudes, that are due to rounding: each is a sum of a few terms.
+const ROUNDED: f64 = 64.0 * f64::EPSILON;
 
 /// Everything a residual evaluation leaves behind; reused from call to call.
 #[derive(Debug, Clone)]
@@ -92,6 +95,16 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Some(at) => Err(NonFinite::boundary_derivative(self.layout, at)),
             None => self.check_boundary(g),
         }
+    }
+
+    /// Whether the residuals of all intervals and stages are no larger than rounding makes them.
+    pub(crate) fn is_rounded(&self, work: &Work, scales: &Scales) -> bool {
+        work.regions.iter().zip(&scales.states).zip(&self.grids).all(|((stages, scales), grid)| {
+            let (len, scales) = (grid.interval_stride(), scales.iter().cycle());
+            let rows = stages.phi.chunks_exact(len).zip(scales.clone()).chain(stages.psi.chunks_exact(len).zip(scales));
+            // Written so that a NaN is none.
+            rows.into_iter().all(|(row, scale)| largest_number(row) <= ROUNDED * scale)
+        })
     }
 
     /// The right-hand side at the nodes alone, and the boundary equations where there are no integrals.

@@ -17,6 +17,10 @@ pub(crate) struct Converged {
     pub(super) outgrown: Option<Scales>,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
+    /// Largest component of the first correction; 0 if there was no iteration.
+    pub first: f64,
+    /// Whether the problem is linear for sure: see [`is_linear`](Self::is_linear).
+    pub linear: bool,
     /// The first correction was already negligible.
     pub at_once: bool,
     /// Newton iterations that it took.
@@ -39,6 +43,8 @@ impl Converged {
             factorisation,
             outgrown: None,
             contraction: 0.0,
+            first: 0.0,
+            linear: false,
             at_once: true,
             iterations: 0,
             full_steps: true,
