@@ -13,7 +13,7 @@
 //! interval.
 
 use crate::collocation::coupled::COUPLED;
-use crate::collocation::interpolant::{Basis, MOST_PLACES};
+use crate::collocation::interpolant::{Basis, MOST_PLACES, PARTS};
 use std::sync::OnceLock;
 
 /// A Runge-Kutta method whose first two stages are the nodes.
@@ -36,21 +36,41 @@ pub(crate) struct Tableau {
     pub samples: &'static [(f64, f64)],
     /// How many of them tell where a mesh is rough, and say well enough where.
     pub first_samples: usize,
-    /// See [`partial_integrals`](Self::partial_integrals).
-    pub partial: OnceLock<Vec<Vec<f64>>>,
-    /// See [`remainders`](Self::remainders).
-    pub remainders: OnceLock<Vec<Remainder>>,
+    /// See [`differences`](Self::differences).
+    pub differences: OnceLock<Differences>,
 }
 
-/// What quadrature by the samples finds of the integral `∫_0^1 L(σ) D(σ) dσ` beyond the method's, `b D(c)`, with L
-/// Lagrange's polynomial of a stage with place c and weight b, and `D = S - S̃` the difference of the continuous extension
-/// and what its slopes integrate to, `S̃ = y_0 + h ∫_0^σ f(S)`: weights of what D is made of.
+/// Weights of what the difference `D = S - S̃` of the continuous extension and of what its slopes integrate to,
+/// `S̃ = y_0 + h ∫_0^σ f(S)`, is made of.
 #[derive(Debug, Clone)]
-pub(crate) struct Remainder {
-    /// Of what S is made of.
-    pub basis: Basis,
+pub(crate) struct Difference {
+    /// Of what S is made of: as [`Basis::weights`].
+    pub parts: [f64; PARTS],
     /// Of `h f(S)` at 0, 1 and the samples; 0 where there are fewer.
     pub slopes: [f64; 2 + MOST_PLACES],
+}
+
+/// Sums of differences.
+#[derive(Debug)]
+pub(crate) struct Differences {
+    /// D at each inner stage.
+    pub inside: Vec<Difference>,
+    /// One for each stage: with L Lagrange's polynomial of it, c its place and b its weight: what quadrature by the samples finds of
+    /// `∫_0^1 L(σ) D(σ) dσ` beyond the method's `b D(c)`.
+    pub remainders: Vec<Difference>,
+}
+
+impl Difference {
+    /// The weighted sum of D at several places: σ and weight.
+    fn at(samples: &[(f64, f64)], places: impl Iterator<Item = (f64, f64)>) -> Self {
+        let mut sum = Self { parts: [0.0; PARTS], slopes: [0.0; 2 + MOST_PLACES] };
+        for (x, weight) in places {
+            let add = |sum: &mut f64, part: f64| *sum += weight * part;
+            sum.parts.iter_mut().zip(Basis::value(x).weights()).for_each(|(sum, part)| add(sum, part));
+            sum.slopes.iter_mut().zip(partial_integrals(samples, x)).for_each(|(sum, part)| add(sum, -part));
+        }
+        sum
+    }
 }
 
 impl Tableau {
@@ -83,31 +103,21 @@ impl Tableau {
         if self.coupled { COUPLED } else { 0 }
     }
 
-    /// Weights that integrate from 0 to the place of each stage the polynomial through 0, 1 and the samples, in this
-    /// order.
-    pub(crate) fn partial_integrals(&self) -> &[Vec<f64>] {
-        self.partial.get_or_init(|| self.c.iter().map(|&end| partial_integrals(self.samples, end)).collect())
-    }
-
-    /// One a stage.
-    pub(crate) fn remainders(&self) -> &[Remainder] {
-        self.remainders.get_or_init(|| (0..self.stages()).map(|stage| self.remainder(stage)).collect())
-    }
-
-    fn remainder(&self, stage: usize) -> Remainder {
-        let at = self.samples.iter().map(|&(x, weight)| (x, weight * lagrange(self.c, stage, x)));
-        let terms: Vec<(f64, f64)> = at.chain([(self.c[stage], -self.b[stage])]).collect();
-        let basis = Basis::combined(terms.iter().map(|&(x, weight)| (weight, Basis::value(x))));
-        let mut slopes = [0.0; 2 + MOST_PLACES];
-        for (x, weight) in terms {
-            for (sum, part) in slopes.iter_mut().zip(partial_integrals(self.samples, x)) {
-                *sum -= weight * part;
+    /// Computed once.
+    pub(crate) fn differences(&self) -> &Differences {
+        self.differences.get_or_init(|| {
+            let (samples, stages) = (self.samples, 0..self.stages());
+            let quadrature = |stage: usize| samples.iter().map(move |&(x, b)| (x, b * lagrange(self.c, stage, x)));
+            let missed = |stage: usize| quadrature(stage).chain([(self.c[stage], -self.b[stage])]);
+            Differences {
+                inside: self.c[2..].iter().map(|&c| Difference::at(samples, [(c, 1.0)].into_iter())).collect(),
+                remainders: stages.map(|stage| Difference::at(samples, missed(stage))).collect(),
             }
-        }
-        Remainder { basis, slopes }
+        })
     }
 }
 
+/// Weights that integrate from 0 to `end` the polynomial through 0, 1 and the samples, in this order.
 /// The samples are the points of a Gauss rule, which is exact for these integrals.
 fn partial_integrals(samples: &[(f64, f64)], end: f64) -> Vec<f64> {
     let places = samples.iter().map(|sample| sample.0);
@@ -137,8 +147,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
     first_samples: 3,
-    partial: OnceLock::new(),
-    remainders: OnceLock::new(),
+    differences: OnceLock::new(),
 };
 
 /// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
@@ -165,8 +174,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
         (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
     ],
     first_samples: 2,
-    partial: OnceLock::new(),
-    remainders: OnceLock::new(),
+    differences: OnceLock::new(),
 };
 
 /// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
@@ -210,8 +218,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
         (0.966_234_757_101_576, 0.085_662_246_189_585_17),
     ],
     first_samples: 6,
-    partial: OnceLock::new(),
-    remainders: OnceLock::new(),
+    differences: OnceLock::new(),
 };
 
 /// Where a state u has another, v, for derivative, with slopes K, order 6 takes

@@ -39,7 +39,7 @@ pub(crate) struct Extension {
 pub(crate) const PARTS: usize = 7;
 
 /// Weights of `y_0`, `y_1 - y_0`, `h f_0`, `h f_1`, `α`, `β`, `γ`, `δ` in S and in its derivatives at one σ.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Basis {
     pub rise: f64,
     pub left: f64,
@@ -87,19 +87,6 @@ impl Basis {
     pub(crate) fn weights(&self) -> [f64; PARTS] {
         let Self { rise, left, right, alpha, beta, gamma, delta } = *self;
         [rise, left, right, alpha, beta, gamma, delta]
-    }
-
-    /// The weighted sum of several.
-    pub(crate) fn combined(all: impl Iterator<Item = (f64, Self)>) -> Self {
-        all.fold(Self::default(), |sum, (weight, basis)| Self {
-            rise: sum.rise + weight * basis.rise,
-            left: sum.left + weight * basis.left,
-            right: sum.right + weight * basis.right,
-            alpha: sum.alpha + weight * basis.alpha,
-            beta: sum.beta + weight * basis.beta,
-            gamma: sum.gamma + weight * basis.gamma,
-            delta: sum.delta + weight * basis.delta,
-        })
     }
 
     /// Weights in d²S/dσ²; that of `y_0` is 0.

@@ -50,26 +50,17 @@ pub(crate) struct Stage<'a> {
 }
 
 impl Stages {
-    /// Where the values of all stages stand, `intervals` of them in working order; where the method has fewer stages,
-    /// the rest repeat the first.
-    fn all(&self, intervals: usize) -> [Stage<'_>; MOST_STAGES] {
-        let nodes = Stage { batch: &self.nodes, stride: intervals + W, first: 0 };
-        let mut all = [nodes; MOST_STAGES];
-        all[1].first = W;
-        let mut rest = all[2..].iter_mut().peekable();
-        for batch in &self.inner {
-            let (stride, mut first) = (batch.s.len(), 0);
-            while let Some(stage) = rest.next_if(|_| first < stride) {
-                *stage = Stage { batch, stride, first };
-                first += intervals;
-            }
-        }
-        all
-    }
-
     /// Where those of one stage stand.
     pub(crate) fn stage(&self, stage: usize, intervals: usize) -> Stage<'_> {
-        self.all(intervals)[stage]
+        let mut first = stage.saturating_sub(2) * intervals;
+        for batch in self.inner.iter().filter(|_| stage >= 2) {
+            let stride = batch.s.len();
+            if first < stride {
+                return Stage { batch, stride, first };
+            }
+            first -= stride;
+        }
+        Stage { batch: &self.nodes, stride: intervals + W, first: if stage == 1 { W } else { 0 } }
     }
 
     /// Slopes of one stage and row, one an interval.
@@ -81,7 +72,7 @@ impl Stages {
 
     /// All of them in vectors, `steps` a row; where the method has fewer, the rest repeat the first.
     pub(crate) fn views(&self, steps: usize) -> [View<'_>; MOST_STAGES] {
-        self.all(steps * W).map(View::of)
+        std::array::from_fn(|stage| View::of(self.stage(stage, steps * W)))
     }
 }
 

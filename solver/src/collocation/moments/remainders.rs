@@ -1,0 +1,106 @@
+//! What the method's quadrature misses of the defect's effect.
+
+use super::Made;
+use crate::collocation::defect::Defects;
+use crate::collocation::interpolant::{Extended, Extension};
+use crate::collocation::stages::{MOST_STAGES, View};
+use crate::linear::memory::Lanes;
+use crate::linear::scalar::{Lane, Scalar, W};
+use crate::linear::simd::{Job, vectorised};
+use crate::problem::Problem;
+use crate::tableau::Difference;
+
+impl<P: Problem + ?Sized> Extended<'_, '_, P> {
+    /// Adds to right-hand sides of the linearised interval equations, and of each integral's, what the method's
+    /// quadrature at the stages misses of `∫ f_y D ds`: D is a polynomial of too high a degree for it. Without that a
+    /// fixed part of the error is missed, however short the intervals.
+    pub(crate) fn add_remainders(
+        &self,
+        extension: &Extension,
+        defects: &Defects,
+        scales: &[f64],
+        integrated: &mut [f64],
+    ) {
+        let tableau = self.system.tableau;
+        vectorised(AddRemainders {
+            remainders: &tableau.differences().remainders,
+            made: self.made(extension, defects),
+            views: self.stages.views(self.steps()),
+            pattern: &self.system.layout.regions[self.region].state_pattern,
+            scales,
+            room: [(); 2].map(|()| Lanes::unset(self.n())),
+            weighed: &mut Lanes::unset(tableau.stages() * self.n()),
+            integrated: integrated.as_chunks_mut::<W>().0,
+        });
+    }
+}
+
+/// See [`Extended::add_remainders`].
+struct AddRemainders<'a> {
+    /// One a stage.
+    remainders: &'a [Difference],
+    made: Made<'a>,
+    views: [View<'a>; MOST_STAGES],
+    pattern: &'a [(usize, usize)],
+    /// Typical magnitudes of the states.
+    scales: &'a [f64],
+    /// One value a state.
+    room: [Lanes; 2],
+    /// One value a stage and state.
+    weighed: &'a mut [Lane],
+    integrated: &'a mut [[f64; W]],
+}
+
+/// The stage in the middle of the interval, at orders 6 and 8.
+const MIDDLE: usize = 4;
+/// What is added is the first term of a series in `h f_y`. It counts in full where the square of that is small beside
+/// this, and where it is large not at all.
+const LARGE: f64 = 4.0;
+
+impl Job for AddRemainders<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        let (n, steps) = (self.scales.len(), self.made.pieces.steps);
+        for t in 0..steps {
+            let part = self.size(t).map(|size| 1.0 / (1.0 + (size / LARGE) * (size / LARGE)));
+            let factor = part * self.made.pieces.length(t);
+            for i in 0..n {
+                let component = self.made.component(i, t);
+                for (stage, remainder) in self.remainders.iter().enumerate() {
+                    self.weighed[stage * n + i] = factor * component.difference(remainder);
+                }
+            }
+            for (entry, &(row, state)) in self.pattern.iter().enumerate() {
+                let out = &mut self.integrated[row * steps + t];
+                let mut sum = Lane(*out);
+                for (view, weighed) in self.views.iter().zip(self.weighed.chunks_exact(n)) {
+                    sum += view.dy(entry, t) * weighed[state];
+                }
+                *out = sum.0;
+            }
+        }
+    }
+}
+
+impl AddRemainders<'_> {
+    /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch.
+    #[inline(always)]
+    fn size(&mut self, t: usize) -> Lane {
+        let (h, [once, twice]) = (self.made.pieces.length(t), &mut self.room);
+        once.fill(Lane::ZERO);
+        twice.fill(Lane::ZERO);
+        let entries = || self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < self.scales.len());
+        let entry = |entry: usize, row: usize, state: usize| {
+            (h * self.views[MIDDLE].dy(entry, t)).abs().times(self.scales[state] / self.scales[row])
+        };
+        for (at, &(row, state)) in entries() {
+            once[row] += entry(at, row, state);
+        }
+        for (at, &(row, state)) in entries() {
+            twice[row] += entry(at, row, state) * once[state];
+        }
+        twice.iter().fold(Lane::ZERO, |most, size| most.zip(*size, f64::max))
+    }
+}
