@@ -48,7 +48,7 @@ impl Guess {
     ) -> Self {
         let regions = meshes.into_iter().zip(&layout.regions).enumerate().map(|(index, (mesh, region))| {
             let mut y = vec![0.0; region.states.len()];
-            let mut states = vec![Vec::with_capacity(mesh.len()); y.len()];
+            let mut states: Vec<Vec<f64>> = y.iter().map(|_| Vec::with_capacity(mesh.len())).collect();
             for &s in &mesh {
                 f(index, s, &mut y);
                 states.iter_mut().zip(&y).for_each(|(values, y)| values.push(*y));

@@ -92,13 +92,14 @@ impl ComponentTolerance {
 /// # Errors
 /// A component that the layout does not have.
 pub(crate) fn check(layout: &Layout, options: &Options) -> Result<(), SolveError> {
-    let mut magnitudes = Magnitudes::stated(layout);
     for component in &options.components {
-        if magnitudes.component(component.of).is_none() {
-            let value = match component.of {
-                Which::State { state, .. } => state,
-                Which::Constant(index) => index,
-            };
+        let (value, count) = match component.of {
+            Which::State { region, state } => {
+                (state, layout.regions.get(region).map_or(0, |region| region.states.len()))
+            }
+            Which::Constant(index) => (index, layout.constants.len()),
+        };
+        if value >= count {
             let expected = "a state or a constant that the layout has";
             return Err(SolveError::Option { name: "components", value: value as f64, expected });
         }

@@ -28,8 +28,7 @@ pub use number::Number;
 pub use singular::SingularTermError;
 
 use crate::error::SolveError;
-use crate::guess::{Guess, RegionGuess};
-use crate::mesh;
+use crate::guess::Guess;
 use crate::options::Options;
 use crate::problem::{Constant, Layout, Points, Problem, Region, Scope, State};
 use crate::solution::Solution;
@@ -47,9 +46,8 @@ pub struct Bvp<M> {
     /// Values of the parameters: given, or guessed.
     parameters: Vec<f64>,
     unknowns: Vec<usize>,
-    intervals: usize,
-    /// Values of the states at the nodes of equal intervals, if they are not zero.
-    states: Option<Vec<Vec<f64>>>,
+    /// As it was stated, with the parameters' values.
+    guess: Option<Guess>,
     singular: Option<SingularTerm>,
 }
 
@@ -80,7 +78,7 @@ impl<M: Formulas> Bvp<M> {
     /// With formulas that bring their own derivatives.
     pub fn with(states: &[&str], interval: (f64, f64), formulas: M) -> Self {
         let (layout, parameters, unknowns) = (layout(states, interval, &[], 0), Vec::new(), Vec::new());
-        Self { formulas, layout, parameters, unknowns, intervals: INTERVALS, states: None, singular: None }
+        Self { formulas, layout, parameters, unknowns, guess: None, singular: None }
     }
 
     /// One more parameter, of a given value.
@@ -100,6 +98,9 @@ impl<M: Formulas> Bvp<M> {
             self.unknowns.push(self.parameters.len());
         }
         self.parameters.push(value);
+        if let Some(guess) = &mut self.guess {
+            guess.constants.push(value);
+        }
         let mut names: Vec<&str> = self.layout.constants.iter().map(|constant| constant.name.as_str()).collect();
         names.push(name);
         let region = &self.layout.regions[0];
@@ -139,19 +140,18 @@ impl<M: Formulas> Bvp<M> {
     /// The guess `y(x)`, on so many equal intervals. Without one all states are guessed to be zero.
     #[must_use]
     pub fn guess(mut self, intervals: usize, y: impl Fn(f64, &mut [f64])) -> Self {
-        let guess = Guess::uniform(&self.layout, intervals, &self.parameters, |_, x, out| y(x, out));
-        self.intervals = intervals;
-        self.states = guess.regions.into_iter().next().map(|region| region.states);
+        self.guess = Some(Guess::uniform(&self.layout, intervals, &self.parameters, |_, x, out| y(x, out)));
         self
     }
 
     /// The guess as the library's other functions take it.
     pub fn start(&self) -> Guess {
-        let region = &self.layout.regions[0];
-        let mesh = mesh::uniform(region.interval, self.intervals);
-        let zero = || vec![vec![0.0; mesh.len()]; region.states.len()];
-        let states = self.states.clone().unwrap_or_else(zero);
-        Guess { regions: vec![RegionGuess { mesh, states }], constants: self.parameters.clone() }
+        self.guess.clone().unwrap_or_else(|| self.zero())
+    }
+
+    /// The guess of none.
+    fn zero(&self) -> Guess {
+        Guess::uniform(&self.layout, INTERVALS, &self.parameters, |_, _, y| y.fill(0.0))
     }
 
     /// Indices of the unknown parameters among all.
@@ -164,7 +164,10 @@ impl<M: Formulas> Bvp<M> {
     /// # Errors
     /// As [`solve`](crate::solve()).
     pub fn solve(&self, options: &Options) -> Result<Solution, SolveError> {
-        solve(self, &self.start(), &self.unknowns, options)
+        match &self.guess {
+            Some(guess) => solve(self, guess, &self.unknowns, options),
+            None => solve(self, &self.zero(), &self.unknowns, options),
+        }
     }
 }
 
