@@ -104,7 +104,7 @@ impl RegionSolution {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::value(sigma);
         for (i, y) in y.iter_mut().enumerate().take(self.states()) {
-            *y = self.y.row(i)[j] + self.combine(&basis, i, j, h);
+            *y = self.component(i).at(&basis, j, h);
         }
     }
 
@@ -119,7 +119,7 @@ impl RegionSolution {
     pub fn eval_slope(&self, s: f64) -> Vec<f64> {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::slope(sigma);
-        (0..self.states()).map(|i| self.combine(&basis, i, j, h) / h).collect()
+        (0..self.states()).map(|i| self.component(i).combine(&basis, j, h) / h).collect()
     }
 
     /// Second derivatives of the states at `s`, of the continuous extension; they jump at nodes, where those of the
@@ -127,7 +127,7 @@ impl RegionSolution {
     pub fn eval_curvature(&self, s: f64) -> Vec<f64> {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::curvature(sigma);
-        (0..self.states()).map(|i| self.combine(&basis, i, j, h) / (h * h)).collect()
+        (0..self.states()).map(|i| self.component(i).combine(&basis, j, h) / (h * h)).collect()
     }
 
     /// States at many places, state by state: value `i * s.len() + j` is that of state `i` at `s[j]`. As
@@ -136,7 +136,8 @@ impl RegionSolution {
         let places = self.places(s);
         let mut values = Vec::with_capacity(self.states() * s.len());
         for i in 0..self.states() {
-            values.extend(places.iter().map(|(j, h, basis)| self.y.row(i)[*j] + self.combine(basis, i, *j, *h)));
+            let component = self.component(i);
+            values.extend(places.iter().map(|(j, h, basis)| component.at(basis, *j, *h)));
         }
         values
     }
@@ -144,9 +145,8 @@ impl RegionSolution {
     /// The same, each state by itself.
     pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
         let places = self.places(mesh);
-        let along =
-            |i: usize| places.iter().map(move |(j, h, basis)| self.y.row(i)[*j] + self.combine(basis, i, *j, *h));
-        (0..self.states()).map(|i| along(i).collect()).collect()
+        let along = |component: Component<'_>| places.iter().map(|(j, h, basis)| component.at(basis, *j, *h)).collect();
+        (0..self.states()).map(|i| along(self.component(i))).collect()
     }
 
     /// Intervals, their lengths, and the weights of what stands there, for places in any order.
@@ -190,9 +190,30 @@ impl RegionSolution {
         (j, h, (s - self.mesh[j]) / h)
     }
 
-    fn combine(&self, basis: &Basis, i: usize, j: usize, h: f64) -> f64 {
-        let (y, f) = (self.y.row(i), self.f.row(i));
-        let [alpha, beta, gamma, delta] = self.extension.each_ref().map(|rows| rows.row(i));
+    fn component(&self, i: usize) -> Component<'_> {
+        let extension = self.extension.each_ref().map(|rows| rows.row(i));
+        Component { y: self.y.row(i), f: self.f.row(i), extension }
+    }
+}
+
+/// What is known of one state.
+struct Component<'a> {
+    y: &'a [f64],
+    f: &'a [f64],
+    extension: [&'a [f64]; 4],
+}
+
+impl Component<'_> {
+    /// Its value on interval `j` of length `h`.
+    #[inline]
+    fn at(&self, basis: &Basis, j: usize, h: f64) -> f64 {
+        self.y[j] + self.combine(basis, j, h)
+    }
+
+    /// The weighted sum of a basis, without `y_0`.
+    #[inline]
+    fn combine(&self, basis: &Basis, j: usize, h: f64) -> f64 {
+        let Self { y, f, extension: [alpha, beta, gamma, delta] } = self;
         let quintic = basis.rise * (y[j + 1] - y[j])
             + h * (basis.left * f[j] + basis.right * f[j + 1])
             + basis.alpha * alpha[j]
