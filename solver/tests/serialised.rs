@@ -22,6 +22,18 @@ fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
     assert_eq!(guess, bratu.start());
     let text = serde_json::to_string(&bratu.solve(&Options::default()).unwrap()).unwrap();
     assert!(serde_json::from_str::<Solution>(&text.replace("\"constants\"", "\"constant\"")).is_err());
+    // So are tables that do not fit the mesh: a row too short, a row too few, no mesh.
+    let changed = |change: &dyn Fn(&mut serde_json::Value)| {
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        change(&mut value["regions"][0]);
+        serde_json::from_value::<Solution>(value).unwrap_err().to_string()
+    };
+    let short = changed(&|region| drop(region["y"][1].as_array_mut().unwrap().pop()));
+    assert!(short.contains("values of y") && short.contains("are expected"), "{short}");
+    let few = changed(&|region| drop(region["alpha"].as_array_mut().unwrap().pop()));
+    assert!(few.contains("1 rows of alpha; 2 are expected"), "{few}");
+    let none = changed(&|region| region["mesh"].as_array_mut().unwrap().truncate(1));
+    assert!(none.contains("a mesh of 1 nodes"), "{none}");
 }
 
 fn comes_back<M: Formulas>(bratu: &Bvp<M>, order: Order) {
