@@ -44,6 +44,7 @@
 // Negated comparisons are meant: NaN must fail.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod basis;
 mod budget;
 pub mod bvp;
 mod collocation;

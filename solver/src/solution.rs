@@ -1,7 +1,8 @@
 //! A converged solution: values, continuous extension, integrals, and what it cost.
 
+use crate::basis::Basis;
 use crate::collocation::evaluate::Work;
-use crate::collocation::interpolant::{Basis, Extension};
+use crate::collocation::interpolant::Extension;
 use crate::collocation::{Iterate, System};
 use crate::options::Order;
 use crate::orientation::{BranchCheck, Orientation};

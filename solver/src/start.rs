@@ -1,9 +1,10 @@
 //! Where Newton's iteration starts: a guess, or a solution carried to other meshes.
 
+use crate::basis::Basis;
 use crate::collocation::Iterate;
 use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
-use crate::collocation::interpolant::{Basis, Extension};
+use crate::collocation::interpolant::Extension;
 use crate::guess::{Guess, RegionGuess};
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;

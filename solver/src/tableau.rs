@@ -12,9 +12,12 @@
 //! Comput. 17 (1996) 479-497. Where it goes over all stages, the values at the inner ones are unknowns of their
 //! interval.
 
+use crate::basis::{Basis, PARTS};
 use crate::collocation::coupled::COUPLED;
-use crate::collocation::interpolant::{Basis, MOST_PLACES, PARTS};
 use std::sync::OnceLock;
+
+/// Places of an interval at which the right-hand side is evaluated at once, at most.
+pub(crate) const MOST_PLACES: usize = 6;
 
 /// A Runge-Kutta method whose first two stages are the nodes.
 #[derive(Debug)]

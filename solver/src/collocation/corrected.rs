@@ -16,8 +16,9 @@
 mod solve;
 
 use super::defect::Tally;
-use super::interpolant::{Basis, Extended, Extension, Pieces};
+use super::interpolant::{Extended, Extension, Pieces};
 use super::stages::{MOST_STAGES, View};
+use crate::basis::Basis;
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Scalar, W};

@@ -19,6 +19,7 @@ use super::grid::Grid;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use super::{Iterate, System};
+use crate::basis::Basis;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
@@ -460,7 +461,7 @@ pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<
             given.map(|given| of([given[j], given[j + 1]])).filter(near).unwrap_or(own)
         }));
         for (stage, &c) in tableau.c[2..].iter().enumerate() {
-            let basis = super::interpolant::Basis::value(c);
+            let basis = Basis::value(c);
             let out = &mut out[(stage * states + i) * len..][..len];
             // Padding repeats the last node.
             out.fill(values[intervals]);

@@ -1,13 +1,15 @@
 //! How far the continuous extension is from meeting the equations.
 
 use super::Scales;
-use super::interpolant::{Basis, Extended, Extension, MOST_PLACES, Pieces, Sampled};
+use super::interpolant::{Extended, Extension, Pieces, Sampled};
+use crate::basis::Basis;
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, by_components, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
+use crate::tableau::MOST_PLACES;
 
 /// Relative error of a difference of node values.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

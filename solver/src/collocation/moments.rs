@@ -7,13 +7,14 @@
 mod remainders;
 
 use super::defect::Defects;
-use super::interpolant::{Extended, Extension, MOST_PLACES, PARTS, Pieces, Sampled};
+use super::interpolant::{Extended, Extension, Pieces, Sampled};
 use super::stages::{MOST_STAGES, View};
+use crate::basis::PARTS;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
-use crate::tableau::{Difference, Tableau};
+use crate::tableau::{Difference, MOST_PLACES, Tableau};
 
 /// What S and S̃ are made of.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! The linearised equations at more points, solved for what the collocation polynomial lacks there.
 
 use super::{OFFSETS, POINTS, PointWeights, STAGES};
-use crate::collocation::interpolant::Basis;
+use crate::basis::Basis;
 use crate::collocation::roles::{Role, Roles};
 use crate::collocation::stages::View;
 use crate::linear::memory::Lanes;
