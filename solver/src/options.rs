@@ -127,6 +127,26 @@ pub struct Options {
     /// was large; the boundary equations are met as before, or nothing is taken off; defects and error estimates are
     /// those of what was found: see [`Solution::is_corrected`](crate::Solution::is_corrected). The points of a branch,
     /// from which it goes on, are not corrected; what a continuation leads to is. Default: false.
+    ///
+    /// Bratu's problem on ten intervals:
+    ///
+    /// ```
+    /// use solver::{Options, bvp::Bvp};
+    ///
+    /// let string = Bvp::new(
+    ///     &["u", "slope"],
+    ///     (0.0, 1.0),
+    ///     |_, y, _, f| (f[0], f[1]) = (y[1], -y[0].exp()),
+    ///     |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    /// );
+    /// let middle = |defect_correction| {
+    ///     let options = Options { tolerance: 1e-4, defect_correction, ..Options::default() };
+    ///     string.solve(&options).map(|solution| solution.regions()[0].state(0)[5])
+    /// };
+    /// let error = |u: f64| (u - 0.140_539_214_400_472).abs();
+    /// assert!(error(middle(true)?) < 0.03 * error(middle(false)?));
+    /// # Ok::<(), solver::SolveError>(())
+    /// ```
     pub defect_correction: bool,
     /// Points at which the right-hand side may be evaluated, with its derivatives or without
     /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a
