@@ -4,10 +4,10 @@ use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::factor::{Factorisation, input_scales};
 use crate::collocation::plan::Plan;
-use crate::error::{NewtonError, SolveError};
+use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::magnitude::Magnitudes;
-use crate::measure::intervals;
+use crate::measure::{intervals, undefined};
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::solve::check;
@@ -42,10 +42,8 @@ impl Condensation {
         let magnitudes = Magnitudes::stated(layout);
         let mut system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
         let (mut work, mut stats) = (system.work(), Stats::default());
-        let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        let undefined = |error| newton(NewtonError::NonFinite(error), &system);
         system.complete(&mut x, &mut stats);
-        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
+        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined(&system.grids))?;
         let mut factorisation = Factorisation::new(&system);
         factorisation.condense(&system, &work, system.scales(&x));
         stats.factorisations += 1;
@@ -54,7 +52,8 @@ impl Condensation {
         if rank < size {
             // Its messages name the unknowns.
             system.plan = Arc::new(Plan::new(layout, solution.unknowns()));
-            return Err(newton(factorisation.singular(&system), &system));
+            let error = factorisation.singular(&system);
+            return Err(SolveError::Newton { error, intervals: intervals(&system.grids) });
         }
         let rates = right.into_iter().enumerate().map(|(constant, column)| {
             let moved = column.map(|mut column| {

@@ -7,12 +7,12 @@ use crate::collocation::interpolant::Extended;
 use crate::collocation::plan::Plan;
 use crate::collocation::transpose::Weights;
 use crate::collocation::{Correction, Iterate, System};
-use crate::error::{NewtonError, SolveError};
+use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
-use crate::measure::{Error, intervals};
+use crate::measure::{Error, intervals, undefined};
 use crate::newton::Converged;
 use crate::options::Order;
 use crate::problem::Problem;
@@ -139,9 +139,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     fn perhaps_singular(system: System<'p, P>, mut x: Iterate, mut stats: Stats) -> Result<Self, SolveError> {
         let mut work = system.work();
         system.complete(&mut x, &mut stats);
-        let newton = |error, system: &System<'_, P>| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        let undefined = |error| newton(NewtonError::NonFinite(error), &system);
-        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined)?;
+        system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined(&system.grids))?;
         let mut factorisation = Factorisation::new(&system);
         factorisation.factor(&system, &work, system.scales(&x));
         stats.factorisations += 1;
@@ -181,16 +179,12 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     /// # Errors
     /// The right-hand side is undefined where the estimate needs it.
     pub fn error(&self) -> Result<Tangent, SolveError> {
-        let undefined = |error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&self.system.grids),
-        };
         let (mut stats, mut extensions, mut defects) = (Stats::default(), Vec::new(), Vec::new());
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
             let judged = extended.judged(&self.factorisation.scales, f64::INFINITY, &mut stats);
-            let (extension, defect) = judged.map_err(undefined)?;
+            let (extension, defect) = judged.map_err(undefined(&self.system.grids))?;
             defects.push(defect);
             extensions.push(extension);
         }

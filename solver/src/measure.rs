@@ -176,10 +176,7 @@ fn judged<P: Problem + ?Sized>(
     let (mut extensions, mut defects) = (Vec::new(), Vec::new());
     for (region, stages) in converged.work.regions.iter().enumerate() {
         let extended = Extended { system, region, x: &converged.x, stages };
-        let (extension, defect) = extended.judged(scales, limit, stats).map_err(|error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&system.grids),
-        })?;
+        let (extension, defect) = extended.judged(scales, limit, stats).map_err(undefined(&system.grids))?;
         extensions.push(extension);
         defects.push(defect);
     }
@@ -264,6 +261,11 @@ impl Error {
         stats.linear_solves += 1;
         Self { correction: factorisation.solve(system, rhs), integrals, parts: all_parts }
     }
+}
+
+/// What is said on these meshes where the right-hand side is undefined.
+pub(crate) fn undefined(grids: &[Grid]) -> impl Fn(NonFinite) -> SolveError {
+    |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(grids) }
 }
 
 /// Intervals of all regions.

@@ -8,9 +8,9 @@ use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
-use crate::error::{NewtonError, SolveError};
+use crate::error::SolveError;
 use crate::magnitude::Magnitudes;
-use crate::measure::{Solved, intervals};
+use crate::measure::{Solved, intervals, undefined};
 use crate::mesh::split;
 use crate::newton::{self, Limits};
 use crate::observer::{Event, Observer};
@@ -238,10 +238,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let inner = std::mem::take(&mut converged.x.inner);
         converged.x = Iterate { inner, ..origin };
         let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
-        evaluated.map_err(|error| SolveError::Newton {
-            error: NewtonError::NonFinite(error),
-            intervals: intervals(&solved.system.grids),
-        })?;
+        evaluated.map_err(undefined(&solved.system.grids))?;
         Solved::new(solved.system, solved.converged, tolerance, &mut self.stats)
     }
 

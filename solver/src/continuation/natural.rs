@@ -12,7 +12,7 @@ use crate::collocation::evaluate::Derivatives;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::Guess;
-use crate::measure::{Solved, intervals};
+use crate::measure::{Solved, intervals, undefined};
 use crate::observer::{Event, Observer, Silent};
 use crate::options::{Control, Options};
 use crate::orientation::BranchCheck;
@@ -352,12 +352,8 @@ pub(crate) fn tangent<P: Problem + ?Sized>(
     stats: &mut Stats,
 ) -> Result<Correction, SolveError> {
     let mut work = here.system.work();
-    here.system.evaluate(&here.converged.x, Derivatives::All, &mut work, stats).map_err(|error| {
-        SolveError::Newton {
-            error: crate::error::NewtonError::NonFinite(error),
-            intervals: intervals(&here.system.grids),
-        }
-    })?;
+    let evaluated = here.system.evaluate(&here.converged.x, Derivatives::All, &mut work, stats);
+    evaluated.map_err(undefined(&here.system.grids))?;
     let factorisation = &here.converged.factorisation;
     let rhs = here.system.parameter_rhs(&work, &factorisation.scales, slope);
     stats.linear_solves += 1;

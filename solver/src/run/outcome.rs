@@ -4,8 +4,8 @@ use super::Run;
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::interpolant::Extended;
-use crate::error::{NewtonError, SolveError};
-use crate::measure::{Solved, intervals};
+use crate::error::SolveError;
+use crate::measure::{Solved, intervals, undefined};
 use crate::newton::{self, Converged};
 use crate::options::Control;
 use crate::orientation::BranchCheck;
@@ -52,10 +52,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     pub(crate) fn as_it_stands(&mut self, Start { grids, mut x }: Start) -> Result<Solution, SolveError> {
         let system = self.system(grids);
         let mut work = system.work();
-        let undefined =
-            |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(&system.grids) };
         system.complete(&mut x, &mut self.stats);
-        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined)?;
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).map_err(undefined(&system.grids))?;
         let converged = Converged::known(&system, x, work);
         let solved = Solved::new(system, converged, f64::INFINITY, &mut self.stats)?;
         Ok(self.solution(&solved, f64::NAN))
@@ -112,10 +110,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let options = self.options;
         if options.defect_correction && solved.error_estimate(&mut self.stats) <= options.tolerance {
             let corrected = solved.correct(options.boundary_tolerance(), &mut self.stats);
-            corrected.map_err(|error| SolveError::Newton {
-                error: NewtonError::NonFinite(error),
-                intervals: intervals(&solved.system.grids),
-            })?;
+            corrected.map_err(undefined(&solved.system.grids))?;
         }
         self.finish(&solved)
     }
