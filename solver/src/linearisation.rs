@@ -192,7 +192,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let error = Error::of(&self.system, (&self.x, &self.work), &self.factorisation, judged, &mut stats);
         let mut tangent = self.unscaled(&error.correction, vec![0.0; self.x.constants.len()]);
         for (region, own) in tangent.regions.iter_mut().zip(&error.integrals) {
-            region.integrals.iter_mut().zip(own).for_each(|(integral, own)| *integral += own);
+            region.integrals.iter_mut().zip(own.sums()).for_each(|(integral, own)| *integral += own);
         }
         Ok(tangent)
     }
@@ -217,7 +217,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             let rates = self.system.weighted_rates(region, stages, Some(&nodes), &inner, &constants);
             let len = grid.interval_stride();
             TangentRegion {
-                states: grid.unpack(&nodes).iter().map(<[f64]>::to_vec).collect(),
+                states: grid.unpack(&nodes).to_vecs(),
                 integrals: rates.chunks_exact(len).skip(plan.n).map(|rates| rates.iter().sum()).collect(),
             }
         });

@@ -9,11 +9,12 @@ use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
-use crate::linear::memory::{Lanes, Numbers};
+use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
 use crate::refine::{Measure, Rounding, measure};
+use crate::rows::Rows;
 use crate::solution::RegionSolution;
 use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
@@ -77,7 +78,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let Converged { x, work, .. } = &self.converged;
         let error = self.estimate.get().filter(|_| self.corrected);
         let regions = self.extensions.iter().enumerate().map(|(region, extension)| {
-            let errors = error.map_or(&[][..], |(error, _)| &error.parts[region]);
+            let errors = error.map(|(error, _)| &error.integrals[region]);
             RegionSolution::new(&self.system, region, (x, work), extension, errors)
         });
         regions.collect()
@@ -85,10 +86,12 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
 
     /// Meshes and states.
     pub(crate) fn guess(&self) -> Vec<RegionGuess> {
-        let regions = self.system.grids.iter().zip(&self.converged.x.y).map(|(grid, y)| RegionGuess {
-            mesh: grid.mesh.clone(),
-            states: grid.unpack(y).iter().map(<[f64]>::to_vec).collect(),
-        });
+        let regions = self
+            .system
+            .grids
+            .iter()
+            .zip(&self.converged.x.y)
+            .map(|(grid, y)| RegionGuess { mesh: grid.mesh.clone(), states: grid.unpack(y).to_vecs() });
         regions.collect()
     }
 
@@ -142,7 +145,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let Some((error, _)) = self.estimate.get().filter(|_| self.corrected) else { return Ok(()) };
         for (plan, errors) in system.plan.regions.iter().zip(&error.integrals) {
             for &k in &plan.active {
-                work.integrals[plan.first_integral + k] -= errors[k];
+                work.integrals[plan.first_integral + k] -= errors.row(k).iter().sum::<f64>();
             }
         }
         system.evaluate_boundary(x, work)
@@ -183,32 +186,13 @@ fn judged<P: Problem + ?Sized>(
     Ok((extensions, defects))
 }
 
-/// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a
-/// linear one: what is left is rounding.
-const LINEAR: f64 = 1e-9;
-/// Near its solution every problem looks like one. From here on, in typical magnitudes, it does not.
-const FAR: f64 = 0.01;
-
-impl Converged {
-    /// Whether the problem is linear as far as the iteration tells.
-    pub(crate) fn seems_linear(&self) -> bool {
-        self.contraction <= LINEAR
-    }
-
-    /// Whether it is linear for sure: so little is left of a correction that was large.
-    pub(crate) fn is_linear(&self) -> bool {
-        self.linear || (self.seems_linear() && self.first >= FAR)
-    }
-}
-
 /// The estimated error of what the collocation equations were solved for; see [`Solved::error_estimate`].
 pub(crate) struct Error {
     /// In the unknowns, scaled.
     pub correction: Correction,
-    /// What the defects of the integrals themselves add to the error of each, region by region.
-    pub integrals: Vec<Vec<f64>>,
-    /// The same over each interval, integral by integral in working order.
-    parts: Vec<Vec<f64>>,
+    /// What the defects of the integrals themselves add to the error of each, region by region: a row an integral, in
+    /// working order over each interval.
+    pub integrals: Vec<Rows>,
 }
 
 impl Error {
@@ -220,25 +204,23 @@ impl Error {
         stats: &mut Stats,
     ) -> Self {
         let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.to_vec() };
-        let (mut integrals, mut all_parts) = (Vec::new(), Vec::new());
+        let mut integrals = Vec::new();
         for (region, defects) in defects.iter().enumerate() {
             let extended = Extended { system, region, x, stages: &work.regions[region] };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
             let scales = &factorisation.scales.states[region];
-            let mut improved = Numbers::default();
+            let mut integrated = defects.integrated.clone();
             if system.tableau.coupled {
                 // The stages follow the defects as their equations say.
                 let moments = extended.moments(&extensions[region], defects);
                 let m = factorisation.regions[region].coupling.m;
                 rhs.inner.push(scaled(&moments, scales, m, 1.0));
-                improved = defects.integrated.clone();
             } else if system.tableau.order > 4 {
-                improved = extended.improved(&extensions[region], defects);
+                extended.add_stages(&extensions[region], defects, &mut integrated);
             }
-            if !improved.is_empty() {
-                extended.add_remainders(&extensions[region], defects, scales, &mut improved);
+            if system.tableau.order > 4 {
+                extended.add_remainders(&extensions[region], defects, scales, &mut integrated);
             }
-            let integrated = if improved.is_empty() { &defects.integrated } else { &improved };
             let len = grid.interval_stride();
             let mut lanes = Lanes::unset(grid.steps * plan.n);
             for (i, scale) in scales.iter().enumerate() {
@@ -253,13 +235,12 @@ impl Error {
                 let first = parts.len().saturating_sub(len);
                 parts[first..].fill(0.0);
             }
-            let sums: Vec<f64> = parts.chunks_exact(len).map(|parts| parts.iter().sum()).collect();
-            rhs.integrals.push(plan.active.iter().map(|&k| sums[k]).collect());
-            integrals.push(sums);
-            all_parts.push(parts);
+            let parts = Rows::new(parts, len);
+            rhs.integrals.push(plan.active.iter().map(|&k| parts.row(k).iter().sum()).collect());
+            integrals.push(parts);
         }
         stats.linear_solves += 1;
-        Self { correction: factorisation.solve(system, rhs), integrals, parts: all_parts }
+        Self { correction: factorisation.solve(system, rhs), integrals }
     }
 }
 

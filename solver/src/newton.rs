@@ -10,6 +10,7 @@ mod converged;
 mod names;
 
 pub(crate) use converged::Converged;
+use converged::{FAR, LINEAR};
 
 use crate::budget::Budget;
 use crate::collocation::coupled::Settled;
@@ -350,7 +351,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         }
     }
 
-    /// Whether the residual that is held is one of rounding: a further correction would be, too. Linear problems end so.
+    /// Whether the residual that is held is one of rounding: a further correction would be, too. So do linear problems
+    /// end.
     fn is_met(&self) -> bool {
         let scales = &self.factorisation.scales;
         self.system.is_rounded(&self.work, scales)
@@ -421,14 +423,14 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         }
         let x = if stagnated.is_none() { self.closed(x)? } else { x };
+        let contraction = self.contraction.unwrap_or(0.0);
         Ok(Converged {
             x,
             work: self.work,
             factorisation: self.factorisation,
             outgrown: self.outgrown,
-            contraction: self.contraction.unwrap_or(0.0),
-            first: self.first.unwrap_or(0.0),
-            linear: false,
+            contraction,
+            linear: contraction <= LINEAR && self.first.is_some_and(|first| first >= FAR),
             at_once: self.iteration == 1 && self.contraction.is_none(),
             iterations: self.iteration,
             full_steps: self.full_steps && self.escapes == 0,

@@ -29,6 +29,16 @@ impl Rows {
         (0..self.len()).map(|i| self.row(i))
     }
 
+    /// The sum of each row.
+    pub(crate) fn sums(&self) -> impl Iterator<Item = f64> {
+        self.iter().map(|row| row.iter().sum())
+    }
+
+    /// Each row by itself.
+    pub(crate) fn to_vecs(&self) -> Vec<Vec<f64>> {
+        self.iter().map(<[f64]>::to_vec).collect()
+    }
+
     /// Keeps so many rows.
     pub(crate) fn truncate(&mut self, rows: usize) {
         self.values.truncate(rows * self.width);
@@ -44,6 +54,8 @@ mod tests {
         let mut rows = Rows::new(vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0], 2);
         assert_eq!((rows.len(), rows.row(1), rows.row(3)), (3, &[3.0, 4.0][..], &[][..]));
         assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [1.0, 3.0, 5.0]);
+        assert_eq!(rows.sums().collect::<Vec<_>>(), [3.0, 7.0, 11.0]);
+        assert_eq!(rows.to_vecs(), [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]);
         rows.truncate(1);
         assert_eq!((rows.len(), rows.row(1)), (1, &[][..]));
         let none = Rows::default();

@@ -279,8 +279,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 };
             }
         };
-        converged.linear = self.linear;
-        self.linear = converged.is_linear();
+        converged.linear |= self.linear;
+        self.linear = converged.linear;
         let orientation = converged.factorisation.orientation();
         let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
         self.check = self.check.and(check).across(self.orientation, orientation);

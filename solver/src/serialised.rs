@@ -23,9 +23,8 @@ pub(crate) struct Region {
 
 impl From<RegionSolution> for Region {
     fn from(region: RegionSolution) -> Self {
-        let rows = |rows: &Rows| rows.iter().map(<[f64]>::to_vec).collect();
-        let [alpha, beta, gamma, delta] = region.extension.each_ref().map(rows);
-        let (y, f, cumulative) = (rows(&region.y), rows(&region.f), rows(&region.cumulative));
+        let [alpha, beta, gamma, delta] = region.extension.each_ref().map(Rows::to_vecs);
+        let (y, f, cumulative) = (region.y.to_vecs(), region.f.to_vecs(), region.cumulative.to_vecs());
         Self { mesh: region.mesh, y, f, alpha, beta, gamma, delta, integrals: region.integrals, cumulative }
     }
 }

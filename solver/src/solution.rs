@@ -29,18 +29,18 @@ pub struct RegionSolution {
 }
 
 impl RegionSolution {
-    /// `errors`: what is to be taken off the integrals over each interval, integral by integral in working order; empty
-    /// if nothing is.
+    /// `errors`: what is to be taken off the integrals over each interval, a row an integral, in working order.
     pub(crate) fn new<P: Problem + ?Sized>(
         system: &System<'_, P>,
         region: usize,
         (x, work): (&Iterate, &Work),
         extension: &Extension,
-        errors: &[f64],
+        errors: Option<&Rows>,
     ) -> Self {
         let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
         let (stages, nodes) = (&work.regions[region], plan.n * grid.node_stride());
         let mut parts = system.interval_integrals(region, stages);
+        let errors = errors.into_iter().flat_map(Rows::iter).flatten();
         parts.iter_mut().zip(errors).for_each(|(part, error)| *part -= error);
         let parts = grid.unpack_intervals(&parts);
         let mut cumulative = Vec::with_capacity(parts.len() * grid.mesh.len());

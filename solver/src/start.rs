@@ -41,7 +41,7 @@ pub(crate) fn carried<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<V
             f: &work.regions[region].nodes.f,
             extension: &solved.extensions[region],
         };
-        let (nodes, stages) = old.sampled(new, tableau, solved.converged.is_linear());
+        let (nodes, stages) = old.sampled(new, tableau, solved.converged.linear);
         y.push(nodes);
         if tableau.coupled {
             inner.push(stages);

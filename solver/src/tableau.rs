@@ -58,8 +58,8 @@ pub(crate) struct Difference {
 pub(crate) struct Differences {
     /// D at each inner stage.
     pub inside: Vec<Difference>,
-    /// One for each stage: with L Lagrange's polynomial of it, c its place and b its weight: what quadrature by the samples finds of
-    /// `∫_0^1 L(σ) D(σ) dσ` beyond the method's `b D(c)`.
+    /// One for each stage, with L Lagrange's polynomial of it, c its place and b its weight: what quadrature by the
+    /// samples finds of `∫_0^1 L(σ) D(σ) dσ` beyond the method's `b D(c)`.
     pub remainders: Vec<Difference>,
 }
 
@@ -131,7 +131,7 @@ fn partial_integrals(samples: &[(f64, f64)], end: f64) -> Vec<f64> {
 }
 
 /// Lagrange's polynomial that is 1 at node `k` and 0 at the others.
-fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
+pub(crate) fn lagrange(nodes: &[f64], k: usize, x: f64) -> f64 {
     let others = nodes.iter().enumerate().filter(|&(i, _)| i != k);
     others.map(|(_, node)| (x - node) / (nodes[k] - node)).product()
 }

@@ -25,7 +25,7 @@ use crate::linear::scalar::{Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
-use crate::tableau::{LOBATTO_OFFSET, Tableau};
+use crate::tableau::{LOBATTO_OFFSET, Tableau, lagrange};
 use solve::Correct;
 use std::sync::OnceLock;
 
@@ -76,15 +76,7 @@ fn values_of_slopes() -> [[f64; POINTS]; POINTS] {
 
 /// Lagrange's weights of the stages at each point.
 fn weights_of_stages(tableau: &Tableau) -> [[f64; STAGES]; POINTS] {
-    let mut out = [[1.0; STAGES]; POINTS];
-    for (k, out) in out.iter_mut().enumerate() {
-        for (j, weight) in out.iter_mut().enumerate() {
-            for (i, c) in tableau.c.iter().enumerate().filter(|&(i, _)| i != j) {
-                *weight *= (0.5 + offset(k) - c) / (tableau.c[j] - tableau.c[i]);
-            }
-        }
-    }
-    out
+    std::array::from_fn(|k| std::array::from_fn(|stage| lagrange(tableau.c, stage, 0.5 + offset(k))))
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {

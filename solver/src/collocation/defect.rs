@@ -305,7 +305,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     fn integrated(&self, samples: &[Sampled]) -> Numbers {
         let (n, intervals, cubic) = (self.n(), self.intervals(), self.pieces(None));
         let weights = || self.system.tableau.samples.iter().map(|sample| sample.1);
-        let mean = |row: usize, t: usize| Sampled::weighted(Lane::ZERO, samples, weights(), row, t);
+        let mean = |row: usize, t: usize| Sampled::weighted(samples, weights(), row, t);
         let mut out = Numbers::unset(self.rows() * intervals);
         let (states, integrals) = out.split_at_mut(n * intervals);
         by_components(states, cubic.steps, |i, t| {

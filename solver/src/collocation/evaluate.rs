@@ -101,9 +101,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(crate) fn is_rounded(&self, work: &Work, scales: &Scales) -> bool {
         work.regions.iter().zip(&scales.states).zip(&self.grids).all(|((stages, scales), grid)| {
             let (len, scales) = (grid.interval_stride(), scales.iter().cycle());
-            let rows = stages.phi.chunks_exact(len).zip(scales.clone()).chain(stages.psi.chunks_exact(len).zip(scales));
+            let phi = stages.phi.chunks_exact(len).zip(scales.clone());
             // Written so that a NaN is none.
-            rows.into_iter().all(|(row, scale)| largest_number(row) <= ROUNDED * scale)
+            phi.chain(stages.psi.chunks_exact(len).zip(scales))
+                .all(|(row, scale)| largest_number(row) <= ROUNDED * scale)
         })
     }
 

@@ -116,10 +116,7 @@ impl Grid {
     fn in_order(&self, values: &[f64], stride: usize, count: usize) -> Rows {
         let mut out = Vec::with_capacity(values.len() / stride * count);
         for values in values.chunks_exact(stride) {
-            for l in 0..W {
-                let left = count.saturating_sub(l * self.steps).min(self.steps);
-                out.extend(values[l..].iter().step_by(W).take(left));
-            }
+            self.each(count, |p| out.push(values[p]));
             if count > W * self.steps {
                 out.push(values[self.last()]);
             }

@@ -113,15 +113,10 @@ impl Sampled {
         Lane(self.f.as_chunks::<W>().0[(row * self.places + place) * self.steps + t])
     }
 
-    /// `sum`, and one row at all places of all samples with these weights.
+    /// One row at all places of all samples with these weights.
     #[inline(always)]
-    pub(super) fn weighted(
-        mut sum: Lane,
-        samples: &[Self],
-        mut weights: impl Iterator<Item = f64>,
-        row: usize,
-        t: usize,
-    ) -> Lane {
+    pub(super) fn weighted(samples: &[Self], mut weights: impl Iterator<Item = f64>, row: usize, t: usize) -> Lane {
+        let mut sum = Lane::ZERO;
         for sampled in samples {
             for (place, weight) in (0..sampled.places).zip(&mut weights) {
                 sum += sampled.slope(row, place, t).times(weight);

@@ -16,9 +16,9 @@ use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::tableau::{Difference, MOST_PLACES, Tableau};
 
-/// What S and S̃ are made of.
+/// What S and S̃ are sampled of.
 #[derive(Clone, Copy)]
-struct Made<'a> {
+struct SampledExtension<'a> {
     pieces: Pieces<'a>,
     samples: &'a [Sampled],
 }
@@ -32,13 +32,13 @@ struct Component {
     slopes: [Lane; 2 + MOST_PLACES],
 }
 
-impl Made<'_> {
+impl SampledExtension<'_> {
     #[inline(always)]
     fn component(&self, i: usize, t: usize) -> Component {
         let mut slopes = [Lane::ZERO; 2 + MOST_PLACES];
         slopes[..2].copy_from_slice(&self.pieces.slopes(i, t));
-        let sampled = self.samples.iter().flat_map(|sampled| (0..sampled.places).map(move |place| (sampled, place)));
-        for (slope, (sampled, place)) in slopes[2..].iter_mut().zip(sampled) {
+        let places = self.samples.iter().flat_map(|sampled| (0..sampled.places).map(move |place| (sampled, place)));
+        for (slope, (sampled, place)) in slopes[2..].iter_mut().zip(places) {
             *slope = sampled.slope(i, place, t);
         }
         Component { length: self.pieces.length(t), parts: self.pieces.parts(i, t), slopes }
@@ -59,8 +59,8 @@ fn weighted<const N: usize>(values: &[Lane; N], weights: &[f64; N]) -> Lane {
 }
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
-    fn made<'b>(&'b self, extension: &'b Extension, defects: &'b Defects) -> Made<'b> {
-        Made { pieces: self.pieces(Some(extension)), samples: &defects.samples }
+    fn sampled_extension<'b>(&'b self, extension: &'b Extension, defects: &'b Defects) -> SampledExtension<'b> {
+        SampledExtension { pieces: self.pieces(Some(extension)), samples: &defects.samples }
     }
 
     /// What the defect moves the inner stages by where their states are unknowns, `∫_0^c (S' - f(S)) ds - c ∫_0^1
@@ -71,7 +71,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let mut out = Numbers::unset(tableau.unknown_stages() * n * self.intervals());
         vectorised(Moments {
             tableau,
-            made: self.made(extension, defects),
+            sampled: self.sampled_extension(extension, defects),
             jumps: defects.integrated.as_chunks::<W>().0,
             n,
             out: out.as_chunks_mut::<W>().0,
@@ -79,18 +79,18 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         out
     }
 
-    /// Right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
-    /// nodes: as [`Defects::integrated`], J, but with what the defect does to the inner stages, as order 6 needs.
+    /// Adds to [`Defects::integrated`], J, what the defect does to the inner stages, as order 6 needs: then it is the
+    /// right-hand sides of the linearised interval equations, and of each integral's, for the error `ε = S - y` at the
+    /// nodes.
     ///
     /// With `e = S̃ - y`, of which `e' = f_y ε`, `e_0 = ε_0` and `e_1 = ε_1 - J`, the stages of e are those of the
     /// method, and `ε = e + D` there: all that the nodes' errors do not know of is in
     /// `X_r = D_r - v_r J + h Σ_k x_rk f_y X_k`. The derivatives are those at the stages: nothing is evaluated anew.
-    pub(crate) fn improved(&self, extension: &Extension, defects: &Defects) -> Numbers {
+    pub(crate) fn add_stages(&self, extension: &Extension, defects: &Defects, integrated: &mut [f64]) {
         let (tableau, n, rows) = (self.system.tableau, self.n(), self.rows());
-        let mut integrated = defects.integrated.clone();
-        vectorised(Improve {
+        vectorised(AddStages {
             tableau,
-            made: self.made(extension, defects),
+            sampled: self.sampled_extension(extension, defects),
             views: self.stages.views(self.steps()),
             pattern: &self.system.layout.regions[self.region].state_pattern,
             chained: &self.stages.chained,
@@ -102,14 +102,13 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             slopes: &mut Lanes::unset((tableau.stages() - 2) * rows),
             integrated: integrated.as_chunks_mut::<W>().0,
         });
-        integrated
     }
 }
 
 /// See [`Extended::moments`].
 struct Moments<'a> {
     tableau: &'static Tableau,
-    made: Made<'a>,
+    sampled: SampledExtension<'a>,
     /// J, row by row.
     jumps: &'a [[f64; W]],
     n: usize,
@@ -122,11 +121,11 @@ impl Job for Moments<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { tableau, made, jumps, n, out } = self;
-        let (steps, differences) = (made.pieces.steps, &tableau.differences().inside);
+        let Self { tableau, sampled, jumps, n, out } = self;
+        let (steps, differences) = (sampled.pieces.steps, &tableau.differences().inside);
         for i in 0..n {
             for t in 0..steps {
-                let (component, jump) = (made.component(i, t), Lane(jumps[i * steps + t]));
+                let (component, jump) = (sampled.component(i, t), Lane(jumps[i * steps + t]));
                 for ((stage, difference), c) in differences.iter().enumerate().zip(&tableau.c[2..]) {
                     out[(stage * n + i) * steps + t] = (component.difference(difference) - jump.times(*c)).0;
                 }
@@ -135,10 +134,10 @@ impl Job for Moments<'_> {
     }
 }
 
-/// See [`Extended::improved`].
-struct Improve<'a> {
+/// See [`Extended::add_stages`].
+struct AddStages<'a> {
     tableau: &'static Tableau,
-    made: Made<'a>,
+    sampled: SampledExtension<'a>,
     /// Values at the stages.
     views: [View<'a>; MOST_STAGES],
     pattern: &'a [(usize, usize)],
@@ -155,30 +154,30 @@ struct Improve<'a> {
     integrated: &'a mut [[f64; W]],
 }
 
-impl Job for Improve<'_> {
+impl Job for AddStages<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run(mut self) {
-        for t in 0..self.made.pieces.steps {
-            self.improve(t);
+        for t in 0..self.sampled.pieces.steps {
+            self.add_interval(t);
         }
     }
 }
 
-impl Improve<'_> {
+impl AddStages<'_> {
     /// Interval `t` of every stretch.
     #[inline(always)]
-    fn improve(&mut self, t: usize) {
-        let (tableau, steps, n) = (self.tableau, self.made.pieces.steps, self.n);
-        let (h, jumps) = (self.made.pieces.length(t), self.jumps);
+    fn add_interval(&mut self, t: usize) {
+        let (tableau, steps, n) = (self.tableau, self.sampled.pieces.steps, self.n);
+        let (h, jumps) = (self.sampled.pieces.length(t), self.jumps);
         let jump = |state: usize| Lane(jumps[state * steps + t]);
         for &(u, v) in self.chained {
             // v counts half at either node, at the right one with e_1; the integral of D is that of its stages.
             self.add(u, h.times(tableau.b[1] - 0.5) * jump(v), t);
         }
         for i in 0..n {
-            let component = self.made.component(i, t);
+            let component = self.sampled.component(i, t);
             for (stage, difference) in tableau.differences().inside.iter().enumerate() {
                 self.differences[stage * n + i] = component.difference(difference);
             }
@@ -217,7 +216,7 @@ impl Improve<'_> {
 
     #[inline(always)]
     fn add(&mut self, row: usize, value: Lane, t: usize) {
-        let out = &mut self.integrated[row * self.made.pieces.steps + t];
+        let out = &mut self.integrated[row * self.sampled.pieces.steps + t];
         *out = (Lane(*out) + value).0;
     }
 }

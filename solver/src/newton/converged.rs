@@ -17,9 +17,8 @@ pub(crate) struct Converged {
     pub(super) outgrown: Option<Scales>,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
-    /// Largest component of the first correction; 0 if there was no iteration.
-    pub first: f64,
-    /// Whether the problem is linear for sure: see [`is_linear`](Self::is_linear).
+    /// Whether the problem is linear for sure: so little was left of a first correction that was large, on these meshes
+    /// or on those before.
     pub linear: bool,
     /// The first correction was already negligible.
     pub at_once: bool,
@@ -31,7 +30,18 @@ pub(crate) struct Converged {
     pub stagnated: Option<NewtonError>,
 }
 
+/// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a
+/// linear one: what is left is rounding.
+pub(super) const LINEAR: f64 = 1e-9;
+/// Near its solution every problem looks like one. From here on, in typical magnitudes, it does not.
+pub(super) const FAR: f64 = 0.01;
+
 impl Converged {
+    /// Whether the problem is linear as far as the iteration tells.
+    pub(crate) fn seems_linear(&self) -> bool {
+        self.contraction <= LINEAR
+    }
+
     /// An iterate known to be converged, and the residual there. Nothing is factored: of the factorisation there are
     /// the scales only.
     pub(crate) fn known<P: Problem + ?Sized>(system: &System<'_, P>, x: Iterate, work: Work) -> Self {
@@ -43,7 +53,6 @@ impl Converged {
             factorisation,
             outgrown: None,
             contraction: 0.0,
-            first: 0.0,
             linear: false,
             at_once: true,
             iterations: 0,

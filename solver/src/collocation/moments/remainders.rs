@@ -1,6 +1,6 @@
 //! What the method's quadrature misses of the defect's effect.
 
-use super::Made;
+use super::SampledExtension;
 use crate::collocation::defect::Defects;
 use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::stages::{MOST_STAGES, View};
@@ -24,7 +24,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let tableau = self.system.tableau;
         vectorised(AddRemainders {
             remainders: &tableau.differences().remainders,
-            made: self.made(extension, defects),
+            sampled: self.sampled_extension(extension, defects),
             views: self.stages.views(self.steps()),
             pattern: &self.system.layout.regions[self.region].state_pattern,
             scales,
@@ -39,7 +39,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 struct AddRemainders<'a> {
     /// One a stage.
     remainders: &'a [Difference],
-    made: Made<'a>,
+    sampled: SampledExtension<'a>,
     views: [View<'a>; MOST_STAGES],
     pattern: &'a [(usize, usize)],
     /// Typical magnitudes of the states.
@@ -62,12 +62,12 @@ impl Job for AddRemainders<'_> {
 
     #[inline(always)]
     fn run(mut self) {
-        let (n, steps) = (self.scales.len(), self.made.pieces.steps);
+        let (n, steps) = (self.scales.len(), self.sampled.pieces.steps);
         for t in 0..steps {
             let part = self.size(t).map(|size| 1.0 / (1.0 + (size / LARGE) * (size / LARGE)));
-            let factor = part * self.made.pieces.length(t);
+            let factor = part * self.sampled.pieces.length(t);
             for i in 0..n {
-                let component = self.made.component(i, t);
+                let component = self.sampled.component(i, t);
                 for (stage, remainder) in self.remainders.iter().enumerate() {
                     self.weighed[stage * n + i] = factor * component.difference(remainder);
                 }
@@ -88,7 +88,7 @@ impl AddRemainders<'_> {
     /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch.
     #[inline(always)]
     fn size(&mut self, t: usize) -> Lane {
-        let (h, [once, twice]) = (self.made.pieces.length(t), &mut self.room);
+        let (h, [once, twice]) = (self.sampled.pieces.length(t), &mut self.room);
         once.fill(Lane::ZERO);
         twice.fill(Lane::ZERO);
         let entries = || self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < self.scales.len());
