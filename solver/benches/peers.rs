@@ -76,9 +76,18 @@ fn cell(best: Option<&Best>) -> String {
         || "fails | |".to_owned(),
         |best| {
             let Run { seconds, error, intervals } = best.run;
-            format!("{:.3} | {} | {intervals} ({error:.0e})", 1e3 * seconds, best.configuration)
+            let cells = [best.configuration.to_string(), format!("{intervals} ({error:.0e})")];
+            format!("{:.3} | {}", 1e3 * seconds, cells.map(unbroken).join(" | "))
         },
     )
+}
+
+/// Names up to this length stand on one line.
+const SHORT: usize = 16;
+
+/// Set on one line: with spaces and hyphens that no line ends at.
+fn unbroken(text: String) -> String {
+    text.replace(' ', "\u{a0}").replace('-', "\u{2011}")
 }
 
 /// Ratios of this crate's times to a peer's.
@@ -111,8 +120,8 @@ impl Ratios {
 
 fn table(accuracy: f64, names: &[String]) -> String {
     let mut out = format!(
-        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | how | intervals (error) | COLNEW, ms \
-         | how | intervals (error) | TWPBVPC, ms | how | intervals (error) \
+        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | order, tolerance | intervals (error) | COLNEW, \
+         ms | points, tolerance | intervals (error) | TWPBVPC, ms | tolerance | intervals (error) \
          |\n|---|---|---|---|---|---|---|---|---|---|\n"
     );
     let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
@@ -122,7 +131,8 @@ fn table(accuracy: f64, names: &[String]) -> String {
         time(case, &mut all);
         let [here, colnew, twpbvpc] = &all;
         let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
-        let _ = writeln!(out, "| {} | {} |", case.name, cells.join(" | "));
+        let name = if case.name.len() <= SHORT { unbroken(case.name.to_owned()) } else { case.name.to_owned() };
+        let _ = writeln!(out, "| {name} | {} |", cells.join(" | "));
         eprintln!("{} | {}", case.name, cells.join(" | "));
         for (ratios, at) in &mut ratios {
             match (&here.1, &all[*at].1) {

@@ -26,16 +26,16 @@ pub enum Configuration {
     Twpbvpc { conditioning: bool, tolerance: f64 },
 }
 
+/// Order or points, then the tolerance; a star: with defect correction here, with conditioning in TWPBVPC.
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let star = |wanted: bool| if wanted { " *" } else { "" };
         match self {
             Self::Here { order, tolerance, correction, .. } => {
-                let corrected = if *correction { ", corrected" } else { "" };
-                write!(f, "order {}, {tolerance:.0e}{corrected}", order.number())
+                write!(f, "{}, {tolerance:.0e}{}", order.number(), star(*correction))
             }
-            Self::Colnew { points, tolerance, .. } => write!(f, "k = {points}, {tolerance:.0e}"),
-            Self::Twpbvpc { conditioning: true, tolerance } => write!(f, "conditioning, {tolerance:.0e}"),
-            Self::Twpbvpc { conditioning: false, tolerance } => write!(f, "{tolerance:.0e}"),
+            Self::Colnew { points, tolerance, .. } => write!(f, "{points}, {tolerance:.0e}"),
+            Self::Twpbvpc { conditioning, tolerance } => write!(f, "{tolerance:.0e}{}", star(*conditioning)),
         }
     }
 }
