@@ -1,6 +1,7 @@
 //! Coefficients of the linearised interval equations: the chain rule through the stages.
 
 mod pairs;
+mod simpson;
 
 use super::coupled::{COUPLED, Coupling, Parts};
 use super::plan::RegionPlan;
@@ -10,7 +11,7 @@ use super::{Scales, System};
 use crate::linear::chain::Block;
 use crate::linear::memory::Lanes;
 use crate::linear::qr;
-use crate::linear::reflect::Rows;
+use crate::linear::reflect::{BySize, Rows};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
@@ -37,6 +38,7 @@ pub(crate) struct Assembly<'a> {
     h: &'a [[f64; W]],
     /// Typical magnitudes of the states.
     magnitudes: &'a [f64],
+    /// Row by row.
     states: Vec<Entry>,
     constants: Vec<Entry>,
     /// dK: derivatives of the slopes of all rows with respect to the left node, the right one and the constants, one
@@ -93,6 +95,36 @@ impl Job for Couple<'_, '_> {
     }
 }
 
+/// The equations of one interval of every stretch.
+struct Linearise<'a, 'b> {
+    assembly: &'a mut Assembly<'b>,
+    t: usize,
+    block: &'a mut Block<Lane>,
+    inner: Inner<'a>,
+}
+
+impl BySize for Linearise<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn fixed<const N: usize>(self) {
+        let Self { assembly, t, block, inner } = self;
+        let (k, p) = (assembly.plan.active.len(), assembly.plan.columns.len());
+        // Compiled once more where there are no integrals and constants, for one or two equations of second order.
+        match (N, assembly.tableau.coupled) {
+            (2 | 4, false) if k + p == 0 => assembly.linearise_alone::<N>(t, block),
+            (_, false) if assembly.tableau.stages() == 3 => assembly.linearise_simpson::<N>(t, block),
+            _ => assembly.linearise((N, k, p), t, block, inner),
+        }
+    }
+
+    #[inline(always)]
+    fn any(self, n: usize) {
+        let Self { assembly, t, block, inner } = self;
+        assembly.linearise((n, assembly.plan.active.len(), assembly.plan.columns.len()), t, block, inner);
+    }
+}
+
 impl<'a> Assembly<'a> {
     pub(crate) fn new<P: Problem + ?Sized>(
         system: &'a System<'_, P>,
@@ -109,15 +141,18 @@ impl<'a> Assembly<'a> {
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
         let (n, p) = (plan.n, plan.columns.len());
         let (rows, width, count) = (n + plan.active.len(), 2 * n + p, system.tableau.stages());
+        let mut states: Vec<Entry> = states
+            .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
+            .collect();
+        // Stable: what is summed up in a row is so in the same order.
+        states.sort_by_key(|entry| entry.row);
         Self {
             plan,
             tableau: system.tableau,
             views: stages.views(grid.steps),
             h: grid.h.as_chunks::<W>().0,
             magnitudes: d,
-            states: states
-                .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
-                .collect(),
+            states,
             constants: constants
                 .map(|&(from, row, column)| Entry {
                     from,
@@ -145,12 +180,7 @@ impl<'a> Assembly<'a> {
         row_scale: &mut [Lane],
         inner: Inner<'_>,
     ) {
-        // Compiled once more where there are no integrals and constants, for one or two equations of second order.
-        match (rows.n(), self.plan.active.len(), self.plan.columns.len(), self.tableau.coupled) {
-            (2, 0, 0, false) => self.linearise_alone::<2>(t, block),
-            (4, 0, 0, false) => self.linearise_alone::<4>(t, block),
-            (n, k, p, _) => self.linearise((n, k, p), t, block, inner),
-        }
+        rows.choose(Linearise { assembly: self, t, block, inner });
         scale_rows(rows.n(), self.plan.columns.len(), block, row_scale);
     }
 
@@ -476,8 +506,8 @@ fn scale_rows(n: usize, p: usize, block: &mut Block<Lane>, row_scale: &mut [Lane
     for (i, scale) in row_scale.iter_mut().enumerate() {
         let mut largest = Lane::ONE;
         for j in 0..n {
-            largest = largest.zip(block.a[j * n + i].abs(), f64::max);
-            largest = largest.zip(block.b[j * n + i].abs(), f64::max);
+            largest = largest.zip(block.a[j * n + i].abs(), larger);
+            largest = largest.zip(block.b[j * n + i].abs(), larger);
         }
         *scale = largest.recip();
         for j in 0..n {
@@ -498,6 +528,12 @@ fn add_times<const N: usize>(sum: &mut [[Lane; N]; N], weight: Lane, matrix: &[[
             sum[q] += weight * row[q];
         }
     }
+}
+
+/// The larger; `most` if `x` is NaN. One instruction, where `f64::max` is several.
+#[inline(always)]
+fn larger(most: f64, x: f64) -> f64 {
+    if x > most { x } else { most }
 }
 
 /// `out += value * row`

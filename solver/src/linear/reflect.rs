@@ -9,6 +9,9 @@ use super::scalar::Scalar;
 pub(crate) trait Rows: Copy {
     fn n(self) -> usize;
 
+    /// Does what is to be done for so many rows.
+    fn choose<J: BySize>(self, job: J) -> J::Output;
+
     /// Applies the first `count` reflectors to the column `[top; bottom]`.
     fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]);
 
@@ -20,6 +23,14 @@ pub(crate) trait Rows: Copy {
             reflect(&reflectors[j * 2 * n..(j + 1) * 2 * n], j, &mut top[..n], &mut bottom[..n]);
         }
     }
+}
+
+/// What is done in another way for a number of rows that is known when compiled than for any.
+pub(crate) trait BySize {
+    type Output;
+    /// Must be `#[inline(always)]`, as the other.
+    fn fixed<const N: usize>(self) -> Self::Output;
+    fn any(self, n: usize) -> Self::Output;
 }
 
 /// Makes the reflector that annihilates `[top; bottom]` below row `j`; answers the diagonal entry of R.
@@ -65,6 +76,35 @@ fn reflect<T: Scalar>(v: &[T], j: usize, top: &mut [T], bottom: &mut [T]) {
 #[derive(Clone, Copy)]
 pub(crate) struct Fixed<const N: usize>;
 
+/// The two halves of a reflector's vector.
+type Halves<T, const N: usize> = [[T; N]; 2];
+
+impl<const N: usize> Fixed<N> {
+    /// Reflector `J`, if it is among those given. As `J` is known when compiled, the loops are unrolled; where it was
+    /// not, the column lay in memory and each reflector waited for what the one before had written.
+    #[inline(always)]
+    fn reflect<const J: usize, T: Scalar>(reflectors: &[Halves<T, N>], [top, bottom]: &mut Halves<T, N>) {
+        if J < N
+            && let Some([upper, lower]) = reflectors.get(J)
+        {
+            let (mut a, mut b) = (T::ZERO, T::ZERO);
+            for i in J..N {
+                a += upper[i] * top[i];
+            }
+            for i in 0..N {
+                b += lower[i] * bottom[i];
+            }
+            let dot = a + b;
+            for i in J..N {
+                top[i] -= dot * upper[i];
+            }
+            for i in 0..N {
+                bottom[i] -= dot * lower[i];
+            }
+        }
+    }
+}
+
 impl<const N: usize> Rows for Fixed<N> {
     #[inline(always)]
     fn n(self) -> usize {
@@ -72,15 +112,25 @@ impl<const N: usize> Rows for Fixed<N> {
     }
 
     #[inline(always)]
+    fn choose<J: BySize>(self, job: J) -> J::Output {
+        job.fixed::<N>()
+    }
+
+    #[inline(always)]
     fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]) {
-        let (mut a, mut b) = ([T::ZERO; N], [T::ZERO; N]);
-        a.copy_from_slice(&top[..N]);
-        b.copy_from_slice(&bottom[..N]);
-        for (j, v) in reflectors.chunks_exact(2 * N).take(count.min(N)).enumerate() {
-            reflect(v, j, &mut a, &mut b);
-        }
-        top[..N].copy_from_slice(&a);
-        bottom[..N].copy_from_slice(&b);
+        let reflectors = reflectors.as_chunks::<N>().0.as_chunks::<2>().0;
+        let reflectors = &reflectors[..count];
+        let mut column = [[T::ZERO; N]; 2];
+        column[0].copy_from_slice(&top[..N]);
+        column[1].copy_from_slice(&bottom[..N]);
+        Self::reflect::<0, T>(reflectors, &mut column);
+        Self::reflect::<1, T>(reflectors, &mut column);
+        Self::reflect::<2, T>(reflectors, &mut column);
+        Self::reflect::<3, T>(reflectors, &mut column);
+        Self::reflect::<4, T>(reflectors, &mut column);
+        Self::reflect::<5, T>(reflectors, &mut column);
+        top[..N].copy_from_slice(&column[0]);
+        bottom[..N].copy_from_slice(&column[1]);
     }
 }
 
@@ -92,6 +142,11 @@ impl Rows for Dynamic {
     #[inline(always)]
     fn n(self) -> usize {
         self.0
+    }
+
+    #[inline(always)]
+    fn choose<J: BySize>(self, job: J) -> J::Output {
+        job.any(self.0)
     }
 
     #[inline(always)]
