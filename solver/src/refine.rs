@@ -161,7 +161,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         if defect <= tolerance {
             1
         } else {
-            libm::pow(defect / (safety * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
+            root(defect / (safety * tolerance), order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = if few { measure.defects.iter().map(split_into).collect() } else { Vec::new() };
@@ -205,12 +205,17 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
         if rough && measure.defects[j] > ASYMPTOTIC {
             return (mesh[j + 1] - mesh[j]) / PIECES_UNRESOLVED;
         }
-        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
+        (mesh[j + 1] - mesh[j]) * if excess > negligible { root(excess, order).recip() } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
     let count = needed(mesh, &wanted).ceil();
     (wanted, count)
+}
+
+/// The root of that order: at order 4 by two square roots, which take a tenth of the time of a power.
+fn root(x: f64, order: f64) -> f64 {
+    if order == LOW { x.sqrt().sqrt() } else { libm::pow(x, 1.0 / order) }
 }
 
 /// Whether a mesh is needed as it is without counting: half of its intervals may not grow to more than twice their

@@ -50,6 +50,8 @@ pub(crate) struct Assembly<'a> {
     sum: Lanes,
     /// Room for the unknowns at the inner stages of one interval.
     unknowns: Lanes,
+    /// Room for the entries of the states at the inner stage of order 4.
+    values: Lanes,
     /// States whose derivative is another, that other, and the factor that makes it dimensionless.
     chained: Vec<(usize, usize, f64)>,
 }
@@ -113,7 +115,7 @@ impl BySize for Linearise<'_, '_> {
         // Compiled once more where there are no integrals and constants, for one or two equations of second order.
         match (N, assembly.tableau.coupled) {
             (2 | 4, false) if k + p == 0 => assembly.linearise_alone::<N>(t, block),
-            (_, false) if assembly.tableau.stages() == 3 => assembly.linearise_simpson::<N>(t, block),
+            (_, false) if assembly.tableau.stages() == simpson::STAGES => assembly.linearise_simpson::<N>(t, block),
             _ => assembly.linearise((N, k, p), t, block, inner),
         }
     }
@@ -165,6 +167,7 @@ impl<'a> Assembly<'a> {
             arguments: Lanes::unset(n * width),
             sum: Lanes::unset(rows * width),
             unknowns: Lanes::unset(system.tableau.unknown_stages() * n),
+            values: Lanes::unset(if count == simpson::STAGES { plan.state_entries.len() } else { 0 }),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
         }
     }

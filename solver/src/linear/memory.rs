@@ -17,7 +17,7 @@ pub(crate) struct Shelf<T> {
 /// Longer arrays are not kept.
 const CLASSES: usize = 15;
 /// Bytes that a thread keeps at most, of each kind.
-const MOST: usize = 1 << 20;
+const MOST: usize = 1 << 22;
 
 impl<T> Shelf<T> {
     pub(crate) const fn new() -> Self {

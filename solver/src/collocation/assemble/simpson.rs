@@ -6,22 +6,29 @@ use super::{Assembly, Entry, add_row, add_to_diagonal};
 use crate::linear::chain::Block;
 use crate::linear::scalar::{Lane, Scalar};
 
-/// Where the inner stage stands among the stages.
+/// Stages.
+pub(super) const STAGES: usize = 3;
+/// Where the inner one stands among them.
 const INNER: usize = 2;
 
 impl Assembly<'_> {
     /// Writes interval `t` of every stretch. `N` states.
     #[inline(always)]
     pub(super) fn linearise_simpson<const N: usize>(&mut self, t: usize, block: &mut Block<Lane>) {
-        self.write_by_states::<N>(t, block);
-        if !self.plan.columns.is_empty() {
-            self.write_by_constants::<N>(t, block);
+        let mut values = std::mem::take(&mut self.values);
+        for (value, entry) in values.iter_mut().zip(&self.states) {
+            *value = self.by_state(entry, INNER, t);
         }
+        self.write_by_states::<N>(t, &values, block);
+        if !self.plan.columns.is_empty() {
+            self.write_by_constants::<N>(t, &values, block);
+        }
+        self.values = values;
     }
 
-    /// Coefficients of the states at both nodes.
+    /// Coefficients of the states at both nodes, with the entries' `values` at the inner stage.
     #[inline(always)]
-    fn write_by_states<const N: usize>(&self, t: usize, block: &mut Block<Lane>) {
+    fn write_by_states<const N: usize>(&self, t: usize, values: &[Lane], block: &mut Block<Lane>) {
         let (h, method) = (Lane(self.h[t]), self.tableau);
         // What the states at the inner stage move by with those at each node.
         let mut moves = [[[Lane::ZERO; N]; 2]; N];
@@ -39,14 +46,15 @@ impl Assembly<'_> {
             right[state] += Lane::ONE.times(v);
         }
         let mut nodes = [(&mut block.a, &mut block.fa), (&mut block.b, &mut block.fb)];
-        let (weight, mut entries) = (h.times(method.b[INNER]), &self.states[..]);
+        let (weight, mut entries) = (h.times(method.b[INNER]), self.states.as_slice());
+        let mut values = values;
         for row in 0..N + self.plan.active.len() {
-            let (own, rest) = entries.split_at(entries.iter().take_while(|entry| entry.row == row).count());
-            entries = rest;
+            let count = entries.iter().take_while(|entry| entry.row == row).count();
+            let ((own, rest), (own_values, rest_values)) = (entries.split_at(count), values.split_at(count));
+            (entries, values) = (rest, rest_values);
             for (node, (equations, functionals)) in nodes.iter_mut().enumerate() {
                 let mut sum = [Lane::ZERO; N];
-                for entry in own {
-                    let value = self.by_state(entry, INNER, t);
+                for (entry, &value) in own.iter().zip(own_values) {
                     for (sum, &moved) in sum.iter_mut().zip(&moves[entry.column][node]) {
                         *sum += value * moved;
                     }
@@ -73,9 +81,9 @@ impl Assembly<'_> {
         }
     }
 
-    /// Coefficients of the constants.
+    /// Coefficients of the constants, likewise.
     #[inline(always)]
-    fn write_by_constants<const N: usize>(&mut self, t: usize, block: &mut Block<Lane>) {
+    fn write_by_constants<const N: usize>(&mut self, t: usize, values: &[Lane], block: &mut Block<Lane>) {
         let (h, method, p) = (Lane(self.h[t]), self.tableau, self.plan.columns.len());
         let all = N + self.plan.active.len();
         let (moves, slopes, sum) =
@@ -97,8 +105,7 @@ impl Assembly<'_> {
         for entry in &self.constants {
             slopes[entry.row * p + entry.column] += view.dc(entry.from, t).times(entry.factor);
         }
-        for entry in &self.states {
-            let value = view.dy(entry.from, t).times(entry.factor);
+        for (entry, &value) in self.states.iter().zip(values) {
             add_row(value, &moves[entry.column * p..][..p], &mut slopes[entry.row * p..][..p]);
         }
         add_row(h.times(method.b[INNER]), slopes, sum);
