@@ -44,6 +44,8 @@ pub(crate) struct Limits {
     pub tolerance: f64,
     /// Largest residual of a boundary equation, relative to its largest term.
     pub boundary: f64,
+    /// A first correction whose largest component exceeds this ends the iteration.
+    pub far: f64,
     pub iterations: usize,
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
@@ -133,6 +135,8 @@ enum Simplified {
 pub(crate) enum Failure {
     /// The iteration cannot go on.
     Newton(NewtonError),
+    /// The guess is farther away than the iteration is to go; the error says how far.
+    Far(NewtonError),
     /// The iteration must not go on: it was cancelled, or its work is spent.
     Interrupted(SolveError),
 }
@@ -198,6 +202,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             if largest <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
                 return self.finish(Last { x, evaluated: false, size: largest }, None);
+            }
+            if self.iteration == 1 && largest > self.limits.far {
+                return Err(Failure::Far(self.limit_reached(&dx)));
             }
             if self.iteration > self.limits.iterations {
                 let error = self.limit_reached(&dx);

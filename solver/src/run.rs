@@ -1,5 +1,6 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
+mod afar;
 mod meshes;
 mod outcome;
 
@@ -53,6 +54,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub keep: bool,
     /// Whether meshes that are far finer than need be are made coarser.
     pub coarsen: bool,
+    /// Whether a guess on fine meshes that is far from the solution is first brought near it on coarse ones.
+    pub from_afar: bool,
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
@@ -85,6 +88,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             iterations: 0,
             keep: true,
             coarsen: true,
+            from_afar: false,
             check: BranchCheck::Kept,
             orientation: None,
             linear: false,
@@ -251,7 +255,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let limits = self.limits(progress.rescue.insistent);
+        let far = if progress.first { self.far(&system.grids) } else { f64::INFINITY };
+        let limits = Limits { far, ..self.limits(progress.rescue.insistent) };
         let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
@@ -266,8 +271,14 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Ok(converged) => converged,
             Err(failure) => {
                 self.history.push(record);
-                self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
+                if !matches!(failure, newton::Failure::Far(_)) {
+                    self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
+                }
                 return match failure {
+                    newton::Failure::Far(_) => {
+                        let near = self.approached(Start { grids: system.grids, x })?;
+                        self.solve_on(near, progress)
+                    }
                     newton::Failure::Newton(error) => {
                         let failed = Start { grids: system.grids, x };
                         if progress.first && self.options.rescues > 0 {
@@ -329,6 +340,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             tolerance: self.options.newton_tolerance(),
             boundary: self.options.boundary_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
+            far: f64::INFINITY,
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
             insistent,

@@ -15,7 +15,8 @@ use crate::start::Start;
 /// Solves a boundary value problem from a guess, on meshes refined until the tolerance is met.
 ///
 /// `unknowns`: which constants to find, as indices into the layout's constants; there must be as many boundary
-/// equations as states and unknowns together. A warm start is [`Guess::from`] a solution.
+/// equations as states and unknowns together. A warm start is [`Guess::from`] a solution; if it turns out to be far
+/// away, and its meshes are fine, a solution to 1e-3 is sought first, on coarser ones.
 ///
 /// # Errors
 /// See [`SolveError`]. Success means that Newton's correction, the boundary residuals and the defects have all
@@ -56,6 +57,7 @@ pub(crate) fn solve_within(
     check(layout, guess, unknowns, options)?;
     let plan = Plan::new(layout, unknowns);
     let mut run = Run::new(problem, plan, options, observer, budget);
+    run.from_afar = true;
     let solved = run.refine(Start::from(guess))?;
     run.conclude(solved)
 }
