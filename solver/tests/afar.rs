@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::Bvp;
-use solver::{Cancel, Event, Guess, Options, Problem, Solution, SolveError, solve, solve_observed};
+use solver::{Cancel, Event, Guess, Options, Problem, SolveError, solve, solve_observed};
 use std::ops::ControlFlow;
 
 /// Bratu's problem `u'' + λ e^u = 0`, `u(0) = u(1) = 0`.

@@ -1,6 +1,6 @@
 //! The interval equations of order 4 (Hermite-Simpson), whose one inner stage follows from the nodes: what
-//! [`Assembly::linearise`] does for any method, for a number of states that is known when compiled. Derivatives at the nodes are put
-//! where they belong entry by entry, and each row of those at the stage is summed up in registers.
+//! [`Assembly::linearise`] does for any method, for a number of states that is known when compiled. Derivatives at the
+//! nodes are put where they belong entry by entry, and each row of those at the stage is summed up in registers.
 
 use super::{Assembly, Entry, add_row, add_to_diagonal};
 use crate::linear::chain::Block;
