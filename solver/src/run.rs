@@ -271,15 +271,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Ok(converged) => converged,
             Err(failure) => {
                 self.history.push(record);
-                if !matches!(failure, newton::Failure::Far(_)) {
-                    self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
-                }
                 return match failure {
                     newton::Failure::Far(_) => {
                         let near = self.approached(Start { grids: system.grids, x })?;
                         self.solve_on(near, progress)
                     }
                     newton::Failure::Newton(error) => {
+                        self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
                         let failed = Start { grids: system.grids, x };
                         if progress.first && self.options.rescues > 0 {
                             progress.rescue.origin = Some(failed.clone());

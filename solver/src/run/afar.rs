@@ -42,12 +42,12 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
         let mut run = Run::new(self.problem, (*self.plan).clone(), &options, &mut *self.observer, self.budget);
         (run.stats, run.history) = (self.stats, std::mem::take(&mut self.history));
         let outcome = run.refine(coarse);
-        let check = run.check;
+        let (check, orientation) = (run.check, run.orientation);
         // What is counted here is charged here.
         (self.stats, self.history) = (std::mem::take(&mut run.stats), std::mem::take(&mut run.history));
         match outcome {
             Ok(solved) => {
-                self.check = self.check.and(check);
+                (self.check, self.orientation) = (self.check.and(check), orientation);
                 Ok(Start { grids: solved.system.grids, x: solved.converged.x })
             }
             Err(error @ (SolveError::Cancelled | SolveError::WorkLimit { .. })) => Err(error),
