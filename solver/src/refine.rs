@@ -23,12 +23,6 @@ const FEW: f64 = 0.1;
 const MOST_PIECES: f64 = 4.0;
 /// and to an 8,000th part at order 6, whose intervals are longer.
 const MOST_PIECES_HIGH: f64 = 6.0;
-/// Few intervals that fail among many at order 4 have kinks, whose defects fall with this power of the length at best.
-const KINK: u32 = 2;
-/// They may have more parts then: all together, a fraction of one in so many of the intervals,
-const PARTS_AMONG: f64 = 4.0;
-/// and each as if there were this many of them at least.
-const KINKS: usize = 8;
 /// Intervals grow at most by this factor: a small defect says little about much longer intervals.
 const LONGER: f64 = 8.0;
 /// Larger defects are far from the asymptotic regime: what they say of other lengths is not to be trusted.
@@ -162,17 +156,12 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let lengths = (!few || trusted).then(|| wanted(mesh, measure, wish));
     let few = few && !lengths.as_ref().is_some_and(|(_, count)| trusted && *count < SPARSE * intervals as f64);
     let safety = wish.safety();
-    let parts = intervals as f64 / (PARTS_AMONG * failing.max(KINKS) as f64);
-    let (exponent, most_pieces) = match order {
-        LOW if parts > MOST_PIECES => (KINK, parts),
-        LOW => (LOW, MOST_PIECES),
-        _ => (order, MOST_PIECES_HIGH),
-    };
+    let most_pieces = if order > LOW { MOST_PIECES_HIGH } else { MOST_PIECES };
     let split_into = |&defect: &f64| {
         if defect <= tolerance {
             1
         } else {
-            root(defect / (safety * tolerance), exponent).ceil().clamp(2.0, most_pieces) as usize
+            root(defect / (safety * tolerance), order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = if few { measure.defects.iter().map(split_into).collect() } else { Vec::new() };
@@ -224,14 +213,10 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
     (wanted, count)
 }
 
-/// The root of that order, which need not be exact: square roots, or two functions, take a fraction of the time of a
-/// power.
+/// The root of that order, which need not be exact: two square roots, or two functions, take a fraction of the time of
+/// a power.
 fn root(x: f64, order: u32) -> f64 {
-    match order {
-        KINK => x.sqrt(),
-        LOW => x.sqrt().sqrt(),
-        _ => libm::exp(libm::log(x) / f64::from(order)),
-    }
+    if order == LOW { x.sqrt().sqrt() } else { libm::exp(libm::log(x) / f64::from(order)) }
 }
 
 fn power(x: f64, order: u32) -> f64 {
@@ -275,25 +260,6 @@ mod tests {
         assert!(matches!(split, Verdict::Refine(new) if new.len() - 1 == 13));
         let full = Wish { max_intervals: 10, ..WISH };
         assert_eq!(verdict(&mesh, &measured(relative, &full), &full), Verdict::Exhausted);
-    }
-
-    #[test]
-    fn few_intervals_that_fail_among_many_have_kinks_and_are_divided_into_more_parts() {
-        let parts = |intervals: usize, failing: usize, defect: f64| {
-            let mesh: Vec<f64> = (0..=intervals).map(|j| j as f64).collect();
-            let mut relative = vec![1e-7; intervals];
-            relative[..failing].fill(defect);
-            let wish = Wish { max_intervals: 10_000, ..WISH };
-            let Verdict::Refine(new) = verdict(&mesh, &measured(relative, &wish), &wish) else { panic!("refused") };
-            (new.len() - 1 + failing - intervals) as f64 / failing as f64
-        };
-        // A defect of 100 times what is aimed at has 10 parts for its root, and 4 for its fourth root.
-        assert_eq!(parts(1000, 1, 4e-5), 10.0);
-        assert_eq!(parts(1000, 8, 4e-5), 10.0);
-        assert_eq!(parts(100, 1, 4e-5), 4.0);
-        assert_eq!(parts(1000, 80, 4e-5), 4.0);
-        // 1000 / (4 * 8), however large the defect.
-        assert_eq!(parts(1000, 8, 4e-2), 31.0);
     }
 
     #[test]
