@@ -40,7 +40,7 @@ const ROUGH_GOAL: f64 = 1e-3;
 /// Where no more than this fraction of the intervals is needed, all are redistributed, even if few fail.
 const SPARSE: f64 = 0.6;
 /// Exponent of the interval length in the defect at order 4.
-const LOW: u32 = 4;
+const LOW: f64 = 4.0;
 /// Fewest intervals that redistribution makes.
 const FEWEST: usize = 4;
 
@@ -112,7 +112,7 @@ pub(crate) struct Wish {
     /// Largest defect.
     pub tolerance: f64,
     /// Exponent of the interval length in the defect.
-    pub order: u32,
+    pub order: f64,
     pub max_intervals: usize,
     /// Whether intervals are split where they are if few are too long; if not, all are redistributed.
     pub split_few: bool,
@@ -131,7 +131,7 @@ impl Wish {
 
     /// The fraction of the tolerance that defects aim at.
     fn safety(&self) -> f64 {
-        if self.is_free() { power(SHORTER, self.order) } else { SAFETY }
+        if self.is_free() { libm::pow(SHORTER, self.order) } else { SAFETY }
     }
 }
 
@@ -161,7 +161,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         if defect <= tolerance {
             1
         } else {
-            root(defect / (safety * tolerance), order).ceil().clamp(2.0, most_pieces) as usize
+            libm::pow(defect / (safety * tolerance), 1.0 / order).ceil().clamp(2.0, most_pieces) as usize
         }
     };
     let pieces: Vec<usize> = if few { measure.defects.iter().map(split_into).collect() } else { Vec::new() };
@@ -195,7 +195,7 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
     let &Wish { tolerance, order, .. } = wish;
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
-    let negligible = power(LONGER, order).recip();
+    let negligible = libm::pow(LONGER, -order);
     let goal = wish.safety() * tolerance;
     // What the mesh is to find first is where the solution varies: elsewhere it need not be good yet.
     let rough = wish.is_free() && measure.largest > ASYMPTOTIC;
@@ -205,7 +205,7 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
         if rough && measure.defects[j] > ASYMPTOTIC {
             return (mesh[j + 1] - mesh[j]) / PIECES_UNRESOLVED;
         }
-        (mesh[j + 1] - mesh[j]) * if excess > negligible { root(excess, order).recip() } else { LONGER }
+        (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
     grade(mesh, &mut wanted);
@@ -213,20 +213,10 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
     (wanted, count)
 }
 
-/// The root of that order, which need not be exact: two square roots, or two functions, take a fraction of the time of
-/// a power.
-fn root(x: f64, order: u32) -> f64 {
-    if order == LOW { x.sqrt().sqrt() } else { libm::exp(libm::log(x) / f64::from(order)) }
-}
-
-fn power(x: f64, order: u32) -> f64 {
-    (0..order).fold(1.0, |power, _| power * x)
-}
-
 /// Whether a mesh is needed as it is without counting: half of its intervals may not grow to more than twice their
 /// length, so that more than a quarter of their number is needed.
 fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
-    let least = 1.01 * wish.safety() * wish.tolerance / power(0.5 * GROSSLY, wish.order);
+    let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * wish.safety() * wish.tolerance;
     2 * measure.defects.iter().filter(|&&defect| defect >= least).count() >= measure.defects.len()
 }
 
@@ -243,7 +233,7 @@ mod tests {
     }
 
     const WISH: Wish =
-        Wish { tolerance: 1e-6, order: 4, max_intervals: 12, split_few: true, shrink: false, linear: false };
+        Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true, shrink: false, linear: false };
 
     #[test]
     fn a_mesh_that_would_be_too_large_is_made_as_large_as_may_be() {

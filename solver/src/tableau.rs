@@ -34,7 +34,7 @@ pub(crate) struct Tableau {
     /// Whether the inner stages depend on each other, so that their values are unknowns.
     pub coupled: bool,
     /// Exponent of the step in the defect of the dense output.
-    pub defect_order: u32,
+    pub defect_order: f64,
     /// Where in the interval the defect is sampled, and the weight of each sample in its mean square.
     pub samples: &'static [(f64, f64)],
     /// How many of them tell where a mesh is rough, and say well enough where.
@@ -146,7 +146,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     b: &[1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0],
     batches: &[1],
     coupled: false,
-    defect_order: 4,
+    defect_order: 4.0,
     // Gauss points of order 6 on [0, 1]: 1/2, 1/2 ± sqrt(15)/10.
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
     first_samples: 3,
@@ -168,7 +168,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     b: &[7.0 / 90.0, 7.0 / 90.0, 16.0 / 45.0, 16.0 / 45.0, 2.0 / 15.0],
     batches: &[2, 1],
     coupled: false,
-    defect_order: 5,
+    defect_order: 5.0,
     // Gauss points of order 8 on [0, 1]: 1/2 ± sqrt(525 ± 70 sqrt(30))/70, the inner two first.
     samples: &[
         (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -210,7 +210,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
     b: &[0.05, 0.05, 49.0 / 180.0, 49.0 / 180.0, 16.0 / 45.0],
     batches: &[COUPLED],
     coupled: true,
-    defect_order: 7,
+    defect_order: 7.0,
     // Gauss points of order 12 on [0, 1]: zeros of the Legendre polynomial of degree 6.
     samples: &[
         (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),

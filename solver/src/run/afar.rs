@@ -27,7 +27,7 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
 
     /// Of so many nodes one is enough for [`ROUGH`].
     fn stride(&self) -> usize {
-        libm::pow(ROUGH / self.options.tolerance, 1.0 / f64::from(self.tableau().defect_order)) as usize
+        libm::pow(ROUGH / self.options.tolerance, 1.0 / self.tableau().defect_order) as usize
     }
 
     /// The solution on coarse meshes; where none is found, the guess again.
