@@ -120,9 +120,11 @@ impl Ratios {
 
 fn table(accuracy: f64, names: &[String]) -> String {
     let mut out = format!(
-        "### Error at the nodes at most {accuracy:.0e}\n\n| problem | here, ms | order, tolerance | intervals (error) | COLNEW, \
-         ms | points, tolerance | intervals (error) | TWPBVPC, ms | tolerance | intervals (error) \
-         |\n|---|---|---|---|---|---|---|---|---|---|\n"
+        "### Error at the nodes at most {accuracy:.0e}\n\n\
+         | problem | here, ms | order, tolerance | intervals (error) \
+         | COLNEW, ms | points, tolerance | intervals (error) \
+         | TWPBVPC, ms | tolerance | intervals (error) |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n"
     );
     let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
         .map(|(name, at)| (Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() }, at));

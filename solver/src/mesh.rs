@@ -18,6 +18,13 @@ pub(crate) fn split(mesh: &[f64], pieces: &[usize]) -> Vec<f64> {
     out
 }
 
+/// Every `stride`-th node and the last, but no fewer than `fewest` intervals if there are as many.
+pub(crate) fn thinned(mesh: &[f64], stride: usize, fewest: usize) -> Vec<f64> {
+    let last = mesh.len() - 1;
+    let stride = stride.min(last / fewest).max(1);
+    (0..last).step_by(stride).chain([last]).map(|j| mesh[j]).collect()
+}
+
 /// How fast neighbouring intervals may grow: the change of the interval length per length.
 const GRADATION: f64 = 0.7;
 
@@ -118,6 +125,15 @@ mod tests {
             prop_assert!(is_mesh(&new));
             prop_assert_eq!((new[0], new[intervals]), (0.0, mesh[lengths.len()]));
         }
+    }
+
+    #[test]
+    fn thinning_keeps_the_ends_and_enough_intervals() {
+        let mesh = [0.0, 1.0, 3.0, 4.0, 6.0, 7.0, 9.0];
+        assert_eq!(thinned(&mesh, 2, 2), [0.0, 3.0, 6.0, 9.0]);
+        assert_eq!(thinned(&mesh, 4, 1), [0.0, 6.0, 9.0]);
+        assert_eq!(thinned(&mesh, 4, 3), [0.0, 3.0, 6.0, 9.0]);
+        assert_eq!(thinned(&mesh, 4, 7), mesh);
     }
 
     #[test]

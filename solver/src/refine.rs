@@ -42,7 +42,7 @@ const SPARSE: f64 = 0.6;
 /// Exponent of the interval length in the defect at order 4.
 const LOW: f64 = 4.0;
 /// Fewest intervals that redistribution makes.
-const FEWEST: usize = 4;
+pub(crate) const FEWEST: usize = 4;
 
 /// What a region's mesh should become.
 #[derive(Debug, Clone, PartialEq)]

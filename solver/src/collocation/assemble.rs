@@ -143,18 +143,15 @@ impl<'a> Assembly<'a> {
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
         let (n, p) = (plan.n, plan.columns.len());
         let (rows, width, count) = (n + plan.active.len(), 2 * n + p, system.tableau.stages());
-        let mut states: Vec<Entry> = states
-            .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
-            .collect();
-        // Stable: what is summed up in a row is so in the same order.
-        states.sort_by_key(|entry| entry.row);
         Self {
             plan,
             tableau: system.tableau,
             views: stages.views(grid.steps),
             h: grid.h.as_chunks::<W>().0,
             magnitudes: d,
-            states,
+            states: states
+                .map(|&(from, row, column)| Entry { from, row, column, factor: d[column] / row_scale(row) })
+                .collect(),
             constants: constants
                 .map(|&(from, row, column)| Entry {
                     from,
@@ -260,9 +257,15 @@ impl<'a> Assembly<'a> {
     fn jacobian<const N: usize>(&self, stage: usize, t: usize) -> [[Lane; N]; N] {
         let mut out = [[Lane::ZERO; N]; N];
         for entry in &self.states {
-            out[entry.row][entry.column] += self.views[stage].dy(entry.from, t).times(entry.factor);
+            out[entry.row][entry.column] += self.by_state(entry, stage, t);
         }
         out
+    }
+
+    /// The derivative of an entry of a state at a stage, dimensionless.
+    #[inline(always)]
+    fn by_state(&self, entry: &Entry, stage: usize, t: usize) -> Lane {
+        self.views[stage].dy(entry.from, t).times(entry.factor)
     }
 
     /// `n` states, `k` active integrals, `p` constants.
@@ -509,8 +512,7 @@ fn scale_rows(n: usize, p: usize, block: &mut Block<Lane>, row_scale: &mut [Lane
     for (i, scale) in row_scale.iter_mut().enumerate() {
         let mut largest = Lane::ONE;
         for j in 0..n {
-            largest = largest.zip(block.a[j * n + i].abs(), larger);
-            largest = largest.zip(block.b[j * n + i].abs(), larger);
+            largest = largest.or_larger(block.a[j * n + i].abs()).or_larger(block.b[j * n + i].abs());
         }
         *scale = largest.recip();
         for j in 0..n {
@@ -531,12 +533,6 @@ fn add_times<const N: usize>(sum: &mut [[Lane; N]; N], weight: Lane, matrix: &[[
             sum[q] += weight * row[q];
         }
     }
-}
-
-/// The larger; `most` if `x` is NaN. One instruction, where `f64::max` is several.
-#[inline(always)]
-fn larger(most: f64, x: f64) -> f64 {
-    if x > most { x } else { most }
 }
 
 /// `out += value * row`

@@ -14,7 +14,7 @@ pub(crate) struct RegionPlan {
     pub active: Vec<usize>,
     /// Unknowns (indices into [`Plan::unknowns`]) on which the region depends, one a column.
     pub columns: Vec<usize>,
-    /// `(entry, row, state)`: rows `0..n` are states, rows from `n` active integrals.
+    /// `(entry, row, state)`, row by row: rows `0..n` are states, rows from `n` active integrals.
     pub state_entries: Vec<(usize, usize, usize)>,
     /// `(entry, row, column)`.
     pub constant_entries: Vec<(usize, usize, usize)>,
@@ -87,7 +87,9 @@ impl Plan {
                 let placed = pattern.iter().enumerate();
                 placed.filter_map(|(e, &(row, column))| Some((e, row_of(row)?, column_of(column)?))).collect()
             };
-            let state_entries = entries(&region.state_pattern, &Some);
+            let mut state_entries: Vec<(usize, usize, usize)> = entries(&region.state_pattern, &Some);
+            // Stable: what is summed up in a row is so in the pattern's order.
+            state_entries.sort_by_key(|&(_, row, _)| row);
             let constant_entries: Vec<(usize, usize, usize)> =
                 entries(&region.constant_pattern, &|c| columns.iter().position(|&u| unknowns[u] == c));
             let default = constant_entries.iter().all(|&(entry, ..)| entry < region.default_entries);

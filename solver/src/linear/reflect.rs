@@ -76,31 +76,14 @@ fn reflect<T: Scalar>(v: &[T], j: usize, top: &mut [T], bottom: &mut [T]) {
 #[derive(Clone, Copy)]
 pub(crate) struct Fixed<const N: usize>;
 
-/// The two halves of a reflector's vector.
-type Halves<T, const N: usize> = [[T; N]; 2];
-
 impl<const N: usize> Fixed<N> {
-    /// Reflector `J`, if it is among those given. As `J` is known when compiled, the loops are unrolled; where it was
-    /// not, the column lay in memory and each reflector waited for what the one before had written.
+    /// Applies reflector `J`, if it is among those given. As `J` is known when compiled, all loops are unrolled.
     #[inline(always)]
-    fn reflect<const J: usize, T: Scalar>(reflectors: &[Halves<T, N>], [top, bottom]: &mut Halves<T, N>) {
+    fn reflect<const J: usize, T: Scalar>(reflectors: &[T], [top, bottom]: &mut [[T; N]; 2]) {
         if J < N
-            && let Some([upper, lower]) = reflectors.get(J)
+            && let Some(v) = reflectors.get(J * 2 * N..(J + 1) * 2 * N)
         {
-            let (mut a, mut b) = (T::ZERO, T::ZERO);
-            for i in J..N {
-                a += upper[i] * top[i];
-            }
-            for i in 0..N {
-                b += lower[i] * bottom[i];
-            }
-            let dot = a + b;
-            for i in J..N {
-                top[i] -= dot * upper[i];
-            }
-            for i in 0..N {
-                bottom[i] -= dot * lower[i];
-            }
+            reflect(v, J, top, bottom);
         }
     }
 }
@@ -118,8 +101,7 @@ impl<const N: usize> Rows for Fixed<N> {
 
     #[inline(always)]
     fn apply<T: Scalar>(self, reflectors: &[T], count: usize, top: &mut [T], bottom: &mut [T]) {
-        let reflectors = reflectors.as_chunks::<N>().0.as_chunks::<2>().0;
-        let reflectors = &reflectors[..count];
+        let reflectors = &reflectors[..count * 2 * N];
         let mut column = [[T::ZERO; N]; 2];
         column[0].copy_from_slice(&top[..N]);
         column[1].copy_from_slice(&bottom[..N]);

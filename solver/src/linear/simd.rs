@@ -174,7 +174,7 @@ impl<I: Iterator<Item = Lane>> Job for Largest<I> {
     fn run(self) -> f64 {
         let (mut most, mut sums) = (Lane::ZERO, Lane::ZERO);
         for lane in self.lanes {
-            most = most.zip(lane.abs(), |most, x| if x > most { x } else { most });
+            most = most.or_larger(lane.abs());
             // x * 0 is 0 for a finite x and NaN otherwise.
             sums += lane.times(0.0);
         }

@@ -4,8 +4,10 @@ use super::Run;
 use crate::collocation::grid::Grid;
 use crate::error::SolveError;
 use crate::measure::intervals;
+use crate::mesh::thinned;
 use crate::options::{Control, Options};
 use crate::problem::Problem;
+use crate::refine::FEWEST;
 use crate::start::{Start, on};
 
 /// A first correction of more than this, in typical magnitudes, says that a guess is far: what follows takes many
@@ -15,8 +17,6 @@ const FAR: f64 = 0.1;
 const ROUGH: f64 = 1e-3;
 /// Fewer intervals, all regions together, are no trouble.
 const MANY: usize = 200;
-/// Fewest intervals that a region is left with.
-const FEWEST: usize = 4;
 
 impl<P: Problem + ?Sized> Run<'_, '_, P> {
     /// The size of a first correction at which the iteration from a guess is given up for one on coarse meshes.
@@ -36,7 +36,8 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
     /// Only those that end the solve at once.
     pub(super) fn approached(&mut self, guess: Start) -> Result<Start, SolveError> {
         self.from_afar = false;
-        let coarse = on(&guess, guess.grids.iter().map(|grid| thinned(&grid.mesh, self.stride())).collect());
+        let stride = self.stride();
+        let coarse = on(&guess, guess.grids.iter().map(|grid| thinned(&grid.mesh, stride, FEWEST)).collect());
         let options =
             Options { control: Control::Defect, rescues: 0, other_orders: false, ..self.options.loosened(ROUGH) };
         let mut run = Run::new(self.problem, (*self.plan).clone(), &options, &mut *self.observer, self.budget);
@@ -54,11 +55,4 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
             Err(_) => Ok(guess),
         }
     }
-}
-
-/// Every so manieth node, and the ends.
-fn thinned(mesh: &[f64], stride: usize) -> Vec<f64> {
-    let last = mesh.len() - 1;
-    let stride = stride.min(last / FEWEST).max(1);
-    (0..last).step_by(stride).chain([last]).map(|j| mesh[j]).collect()
 }

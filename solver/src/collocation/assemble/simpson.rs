@@ -2,7 +2,7 @@
 //! [`Assembly::linearise`] does for any method, for a number of states that is known when compiled. Derivatives at the
 //! nodes are put where they belong entry by entry, and each row of those at the stage is summed up in registers.
 
-use super::{Assembly, Entry, add_row, add_to_diagonal};
+use super::{Assembly, add_row, add_to_diagonal};
 use crate::linear::chain::Block;
 use crate::linear::scalar::{Lane, Scalar};
 
@@ -28,7 +28,7 @@ impl Assembly<'_> {
 
     /// Coefficients of the states at both nodes, with the entries' `values` at the inner stage.
     #[inline(always)]
-    fn write_by_states<const N: usize>(&self, t: usize, values: &[Lane], block: &mut Block<Lane>) {
+    fn write_by_states<const N: usize>(&self, t: usize, mut values: &[Lane], block: &mut Block<Lane>) {
         let (h, method) = (Lane(self.h[t]), self.tableau);
         // What the states at the inner stage move by with those at each node.
         let mut moves = [[[Lane::ZERO; N]; 2]; N];
@@ -47,7 +47,6 @@ impl Assembly<'_> {
         }
         let mut nodes = [(&mut block.a, &mut block.fa), (&mut block.b, &mut block.fb)];
         let (weight, mut entries) = (h.times(method.b[INNER]), self.states.as_slice());
-        let mut values = values;
         for row in 0..N + self.plan.active.len() {
             let count = entries.iter().take_while(|entry| entry.row == row).count();
             let ((own, rest), (own_values, rest_values)) = (entries.split_at(count), values.split_at(count));
@@ -116,11 +115,5 @@ impl Assembly<'_> {
             }
         }
         block.fc.copy_from_slice(functionals);
-    }
-
-    /// The derivative of an entry at a stage, dimensionless.
-    #[inline(always)]
-    fn by_state(&self, entry: &Entry, stage: usize, t: usize) -> Lane {
-        self.views[stage].dy(entry.from, t).times(entry.factor)
     }
 }
