@@ -62,14 +62,16 @@ const STATES: &[Row] = &[
     row("T", "T", "N", 0, "tractive tension F − G V").identity("Tension", "(3.6)"),
     row("theta", "θ", "rad", 0, "inclination of the belt against the pulley's circle; positive unseats")
         .identity("Inclination", "(3.2)"),
-    row("theta1", "θ̂'", "rad", -1, "first derivative of θ along the region").identity("InclinationDerivative", "(5.2)"),
+    row("theta1", "θ̂'", "rad", -1, "first derivative of θ along the region") // d/dŝ
+        .identity("InclinationDerivative", "(5.2)"),
     row("theta2", "θ̂''", "rad", -2, "second derivative of θ along the region")
         .identity("InclinationSecondDerivative", "(5.3)"),
     row("x", "x", "m", 0, "radial penetration R − r").identity("Penetration", "(3.24)"),
     row("tau", "τ", "N", 0, "tractive tension in a span").identity("SpanTension", "(3.45)"),
     row("vartheta", "ϑ", "rad", 0, "direction of the belt in a span against the line of centres")
         .identity("Direction", "(3.43)"),
-    row("vartheta1", "ϑ̂'", "rad", -1, "first derivative of ϑ along the span").identity("DirectionDerivative", "(5.10)"),
+    row("vartheta1", "ϑ̂'", "rad", -1, "first derivative of ϑ along the span") // d/dŝ
+        .identity("DirectionDerivative", "(5.10)"),
     row("vartheta2", "ϑ̂''", "rad", -2, "second derivative of ϑ along the span")
         .identity("DirectionSecondDerivative", "(5.11)"),
 ];
