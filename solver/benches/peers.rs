@@ -133,7 +133,9 @@ fn table(accuracy: f64, names: &[String]) -> String {
         time(case, &mut all);
         let [here, colnew, twpbvpc] = &all;
         let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
-        let name = if case.name.len() <= SHORT { unbroken(case.name.to_owned()) } else { case.name.to_owned() };
+        // Primes: books set straight quotes as quotation marks.
+        let name = case.name.replace("''", "″").replace('\'', "′");
+        let name = if case.name.len() <= SHORT { unbroken(name) } else { name };
         let _ = writeln!(out, "| {name} | {} |", cells.join(" | "));
         eprintln!("{} | {}", case.name, cells.join(" | "));
         for (ratios, at) in &mut ratios {
