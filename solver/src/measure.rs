@@ -9,7 +9,7 @@ use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
@@ -109,10 +109,21 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         self.estimate.get_or_init(|| {
             let Converged { x, work, factorisation, .. } = &self.converged;
             let judged = (&self.extensions[..], &self.defects[..]);
-            let error = Error::of(&self.system, (x, work), factorisation, judged, stats);
+            let error = Error::of(&self.system, (x, work), factorisation, judged, &[], stats);
             let largest = self.converged.largest(&self.system, &error.correction);
             (error, largest)
         })
+    }
+
+    /// As [`error_estimate`](Self::error_estimate), what it would be if all defects that exceed `target`, by which they
+    /// are measured, were no larger than that.
+    pub(crate) fn foreseen_error(&self, measures: &[Measure], target: f64, stats: &mut Stats) -> f64 {
+        let left: Vec<Numbers> =
+            self.system.grids.iter().zip(measures).map(|(grid, measure)| measure.left(grid, target)).collect();
+        let Converged { x, work, factorisation, .. } = &self.converged;
+        let judged = (&self.extensions[..], &self.defects[..]);
+        let error = Error::of(&self.system, (x, work), factorisation, judged, &left, stats);
+        self.converged.largest(&self.system, &error.correction)
     }
 
     /// Takes the estimated error off the solution, unless its boundary residuals exceed `limit` then or the right-hand
@@ -196,11 +207,13 @@ pub(crate) struct Error {
 }
 
 impl Error {
+    /// `left`: a factor on the defects of each interval, in working order, region by region; none are 1.
     pub(crate) fn of<P: Problem + ?Sized>(
         system: &System<'_, P>,
         (x, work): (&Iterate, &Work),
         factorisation: &Factorisation,
         (extensions, defects): (&[Extension], &[Defects]),
+        left: &[Numbers],
         stats: &mut Stats,
     ) -> Self {
         let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.to_vec() };
@@ -212,7 +225,8 @@ impl Error {
             let mut integrated = defects.integrated.clone();
             if system.tableau.coupled {
                 // The stages follow the defects as their equations say.
-                let moments = extended.moments(&extensions[region], defects);
+                let mut moments = extended.moments(&extensions[region], defects);
+                reduce(&mut moments, left.get(region));
                 let m = factorisation.regions[region].coupling.m;
                 rhs.inner.push(scaled(&moments, scales, m, 1.0));
             } else if system.tableau.order > 4 {
@@ -221,6 +235,7 @@ impl Error {
             if system.tableau.order > 4 {
                 extended.add_remainders(&extensions[region], defects, scales, &mut integrated);
             }
+            reduce(&mut integrated, left.get(region));
             let len = grid.interval_stride();
             let mut lanes = Lanes::unset(grid.steps * plan.n);
             for (i, scale) in scales.iter().enumerate() {
@@ -241,6 +256,14 @@ impl Error {
         }
         stats.linear_solves += 1;
         Self { correction: factorisation.solve(system, rhs), integrals }
+    }
+}
+
+/// Multiplies what is one for each interval, row by row.
+fn reduce(rows: &mut [f64], left: Option<&Numbers>) {
+    let Some(left) = left else { return };
+    for row in rows.chunks_exact_mut(left.len()) {
+        row.iter_mut().zip(left).for_each(|(value, left)| *value *= left);
     }
 }
 

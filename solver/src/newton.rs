@@ -44,8 +44,8 @@ pub(crate) struct Limits {
     pub tolerance: f64,
     /// Largest residual of a boundary equation, relative to its largest term.
     pub boundary: f64,
-    /// A first correction whose largest component exceeds this ends the iteration.
-    pub far: f64,
+    /// What ends the iteration if there is a better start for it than this one.
+    pub far: Option<Far>,
     pub iterations: usize,
     pub smallest_damping: f64,
     /// Corrections of this size are accepted if smaller ones cannot be had.
@@ -53,6 +53,15 @@ pub(crate) struct Limits {
     /// Whether every step must be progress. That can lead into a corner where the matrix is singular; a few steps that
     /// are none can lead out of it.
     pub insistent: bool,
+}
+
+/// What shows that an iteration has begun far from the solution: one of these is exceeded, or a step has to be damped.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Far {
+    /// Largest component of the first correction, in typical magnitudes.
+    pub correction: f64,
+    /// Iterations, as long as the next one is not the last.
+    pub iterations: usize,
 }
 
 /// An iteration that does not insist on progress tries every correction in full, halves it as long as that is no
@@ -135,8 +144,8 @@ enum Simplified {
 pub(crate) enum Failure {
     /// The iteration cannot go on.
     Newton(NewtonError),
-    /// The guess is farther away than the iteration is to go; the error says how far.
-    Far(NewtonError),
+    /// The solution is farther away than the iteration is to go: the iterate that it was left at, and how far it is.
+    Far(Box<Iterate>, NewtonError),
     /// The iteration must not go on: it was cancelled, or its work is spent.
     Interrupted(SolveError),
 }
@@ -203,8 +212,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
                 return self.finish(Last { x, evaluated: false, size: largest }, None);
             }
-            if self.iteration == 1 && largest > self.limits.far {
-                return Err(Failure::Far(self.limit_reached(&dx)));
+            if self.is_far(largest) {
+                return Err(Failure::Far(Box::new(x), self.limit_reached(&dx)));
             }
             if self.iteration > self.limits.iterations {
                 let error = self.limit_reached(&dx);
@@ -215,6 +224,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 Step::Done(last) if self.is_small(&last) => return self.finish(last, None),
                 Step::Done(last) => (x, before, taken) = (last.x, None, None),
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
+                Step::Moved { damping, .. } if damping < 1.0 && self.limits.far.is_some() => {
+                    return Err(Failure::Far(Box::new(x), self.limit_reached(&dx)));
+                }
                 Step::Moved { x: next, simplified, damping, contraction } => {
                     let (from, scales) = (std::mem::replace(&mut x, next), self.factorisation.scales.clone());
                     self.full_steps &= damping == 1.0;
@@ -285,6 +297,13 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
         }
         Ok(())
+    }
+
+    /// Whether a correction says that the iteration is better begun elsewhere.
+    fn is_far(&self, largest: f64) -> bool {
+        let slow = largest > self.limits.tolerance.sqrt();
+        let far = |far: Far| self.iteration > far.iterations && slow || self.iteration == 1 && largest > far.correction;
+        self.limits.far.is_some_and(far)
     }
 
     fn evaluate(&mut self, x: &Iterate, derivatives: Derivatives) -> Result<(), NonFinite> {

@@ -19,6 +19,9 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     pub(crate) target: f64,
     /// What they are held to at first.
     pub(crate) tolerance: f64,
+    /// What they aim at until they meet the tolerance, once the error has been foreseen: less than that, where it would
+    /// exceed it.
+    pub(crate) aim: Option<f64>,
     /// A solution that meets the tolerance, while a better one, or one on coarser meshes, is sought.
     pub(crate) fallback: Option<Solved<'a, P>>,
     /// Least estimated error so far that exceeds the tolerance: the fallback's.
@@ -62,6 +65,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             },
             target: options.tolerance,
             tolerance: options.tolerance,
+            aim: None,
             fallback: None,
             error: f64::INFINITY,
             stalled: 0,

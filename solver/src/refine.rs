@@ -7,6 +7,8 @@
 //! everywhere and one whose integral is small; both are held to the tolerance.
 
 use crate::collocation::defect::Defects;
+use crate::collocation::grid::Grid;
+use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
 use crate::mesh::{distinct, equidistribute, grade, needed, split};
 
@@ -71,6 +73,29 @@ impl Measure {
     pub(crate) fn is_rough_throughout(&self) -> bool {
         2 * self.defects.iter().filter(|&&defect| !(defect <= ASYMPTOTIC)).count() > self.defects.len()
     }
+
+    /// Whether no more than a few intervals exceed `target`, by which they are measured.
+    pub(crate) fn exceeds_on_few(&self, target: f64) -> bool {
+        few(self.failing(target), self.defects.len())
+    }
+
+    /// What is left of the defects of each interval, in working order, where none exceeds `target`.
+    pub(crate) fn left(&self, grid: &Grid, target: f64) -> Numbers {
+        let left = |p: usize| {
+            let defect = self.defects[grid.index(p).min(self.defects.len() - 1)];
+            if defect <= target { 1.0 } else { target / defect }
+        };
+        Numbers::collected(grid.interval_stride(), (0..grid.interval_stride()).map(left))
+    }
+
+    fn failing(&self, target: f64) -> usize {
+        self.defects.iter().filter(|&&defect| !(defect <= target)).count()
+    }
+}
+
+/// Whether so few of the intervals fail that they are split where they are.
+fn few(failing: usize, intervals: usize) -> bool {
+    failing as f64 <= FEW * intervals as f64 || failing <= 2
 }
 
 /// Whether defects that rounding explains count.
@@ -148,9 +173,8 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         let grossly = intervals as f64 > GROSSLY * count;
         return if grossly { Verdict::Coarsen(equidistribute(mesh, &wanted, coarse)) } else { Verdict::Keep };
     }
-    let failing = measure.defects.iter().filter(|&&defect| !(defect <= tolerance)).count();
     // Right after a redistribution, the intervals that still fail are all of the same kind.
-    let few = split_few && (failing as f64 <= FEW * intervals as f64 || failing <= 2);
+    let few = split_few && measure.exceeds_on_few(tolerance);
     // Meshes that had to grow to find a layer are too fine elsewhere: at high orders it shows.
     let trusted = shrink && measure.largest <= ASYMPTOTIC;
     let lengths = (!few || trusted).then(|| wanted(mesh, measure, wish));

@@ -33,6 +33,9 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
+/// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its own
+/// cost.
+const MANY: usize = 200;
 /// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;
 
@@ -165,7 +168,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             return Finding::Inaccurate;
         }
         let coarser = |verdict: &Verdict| matches!(verdict, Verdict::Coarsen(_));
-        let oversized = self.coarsen && !known && self.verdicts(solved, &measures, progress).iter().any(coarser);
+        let oversized =
+            self.coarsen && !known && self.verdicts(solved, &measures, progress.target, progress).iter().any(coarser);
         if oversized { Finding::Oversized } else { Finding::Good }
     }
 
@@ -205,7 +209,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     self.shortfall = Shortfall::Rounding;
                     return Ok(Next::done(fallback));
                 }
-                match self.refined(&solved, &measures, progress) {
+                match self.aimed(&solved, &measures, progress) {
                     Ok(meshes) => {
                         let count: usize = meshes.iter().map(|mesh| mesh.len() - 1).sum();
                         progress.shrunk |= count < intervals(&solved.system.grids);
@@ -219,7 +223,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Action::Tighten => Ok(self.tightened(solved, progress)),
             Action::Coarsen => {
                 let measures = measured(&solved, progress.target, progress.rounding());
-                let verdicts = self.verdicts(&solved, &measures, progress).into_iter();
+                let verdicts = self.verdicts(&solved, &measures, progress.target, progress).into_iter();
                 let meshes = verdicts.zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
                     Verdict::Coarsen(mesh) => mesh,
                     Verdict::Keep | Verdict::Refine(_) | Verdict::Exhausted => grid.mesh.clone(),
@@ -255,7 +259,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let far = if progress.first { self.far(&system.grids) } else { f64::INFINITY };
+        let far = if progress.first { self.far(&system.grids) } else { None };
         let limits = Limits { far, ..self.limits(progress.rescue.insistent) };
         let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
@@ -272,8 +276,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Err(failure) => {
                 self.history.push(record);
                 return match failure {
-                    newton::Failure::Far(_) => {
-                        let near = self.approached(Start { grids: system.grids, x })?;
+                    newton::Failure::Far(nearer, _) => {
+                        let near = self.approached(Start { grids: system.grids, x }, *nearer, progress)?;
                         self.solve_on(near, progress)
                     }
                     newton::Failure::Newton(error) => {
@@ -338,7 +342,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             tolerance: self.options.newton_tolerance(),
             boundary: self.options.boundary_tolerance(),
             stagnation: self.options.stagnation_tolerance(),
-            far: f64::INFINITY,
+            far: None,
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
             insistent,

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use solver::bvp::{Bvp, Number};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
     Accuracy, Control, Guess, Layout, Linearisation, Options, Order, Problem, Region, Shortfall, Solution, SolveError,
@@ -99,6 +100,28 @@ fn a_solution_that_misses_its_tolerance_is_refused_and_says_why() {
     let again = solve(&problem, &Guess::from(&first), &[], &accepting).unwrap();
     assert_eq!((again.stats().newton_iterations, again.intervals()), (1, first.intervals()));
     assert!(matches!(again.accuracy(), Accuracy::Short { because: Shortfall::WarmStart, .. }));
+}
+
+/// `y' = |x - c|`, `y(0) = 0`, on ten intervals: the whole error is made where the kink is, and depends on where in its
+/// interval that lies.
+#[test]
+fn the_estimated_error_knows_where_in_an_interval_a_kink_lies() {
+    let (mut made, mut missed) = (0.0, 0.0);
+    for place in 1..40 {
+        let c = 0.4 + 0.0025 * f64::from(place);
+        let problem =
+            Bvp::new(&["y"], (0.0, 1.0), |x, _, _, f| f[0] = Number::from((x - c).abs()), |a, _, _, g| g[0] = a[0])
+                .guess(10, |_, y| y[0] = 0.0);
+        let options = Options { tolerance: 0.1, control: Control::Defect, ..Options::default() };
+        let solution = problem.solve(&options).unwrap();
+        let line = &solution.regions()[0];
+        assert_eq!(line.intervals(), 10);
+        let error = line.state(0)[10] - 0.5 * (c * c + (1.0 - c) * (1.0 - c));
+        let estimate = Linearisation::new(&problem, &solution).unwrap().error().unwrap();
+        made += error.abs();
+        missed += (estimate.regions[0].states[0][10] - error).abs();
+    }
+    assert!(made > 1e-3 && missed < 0.05 * made, "{missed:e} of {made:e}");
 }
 
 /// The solver starts no threads; whoever wants them solves in several.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::Bvp;
-use solver::{Cancel, Event, Guess, Options, Problem, SolveError, solve, solve_observed};
+use solver::{Cancel, Event, Guess, Options, Problem, Solution, SolveError, solve, solve_observed};
 use std::ops::ControlFlow;
 
 /// Bratu's problem `u'' + λ e^u = 0`, `u(0) = u(1) = 0`.
@@ -20,12 +20,20 @@ fn options() -> Options {
     Options { tolerance: 1e-9, ..Options::default() }
 }
 
+/// Constant states on so many intervals.
+fn guess_of(problem: &impl Problem, states: &[f64], intervals: usize) -> Guess {
+    Guess::uniform(problem.layout(), intervals, &[], |_, _, u| u.copy_from_slice(states))
+}
+
+/// A solution on 400 intervals.
+fn sampled(problem: &impl Problem, solution: &Solution) -> Guess {
+    Guess::uniform(problem.layout(), 400, &[], |_, x, u| u.copy_from_slice(&solution.regions()[0].eval(x)))
+}
+
 /// The solution for λ = 1 on 400 intervals.
 fn guess() -> Guess {
     let problem = bratu(1.0);
-    let start = Guess::uniform(problem.layout(), 10, &[], |_, _, u| u.fill(0.0));
-    let solution = solve(&problem, &start, &[], &options()).unwrap();
-    Guess::uniform(problem.layout(), 400, &[], |_, x, u| u.copy_from_slice(&solution.regions()[0].eval(x)))
+    sampled(&problem, &solve(&problem, &guess_of(&problem, &[0.0; 2], 10), &[], &options()).unwrap())
 }
 
 #[test]
@@ -48,6 +56,46 @@ fn what_is_near_stays_on_its_meshes() {
     let solution = solve(&bratu(1.01), &guess(), &[], &options()).unwrap();
     let first = &solution.history()[0];
     assert!(first.intervals == [400] && first.defects[0] <= 1e-9, "{first:?}");
+}
+
+/// Beside the fold, Newton's iteration takes many steps although the first is short.
+#[test]
+fn what_takes_many_iterations_is_approached_on_coarse_meshes() {
+    let near = solve(&bratu(3.51), &guess_of(&bratu(1.0), &[0.0; 2], 10), &[], &options()).unwrap();
+    let solution = solve(&bratu(3.5138), &sampled(&bratu(3.51), &near), &[], &options()).unwrap();
+    let history = solution.history();
+    assert!(history[0].newton_iterations == 4 && history[0].defects == [f64::INFINITY], "{history:?}");
+    assert!(history[1].intervals[0] < 20, "{history:?}");
+}
+
+/// `u'' = 3 tanh(100 u') + 5 cos 6x`, `u(0) = 0`, `u(1)` given: a friction that changes its sign within a hundredth.
+fn friction(height: f64) -> impl Problem {
+    Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |x, u, _, f| (f[0], f[1]) = (u[1], (u[1] * 100.0).tanh() * 3.0 + (6.0 * x).cos() * 5.0),
+        move |a, b, _, g| (g[0], g[1]) = (a[0], b[0] - height),
+    )
+}
+
+#[test]
+fn what_needs_a_damped_step_is_approached_on_coarse_meshes() {
+    let options = Options { tolerance: 1e-8, ..Options::default() };
+    let near = solve(&friction(0.0), &guess_of(&friction(0.0), &[0.0; 2], 20), &[], &options).unwrap();
+    assert!(near.intervals() > 200);
+    let mut damped = Vec::new();
+    let mut note = |event: &Event| {
+        if let Event::Newton { intervals, correction, .. } = event {
+            damped.push((*intervals, *correction));
+        }
+        ControlFlow::Continue(())
+    };
+    let solution = solve_observed(&friction(0.02), &Guess::from(&near), &[], &options, &mut note).unwrap();
+    let history = solution.history();
+    // No first correction that would say so by its size.
+    assert!(damped[0].0 == near.intervals() && damped[0].1 < 0.1, "{damped:?}");
+    assert!(history[0].newton_iterations == 2 && history[0].defects == [f64::INFINITY], "{history:?}");
+    assert!(history[1].intervals[0] < 30, "{history:?}");
 }
 
 #[test]

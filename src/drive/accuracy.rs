@@ -4,6 +4,7 @@ use solver::{Guess, Linearisation, Options, solve_observed};
 
 use super::budget::Budget;
 use super::failure::Failure;
+use super::inputs::inputs;
 use super::solve::SolveOptions;
 use super::solved::Solved;
 use crate::model::Output;
@@ -31,7 +32,8 @@ pub type OutputErrors = Option<Vec<(Output, f64)>>;
 
 /// Estimated error of every output, SI, in order: found less true, to first order. The defects and boundary residuals
 /// of the solution are carried through the linearised equations to its ends, integrals and constants, and from there by
-/// the outputs' gradients; that costs one factorisation and one linear solve for all outputs.
+/// the outputs' gradients; that costs one factorisation and one linear solve for all outputs. What is left out by that,
+/// of the square of the solution's estimated error, is added.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`] if the equations are singular at the solution, as at a limit; [`Failure::Internal`].
@@ -39,7 +41,16 @@ pub fn output_errors(solved: &Solved) -> Result<Vec<(Output, f64)>, Failure> {
     let (_, gradients) = solved.belt.output_gradients(&solved.solution)?;
     let linearisation = Linearisation::new(&solved.belt, &solved.solution).map_err(Failure::Sensitivities)?;
     let error = linearisation.error().map_err(Failure::Sensitivities)?.inputs();
-    let along = |gradient: &[f64]| gradient.iter().zip(&error).map(|(partial, error)| partial * error).sum();
+    let (ends, integrals) = inputs(&solved.solution);
+    let values: Vec<f64> =
+        ends.into_iter().chain(integrals).chain(solved.solution.constants().iter().copied()).collect();
+    // What the linearised equations leave out is of the square of the error.
+    let square = solved.solution.error_estimate().powi(2);
+    let along = |gradient: &[f64]| {
+        let first: f64 = gradient.iter().zip(&error).map(|(partial, error)| partial * error).sum();
+        let terms: f64 = gradient.iter().zip(&values).map(|(partial, value)| (partial * value).abs()).sum();
+        first + (square * terms).copysign(first)
+    };
     Ok(gradients.iter().map(|(output, gradient)| (output, along(gradient))).collect())
 }
 

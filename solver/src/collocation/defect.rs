@@ -301,6 +301,31 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Tally { relative, absolute, terms, weight: 0.0 }
     }
 
+    /// What [`Defects::integrated`] holds, by the samples of so many parts of each interval: where the right-hand side has
+    /// a kink, those of the whole interval are too few to know what its defect comes to.
+    ///
+    /// # Errors
+    /// The right-hand side is undefined there.
+    pub(crate) fn integrated_finely(
+        &self,
+        extension: &Extension,
+        parts: usize,
+        stats: &mut Stats,
+    ) -> Result<Numbers, NonFinite> {
+        let samples = self.system.tableau.samples;
+        let mut sum = Numbers::zeros(self.rows() * self.intervals());
+        for part in 0..parts {
+            let mut places = [0.0; MOST_PLACES];
+            for (place, (sigma, _)) in places.iter_mut().zip(samples) {
+                *place = (part as f64 + sigma) / parts as f64;
+            }
+            let sampled = [self.sampled(Some(extension), &places[..samples.len()], stats)?];
+            let integrated = self.integrated(&sampled);
+            sum.iter_mut().zip(&integrated).for_each(|(sum, part)| *sum += part / parts as f64);
+        }
+        Ok(sum)
+    }
+
     /// From f at the samples, all rows: what the defects of the states, and the quadrature of the integrals, amount to.
     fn integrated(&self, samples: &[Sampled]) -> Numbers {
         let (n, intervals, cubic) = (self.n(), self.intervals(), self.pieces(None));

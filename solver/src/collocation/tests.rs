@@ -1,6 +1,7 @@
 //! The linearisation against finite differences of the residual, and its elimination against a dense solve.
 
 use super::coupled::Inward;
+use super::defect::Defects;
 use super::evaluate::{Derivatives, Work};
 use super::factor::{Factorisation, Rhs};
 use super::grid::Grid;
@@ -8,11 +9,13 @@ use super::interpolant::{Extended, Extension};
 use super::plan::Plan;
 use super::transpose::Weights;
 use super::{Correction, Iterate, System};
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, W};
 use crate::magnitude::Magnitudes;
+use crate::measure::Error;
 use crate::model::{Differentiated, Model, Scalar};
 use crate::problem::{Layout, Problem, Region};
+use crate::rows::Rows;
 use crate::stats::Stats;
 use crate::tableau::{ORDER_4, ORDER_6, ORDER_8, Tableau};
 use nalgebra::{DMatrix, DVector};
@@ -373,6 +376,49 @@ fn check_stages(setup: &Setup<'_>, factorisation: &Factorisation, chained: bool,
         factor.solve_stages_transposed(&mut weights);
         let backward = dot(&weights, &right);
         assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
+    }
+}
+
+/// The error that defects cause is linear in them: what a part of each causes, and what the rest does, are all of it.
+#[test]
+fn an_error_is_the_sum_of_what_parts_of_the_defects_cause() {
+    for (tableau, chained) in [(&ORDER_4, false), (&ORDER_6, true), (&ORDER_8, true), (&ORDER_8, false)] {
+        let mixed = Mixed::new(&[(2, 1), (3, 0)], 2, (true, chained), 11);
+        let problem = Differentiated::new(mixed).unwrap();
+        let plan = Plan::new(problem.layout(), &[0, 1]);
+        let mut setup = setup(&problem, plan, &[9, 6], tableau, 3);
+        let (x, mut stats) = (setup.x.clone(), Stats::default());
+        let x = met(&mut setup, &x);
+        setup.system.evaluate(&x, Derivatives::All, &mut setup.work, &mut stats).unwrap();
+        setup.work.g.fill(0.0);
+        let (system, work) = (&setup.system, &setup.work);
+        let mut factorisation = Factorisation::new(system);
+        factorisation.factor(system, work, system.scales(&x));
+        let regions = work.regions.iter().enumerate();
+        let judged = regions.map(|(region, stages)| {
+            let extended = Extended { system, region, x: &x, stages };
+            extended.judged(&factorisation.scales, f64::INFINITY, &mut stats).unwrap()
+        });
+        let (extensions, defects): (Vec<Extension>, Vec<Defects>) = judged.unzip();
+        let error = |left: &[Numbers]| {
+            Error::of(system, (&x, work), &factorisation, (&extensions, &defects), left, &mut Stats::default())
+        };
+        let mut random = Random(7);
+        let parts: Vec<Numbers> =
+            system.grids.iter().map(|grid| (0..grid.interval_stride()).map(|_| random.next()).collect()).collect();
+        let rests: Vec<Numbers> = parts.iter().map(|part| part.iter().map(|part| 1.0 - part).collect()).collect();
+        let (whole, part, rest) = (error(&[]), error(&parts), error(&rests));
+        let all = |error: &Error| {
+            let inner = error.correction.inner.iter().flatten().flat_map(|lane| lane.0);
+            let integrals = error.integrals.iter().flat_map(Rows::iter).flatten().copied();
+            flat(system, &error.correction).into_iter().chain(inner).chain(integrals).collect::<Vec<f64>>()
+        };
+        let (whole, part, rest) = (all(&whole), all(&part), all(&rest));
+        let size = whole.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        for ((whole, part), rest) in whole.iter().zip(&part).zip(&rest) {
+            assert!((whole - part - rest).abs() <= 1e-11 * size, "order {}: {whole} {part} {rest}", tableau.order);
+        }
+        assert!(whole.iter().zip(&part).any(|(whole, part)| (whole - part).abs() > 1e-3 * size));
     }
 }
 

@@ -1,18 +1,21 @@
 //! Which meshes to go on with: finer ones where defects are too large, halved ones where Newton's iteration failed.
 
-use super::{LEAST_TARGET, PATIENCE, PROGRESS, Run};
+use super::{LEAST_TARGET, MANY, PATIENCE, PROGRESS, Run};
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::Grid;
 use crate::error::{NewtonError, SolveError};
 use crate::layers::graded;
 use crate::measure::{Solved, intervals};
-use crate::options::Order;
-use crate::phase::Action;
+use crate::options::{Control, Order};
+use crate::phase::{Action, Phase};
 use crate::problem::Problem;
 use crate::progress::{Next, Progress, Rescue, measured};
-use crate::refine::{Measure, Verdict, Wish, verdict};
+use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
 use crate::solution::Shortfall;
 use crate::start::{Start, halved, on, transfer};
+
+/// Largest defect from which an error can be foreseen: beyond it, solutions change too much with their meshes.
+const FORESEEABLE: f64 = 0.1;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
@@ -93,8 +96,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Some(start)
     }
 
-    /// Finer meshes where the defects are too large. Where they are that everywhere, once in a solve, finer ones where
-    /// layers may be.
+    /// Finer meshes where the defects exceed `target`, by which they are measured. Where they do that everywhere, once in
+    /// a solve, finer ones where layers may be.
     ///
     /// # Errors
     /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
@@ -103,11 +106,12 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         &self,
         solved: &Solved<'a, P>,
         measures: &[Measure],
+        target: f64,
         progress: &mut Progress<'a, P>,
     ) -> Result<Vec<Vec<f64>>, SolveError> {
-        let tighter = progress.target < self.options.tolerance;
+        let tighter = target < self.options.tolerance;
         let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
-        for (region, verdict) in self.verdicts(solved, measures, progress).into_iter().enumerate() {
+        for (region, verdict) in self.verdicts(solved, measures, target, progress).into_iter().enumerate() {
             let old = &solved.system.grids[region].mesh;
             meshes.push(match verdict {
                 Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
@@ -125,6 +129,46 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
             _ => Ok(meshes),
         }
+    }
+
+    /// Meshes for what defects aim at: less than they are held to, where an error is foreseen that exceeds the
+    /// tolerance. Where those are not to be had, for what they are held to.
+    ///
+    /// # Errors
+    /// As [`refined`](Self::refined).
+    pub(super) fn aimed(
+        &mut self,
+        solved: &Solved<'a, P>,
+        measures: &[Measure],
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let target = progress.target;
+        if progress.phase == Phase::Search
+            && let Some(aim) = progress.aim.or_else(|| self.foreseen(solved, measures, target))
+        {
+            progress.aim = Some(aim);
+            if aim < target {
+                let measures = measured(solved, aim, Rounding::Excused(progress.tolerance));
+                if let Ok(meshes) = self.refined(solved, &measures, aim, progress) {
+                    return Ok(meshes);
+                }
+            }
+        }
+        self.refined(solved, measures, target, progress)
+    }
+
+    /// What defects have to aim at so that the error will meet the tolerance. It is known before they meet it
+    /// themselves, where few intervals are still too long: what the others cause stays, and those are to be no worse.
+    /// None where it cannot be told yet, or where a mesh more costs little.
+    fn foreseen(&mut self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Option<f64> {
+        let few = |measure: &Measure| measure.largest <= FORESEEABLE && measure.exceeds_on_few(target);
+        let worthwhile = self.options.control == Control::Error && intervals(&solved.system.grids) >= MANY;
+        let known = solved.defects.iter().all(|defects| !defects.samples.is_empty());
+        if !worthwhile || !known || !measures.iter().all(few) {
+            return None;
+        }
+        let excess = solved.foreseen_error(measures, target, &mut self.stats) / self.options.tolerance;
+        Some(if excess > 1.0 && excess.is_finite() { (0.5 * target / excess).max(LEAST_TARGET) } else { target })
     }
 
     /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer.
@@ -146,10 +190,11 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         &self,
         solved: &Solved<'a, P>,
         measures: &[Measure],
+        target: f64,
         progress: &Progress<'a, P>,
     ) -> Vec<Verdict> {
         let wish = Wish {
-            tolerance: progress.target,
+            tolerance: target,
             order: self.tableau().defect_order,
             max_intervals: self.options.max_intervals,
             split_few: progress.split_few(),
@@ -203,7 +248,10 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             }
             // What ends the solve from here on is that finer meshes are not had.
             self.shortfall = Shortfall::Mesh;
-            return self.refined(solved, &measures, progress).ok().map(|meshes| transfer(solved, meshes));
+            return self
+                .refined(solved, &measures, progress.target, progress)
+                .ok()
+                .map(|meshes| transfer(solved, meshes));
         }
         None
     }

@@ -72,7 +72,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let failed = |error| SolveError::Newton { error, intervals: intervals(&system.grids) };
         let mut converged = match outcome {
             Ok(converged) => converged,
-            Err(newton::Failure::Newton(error) | newton::Failure::Far(error)) => return Err(failed(error)),
+            Err(newton::Failure::Newton(error) | newton::Failure::Far(_, error)) => return Err(failed(error)),
             Err(newton::Failure::Interrupted(error)) => return Err(error),
         };
         if let Some(error) = converged.stagnated.take() {
