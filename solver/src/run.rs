@@ -33,8 +33,8 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
-/// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its own
-/// cost.
+/// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its
+/// own cost.
 const MANY: usize = 200;
 /// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;

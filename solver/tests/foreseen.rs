@@ -5,8 +5,8 @@
 use solver::bvp::Bvp;
 use solver::{Control, Options, Solution};
 
-/// `u'' = -100 u + min(|x - 0.3417|, 0.2)`, `u(0) = 1`, `u(1) = -0.3`: defects are amplified, and there are kinks, which
-/// take some meshes more than all else.
+/// `u'' = -100 u + min(|x - 0.3417|, 0.2)`, `u(0) = 1`, `u(1) = -0.3`: defects are amplified, and there are kinks,
+/// which take some meshes more than all else.
 fn kinked(options: &Options) -> Solution {
     let problem = Bvp::new(
         &["u", "slope"],

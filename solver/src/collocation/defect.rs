@@ -301,8 +301,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Tally { relative, absolute, terms, weight: 0.0 }
     }
 
-    /// What [`Defects::integrated`] holds, by the samples of so many parts of each interval: where the right-hand side has
-    /// a kink, those of the whole interval are too few to know what its defect comes to.
+    /// What [`Defects::integrated`] holds, by the samples of so many parts of each interval: where the right-hand side
+    /// has a kink, those of the whole interval are too few to know what its defect comes to.
     ///
     /// # Errors
     /// The right-hand side is undefined there.

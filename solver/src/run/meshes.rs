@@ -96,8 +96,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Some(start)
     }
 
-    /// Finer meshes where the defects exceed `target`, by which they are measured. Where they do that everywhere, once in
-    /// a solve, finer ones where layers may be.
+    /// Finer meshes where the defects exceed `target`, by which they are measured. Where they do that everywhere, once
+    /// in a solve, finer ones where layers may be.
     ///
     /// # Errors
     /// The region whose mesh may not be finer; where defects are held to less than the tolerance, only if no region's
