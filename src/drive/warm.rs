@@ -24,11 +24,12 @@ const MAX_STEPS: usize = 3;
 const MAX_MESHES: usize = 12;
 const MAX_INTERVALS: usize = 2000;
 
-/// Miss of a prediction over the tolerance from which on a coarse solution is sought first. Steps of 0.3 to 25 % in
-/// slack tension, torque, ratio or friction of the base case, from one solution or from two, to tolerances of 1e-4 to
-/// 1e-8: with this, each takes the less work of both ways or nearly so; of 25 % from one solution to 1e-8, 0.4 of that
-/// of the fine solution at once, to 1e-6 0.74, and to 1e-4 there is nothing to gain.
-const FAR: f64 = 2e3;
+/// Miss of a prediction over the tolerance from which on a coarse solution is sought first. Steps of 1 to 25 % in slack
+/// tension, torque, ratio or friction of the base case, from one solution or from two, to tolerances of 1e-4 to 1e-8:
+/// with this, each takes the less work of both ways or nearly so (`docs/performance.md`).
+const FAR: f64 = 300.0;
+/// Tolerance above which there is nothing to gain by it.
+const FINE: f64 = 3e-6;
 
 /// Solves a case from a solution nearby: see [`solve_along`].
 ///
@@ -205,5 +206,5 @@ fn advance(
 fn is_far(path: &PathPiece<'_>, tolerance: f64) -> bool {
     let step = libm::log(factor(&path.from.1, path.to, path.unknowns));
     let miss = if path.before.is_some() { step * step * step } else { step * step };
-    tolerance < ROUGH_TOLERANCE && miss > FAR * tolerance
+    tolerance <= FINE && miss > FAR * tolerance
 }
