@@ -3,11 +3,12 @@
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::factor::{Factorisation, input_scales};
+use crate::collocation::grid::intervals;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::magnitude::Magnitudes;
-use crate::measure::{intervals, undefined};
+use crate::measure::undefined;
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::solve::check;

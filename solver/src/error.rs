@@ -5,8 +5,8 @@ mod newton;
 pub(crate) use newton::shown;
 pub use newton::{Component, NewtonError, NonFinite};
 
+use crate::accuracy::Shortfall;
 use crate::problem::LayoutError;
-use crate::solution::Shortfall;
 use thiserror::Error;
 
 /// What is wrong with an initial guess.

@@ -44,9 +44,11 @@
 // Negated comparisons are meant: NaN must fail.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod accuracy;
 mod basis;
 mod budget;
 pub mod bvp;
+mod cancel;
 mod collocation;
 mod condensation;
 mod conditioning;
@@ -90,7 +92,8 @@ struct Guide;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-pub use budget::Cancel;
+pub use accuracy::{Accuracy, Shortfall};
+pub use cancel::Cancel;
 pub use condensation::Condensation;
 pub use conditioning::Conditioning;
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
@@ -102,6 +105,6 @@ pub use observer::{Event, Observer, Silent};
 pub use options::{ComponentTolerance, Control, Options, Order, Which};
 pub use orientation::{BranchCheck, Orientation};
 pub use problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
-pub use solution::{Accuracy, MeshRecord, RegionSolution, Shortfall, Solution};
+pub use solution::{MeshRecord, RegionSolution, Solution};
 pub use solve::{solve, solve_observed};
 pub use stats::Stats;

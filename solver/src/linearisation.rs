@@ -3,6 +3,7 @@
 use crate::collocation::coupled::unscaled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs, input_scales};
+use crate::collocation::grid::intervals;
 use crate::collocation::interpolant::Extended;
 use crate::collocation::plan::Plan;
 use crate::collocation::transpose::Weights;
@@ -12,7 +13,7 @@ use crate::guess::Guess;
 use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::magnitude::Magnitudes;
-use crate::measure::{Error, intervals, undefined};
+use crate::measure::{Error, undefined};
 use crate::newton::Converged;
 use crate::options::Order;
 use crate::problem::Problem;

@@ -4,7 +4,7 @@ use crate::collocation::coupled::scaled;
 use crate::collocation::defect::Defects;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs};
-use crate::collocation::grid::Grid;
+use crate::collocation::grid::{Grid, intervals};
 use crate::collocation::interpolant::{Extended, Extension};
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
@@ -270,9 +270,4 @@ fn reduce(rows: &mut [f64], left: Option<&Numbers>) {
 /// What is said on these meshes where the right-hand side is undefined.
 pub(crate) fn undefined(grids: &[Grid]) -> impl Fn(NonFinite) -> SolveError {
     |error| SolveError::Newton { error: NewtonError::NonFinite(error), intervals: intervals(grids) }
-}
-
-/// Intervals of all regions.
-pub(crate) fn intervals(grids: &[Grid]) -> usize {
-    grids.iter().map(Grid::intervals).sum()
 }

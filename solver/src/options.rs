@@ -1,6 +1,6 @@
 //! What a solve may be told.
 
-use crate::budget::Cancel;
+use crate::cancel::Cancel;
 use crate::error::SolveError;
 use crate::tableau::{ORDER_4, ORDER_6, ORDER_8, Tableau};
 

@@ -13,9 +13,10 @@
 //! interval.
 
 use crate::basis::{Basis, PARTS};
-use crate::collocation::coupled::COUPLED;
 use std::sync::OnceLock;
 
+/// Inner stages of the methods whose inner stages are coupled.
+pub(crate) const COUPLED: usize = 3;
 /// Places of an interval at which the right-hand side is evaluated at once, at most.
 pub(crate) const MOST_PLACES: usize = 6;
 

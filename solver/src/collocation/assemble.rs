@@ -3,7 +3,7 @@
 mod pairs;
 mod simpson;
 
-use super::coupled::{COUPLED, Coupling, Parts};
+use super::coupled::{Coupling, Parts};
 use super::plan::RegionPlan;
 use super::roles::Role;
 use super::stages::{MOST_STAGES, Stages, View};
@@ -15,7 +15,7 @@ use crate::linear::reflect::{BySize, Rows};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
-use crate::tableau::Tableau;
+use crate::tableau::{COUPLED, Tableau};
 use pairs::Pairs;
 
 /// Entries of a sparse Jacobian: where they stand, where they go, and the factor that makes them dimensionless.

@@ -27,11 +27,8 @@ use crate::linear::simd::{Job, largest, vectorised};
 use crate::mesh;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
-use crate::tableau::Tableau;
+use crate::tableau::{COUPLED, Tableau};
 use std::sync::Arc;
-
-/// Inner stages of the methods whose inner stages are coupled.
-pub(crate) const COUPLED: usize = 3;
 
 /// The shape of one interval's share.
 #[derive(Debug, Clone)]

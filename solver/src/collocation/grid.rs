@@ -132,6 +132,11 @@ impl Grid {
     }
 }
 
+/// Intervals of all regions.
+pub(crate) fn intervals(grids: &[Grid]) -> usize {
+    grids.iter().map(Grid::intervals).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,13 +6,14 @@ use super::homotopy::Homotopy;
 use super::natural::{PathError, PathOptions, follow_within};
 use super::path::Ramp;
 use super::trace::trace_within;
+use crate::accuracy::{Accuracy, Shortfall};
 use crate::budget::Budget;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::observer::{Observer, Silent};
 use crate::options::{Control, Options};
 use crate::problem::{Layout, Problem};
-use crate::solution::{Accuracy, Shortfall, Solution};
+use crate::solution::Solution;
 use crate::solve::solve_within;
 use crate::stats::Stats;
 

@@ -2,9 +2,8 @@
 
 use super::{MANY, Run};
 use crate::collocation::Iterate;
-use crate::collocation::grid::Grid;
+use crate::collocation::grid::{Grid, intervals};
 use crate::error::SolveError;
-use crate::measure::intervals;
 use crate::mesh::thinned;
 use crate::newton::Far;
 use crate::options::{Control, Options};

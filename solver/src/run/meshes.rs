@@ -1,17 +1,17 @@
 //! Which meshes to go on with: finer ones where defects are too large, halved ones where Newton's iteration failed.
 
 use super::{LEAST_TARGET, MANY, PATIENCE, PROGRESS, Run};
+use crate::accuracy::Shortfall;
 use crate::collocation::evaluate::Derivatives;
-use crate::collocation::grid::Grid;
+use crate::collocation::grid::{Grid, intervals};
 use crate::error::{NewtonError, SolveError};
 use crate::layers::graded;
-use crate::measure::{Solved, intervals};
+use crate::measure::Solved;
 use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
 use crate::problem::Problem;
 use crate::progress::{Next, Progress, Rescue, measured};
 use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
-use crate::solution::Shortfall;
 use crate::start::{Start, halved, on, transfer};
 
 /// Largest defect from which an error can be foreseen: beyond it, solutions change too much with their meshes.

@@ -1,18 +1,20 @@
 //! How a run ends: with a solution, or with the error that says what is in the way.
 
 use super::Run;
+use crate::accuracy::{Accuracy, Shortfall};
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
+use crate::collocation::grid::intervals;
 use crate::collocation::interpolant::Extended;
 use crate::error::SolveError;
-use crate::measure::{Solved, intervals, undefined};
+use crate::measure::{Solved, undefined};
 use crate::newton::{self, Converged};
 use crate::options::Control;
 use crate::orientation::BranchCheck;
 use crate::problem::Problem;
 use crate::progress::{Found, measured};
 use crate::refine::{Measure, Rounding};
-use crate::solution::{Accuracy, RegionSolution, Shortfall, Solution};
+use crate::solution::{RegionSolution, Solution};
 use crate::start::Start;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {

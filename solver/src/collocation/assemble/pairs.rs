@@ -2,13 +2,13 @@
 //! [`Assembly::linearise`] and its kind do for any equations, with all sizes known when compiled.
 
 use super::{Assembly, Inner};
-use crate::collocation::coupled::{COUPLED, Coupling, Parts};
+use crate::collocation::coupled::{Coupling, Parts};
 use crate::collocation::roles;
 use crate::linear::chain::Block;
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar};
 use crate::linear::simd::{Job, vectorised};
-use crate::tableau::Tableau;
+use crate::tableau::{COUPLED, Tableau};
 
 /// One interval of every stretch. It is compiled once, and not for every number of states as what it is called from.
 pub(super) struct Pairs<'a, 'b> {
