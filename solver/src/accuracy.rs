@@ -20,17 +20,6 @@ pub enum Accuracy {
     },
 }
 
-impl fmt::Display for Shortfall {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Uncontrolled => "only the defects were held to the tolerance",
-            Self::WarmStart => "the guess was a solution already, and was kept with its mesh",
-            Self::Mesh => "finer meshes are not allowed, or could not be solved on",
-            Self::Rounding => "smaller defects would be rounding errors",
-        })
-    }
-}
-
 /// Why a solution was not refined until its estimated error met the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -44,4 +33,15 @@ pub enum Shortfall {
     Mesh,
     /// Smaller defects would be rounding errors: the problem is ill-conditioned.
     Rounding,
+}
+
+impl fmt::Display for Shortfall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Uncontrolled => "only the defects were held to the tolerance",
+            Self::WarmStart => "the guess was a solution already, and was kept with its mesh",
+            Self::Mesh => "finer meshes are not allowed, or could not be solved on",
+            Self::Rounding => "smaller defects would be rounding errors",
+        })
+    }
 }

@@ -38,7 +38,8 @@ impl Cancel {
         Self(Arc::new(Handle { cancelled: AtomicBool::new(false), asked: Some(Box::new(asked)) }))
     }
 
-    /// Ends every computation that holds a clone of this handle with [`SolveError::Cancelled`](crate::SolveError::Cancelled), at its next step.
+    /// Ends every computation that holds a clone of this handle with
+    /// [`SolveError::Cancelled`](crate::SolveError::Cancelled), at its next step.
     pub fn cancel(&self) {
         self.0.cancelled.store(true, Ordering::Relaxed);
     }

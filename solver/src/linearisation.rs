@@ -189,12 +189,11 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         for region in 0..self.system.grids.len() {
             let stages = &self.work.regions[region];
             let extended = Extended { system: &self.system, region, x: &self.x, stages };
-            let judged = extended.judged(&self.factorisation.scales, f64::INFINITY, &mut stats);
-            let (extension, mut defect) = judged.map_err(undefined(&self.system.grids))?;
-            if self.system.tableau.order == 4 {
-                let finely = extended.integrated_finely(&extension, PARTS, &mut stats);
-                defect.integrated = finely.map_err(undefined(&self.system.grids))?;
-            }
+            let known = match self.system.tableau.order {
+                4 => extended.integrated_finely(PARTS, &mut stats),
+                _ => extended.judged(&self.factorisation.scales, f64::INFINITY, &mut stats),
+            };
+            let (extension, defect) = known.map_err(undefined(&self.system.grids))?;
             defects.push(defect);
             extensions.push(extension);
         }

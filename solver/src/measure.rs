@@ -106,13 +106,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     fn estimated_error(&self, stats: &mut Stats) -> &(Error, f64) {
-        self.estimate.get_or_init(|| {
-            let Converged { x, work, factorisation, .. } = &self.converged;
-            let judged = (&self.extensions[..], &self.defects[..]);
-            let error = Error::of(&self.system, (x, work), factorisation, judged, &[], stats);
-            let largest = self.converged.largest(&self.system, &error.correction);
-            (error, largest)
-        })
+        self.estimate.get_or_init(|| self.error(&[], stats))
     }
 
     /// As [`error_estimate`](Self::error_estimate), what it would be if all defects that exceed `target`, by which they
@@ -120,10 +114,16 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     pub(crate) fn foreseen_error(&self, measures: &[Measure], target: f64, stats: &mut Stats) -> f64 {
         let left: Vec<Numbers> =
             self.system.grids.iter().zip(measures).map(|(grid, measure)| measure.left(grid, target)).collect();
+        self.error(&left, stats).1
+    }
+
+    /// What the defects cause, as much of them as `left` says (see [`Error::of`]), and its largest component.
+    fn error(&self, left: &[Numbers], stats: &mut Stats) -> (Error, f64) {
         let Converged { x, work, factorisation, .. } = &self.converged;
         let judged = (&self.extensions[..], &self.defects[..]);
-        let error = Error::of(&self.system, (x, work), factorisation, judged, &left, stats);
-        self.converged.largest(&self.system, &error.correction)
+        let error = Error::of(&self.system, (x, work), factorisation, judged, left, stats);
+        let largest = self.converged.largest(&self.system, &error.correction);
+        (error, largest)
     }
 
     /// Takes the estimated error off the solution, unless its boundary residuals exceed `limit` then or the right-hand

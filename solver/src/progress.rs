@@ -98,7 +98,12 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
 
     /// Rounding excuses defects only where they are held to less than the tolerance, and only up to the tolerance.
     pub(crate) fn rounding(&self) -> Rounding {
-        if self.target < self.tolerance { Rounding::Excused(self.tolerance) } else { Rounding::Counted }
+        self.rounding_at(self.target)
+    }
+
+    /// The same, for defects that are held to `target`.
+    pub(crate) fn rounding_at(&self, target: f64) -> Rounding {
+        if target < self.tolerance { Rounding::Excused(self.tolerance) } else { Rounding::Counted }
     }
 
     /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once.

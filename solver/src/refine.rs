@@ -28,7 +28,7 @@ const MOST_PIECES_HIGH: f64 = 6.0;
 /// Intervals grow at most by this factor: a small defect says little about much longer intervals.
 const LONGER: f64 = 8.0;
 /// Larger defects are far from the asymptotic regime: what they say of other lengths is not to be trusted.
-const ASYMPTOTIC: f64 = 0.1;
+pub(crate) const ASYMPTOTIC: f64 = 0.1;
 /// How many times as many intervals there may be on the next mesh: within the asymptotic regime,
 const GROWTH: f64 = 4.0;
 /// outside of it,
@@ -74,9 +74,10 @@ impl Measure {
         2 * self.defects.iter().filter(|&&defect| !(defect <= ASYMPTOTIC)).count() > self.defects.len()
     }
 
-    /// Whether no more than a few intervals exceed `target`, by which they are measured.
+    /// Whether so few intervals exceed `target`, by which they are measured, that they are split where they are.
     pub(crate) fn exceeds_on_few(&self, target: f64) -> bool {
-        few(self.failing(target), self.defects.len())
+        let failing = self.defects.iter().filter(|&&defect| !(defect <= target)).count();
+        failing as f64 <= FEW * self.defects.len() as f64 || failing <= 2
     }
 
     /// What is left of the defects of each interval, in working order, where none exceeds `target`.
@@ -87,15 +88,6 @@ impl Measure {
         };
         Numbers::collected(grid.interval_stride(), (0..grid.interval_stride()).map(left))
     }
-
-    fn failing(&self, target: f64) -> usize {
-        self.defects.iter().filter(|&&defect| !(defect <= target)).count()
-    }
-}
-
-/// Whether so few of the intervals fail that they are split where they are.
-fn few(failing: usize, intervals: usize) -> bool {
-    failing as f64 <= FEW * intervals as f64 || failing <= 2
 }
 
 /// Whether defects that rounding explains count.

@@ -83,17 +83,17 @@ fn what_needs_a_damped_step_is_approached_on_coarse_meshes() {
     let options = Options { tolerance: 1e-8, ..Options::default() };
     let near = solve(&friction(0.0), &guess_of(&friction(0.0), &[0.0; 2], 20), &[], &options).unwrap();
     assert!(near.intervals() > 200);
-    let mut damped = Vec::new();
+    let mut corrections = Vec::new();
     let mut note = |event: &Event| {
         if let Event::Newton { intervals, correction, .. } = event {
-            damped.push((*intervals, *correction));
+            corrections.push((*intervals, *correction));
         }
         ControlFlow::Continue(())
     };
     let solution = solve_observed(&friction(0.02), &Guess::from(&near), &[], &options, &mut note).unwrap();
     let history = solution.history();
     // No first correction that would say so by its size.
-    assert!(damped[0].0 == near.intervals() && damped[0].1 < 0.1, "{damped:?}");
+    assert!(corrections[0].0 == near.intervals() && corrections[0].1 < 0.1, "{corrections:?}");
     assert!(history[0].newton_iterations == 2 && history[0].defects == [f64::INFINITY], "{history:?}");
     assert!(history[1].intervals[0] < 30, "{history:?}");
 }

@@ -301,29 +301,24 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         Tally { relative, absolute, terms, weight: 0.0 }
     }
 
-    /// What [`Defects::integrated`] holds, by the samples of so many parts of each interval: where the right-hand side
-    /// has a kink, those of the whole interval are too few to know what its defect comes to.
+    /// The continuous extension of order 4 and what its defects integrate to, nothing else of them, by the samples of
+    /// so many parts of each interval: where the right-hand side has a kink, those of the whole interval are too few.
     ///
     /// # Errors
-    /// The right-hand side is undefined there.
-    pub(crate) fn integrated_finely(
-        &self,
-        extension: &Extension,
-        parts: usize,
-        stats: &mut Stats,
-    ) -> Result<Numbers, NonFinite> {
-        let samples = self.system.tableau.samples;
+    /// The right-hand side is undefined between the collocation points.
+    pub(crate) fn integrated_finely(&self, parts: usize, stats: &mut Stats) -> Result<(Extension, Defects), NonFinite> {
+        let (extension, samples) = (self.bootstrapped(stats)?, self.system.tableau.samples);
         let mut sum = Numbers::zeros(self.rows() * self.intervals());
         for part in 0..parts {
             let mut places = [0.0; MOST_PLACES];
             for (place, (sigma, _)) in places.iter_mut().zip(samples) {
                 *place = (part as f64 + sigma) / parts as f64;
             }
-            let sampled = [self.sampled(Some(extension), &places[..samples.len()], stats)?];
+            let sampled = [self.sampled(Some(&extension), &places[..samples.len()], stats)?];
             let integrated = self.integrated(&sampled);
             sum.iter_mut().zip(&integrated).for_each(|(sum, part)| *sum += part / parts as f64);
         }
-        Ok(sum)
+        Ok((extension, Defects { integrated: sum, ..Defects::default() }))
     }
 
     /// From f at the samples, all rows: what the defects of the states, and the quadrature of the integrals, amount to.

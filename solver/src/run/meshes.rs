@@ -11,11 +11,8 @@ use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
 use crate::problem::Problem;
 use crate::progress::{Next, Progress, Rescue, measured};
-use crate::refine::{Measure, Rounding, Verdict, Wish, verdict};
+use crate::refine::{ASYMPTOTIC, Measure, Verdict, Wish, verdict};
 use crate::start::{Start, halved, on, transfer};
-
-/// Largest defect from which an error can be foreseen: beyond it, solutions change too much with their meshes.
-const FORESEEABLE: f64 = 0.1;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
@@ -148,7 +145,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         {
             progress.aim = Some(aim);
             if aim < target {
-                let measures = measured(solved, aim, Rounding::Excused(progress.tolerance));
+                let measures = measured(solved, aim, progress.rounding_at(aim));
                 if let Ok(meshes) = self.refined(solved, &measures, aim, progress) {
                     return Ok(meshes);
                 }
@@ -161,7 +158,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// themselves, where few intervals are still too long: what the others cause stays, and those are to be no worse.
     /// None where it cannot be told yet, or where a mesh more costs little.
     fn foreseen(&mut self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Option<f64> {
-        let few = |measure: &Measure| measure.largest <= FORESEEABLE && measure.exceeds_on_few(target);
+        let few = |measure: &Measure| measure.largest <= ASYMPTOTIC && measure.exceeds_on_few(target);
         let worthwhile = self.options.control == Control::Error && intervals(&solved.system.grids) >= MANY;
         let known = solved.defects.iter().all(|defects| !defects.samples.is_empty());
         if !worthwhile || !known || !measures.iter().all(few) {
