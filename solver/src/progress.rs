@@ -1,5 +1,6 @@
 //! Where a solve stands between two meshes.
 
+use crate::collocation::grid::intervals;
 use crate::error::{NewtonError, SolveError};
 use crate::measure::{Measures, Solved};
 use crate::options::{Options, Order};
@@ -29,11 +30,13 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// Meshes since it last fell.
     pub(crate) stalled: usize,
     /// The solution that the present meshes were made from, while the tolerance is not met.
-    pub(crate) coarser: Option<Solved<'a, P>>,
+    coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
     /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
     /// again would do so again.
     pub(crate) shrunk: bool,
+    /// The solution on the meshes that had more, while the tolerance is not met.
+    before_shrinking: Option<Solved<'a, P>>,
     /// Regions whose meshes have been made for the layers that they may have; once in a solve.
     pub(crate) layers_sought: Vec<bool>,
     /// What the defects were held to on the last meshes that were too coarse, and the largest there.
@@ -51,7 +54,7 @@ const CREEPING: usize = 2;
 /// and until this many, where they are held to less: rounding is what is left of them then.
 const STUCK: usize = 5;
 
-impl<P: Problem + ?Sized> Progress<'_, P> {
+impl<'a, P: Problem + ?Sized> Progress<'a, P> {
     pub(crate) fn new(options: &Options, regions: usize) -> Self {
         Self {
             phase: Phase::Search,
@@ -72,6 +75,7 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
             coarser: None,
             fallback_doubled: false,
             shrunk: false,
+            before_shrinking: None,
             layers_sought: vec![false; regions],
             last_defect: None,
             creeping: 0,
@@ -106,9 +110,26 @@ impl<P: Problem + ?Sized> Progress<'_, P> {
         if target < self.tolerance { Rounding::Excused(self.tolerance) } else { Rounding::Counted }
     }
 
-    /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once.
+    /// Notes the solution that the next meshes, of so many intervals, are made from while the tolerance is not met.
+    pub(crate) fn refined_from(&mut self, solved: Solved<'a, P>, next: usize) {
+        if next < intervals(&solved.system.grids) {
+            self.shrunk = true;
+            self.before_shrinking = Some(solved);
+        } else {
+            self.coarser = Some(solved);
+        }
+    }
+
+    /// Notes that the tolerance is met.
+    pub(crate) fn tolerance_met(&mut self) {
+        (self.coarser, self.before_shrinking) = (None, None);
+    }
+
+    /// Where refined meshes have lost a solution: the one they were made from, on its own meshes doubled; once. Of
+    /// meshes that were made smaller on the way, those before that: intervals that had become too long are what may
+    /// have lost it.
     pub(crate) fn doubled(&mut self) -> Option<Start> {
-        if let Some(coarser) = self.coarser.take() {
+        if let Some(coarser) = self.before_shrinking.take().or(self.coarser.take()) {
             return Some(transfer(&coarser, twice(&coarser)));
         }
         let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;

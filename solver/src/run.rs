@@ -213,9 +213,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 match self.aimed(&solved, &measures, progress) {
                     Ok(meshes) => {
                         let count: usize = meshes.iter().map(|mesh| mesh.len() - 1).sum();
-                        progress.shrunk |= count < intervals(&solved.system.grids);
                         let start = transfer(&solved, meshes);
-                        progress.coarser = Some(*solved);
+                        progress.refined_from(*solved, count);
                         Ok(Next::On(start))
                     }
                     Err(error) => progress.fallback.take().map(Next::done).ok_or(error),

@@ -14,6 +14,9 @@ use crate::progress::{Next, Progress, Rescue, measured};
 use crate::refine::{ASYMPTOTIC, Measure, Verdict, Wish, verdict};
 use crate::start::{Start, halved, on, transfer};
 
+/// Where few intervals are too long, defects aim at this share of what they are held to.
+const AHEAD: f64 = 0.5;
+
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// A failed iteration may succeed on other meshes, or if it does not insist on progress.
     pub(super) fn rescued(
@@ -140,10 +143,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         progress: &mut Progress<'a, P>,
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let target = progress.target;
-        if progress.phase == Phase::Search
-            && let Some(aim) = progress.aim.or_else(|| self.foreseen(solved, measures, target))
-        {
-            progress.aim = Some(aim);
+        if progress.phase == Phase::Search {
+            progress.aim = progress.aim.or_else(|| self.foreseen(solved, measures, target));
+            let aim = progress.aim.unwrap_or(target).min(ahead(solved, measures, target, progress));
             if aim < target {
                 let measures = measured(solved, aim, progress.rounding_at(aim));
                 if let Ok(meshes) = self.refined(solved, &measures, aim, progress) {
@@ -158,10 +160,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// themselves, where few intervals are still too long: what the others cause stays, and those are to be no worse.
     /// None where it cannot be told yet, or where a mesh more costs little.
     fn foreseen(&mut self, solved: &Solved<'a, P>, measures: &[Measure], target: f64) -> Option<f64> {
-        let few = |measure: &Measure| measure.largest <= ASYMPTOTIC && measure.exceeds_on_few(target);
         let worthwhile = self.options.control == Control::Error && intervals(&solved.system.grids) >= MANY;
         let known = solved.defects.iter().all(|defects| !defects.samples.is_empty());
-        if !worthwhile || !known || !measures.iter().all(few) {
+        if !worthwhile || !known || !exceed_on_few(measures, target) {
             return None;
         }
         let excess = solved.foreseen_error(measures, target, &mut self.stats) / self.options.tolerance;
@@ -212,7 +213,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         if progress.stalled < PATIENCE
             && let Some(start) = self.tighter(&solved, error, progress)
         {
-            progress.coarser = None;
+            progress.tolerance_met();
             if better {
                 progress.fallback = Some(*solved);
                 progress.fallback_doubled &= progress.stalled > 0;
@@ -252,4 +253,23 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         }
         None
     }
+}
+
+/// Whether all that is left is to split few intervals: all defects are in the asymptotic regime, and few exceed
+/// `target`, by which they are measured.
+fn exceed_on_few(measures: &[Measure], target: f64) -> bool {
+    measures.iter().all(|measure| measure.largest <= ASYMPTOTIC && measure.exceeds_on_few(target))
+}
+
+/// What defects aim at where only few intervals are too long: less than they are held to, for those that just pass now
+/// are the next to fail, and a mesh more costs as much as many intervals more.
+fn ahead<P: Problem + ?Sized>(
+    solved: &Solved<'_, P>,
+    measures: &[Measure],
+    target: f64,
+    progress: &Progress<'_, P>,
+) -> f64 {
+    let aim = (AHEAD * target).max(LEAST_TARGET);
+    let few = exceed_on_few(measures, target) && exceed_on_few(&measured(solved, aim, progress.rounding_at(aim)), aim);
+    if few { aim } else { target }
 }
