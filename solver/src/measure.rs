@@ -79,7 +79,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         let error = self.estimate.get().filter(|_| self.corrected);
         let regions = self.extensions.iter().enumerate().map(|(region, extension)| {
             let errors = error.map(|(error, _)| &error.integrals[region]);
-            RegionSolution::new(&self.system, region, (x, work), extension, errors)
+            RegionSolution::new(&self.system, region, (x, work), (extension, &self.defects[region].relative), errors)
         });
         regions.collect()
     }

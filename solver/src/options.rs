@@ -26,6 +26,11 @@ impl Order {
         self.tableau().order
     }
 
+    /// The power of the intervals' length that their defects go with, where the solution is smooth.
+    pub fn defect_exponent(self) -> u32 {
+        self.tableau().defect_order as u32
+    }
+
     pub(crate) fn tableau(self) -> &'static Tableau {
         match self {
             Self::Four => &ORDER_4,

@@ -19,13 +19,16 @@ pub(crate) struct Region {
     delta: Vec<Vec<f64>>,
     integrals: Vec<f64>,
     cumulative: Vec<Vec<f64>>,
+    #[serde(default, with = "defects")]
+    defects: Vec<f64>,
 }
 
 impl From<RegionSolution> for Region {
     fn from(region: RegionSolution) -> Self {
         let [alpha, beta, gamma, delta] = region.extension.each_ref().map(Rows::to_vecs);
         let (y, f, cumulative) = (region.y.to_vecs(), region.f.to_vecs(), region.cumulative.to_vecs());
-        Self { mesh: region.mesh, y, f, alpha, beta, gamma, delta, integrals: region.integrals, cumulative }
+        let RegionSolution { mesh, integrals, defects, .. } = region;
+        Self { mesh, y, f, alpha, beta, gamma, delta, integrals, cumulative, defects }
     }
 }
 
@@ -35,7 +38,7 @@ impl TryFrom<Region> for RegionSolution {
     /// # Errors
     /// Which rows do not fit the mesh or the number of states or integrals.
     fn try_from(region: Region) -> Result<Self, String> {
-        let Region { mesh, y, f, alpha, beta, gamma, delta, integrals, cumulative } = region;
+        let Region { mesh, y, f, alpha, beta, gamma, delta, integrals, cumulative, defects } = region;
         if mesh.len() < 2 {
             return Err(format!("a mesh of {} nodes; at least 2 are expected", mesh.len()));
         }
@@ -48,6 +51,9 @@ impl TryFrom<Region> for RegionSolution {
                 Some(None) => Ok(Rows::new(rows.concat(), width)),
             }
         };
+        if !defects.is_empty() && defects.len() != intervals {
+            return Err(format!("{} defects; one for each of {intervals} intervals is expected", defects.len()));
+        }
         // γ and δ come together, at order 8.
         let higher = if gamma.is_empty() && delta.is_empty() { 0 } else { states };
         Ok(Self {
@@ -62,6 +68,7 @@ impl TryFrom<Region> for RegionSolution {
             cumulative: rows("cumulative", cumulative, integrals.len(), nodes)?,
             mesh,
             integrals,
+            defects,
         })
     }
 }

@@ -26,15 +26,18 @@ pub struct RegionSolution {
     pub(crate) integrals: Vec<f64>,
     /// Integral by integral, from the start of the region to each node.
     pub(crate) cumulative: Rows,
+    /// The largest relative defect of each interval; empty where none is known.
+    pub(crate) defects: Vec<f64>,
 }
 
 impl RegionSolution {
-    /// `errors`: what is to be taken off the integrals over each interval, a row an integral, in working order.
+    /// `defects`: the largest of each interval; none where they are not known. `errors`: what is to be taken off the
+    /// integrals over each interval, a row an integral, in working order.
     pub(crate) fn new<P: Problem + ?Sized>(
         system: &System<'_, P>,
         region: usize,
         (x, work): (&Iterate, &Work),
-        extension: &Extension,
+        (extension, defects): (&Extension, &[f64]),
         errors: Option<&Rows>,
     ) -> Self {
         let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
@@ -61,6 +64,7 @@ impl RegionSolution {
             extension: [alpha, beta, gamma, delta].map(|values| grid.unpack_intervals(values)),
             integrals: cumulative.iter().filter_map(|sums| sums.last().copied()).collect(),
             cumulative,
+            defects: defects.to_vec(),
         }
     }
 
@@ -129,6 +133,13 @@ impl RegionSolution {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::curvature(sigma);
         (0..self.states()).map(|i| self.component(i).combine(&basis, j, h) / (h * h)).collect()
+    }
+
+    /// The largest defect of each interval, relative to the right-hand side: what the tolerance is held against (see
+    /// [`Solution::max_defect`]). Where the right-hand side has a kink, one may exceed it on an interval so short that
+    /// its integral is small. Empty where they are not known, as of a solution read from a file without them.
+    pub fn defects(&self) -> &[f64] {
+        &self.defects
     }
 
     /// States at many places, state by state: value `i * s.len() + j` is that of state `i` at `s[j]`. As

@@ -32,6 +32,8 @@ fn a_solution_comes_back_as_it_was_and_can_be_gone_on_from() {
     assert!(short.contains("values of y") && short.contains("are expected"), "{short}");
     let few = changed(&|region| drop(region["alpha"].as_array_mut().unwrap().pop()));
     assert!(few.contains("1 rows of alpha; 2 are expected"), "{few}");
+    let one = changed(&|region| region["defects"].as_array_mut().unwrap().truncate(1));
+    assert!(one.starts_with("1 defects; one for each of"), "{one}");
     let none = changed(&|region| region["mesh"].as_array_mut().unwrap().truncate(1));
     assert!(none.contains("a mesh of 1 nodes"), "{none}");
 }
@@ -44,6 +46,14 @@ fn comes_back<M: Formulas>(bratu: &Bvp<M>, order: Order) {
     for s in [0.0, 0.1, 0.377, 1.0] {
         assert_eq!(again.regions()[0].eval(s), solution.regions()[0].eval(s));
     }
+    let defects = solution.regions()[0].defects();
+    assert_eq!(defects.len(), solution.intervals());
+    assert_eq!(defects.iter().copied().fold(0.0, f64::max), solution.max_defect());
+    assert_eq!(again.regions()[0].defects(), defects);
+    // They may be missing, as where they are not known.
+    let mut without: serde_json::Value = serde_json::from_str(&text).unwrap();
+    without["regions"][0].as_object_mut().unwrap().remove("defects").unwrap();
+    assert!(serde_json::from_value::<Solution>(without).unwrap().regions()[0].defects().is_empty());
     assert_eq!(again.constants(), solution.constants());
     assert_eq!(
         (again.order(), again.accuracy(), again.stats()),

@@ -85,7 +85,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let regions = (0..system.grids.len()).map(|region| {
             let stages = &converged.work.regions[region];
             let extension = Extended { system: &system, region, x: &converged.x, stages }.unjudged();
-            RegionSolution::new(&system, region, (&converged.x, &converged.work), &extension, None)
+            RegionSolution::new(&system, region, (&converged.x, &converged.work), (&extension, &[]), None)
         });
         let (tolerance, because) = (self.options.tolerance, Shortfall::Uncontrolled);
         let solution = Solution {
