@@ -17,8 +17,8 @@ const SHORTEST_BACK: f64 = 0.2;
 const DIFFERENCE: f64 = 1e-3;
 /// Difference quotients in x, m.
 const DEPTH: f64 = 1e-6;
-/// Share of the tolerance that a node may cost which is left out.
-const THINNING: f64 = 0.1;
+/// Share of the tolerance that the defect may have where a node is left out: it grows along the path.
+const THINNING: f64 = 0.05;
 /// Change of the speed ratio, as a share of it, up to which it is predicted by its logarithm.
 const LARGEST_CHANGE: f64 = 0.5;
 /// Nodes in a row that may be left out.
@@ -53,7 +53,7 @@ pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64
         let _ = curve.adhere(region, &mut guess);
     }
     for (region, part) in guess.regions.iter_mut().zip(from.regions()) {
-        let kept = kept(part, THINNING * tolerance);
+        let kept = kept(part, from.order().defect_exponent(), THINNING * tolerance);
         let pick = |values: &[f64]| kept.iter().filter_map(|&node| values.get(node).copied()).collect();
         region.mesh = pick(&region.mesh);
         region.states = region.states.iter().map(|values| pick(values)).collect();
@@ -317,39 +317,61 @@ impl Scale {
     }
 }
 
-/// The nodes of a region without those that Hermite's cubic between their neighbours makes superfluous. Along a path
-/// the kinks of friction move, and leave their fine meshes behind.
-fn kept(part: &RegionSolution, tolerance: f64) -> Vec<usize> {
-    let last = part.mesh().len().saturating_sub(1);
-    let size = |state: usize| part.state(state).iter().fold(0.0, |size: f64, y| size.max(y.abs()));
-    let sizes: Vec<f64> = (0..part.states()).map(size).collect();
-    let mut kept = vec![0];
-    let mut from = 0;
+/// The nodes of a region without those whose intervals, as one, would still have a defect of no more than `limit`.
+/// Along a path the kinks of friction move, and leave their fine meshes behind.
+fn kept(part: &RegionSolution, exponent: u32, limit: f64) -> Vec<usize> {
+    let (mesh, last) = (part.mesh(), part.intervals());
+    let power = |length: f64| (0..exponent).fold(1.0, |power, _| power * length);
+    // The defect of an interval is this times that power of its length, however long it is made.
+    let factor = |interval: usize| {
+        let defect = part.defects().get(interval).filter(|defect| defect.is_finite());
+        defect.map_or(f64::INFINITY, |defect| defect / power(mesh[interval + 1] - mesh[interval]))
+    };
+    let (mut kept, mut from, mut largest) = (vec![0], 0, factor(0));
     for node in 1..last {
-        let superfluous = |node: usize, to: usize| hermite_holds(part, &sizes, [from, node, to], tolerance);
-        if node - from > LONGEST_GAP || !(from + 1..=node).all(|inner| superfluous(inner, node + 1)) {
+        let next = factor(node);
+        largest = f64::max(largest, next);
+        let superfluous = largest * power(mesh[node + 1] - mesh[from]) <= limit;
+        if !superfluous || node - from > LONGEST_GAP {
             kept.push(node);
-            from = node;
+            (from, largest) = (node, next);
         }
     }
     kept.push(last);
     kept
 }
 
-/// Whether Hermite's cubic from one node to another gives the states between. The cubic of length h that is wrong by e
-/// in the middle is wrong by about 3 e/h in its slope: the defect that a mesh without the node would have.
-fn hermite_holds(part: &RegionSolution, sizes: &[f64], nodes: [usize; 3], tolerance: f64) -> bool {
-    let [Some(a), Some(s), Some(b)] = nodes.map(|node| part.mesh().get(node).copied()) else { return false };
-    let h = b - a;
-    let (t, u) = ((s - a) / h, (b - s) / h);
-    sizes.iter().enumerate().all(|(state, size)| {
-        let [Some(y0), Some(y), Some(y1)] = nodes.map(|node| part.state(state).get(node).copied()) else {
-            return false;
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use crate::case::Case;
+    use crate::drive::{SolveOptions, solve};
+    use solver::Options;
+
+    #[test]
+    fn nodes_are_left_out_that_are_not_missed() {
+        let fine = SolveOptions { tolerance: 1e-6, ..SolveOptions::default() };
+        let solved = solve(&Case::default().resolve().unwrap(), &fine).unwrap();
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        let options = Options { tolerance: 1e-3, ..Options::default() };
+        // Intervals that are left, and meshes that it takes from there.
+        let solve_without = |limit: f64| {
+            let mut guess = Guess::from(&solved.solution);
+            for (region, part) in guess.regions.iter_mut().zip(solved.solution.regions()) {
+                let kept = kept(part, solved.solution.order().defect_exponent(), limit);
+                region.mesh = kept.iter().map(|&node| part.mesh()[node]).collect();
+                region.states = region.states.iter().map(|y| kept.iter().map(|&node| y[node]).collect()).collect();
+            }
+            let intervals: usize = guess.regions.iter().map(|region| region.mesh.len() - 1).sum();
+            (intervals, solver::solve(&solved.belt, &guess, &unknowns, &options).unwrap().history().len())
         };
-        let [Some(f0), Some(f), Some(f1)] = nodes.map(|node| part.slope(state).get(node).copied()) else {
-            return false;
-        };
-        let cubic = u * u * (1.0 + 2.0 * t) * y0 + t * t * (3.0 - 2.0 * t) * y1 + h * t * u * (u * f0 - t * f1);
-        3.0 * (cubic - y).abs() / h <= tolerance * (size + f.abs())
-    })
+        let all = solved.solution.intervals();
+        assert_eq!(solve_without(-1.0).0, all);
+        let (intervals, meshes) = solve_without(THINNING * options.tolerance);
+        assert!(4 * intervals < 3 * all && meshes == 1, "{intervals} of {all} intervals, {meshes} meshes");
+        let (intervals, meshes) = solve_without(100.0 * options.tolerance);
+        assert!(meshes > 1, "{intervals} of {all} intervals, {meshes} meshes");
+    }
 }
