@@ -5,6 +5,7 @@ use solver::{Guess, Linearisation, Options, solve_observed};
 use super::budget::Budget;
 use super::failure::Failure;
 use super::inputs::inputs;
+use super::power::PowerFlow;
 use super::solve::SolveOptions;
 use super::solved::Solved;
 use crate::model::Output;
@@ -94,12 +95,11 @@ pub fn refined(mut solved: Solved, options: &SolveOptions) -> Result<(Solved, Ou
 /// of torques that may be zero.
 fn excess(solved: &Solved, errors: &[(Output, f64)]) -> Result<f64, Failure> {
     let values = solved.belt.output_values(&solved.solution)?;
-    let powers = [values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?];
-    let drives = powers[0] * powers[1] > 0.0;
+    let flow = PowerFlow::of(values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?);
     let mut worst = 0.0_f64;
     for (output, error) in errors.iter().filter(|(output, _)| HELD.contains(output)) {
         let is_force = matches!(output, Output::PrimaryAxialForce | Output::SecondaryAxialForce);
-        if is_force || drives {
+        if is_force || flow.is_through() {
             worst = worst.max((error / values.get(*output)?).abs());
         }
     }

@@ -6,6 +6,7 @@ use super::doubt::Doubt;
 use super::schema::DriveResult;
 use super::units::{Measured, Units};
 use crate::case::{Key, Resolved};
+use crate::drive::PowerFlow;
 
 /// Share of the friction at hand that ought to be left over; below, a drive is at the mercy of dust and damp.
 pub const WANTED_RESERVE: f64 = 0.2;
@@ -91,7 +92,7 @@ fn watts(units: Units, result: &DriveResult<Resolved>) -> String {
     let energy = &result.energy;
     let [primary, secondary] = [&result.primary, &result.secondary].map(|pulley| pulley.friction_loss);
     let show = |power: f64| units.show(Measured::Power, power, 0);
-    let driving = if energy.power_in < 0.0 && energy.power_out < 0.0 {
+    let driving = if PowerFlow::of(energy.power_in, energy.power_out) == PowerFlow::FromSecondary {
         format!("{} from the secondary, {} to the primary", show(-energy.power_out), show(-energy.power_in))
     } else {
         format!("{} in, {} out", show(energy.power_in), show(energy.power_out))

@@ -6,7 +6,7 @@ use generated::{RegionKernel, Symbol};
 use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
-use crate::drive::{BeltProblem, OutputValues, RegionId, Solved};
+use crate::drive::{BeltProblem, OutputValues, PowerFlow, RegionId, Solved};
 use crate::model::{Constant, Constants, Field, InternalError, Output, State};
 
 /// Points inside each interval at which extremes are looked for, besides its nodes.
@@ -262,16 +262,6 @@ const SECONDARY: PulleyOutputs = PulleyOutputs {
     exit_tension: Output::SecondaryExitTension,
 };
 
-/// The pulley that drives the other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Driving {
-    Primary,
-    Secondary,
-}
-
-/// Share of the larger power below which the other counts as none.
-const NO_POWER: f64 = 1e-5;
-
 /// What a solution is read from.
 pub struct Reading<'a> {
     solved: &'a Solved,
@@ -352,37 +342,20 @@ impl<'a> Reading<'a> {
 
     /// Efficiencies, of the driven pulley over the driving one.
     pub fn efficiency(&self) -> Result<Efficiency, InternalError> {
-        let driving = self.driving()?;
+        let flow = PowerFlow::of(self.outputs.get(Output::EnergyPowerIn)?, self.outputs.get(Output::EnergyPowerOut)?);
         let driven_over_driving = |secondary_over_primary: Output| -> Result<Option<f64>, InternalError> {
             let value = self.outputs.get(secondary_over_primary)?;
-            Ok(driving.map(|driving| match driving {
-                Driving::Primary => value,
-                Driving::Secondary => 1.0 / value,
-            }))
+            Ok(match flow {
+                PowerFlow::FromPrimary => Some(value),
+                PowerFlow::FromSecondary => Some(1.0 / value),
+                PowerFlow::IntoBoth | PowerFlow::Neither => None,
+            })
         };
         Ok(Efficiency {
             speed: driven_over_driving(Output::EfficiencySpeed)?,
             torque: driven_over_driving(Output::EfficiencyTorque)?,
             overall: driven_over_driving(Output::EfficiencyOverall)?,
             overall_with_losses: None,
-        })
-    }
-
-    /// The pulley that drives the other, by the powers; none where one of them is zero or both pulleys feed the belt's
-    /// losses.
-    fn driving(&self) -> Result<Option<Driving>, InternalError> {
-        let power_in = self.outputs.get(Output::EnergyPowerIn)?;
-        let power_out = self.outputs.get(Output::EnergyPowerOut)?;
-        // A torque of zero is met to the solver's tolerance: what is left of its power has no direction.
-        if power_in.abs().min(power_out.abs()) <= NO_POWER * power_in.abs().max(power_out.abs()) {
-            return Ok(None);
-        }
-        Ok(if power_in > 0.0 && power_out > 0.0 {
-            Some(Driving::Primary)
-        } else if power_in < 0.0 && power_out < 0.0 {
-            Some(Driving::Secondary)
-        } else {
-            None
         })
     }
 

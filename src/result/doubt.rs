@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::schema::{DriveResult, Energy, Pulley};
+use crate::drive::PowerFlow;
 
 /// Share of a contact in adhesion, on both pulleys, below which the belt counts as adhering nowhere.
 const LITTLE_ADHESION: f64 = 0.02;
@@ -61,7 +62,7 @@ pub(super) fn is_buckled(primary_wrap: f64, secondary_wrap: f64) -> bool {
 
 /// Whether power is put in on both sides.
 pub(super) fn is_driven_on_both_sides(energy: &Energy) -> bool {
-    energy.power_in >= 0.0 && energy.power_out < 0.0
+    PowerFlow::of(energy.power_in, energy.power_out) == PowerFlow::IntoBoth
 }
 
 /// Whether hardly any of the belt adheres.
