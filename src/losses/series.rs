@@ -152,8 +152,10 @@ impl Phases {
     pub fn new(u: &[f64], n: usize) -> Self {
         let steps = u.iter().map(|u| phase(1, *u));
         let (step_cos, step_sin): (Vec<f64>, Vec<f64>) = steps.unzip();
-        let mut phases = Self { cos: vec![0.0; u.len()], sin: vec![0.0; u.len()], step_cos, step_sin, n };
-        phases.restart(u);
+        let mut phases = Self { cos: step_cos.clone(), sin: step_sin.clone(), step_cos, step_sin, n };
+        if n != 1 {
+            phases.restart(u);
+        }
         phases
     }
 
