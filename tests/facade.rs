@@ -44,6 +44,30 @@ fn a_sweep_as_iterator_and_as_table_say_the_same() {
     assert_eq!(count, table.rows.len());
 }
 
+/// Points behind one another are solved on meshes that hardly differ: few are refined twice, and what is left out of one
+/// is not put in again on the next.
+#[test]
+fn points_behind_one_another_share_their_meshes() {
+    const TORQUES: usize = 16;
+    let axes = [
+        Axis::parse("operating_point.slack_tension=60 N..300 N:4").unwrap(),
+        Axis::parse(&format!("operating_point.primary_torque=3..18:{TORQUES}")).unwrap(),
+    ];
+    let options = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+    let (mut evaluations, mut meshes, mut points) = (0, 0, 0);
+    for (index, item) in sheave::sweep(Case::base(), axes, options).unwrap().enumerate() {
+        let solved = item.unwrap().1.unwrap().solved;
+        if index % TORQUES > 0 {
+            evaluations += solved.stats.jacobian_points;
+            meshes += solved.stats.meshes;
+            points += 1;
+        }
+    }
+    assert_eq!(points, 4 * (TORQUES - 1));
+    assert!(evaluations < 1750 * points, "{} evaluations with derivatives a point", evaluations / points);
+    assert!(10 * meshes < 22 * points, "{meshes} meshes for {points} points");
+}
+
 #[test]
 fn a_result_is_read_back_as_it_was_written() {
     let options = SolveOptions { sensitivities: true, ..rough() };
