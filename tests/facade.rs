@@ -44,8 +44,8 @@ fn a_sweep_as_iterator_and_as_table_say_the_same() {
     assert_eq!(count, table.rows.len());
 }
 
-/// Points behind one another are solved on meshes that hardly differ: few are refined twice, and what is left out of one
-/// is not put in again on the next.
+/// Points behind one another are solved on meshes that hardly differ: few are refined twice, and what is left out of
+/// one is not put in again on the next.
 #[test]
 fn points_behind_one_another_share_their_meshes() {
     const TORQUES: usize = 16;

@@ -1,6 +1,6 @@
 //! A guess for a drive near one that is solved.
 
-use solver::{Guess, Linearisation, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
+use solver::{Guess, Linearisation, Order, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::belt::BeltProblem;
 use super::moved::drift;
@@ -53,10 +53,7 @@ pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64
         let _ = curve.adhere(region, &mut guess);
     }
     for (region, part) in guess.regions.iter_mut().zip(from.regions()) {
-        let kept = kept(part, from.order().defect_exponent(), THINNING * tolerance);
-        let pick = |values: &[f64]| kept.iter().filter_map(|&node| values.get(node).copied()).collect();
-        region.mesh = pick(&region.mesh);
-        region.states = region.states.iter().map(|values| pick(values)).collect();
+        thin(region, part, from.order(), THINNING * tolerance);
     }
     Ok(guess)
 }
@@ -317,6 +314,14 @@ impl Scale {
     }
 }
 
+/// Leaves out the nodes of a region that its solution can do without, wherever they have moved to: see [`kept`].
+fn thin(region: &mut RegionGuess, part: &RegionSolution, order: Order, limit: f64) {
+    let kept = kept(part, order.defect_exponent(), limit);
+    let pick = |values: &[f64]| kept.iter().filter_map(|&node| values.get(node).copied()).collect();
+    region.mesh = pick(&region.mesh);
+    region.states = region.states.iter().map(|values| pick(values)).collect();
+}
+
 /// The nodes of a region without those whose intervals, as one, would still have a defect of no more than `limit`.
 /// Along a path the kinks of friction move, and leave their fine meshes behind.
 fn kept(part: &RegionSolution, exponent: u32, limit: f64) -> Vec<usize> {
@@ -360,9 +365,7 @@ mod tests {
         let solve_without = |limit: f64| {
             let mut guess = Guess::from(&solved.solution);
             for (region, part) in guess.regions.iter_mut().zip(solved.solution.regions()) {
-                let kept = kept(part, solved.solution.order().defect_exponent(), limit);
-                region.mesh = kept.iter().map(|&node| part.mesh()[node]).collect();
-                region.states = region.states.iter().map(|y| kept.iter().map(|&node| y[node]).collect()).collect();
+                thin(region, part, solved.solution.order(), limit);
             }
             let intervals: usize = guess.regions.iter().map(|region| region.mesh.len() - 1).sum();
             (intervals, solver::solve(&solved.belt, &guess, &unknowns, &options).unwrap().history().len())
