@@ -3,7 +3,7 @@
 use crate::case::{Case, CaseError, Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::design::{self, ClampLimits, DesignError, Limit, LimitOptions, Optimum};
-use crate::drive::{Failure, SolveOptions, solve_along};
+use crate::drive::{Failure, SolveOptions, TRAIL, solve_along};
 use crate::result::{Outcome, interpret, run};
 use crate::study::{self, Axis, GridPoint, Study, StudyError, Table};
 
@@ -130,9 +130,6 @@ pub struct Sweep {
     /// The last solutions, with their cases.
     trail: Vec<(Resolved, Outcome)>,
 }
-
-/// Solutions that say where a sweep goes.
-const TRAIL: usize = 2;
 
 impl Sweep {
     fn solve(&mut self, point: &GridPoint) -> Result<Outcome, Error> {

@@ -9,7 +9,7 @@ use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::position::Position;
-use super::predict::{PathPiece, predicted};
+use super::predict::{PathPiece, TRAIL, Waypoint, predicted};
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
@@ -40,15 +40,15 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 }
 
 /// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values,
-/// goes to what the case says: the slip threshold geometrically, all others linearly. The solution before the last, if
-/// there is one, tells how the path bends. All must be of one model; the caller sees to that. Gives up early, on
-/// anything but a case nearby.
+/// goes to what the case says: the slip threshold geometrically, all others linearly. The solutions before the last, if
+/// there are any, tell how the path bends; more than [`TRAIL`] in all are of no use. All must be of one model; the caller
+/// sees to that. Gives up early, on anything but a case nearby.
 ///
 /// # Errors
 /// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).
 pub fn solve_along(trail: &[&Solved], case: &Resolved, options: &SolveOptions) -> Result<Solved, Failure> {
     let [rest @ .., last] = trail else { return Err(Failure::NoStart) };
-    along(rest.last().copied(), last, &case.model, Question::of(case), options)
+    along(rest, last, &case.model, Question::of(case), options)
 }
 
 /// As [`solve_from`], for any question: what outputs and laws are asked to be moves with everything else that is given,
@@ -63,7 +63,7 @@ pub fn solve_question_from(
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     question.check(model)?;
-    along(None, from, model, question.clone(), options)
+    along(&[], from, model, question.clone(), options)
 }
 
 /// As [`solve_question_from`], in at most three steps along a straight path, each predicted by no more than the
@@ -99,20 +99,21 @@ fn within(options: &SolveOptions) -> Options {
     Options { max_meshes: MAX_MESHES, max_intervals: MAX_INTERVALS, ..options.solver() }
 }
 
-/// From one solution to another, in one predicted step if that succeeds, else in a few.
+/// From the last of some solutions to another, in one predicted step if that succeeds, else in a few.
 fn along(
-    before: Option<&Solved>,
+    before: &[&Solved],
     from: &Solved,
     model: &ModelChoices,
     question: Question,
     options: &SolveOptions,
 ) -> Result<Solved, Failure> {
     let belt = posed(model, &question)?;
-    let (origin, target) = (Position::of(from, &question)?, Position::asked(&question));
-    let earlier = before.map(|before| Ok::<_, Failure>((before.solution.clone(), Position::of(before, &question)?)));
+    let mut here = Waypoint::of(from, &question)?;
+    let (origin, target) = (here.position.clone(), Position::asked(&question));
+    let nearest = before.iter().rev().take(TRAIL - 1);
+    let mut before = nearest.map(|before| Waypoint::of(before, &question)).collect::<Result<Vec<_>, _>>()?;
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
     let (mut stats, mut steps, mut progress, mut step) = (Stats::default(), 0, 0.0, 1.0);
-    let (mut before, mut here) = (earlier.transpose()?, (from.solution.clone(), origin.clone()));
     let mut budget = Budget::new(options.work_limit);
     let lost = |here: &Solution, cause: Box<SolveError>| match question.is_ordinary() {
         _ if is_cancelled() => Failure::Cancelled,
@@ -122,24 +123,23 @@ fn along(
     while progress < 1.0 {
         let next = f64::min(progress + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
-        let path =
-            PathPiece { before: before.as_ref(), from: &here, to: &origin.toward(&target, next), unknowns: &unknowns };
+        let path = PathPiece { before: &before, from: &here, to: &origin.toward(&target, next), unknowns: &unknowns };
         let shortest = step < 2.0 * SMALLEST_STEP;
         match advance(&belt, &path, tolerance, shortest, options, &mut budget) {
             Ok((solution, work)) => {
                 stats += work;
                 steps += 1;
-                let position = Position::within(&solution)?;
-                (before, progress) = (Some(std::mem::replace(&mut here, (solution, position))), next);
+                before.insert(0, std::mem::replace(&mut here, Waypoint::within(solution)?));
+                progress = next;
             }
             Err(cause) if shortest || budget.is_spent() || is_cancelled() => {
-                return Err(lost(&here.0, Box::new(cause)));
+                return Err(lost(&here.solution, Box::new(cause)));
             }
             Err(_) => step /= 2.0,
         }
     }
     let always = !question.is_ordinary();
-    let corrected = corrected(&belt, here.0, &options.solver(), always, &mut stats, &mut budget);
+    let corrected = corrected(&belt, here.solution.into_owned(), &options.solver(), always, &mut stats, &mut budget);
     let solution = corrected.map_err(|(last, cause)| lost(&last, Box::new(cause)))?;
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
@@ -204,7 +204,7 @@ fn advance(
 /// Whether a coarse solution first is less work than the fine one at once. What is predicted misses by the square of
 /// the step, or by its cube where the solution before tells how the path bends.
 fn is_far(path: &PathPiece<'_>, tolerance: f64) -> bool {
-    let step = libm::log(factor(&path.from.1, path.to, path.unknowns));
-    let miss = if path.before.is_some() { step * step * step } else { step * step };
+    let step = libm::log(factor(&path.from.position, path.to, path.unknowns));
+    let miss = if path.before.is_empty() { step * step } else { step * step * step };
     tolerance <= FINE && miss > FAR * tolerance
 }

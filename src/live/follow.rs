@@ -2,11 +2,9 @@
 
 use crate::case::{Case, Key, Resolved, Setting};
 use crate::clock::Stopwatch;
-use crate::drive::{Failure, SolveOptions, solve_along};
+use crate::drive::{Failure, SolveOptions, TRAIL, solve_along};
 use crate::result::{self, Outcome};
 
-/// Solutions that tell how a way bends.
-const TRAIL: usize = 2;
 /// Halvings of the way to a case after which it counts as ended, however long it was.
 const HALVINGS: usize = 14;
 /// Share of the change asked for below which the way counts as ended, in relation to the values themselves.

@@ -6,15 +6,13 @@ use super::row::{Row, Table, TableBuilder};
 use crate::cancel::is_cancelled;
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
-use crate::drive::{Failure, SolveOptions, Solved, remoteness, solve_along};
+use crate::drive::{Failure, SolveOptions, Solved, TRAIL, remoteness, solve_along};
 use crate::result::{self, Outcome};
 use crate::threads::{self, Scope};
 use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-/// Solutions that tell where a chain goes.
-const TRAIL: usize = 2;
 /// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
 const FARTHEST: f64 = 1.6;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.

@@ -6,30 +6,17 @@
 
 use solver::RegionSolution;
 
-use super::belt::BeltProblem;
-use super::region::RegionId;
+use crate::drive::belt::BeltProblem;
+use crate::drive::region::RegionId;
 use crate::model::{Constant, Field};
 
 /// A piece between two kinks may become so many times as long or as short; beyond that they have not moved, but come
 /// and gone.
 const MOST_STRETCHED: f64 = 4.0;
 
-/// How far each node of a contact moves in one step ahead, if kinks move on as they have from a solution `before`,
-/// which lies `back` such steps behind; each solution with its constants. The ends stay. Nothing where kinks of the two
-/// do not belong together one by one. (How motions bend, which a third solution tells, saves no iteration of a sweep.)
-pub(super) fn drift(
-    belt: &BeltProblem,
-    region: RegionId,
-    before: (&RegionSolution, &[f64]),
-    here: (&RegionSolution, &[f64]),
-    back: f64,
-) -> Option<Vec<f64>> {
-    let mesh = here.0.mesh();
-    along(mesh, &kinks(belt, region, before)?, &kinks(belt, region, here)?, back)
-}
-
-/// As [`drift`], from the kinks themselves: `then` and `now`.
-fn along(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>> {
+/// How far each place of a contact moves in one step ahead, if kinks move on to where they are `now` from where they were
+/// `then`, `back` such steps behind. The ends stay. Nothing where kinks of the two do not belong together one by one.
+pub(super) fn drift(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>> {
     if now.is_empty() || then.len() != now.len() {
         return None;
     }
@@ -50,7 +37,12 @@ fn along(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>>
 }
 
 /// Where the sliding speed passes the slip threshold along a contact.
-fn kinks(belt: &BeltProblem, region: RegionId, (part, constants): (&RegionSolution, &[f64])) -> Option<Vec<f64>> {
+pub(super) fn kinks(
+    belt: &BeltProblem,
+    region: RegionId,
+    part: &RegionSolution,
+    constants: &[f64],
+) -> Option<Vec<f64>> {
     let threshold = constants.get(Constant::SlipThreshold.index())?;
     let states: Vec<f64> = (0..part.states()).flat_map(|state| part.state(state)).copied().collect();
     let speeds = belt.field(region, Field::SlidingSpeed, &states, constants)?;
@@ -75,13 +67,13 @@ mod tests {
     fn nodes_move_with_the_kinks_and_the_ends_stay() {
         let mesh = [0.0, 0.2, 0.3, 0.5, 0.6, 0.8, 1.0];
         // Half a step back, so twice as far ahead.
-        let drift = along(&mesh, &[0.28, 0.61], &[0.3, 0.6], 0.5).expect("they belong together");
-        for (found, expected) in drift.iter().zip([0.0, 2.0 / 3.0 * 0.04, 0.04, 0.0, -0.02, -0.01, 0.0]) {
-            assert!((found - expected).abs() < 1e-12, "{drift:?}");
+        let moved = drift(&mesh, &[0.28, 0.61], &[0.3, 0.6], 0.5).expect("they belong together");
+        for (found, expected) in moved.iter().zip([0.0, 2.0 / 3.0 * 0.04, 0.04, 0.0, -0.02, -0.01, 0.0]) {
+            assert!((found - expected).abs() < 1e-12, "{moved:?}");
         }
         // One that is new, none at all, two that would pass each other, one that would pass the end.
         for (then, now) in [(&[0.3][..], &[0.3, 0.6][..]), (&[], &[]), (&[0.2, 0.6], &[0.4, 0.5]), (&[0.5], &[0.9])] {
-            assert_eq!(along(&mesh, then, now, 1.0), None, "{then:?} {now:?}");
+            assert_eq!(drift(&mesh, then, now, 1.0), None, "{then:?} {now:?}");
         }
     }
 

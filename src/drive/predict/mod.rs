@@ -1,0 +1,30 @@
+//! A guess for a drive near one that is solved.
+
+mod moved;
+mod parabola;
+mod path;
+mod scale;
+mod sliding;
+mod tangents;
+mod thin;
+
+use solver::{Guess, SolveError};
+
+use super::belt::BeltProblem;
+pub(super) use path::{PathPiece, Waypoint};
+
+/// Solutions of which a prediction makes use: the one that is left, and those before it.
+pub const TRAIL: usize = 4;
+
+/// The guess at the end of a piece of path, on as many of the nodes of its first solution as `tolerance` asks for: where
+/// the solutions before it tell enough, from them alone, else by the tangent there.
+///
+/// # Errors
+/// [`SolveError`] where the problem has no tangent at the solution that is left.
+pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
+    let kept = thin::kept(&path.from.solution, thin::SHARE * tolerance);
+    match parabola::predicted(belt, path, &kept) {
+        Some(guess) => Ok(guess),
+        None => tangents::predicted(belt, path, &kept),
+    }
+}
