@@ -31,11 +31,59 @@ pub(crate) fn below_one<Real: Lane>(u: Real) -> Real {
     u.where_at_least(one, Real::splat(0.0), one)
 }
 
-/// The angle of the vector (a, b), in (−π, π].
+/// The angle of the vector (a, b), in [−π, π], with the sign of b; as IEEE 754's atan2(b, a), but NaN where both are
+/// infinite.
+///
+/// The arc tangent of the smaller over the larger, by fdlibm's `s_atan.c`: of the angle's difference from 0, atan ½ or
+/// π/4, whichever is near, and its polynomial (error below 2⁻⁵⁸ up to 7/16). The relative error is below 2⁻⁵¹ (a test
+/// holds it).
 #[inline(always)]
 pub(crate) fn angle<Real: Lane>(a: Real, b: Real) -> Real {
-    b.zip(a, libm::atan2)
+    let number = Real::splat;
+    let sign = number(-0.0);
+    let (abs_a, abs_b) = (a.xor(a.and(sign)), b.xor(b.and(sign)));
+    let (large, small) = (abs_b.where_at_least(abs_a, abs_b, abs_a), abs_b.where_at_least(abs_a, abs_a, abs_b));
+
+    // Up to 7/16, up to 11/16, and beyond.
+    let (half, whole) = (number(16.0 / 7.0) * small, number(16.0 / 11.0) * small);
+    let pick = |zero: Real, at_half: Real, at_whole: Real| {
+        whole.where_at_least(large, at_whole, half.where_at_least(large, at_half, zero))
+    };
+    let none = number(0.0);
+    // tan(α − β) = (tan α − tan β)/(1 + tan α tan β)
+    let above = pick(small, small + small - large, small - large);
+    let below = pick(large, large + large + small, large + small);
+    let t = above / below;
+    let z = t * t;
+    let rest = t * (z * polynomial(z, ARC_TANGENT));
+    let tail = pick(none, number(2.269_877_745_296_168_709_24e-17), number(3.061_616_997_868_383_017_93e-17));
+    let head = pick(none, number(4.636_476_090_008_060_935_15e-1), number(7.853_981_633_974_482_789_99e-1));
+    let near = head - ((rest - tail) - t);
+
+    let (quarter, quarter_tail) = (number(1.570_796_326_794_896_558_00), number(6.123_233_995_736_766_035_87e-17));
+    let steep = quarter - (near - quarter_tail);
+    let first = abs_b.where_at_least(abs_a, steep, near);
+    // No vector, no angle.
+    let first = none.where_at_least(large + small, none, first);
+    let (turn, turn_tail) = (number(3.141_592_653_589_793_116_00), number(1.224_646_799_147_353_177_2e-16));
+    let upper = a.where_sign(turn - (first - turn_tail), first);
+    upper.xor(b.and(sign))
 }
+
+/// arctan t = t − t z p(z), z = t²: fdlibm's p, highest coefficient first.
+const ARC_TANGENT: [f64; 11] = [
+    1.628_582_011_536_578_236_23e-2,
+    -3.653_157_274_421_691_552_70e-2,
+    4.976_877_994_615_932_360_17e-2,
+    -5.833_570_133_790_573_486_45e-2,
+    6.661_073_137_387_531_206_69e-2,
+    -7.691_876_205_044_829_994_95e-2,
+    9.090_887_133_436_506_561_96e-2,
+    -1.111_111_040_546_235_578_80e-1,
+    1.428_571_427_250_346_637_11e-1,
+    -1.999_999_999_987_648_324_76e-1,
+    3.333_333_333_333_293_180_27e-1,
+];
 
 /// An angle in (−π, π], in [0, 2π).
 #[inline(always)]
@@ -210,6 +258,30 @@ mod tests {
         assert!(tanh(f64::NAN).is_nan());
         assert_eq!(tanh(f64::INFINITY), 1.0);
         assert_eq!(tanh(f64::NEG_INFINITY), -1.0);
+    }
+
+    #[test]
+    fn angles() {
+        let off = |a: f64, b: f64| {
+            let (found, exact) = (angle(a, b), f64::atan2(b, a));
+            let equal = found.to_bits() == exact.to_bits();
+            assert!(
+                equal || (found - exact).abs() <= 2.0 * f64::EPSILON * exact.abs(),
+                "angle of ({a:e}, {b:e}): {found} {exact}"
+            );
+        };
+        for turn in samples(-3.2, 3.2) {
+            let (sin, cos) = turn.sin_cos();
+            off(cos, sin);
+            off(1e-300 * cos, 1e-300 * sin);
+        }
+        let ends = [0.0, f64::from_bits(1), 1e-310, 1e-9, 0.4375, 0.5, 0.6875, 1.0, 1e9, 1e300, f64::INFINITY];
+        for (a, b) in ends.iter().flat_map(|a| ends.map(|b| (*a, b))).filter(|(a, b)| *a < 1e308 || *b < 1e308) {
+            for (a, b) in [(a, b), (-a, b), (a, -b), (-a, -b)] {
+                off(a, b);
+            }
+        }
+        assert!(angle(f64::NAN, 1.0).is_nan() && angle(1.0, f64::NAN).is_nan() && angle(0.0, f64::NAN).is_nan());
     }
 
     #[test]

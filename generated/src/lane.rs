@@ -54,9 +54,6 @@ pub(crate) trait Lane:
 
     /// Element by element.
     fn map(self, function: impl Fn(f64) -> f64) -> Self;
-
-    /// Element by element.
-    fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self;
 }
 
 impl Lane for f64 {
@@ -122,10 +119,5 @@ impl Lane for f64 {
     #[inline(always)]
     fn map(self, function: impl Fn(f64) -> f64) -> Self {
         function(self)
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        function(self, other)
     }
 }

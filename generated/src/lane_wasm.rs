@@ -109,10 +109,4 @@ impl Lane for F64x2 {
         let [a, b] = self.elements();
         Self(f64x2(function(a), function(b)))
     }
-
-    #[inline(always)]
-    fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        let ([a, b], [c, d]) = (self.elements(), other.elements());
-        Self(f64x2(function(a, c), function(b, d)))
-    }
 }

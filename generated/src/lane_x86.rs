@@ -127,17 +127,6 @@ impl Lane for F64x4 {
             Self::load(elements.map(function).as_ptr())
         }
     }
-
-    #[inline(always)]
-    fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        let (mut a, mut b) = ([0.0; 4], [0.0; 4]);
-        unsafe {
-            self.store(a.as_mut_ptr());
-            other.store(b.as_mut_ptr());
-            a.iter_mut().zip(b).for_each(|(a, b)| *a = function(*a, b));
-            Self::load(a.as_ptr())
-        }
-    }
 }
 
 impl Lane for F64x8 {
@@ -223,17 +212,6 @@ impl Lane for F64x8 {
         unsafe {
             self.store(elements.as_mut_ptr());
             Self::load(elements.map(function).as_ptr())
-        }
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        let (mut a, mut b) = ([0.0; 8], [0.0; 8]);
-        unsafe {
-            self.store(a.as_mut_ptr());
-            other.store(b.as_mut_ptr());
-            a.iter_mut().zip(b).for_each(|(a, b)| *a = function(*a, b));
-            Self::load(a.as_ptr())
         }
     }
 }
