@@ -68,6 +68,21 @@ fn points_behind_one_another_share_their_meshes() {
     assert!(10 * meshes < 22 * points, "{meshes} meshes for {points} points");
 }
 
+/// A belt without bending stiffness, too, is solved from its neighbour, whose nodes it needs.
+#[test]
+fn strings_are_solved_from_one_another() {
+    let mut case = Case::base();
+    for (key, value) in [("edition", "string"), ("sheave.slip_threshold", "20 mm/s"), ("belt.loss_tangent", "0")] {
+        case.set(key, value).unwrap();
+    }
+    let axis = Axis::parse("operating_point.slack_tension=100 N..200 N:5").unwrap();
+    for (index, item) in sheave::sweep(case, [axis], SolveOptions::default()).unwrap().enumerate() {
+        let solved = item.unwrap().1.unwrap().solved;
+        let (steps, iterations) = (solved.continuation_steps, solved.stats.newton_iterations);
+        assert!(index == 0 || (steps == 1 && iterations < 60), "point {index}: {steps} steps, {iterations} iterations");
+    }
+}
+
 #[test]
 fn a_result_is_read_back_as_it_was_written() {
     let options = SolveOptions { sensitivities: true, ..rough() };
