@@ -9,7 +9,7 @@ use super::budget::Budget;
 use super::correct::{corrected, relaxed};
 use super::failure::Failure;
 use super::position::Position;
-use super::predict::{Nodes, PathPiece, TRAIL, Waypoint, predicted};
+use super::predict::{PathPiece, TRAIL, Waypoint, predicted};
 use super::question::Question;
 use super::solve::{ROUGH_TOLERANCE, SolveOptions};
 use super::solved::Solved;
@@ -123,7 +123,8 @@ fn along(
     while progress < 1.0 {
         let next = f64::min(progress + step, 1.0);
         let tolerance = if next < 1.0 { options.tolerance.max(ROUGH_TOLERANCE) } else { options.tolerance };
-        let path = PathPiece { before: &before, from: &here, to: &origin.toward(&target, next), unknowns: &unknowns };
+        let (to, bends) = (&origin.toward(&target, next), model.bending.is_some());
+        let path = PathPiece { before: &before, from: &here, to, unknowns: &unknowns, bends };
         let shortest = step < 2.0 * SMALLEST_STEP;
         match advance(&belt, &path, tolerance, shortest, options, &mut budget) {
             Ok((solution, work)) => {
@@ -180,21 +181,10 @@ fn advance(
     let solve = |guess: &Guess, options: &Options, budget: &mut Budget| {
         solver::solve_observed(belt, guess, unknowns, &relaxed(options), budget)
     };
-    let sought = |options: &Options, budget: &mut Budget| {
-        let found = solve(&predicted(belt, path, Nodes::For(options.tolerance))?, options, budget);
-        match found {
-            // Without some of the nodes that its tolerance does not ask for, a belt without bending stiffness is lost
-            // on any step of more than a hundredth.
-            Err(SolveError::Newton { .. }) if !budget.is_spent() && !is_cancelled() => {
-                solve(&predicted(belt, path, Nodes::All)?, options, budget)
-            }
-            found => found,
-        }
-    };
     let mut work = Stats::default();
     if is_far(path, tolerance) {
         let rough = Options { tolerance: ROUGH_TOLERANCE, ..options.clone() };
-        match sought(&rough, budget) {
+        match solve(&predicted(belt, path, ROUGH_TOLERANCE)?, &rough, budget) {
             Ok(near) => {
                 work += *near.stats();
                 if let Ok(solution) = solve(&Guess::from(&near), &options, budget) {
@@ -207,7 +197,7 @@ fn advance(
             Err(_) => {}
         }
     }
-    let solution = sought(&options, budget)?;
+    let solution = solve(&predicted(belt, path, tolerance)?, &options, budget)?;
     work += *solution.stats();
     Ok((solution, work))
 }

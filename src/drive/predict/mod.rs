@@ -16,25 +16,16 @@ pub(super) use path::{PathPiece, Waypoint};
 /// Solutions of which a prediction makes use: the one that is left, and those before it.
 pub const TRAIL: usize = 4;
 
-/// The nodes on which a prediction stands, of those of the solution that is left.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Nodes {
-    /// As many as a tolerance asks for.
-    For(f64),
-    /// All.
-    All,
-}
-
-/// The guess at the end of a piece of path: where the solutions before it tell enough, from them alone, else by the
-/// tangent there.
+/// The guess at the end of a piece of path, on as many of the nodes of its first solution as `tolerance` asks for: where
+/// the solutions before it tell enough, from them alone, else by the tangent there.
+///
+/// A belt without bending stiffness keeps all nodes: without some that its tolerance does not ask for, it is lost on any
+/// step of more than a hundredth.
 ///
 /// # Errors
 /// [`SolveError`] where the problem has no tangent at the solution that is left.
-pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, nodes: Nodes) -> Result<Guess, SolveError> {
-    let limit = match nodes {
-        Nodes::For(tolerance) => thin::SHARE * tolerance,
-        Nodes::All => f64::NEG_INFINITY,
-    };
+pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
+    let limit = if path.bends { thin::SHARE * tolerance } else { f64::NEG_INFINITY };
     let kept = thin::kept(&path.from.solution, limit);
     match parabola::predicted(belt, path, &kept) {
         Some(guess) => Ok(guess),

@@ -227,7 +227,7 @@ mod tests {
         let [far, third, second, first, last] = [&far, &third, &second, &first, &last].map(waypoint);
         let to = Position::asked(&next.0);
         let predict = |before: &[Waypoint<'_>]| {
-            let path = PathPiece { before, from: &last, to: &to, unknowns: &unknowns };
+            let path = PathPiece { before, from: &last, to: &to, unknowns: &unknowns, bends: true };
             (predicted(belt, &path, &kept), tangents::predicted(belt, &path, &kept).unwrap())
         };
         let (parabola, tangent) = predict(&[first.clone(), second.clone(), third.clone()]);
@@ -256,7 +256,8 @@ mod tests {
         let points = [0.5, 2.0, 8.0, 18.0].map(at);
         let [third, second, first, last] = points.each_ref().map(|point| Waypoint::of(&point.1, &point.0).unwrap());
         let to = Position::asked(&Question::of(&case(40.0)));
-        let path = PathPiece { before: &[first, second, third], from: &last, to: &to, unknowns: &unknowns };
+        let path =
+            PathPiece { before: &[first, second, third], from: &last, to: &to, unknowns: &unknowns, bends: true };
         let kept = thin::kept(&last.solution, 0.0);
         assert!(predicted(&points[3].1.belt, &path, &kept).is_none());
     }

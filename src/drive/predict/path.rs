@@ -53,6 +53,8 @@ pub(in crate::drive) struct PathPiece<'a> {
     pub to: &'a Position,
     /// Indices of the unknown constants.
     pub unknowns: &'a [usize],
+    /// Whether the belt resists bending.
+    pub bends: bool,
 }
 
 /// How the distance of two values is measured, both of what is given or asked for.
