@@ -41,8 +41,8 @@ pub fn solve_from(from: &Solved, case: &Resolved, options: &SolveOptions) -> Res
 
 /// Solves a case by following the last of the solutions `trail` while what differs, constants and prescribed values,
 /// goes to what the case says: the slip threshold geometrically, all others linearly. The solutions before the last, if
-/// there are any, tell how the path bends; more than [`TRAIL`] in all are of no use. All must be of one model; the caller
-/// sees to that. Gives up early, on anything but a case nearby.
+/// there are any, tell how the path bends; more than [`TRAIL`] in all are of no use. All must be of one model; the
+/// caller sees to that. Gives up early, on anything but a case nearby.
 ///
 /// # Errors
 /// See [`Failure`]. A case out of reach of the trail may still be solved by [`solve`](super::solve).

@@ -16,11 +16,11 @@ pub(super) use path::{PathPiece, Waypoint};
 /// Solutions of which a prediction makes use: the one that is left, and those before it.
 pub const TRAIL: usize = 4;
 
-/// The guess at the end of a piece of path, on as many of the nodes of its first solution as `tolerance` asks for: where
-/// the solutions before it tell enough, from them alone, else by the tangent there.
+/// The guess at the end of a piece of path, on as many of the nodes of its first solution as `tolerance` asks for:
+/// where the solutions before it tell enough, from them alone, else by the tangent there.
 ///
-/// A belt without bending stiffness keeps all nodes: without some that its tolerance does not ask for, it is lost on any
-/// step of more than a hundredth.
+/// A belt without bending stiffness keeps all nodes: without some that its tolerance does not ask for, it is lost on
+/// any step of more than a hundredth.
 ///
 /// # Errors
 /// [`SolveError`] where the problem has no tangent at the solution that is left.

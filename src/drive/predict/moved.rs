@@ -14,8 +14,9 @@ use crate::model::{Constant, Field};
 /// and gone.
 const MOST_STRETCHED: f64 = 4.0;
 
-/// How far each place of a contact moves in one step ahead, if kinks move on to where they are `now` from where they were
-/// `then`, `back` such steps behind. The ends stay. Nothing where kinks of the two do not belong together one by one.
+/// How far each place of a contact moves in one step ahead, if kinks move on as they have to where they are `now` from
+/// where they were `then`, `back` such steps behind. The ends stay. Nothing where kinks of the two do not belong
+/// together one by one.
 pub(super) fn drift(mesh: &[f64], then: &[f64], now: &[f64], back: f64) -> Option<Vec<f64>> {
     if now.is_empty() || then.len() != now.len() {
         return None;

@@ -14,14 +14,14 @@ use crate::drive::start;
 use crate::model::{Constant, Constants};
 
 /// Change that a fourth solution may make to what is predicted of the unknown constants, relative to them, in slip
-/// thresholds over the speed of the primary's pitch line. A tangent takes as much work as 1.4 of Newton's iterations, so
-/// that a parabola pays that is somewhat worse: of 10, 30 and 100, this takes the least work, or nearly so, along
+/// thresholds over the speed of the primary's pitch line. A tangent takes as much work as 1.4 of Newton's iterations,
+/// so that a parabola pays that is somewhat worse: of 10, 30 and 100, this takes the least work, or nearly so, along
 /// ratios, slack tensions and torques, by all editions, to 1e-3, 1e-4 and 1e-6 (`docs/performance.md`).
 const CLOSE: f64 = 30.0;
 
 /// The guess at the end of a piece of path: the parabola through its last three solutions, if one more says that it is
-/// close, on the nodes of the last that are `kept` in each region. The unknown constants are predicted relative to those
-/// of the tight, inextensible belt.
+/// close, on the nodes of the last that are `kept` in each region. The unknown constants are predicted relative to
+/// those of the tight, inextensible belt.
 pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<usize>]) -> Option<Guess> {
     let trail = Trail::new(belt, path)?;
     let [now, before, earlier, _] = trail.steps;

@@ -17,8 +17,8 @@ use crate::model::{Constant, Constants};
 const DIFFERENCE: f64 = 1e-3;
 
 /// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the
-/// solution before it bends, on the nodes of the first that are `kept` in each region. The unknown constants follow those of the tight, inextensible
-/// belt.
+/// solution before it bends, on the nodes of the first that are `kept` in each region. The unknown constants follow
+/// those of the tight, inextensible belt.
 pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<usize>]) -> Result<Guess, SolveError> {
     let curve = Curve::new(belt, path)?;
     let mut guess = Guess::from(&*path.from.solution);
