@@ -4,10 +4,12 @@ use std::array;
 
 use solver::{Guess, RegionGuess};
 
+use super::TRAIL;
 use super::moved::{drift, kinks};
-use super::path::{Measure, PathPiece, Waypoint, states_at};
+use super::path::{Measure, PathPiece, Waypoint, states_at, sum};
 use super::scale::Scale;
 use super::sliding::{slide, speeds};
+use super::thin::keep;
 use crate::drive::belt::BeltProblem;
 use crate::drive::region::RegionId;
 use crate::drive::start;
@@ -47,11 +49,11 @@ struct Trail<'a> {
     belt: &'a BeltProblem,
     path: &'a PathPiece<'a>,
     /// The one that is left, and those before it.
-    points: [&'a Waypoint<'a>; 4],
+    points: [&'a Waypoint<'a>; TRAIL],
     /// Where they are, in steps ahead.
-    steps: [f64; 4],
+    steps: [f64; TRAIL],
     /// The tight, inextensible belt of each drive.
-    tight: [Constants; 4],
+    tight: [Constants; TRAIL],
 }
 
 impl<'a> Trail<'a> {
@@ -95,26 +97,26 @@ impl<'a> Trail<'a> {
     fn seen(&self, region: RegionId, kept: &[usize]) -> Option<Seen> {
         let index = region.index();
         let part = self.points[0].solution.regions().get(index)?;
-        let mesh: Vec<f64> = kept.iter().filter_map(|&node| part.mesh().get(node).copied()).collect();
-        let moved = if region.is_contact() { self.moved(region, &mesh) } else { None };
-        let places = moved.unwrap_or_else(|| [mesh.clone(), mesh.clone(), mesh]);
-        let states = |point: usize| states_at(&self.points[point].solution, index, &places[point]);
-        Some(Seen { states: [states(0)?, states(1)?, states(2)?], places })
+        let mut now = RegionGuess::from(part);
+        keep(kept, &mut now);
+        let moved = if region.is_contact() { self.moved(region, &now.mesh) } else { None };
+        let [then, before] = moved.unwrap_or_else(|| [now.mesh.clone(), now.mesh.clone()]);
+        let states = |point: usize, places: &[f64]| states_at(&self.points[point].solution, index, places);
+        Some(Seen { states: [now.states, states(1, &then)?, states(2, &before)?], places: [now.mesh, then, before] })
     }
 
-    /// Where some places of a contact were at the last three solutions, seen from the kinks of friction.
-    fn moved(&self, region: RegionId, mesh: &[f64]) -> Option<[Vec<f64>; 3]> {
+    /// Where some places of a contact were at the two solutions before the last, seen from the kinks of friction.
+    fn moved(&self, region: RegionId, mesh: &[f64]) -> Option<[Vec<f64>; 2]> {
         let kinks = |point: usize| {
             let solution = &self.points[point].solution;
             kinks(self.belt, region, solution.regions().get(region.index())?, solution.constants())
         };
         let now = kinks(0)?;
         let at = |point: usize| {
-            let back = -self.steps[point];
-            let drift = drift(mesh, &kinks(point)?, &now, back)?;
-            Some(mesh.iter().zip(drift).map(|(place, drift)| place - back * drift).collect())
+            let step = self.steps[point];
+            Some(sum(mesh, step, &drift(mesh, &kinks(point)?, &now, -step)?))
         };
-        Some([mesh.to_vec(), at(1)?, at(2)?])
+        Some([at(1)?, at(2)?])
     }
 
     /// Has a contact of the guess slide as predicted.

@@ -110,3 +110,8 @@ pub(super) fn states_at(solution: &Solution, region: usize, places: &[f64]) -> O
     let part = solution.regions().get(region)?;
     Some(part.eval_many(places).chunks_exact(places.len().max(1)).map(<[f64]>::to_vec).collect())
 }
+
+/// a + h b
+pub(super) fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + h * b).collect()
+}

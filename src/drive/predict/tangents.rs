@@ -3,7 +3,7 @@
 use solver::{Guess, Linearisation, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::moved::{drift, kinks};
-use super::path::{Measure, PathPiece, Waypoint, states_at};
+use super::path::{Measure, PathPiece, Waypoint, states_at, sum};
 use super::scale::Scale;
 use super::sliding::{slide, speeds};
 use super::thin::keep;
@@ -197,10 +197,6 @@ fn follow(part: &RegionSolution, drift: &[f64], factor: f64, rates: Option<&mut 
             *rate += factor * slope * drift;
         }
     }
-}
-
-fn sum(a: &[f64], h: f64, b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a + h * b).collect()
 }
 
 /// The unknown constants of the tight, inextensible belt along a path. The drive's stay close to them, and what a
