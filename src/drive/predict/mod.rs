@@ -11,10 +11,8 @@ mod thin;
 use solver::{Guess, SolveError};
 
 use super::belt::BeltProblem;
+pub use path::TRAIL;
 pub(super) use path::{PathPiece, Waypoint};
-
-/// Solutions of which a prediction makes use: the one that is left, and those before it.
-pub const TRAIL: usize = 4;
 
 /// The guess at the end of a piece of path, on as many of the nodes of its first solution as `tolerance` asks for:
 /// where the solutions before it tell enough, from them alone, else by the tangent there.

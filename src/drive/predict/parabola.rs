@@ -4,9 +4,8 @@ use std::array;
 
 use solver::{Guess, RegionGuess};
 
-use super::TRAIL;
 use super::moved::{drift, kinks};
-use super::path::{Measure, PathPiece, Waypoint, states_at, sum};
+use super::path::{Measure, PathPiece, TRAIL, Waypoint, states_at, sum};
 use super::scale::Scale;
 use super::sliding::{slide, speeds};
 use super::thin::keep;

@@ -11,6 +11,9 @@ use crate::drive::question::Question;
 use crate::drive::solved::Solved;
 use crate::model::InternalError;
 
+/// Solutions of which a prediction makes use: the one that is left, and those before it.
+pub const TRAIL: usize = 4;
+
 /// Cosine of the angle between two steps beyond which the path counts as turning.
 const STRAIGHT: f64 = 0.98;
 /// A step back, in steps ahead, too short to tell a bend.
