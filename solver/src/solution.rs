@@ -109,7 +109,7 @@ impl RegionSolution {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::value(sigma);
         for (i, y) in y.iter_mut().enumerate().take(self.states()) {
-            *y = self.component(i).at(&basis, j, h);
+            *y = self.component(i).piece(j).at(&basis, h);
         }
     }
 
@@ -124,7 +124,7 @@ impl RegionSolution {
     pub fn eval_slope(&self, s: f64) -> Vec<f64> {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::slope(sigma);
-        (0..self.states()).map(|i| self.component(i).combine(&basis, j, h) / h).collect()
+        (0..self.states()).map(|i| self.component(i).piece(j).combine(&basis, h) / h).collect()
     }
 
     /// Second derivatives of the states at `s`, of the continuous extension; they jump at nodes, where those of the
@@ -132,7 +132,7 @@ impl RegionSolution {
     pub fn eval_curvature(&self, s: f64) -> Vec<f64> {
         let (j, h, sigma) = self.locate(s);
         let basis = Basis::curvature(sigma);
-        (0..self.states()).map(|i| self.component(i).combine(&basis, j, h) / (h * h)).collect()
+        (0..self.states()).map(|i| self.component(i).piece(j).combine(&basis, h) / (h * h)).collect()
     }
 
     /// The largest defect of each interval, relative to the right-hand side: what the tolerance is held against (see
@@ -147,9 +147,15 @@ impl RegionSolution {
     pub fn eval_many(&self, s: &[f64]) -> Vec<f64> {
         let places = self.places(s);
         let mut values = Vec::with_capacity(self.states() * s.len());
-        for i in 0..self.states() {
-            let component = self.component(i);
-            values.extend(places.iter().map(|(j, h, basis)| component.at(basis, *j, *h)));
+        (0..self.states()).for_each(|i| self.component(i).extend(&places, &mut values));
+        values
+    }
+
+    /// State `i` at many places: as [`eval_many`](Self::eval_many), to the same bits. Empty if there is no such state.
+    pub fn eval_state(&self, i: usize, s: &[f64]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(s.len());
+        if i < self.states() {
+            self.component(i).extend(&self.places(s), &mut values);
         }
         values
     }
@@ -157,16 +163,20 @@ impl RegionSolution {
     /// The same, each state by itself.
     pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
         let places = self.places(mesh);
-        let along = |component: Component<'_>| places.iter().map(|(j, h, basis)| component.at(basis, *j, *h)).collect();
+        let along = |component: Component<'_>| {
+            let mut values = Vec::with_capacity(mesh.len());
+            component.extend(&places, &mut values);
+            values
+        };
         (0..self.states()).map(|i| along(self.component(i))).collect()
     }
 
     /// Intervals, their lengths, and the weights of what stands there, for places in any order.
-    fn places(&self, s: &[f64]) -> Vec<(usize, f64, Basis)> {
+    fn places(&self, s: &[f64]) -> Vec<Place> {
         let mut nodes = self.nodes_before();
         let place = |&s: &f64| {
-            let (j, h, sigma) = self.place(nodes(s), s);
-            (j, h, Basis::value(sigma))
+            let (interval, h, sigma) = self.place(nodes(s), s);
+            Place { interval, h, basis: Basis::value(sigma) }
         };
         s.iter().map(place).collect()
     }
@@ -215,24 +225,65 @@ struct Component<'a> {
     extension: [&'a [f64]; 4],
 }
 
+/// A place in its interval.
+struct Place {
+    interval: usize,
+    /// The interval's length.
+    h: f64,
+    basis: Basis,
+}
+
+/// What is known of one state on one interval.
+struct Piece {
+    y: [f64; 2],
+    f: [f64; 2],
+    /// Coefficients α and β of the extension.
+    quintic: [f64; 2],
+    /// Coefficients γ and δ, at order 8.
+    further: Option<[f64; 2]>,
+}
+
 impl Component<'_> {
-    /// Its value on interval `j` of length `h`.
+    /// On interval `j`.
     #[inline]
-    fn at(&self, basis: &Basis, j: usize, h: f64) -> f64 {
-        self.y[j] + self.combine(basis, j, h)
+    fn piece(&self, j: usize) -> Piece {
+        let Self { y, f, extension: [alpha, beta, gamma, delta] } = self;
+        Piece {
+            y: [y[j], y[j + 1]],
+            f: [f[j], f[j + 1]],
+            quintic: [alpha[j], beta[j]],
+            further: gamma.get(j).zip(delta.get(j)).map(|(gamma, delta)| [*gamma, *delta]),
+        }
+    }
+
+    /// Appends its values at some places.
+    fn extend(&self, places: &[Place], values: &mut Vec<f64>) {
+        for places in places.chunk_by(|a, b| a.interval == b.interval) {
+            let Some(first) = places.first() else { continue };
+            let piece = self.piece(first.interval);
+            values.extend(places.iter().map(|place| piece.at(&place.basis, place.h)));
+        }
+    }
+}
+
+impl Piece {
+    /// Its value, `h` being the interval's length.
+    #[inline]
+    fn at(&self, basis: &Basis, h: f64) -> f64 {
+        self.y[0] + self.combine(basis, h)
     }
 
     /// The weighted sum of a basis, without `y_0`.
     #[inline]
-    fn combine(&self, basis: &Basis, j: usize, h: f64) -> f64 {
-        let Self { y, f, extension: [alpha, beta, gamma, delta] } = self;
-        let quintic = basis.rise * (y[j + 1] - y[j])
-            + h * (basis.left * f[j] + basis.right * f[j + 1])
-            + basis.alpha * alpha[j]
-            + basis.beta * beta[j];
-        match (gamma.get(j), delta.get(j)) {
-            (Some(gamma), Some(delta)) => quintic + basis.gamma * gamma + basis.delta * delta,
-            _ => quintic,
+    fn combine(&self, basis: &Basis, h: f64) -> f64 {
+        let Self { y, f, quintic: [alpha, beta], further } = self;
+        let quintic = basis.rise * (y[1] - y[0])
+            + h * (basis.left * f[0] + basis.right * f[1])
+            + basis.alpha * alpha
+            + basis.beta * beta;
+        match further {
+            Some([gamma, delta]) => quintic + basis.gamma * gamma + basis.delta * delta,
+            None => quintic,
         }
     }
 }

@@ -111,15 +111,15 @@ impl Quantity {
     /// Its values at some places of a region.
     fn at(self, solved: &Solved, region: RegionId, s: &[f64]) -> Result<Vec<f64>, InternalError> {
         let (belt, solution) = (&solved.belt, &solved.solution);
-        let (kernel, states) = (belt.kernel(region), solution.regions()[region.index()].eval_many(s));
+        let part = &solution.regions()[region.index()];
         match self {
-            Self::State(state) => kernel
-                .state(state)
-                .and_then(|row| row_of(&states, row, s.len()))
-                .map(<[f64]>::to_vec)
-                .ok_or(InternalError::State { region: region.name(), state }),
+            Self::State(state) => {
+                let row = belt.kernel(region).state(state);
+                let row = row.ok_or(InternalError::State { region: region.name(), state })?;
+                Ok(part.eval_state(row, s))
+            }
             Self::Field(field) => belt
-                .field(region, field, &states, solution.constants())
+                .field(region, field, &part.eval_many(s), solution.constants())
                 .ok_or(InternalError::Field { region: region.name(), field }),
         }
     }
