@@ -7,6 +7,7 @@
 
 mod derivation;
 mod function;
+mod job;
 mod kernels;
 mod lane;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -19,6 +20,7 @@ mod types;
 mod vocabulary;
 
 pub use derivation::{DerivationFormat, derivation};
+pub use job::Job;
 pub use kernels::{
     BELT_PULLEY, BELT_PULLEY_LIMITS, BOUNDARIES, BOUNDARY_AS_PRINTED, BOUNDARY_CONTINUOUS_FULL,
     BOUNDARY_CONTINUOUS_LINEARISED, BOUNDARY_STRING, BOUNDARY_ZERO_FULL, BOUNDARY_ZERO_LINEARISED, COMPRESSION_SPRING,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::series::{Track, series};
+use super::series::{Summand, Track, series, side_by_side};
 
 /// A field with smooth bumps and a kink, given by value and derivative, on four tracks with uneven meshes.
 fn tracks(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, nodes: usize) -> Vec<Track> {
@@ -65,6 +65,11 @@ fn a_jump_has_no_sum() {
     let field =
         vec![flat(0.0, 0.5, 1.0), ramp(0.5, 1.0, 0.0), flat(0.5 + 1e-7, 1.0 - 1e-7, 0.0), ramp(1.0 - 1e-7, 0.0, 1.0)];
     assert!(series(&field, |_| 1.0, 1e-6).is_none());
+    // Beside it, a sum that ends does end.
+    let smooth = tracks(|u| (TAU * u).cos(), |u| -TAU * (TAU * u).sin(), 60);
+    let summand = |tracks| Summand { tracks, weight: &|_| 1.0, tolerance: 1e-6 };
+    let both = side_by_side(&[summand(&field), summand(&smooth)]);
+    assert!(both[0].is_none() && both[1].is_some());
 }
 
 #[test]
@@ -74,6 +79,34 @@ fn both_ways_to_integrate_agree_where_they_meet() {
     // Quadrature reaches further on a fine mesh than on a coarse one.
     let sums = [60, 150].map(|nodes| series(&tracks(value, slope, nodes), |_| 1.0, 1e-9).expect("smooth"));
     assert!((sums[0].total / sums[1].total - 1.0).abs() < 1e-6, "{} and {}", sums[0].total, sums[1].total);
+}
+
+/// Fields on the same nodes, on others, absent from a region, and one whose sum ends much later.
+#[test]
+fn fields_side_by_side_are_summed_as_each_by_itself() {
+    let wave = |n: f64| {
+        let omega = TAU * n;
+        (move |u: f64| (omega * u).cos().exp(), move |u: f64| -omega * (omega * u).sin() * (omega * u).cos().exp())
+    };
+    let ((a, da), (b, db)) = (wave(1.0), wave(9.0));
+    let (first, second, third) = (tracks(a, da, 80), tracks(b, db, 80), tracks(b, db, 130));
+    let mut fourth = tracks(|u| (PI * u).sin().powi(4), |u| 4.0 * PI * (PI * u).cos() * (PI * u).sin().powi(3), 80);
+    fourth[3] = Track::default();
+    let fields = [(&first, 1e-5), (&second, 1e-9), (&third, 1e-7), (&fourth, 1e-4)];
+    let summands = fields.map(|(tracks, tolerance)| Summand { tracks, weight: &|n| 1.0 + 0.1 / n as f64, tolerance });
+    let found = side_by_side(&summands);
+    let mut ends = Vec::new();
+    for (found, of) in found.into_iter().zip(summands) {
+        let (found, alone) =
+            (found.expect("smooth"), series(of.tracks, of.weight, of.tolerance).expect("smooth by itself"));
+        assert_eq!(found.harmonics, alone.harmonics);
+        assert!((found.total / alone.total - 1.0).abs() < 1e-9, "{} and {}", found.total, alone.total);
+        for (found, alone) in found.regions.iter().zip(&alone.regions) {
+            assert!((found - alone).abs() < 1e-9 * alone.abs().max(1.0), "{found} and {alone}");
+        }
+        ends.push(found.harmonics);
+    }
+    assert!(ends[0] < ends[1], "{ends:?}");
 }
 
 #[test]
@@ -165,11 +198,11 @@ fn derivatives_are_those_of_finite_differences() {
     let gradient = sum.gradient(&field, weight);
     // As many harmonics as before: a difference must not see another end of the sum.
     let total = |field: &[Track]| {
-        let (first, mut further) = super::series::Integrals::new(field);
-        let mut first = first.into_iter();
+        let mut integrals = super::series::Integrals::new(&[field]);
+        let mut parts = [vec![(0.0, 0.0); field.len()]];
         let term = |n: usize| {
-            let parts = first.next().unwrap_or_else(|| further.next());
-            let (re, im) = parts.iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
+            integrals.next(&[true], &mut parts);
+            let (re, im) = parts[0].iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
             weight(n) / n as f64 * (re * re + im * im)
         };
         (1..=sum.harmonics).map(term).sum::<f64>()

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, phase};
+use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, padded, phase};
 
 /// Derivatives of a sum by a track's coordinates, values and slopes, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -96,10 +96,10 @@ fn by_quadrature(track: &Track, adjoints: &[Complex], gradient: &mut TrackGradie
 
 /// The harmonics from `first` on, which are integrated by parts.
 fn by_jumps(track: &Track, first: usize, adjoints: &[Complex], gradient: &mut TrackGradient) {
-    let jumps = Jumps::of(track);
-    let mut phases = Phases::new(&jumps.u, first);
+    let (jumps, places) = (Jumps::of(track), padded(track.u.clone()));
+    let mut phases = Phases::new(&places, first);
     // Σ of p, q/ω, p/ω², q/ω³ at each node, p + iq being conj(c_n) exp(−iωu).
-    let mut sums = vec![[0.0; 4]; jumps.u.len()];
+    let mut sums = vec![[0.0; 4]; places.len()];
     for (n, adjoint) in (first..).zip(adjoints) {
         let over = 1.0 / (TAU * n as f64);
         let (square, cube) = (over * over, over * over * over);
@@ -111,7 +111,7 @@ fn by_jumps(track: &Track, first: usize, adjoints: &[Complex], gradient: &mut Tr
             sums[2] += p * square;
             sums[3] += q * cube;
         }
-        phases.advance(&jumps.u);
+        phases.advance(&places);
     }
     for (j, cubic) in track.cubics().enumerate() {
         let (here, next) = (sums[j], sums[j + 1]);

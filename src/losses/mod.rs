@@ -23,6 +23,7 @@ pub use series::{MAX_HARMONICS, Series, Track, series};
 use crate::case::{LossTangent, Resolved};
 use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, InternalError, Output};
+use series::{Summand, side_by_side};
 use tracks::Tracks;
 
 /// Loss tangent of the rubber that the thesis measured (4.1). Sums end where what is missing, were this the loss
@@ -245,17 +246,30 @@ fn sums(
     temperature: f64,
     tolerance: f64,
 ) -> Result<Sums, NoLosses> {
-    let sum = |field: &'static str, tracks: &[Track], weight: f64, tangent: &LossTangent| {
+    let (rubber, cord) = (&case.losses.loss_tangent, &case.losses.cord_loss_tangent);
+    let fields: [(&'static str, &[Track], f64, &LossTangent); 3] = [
+        ("curvature", &tracks.curvature, weights.bending, rubber),
+        ("penetration", &tracks.penetration, weights.groove, rubber),
+        ("cord's strain", &tracks.strain, weights.cord, cord),
+    ];
+    let at = fields.map(|(.., weight, tangent)| {
+        move |n: usize| weight * tangent.at(n as f64 * weights.revolutions, temperature).value
+    });
+    let summands = fields.iter().zip(&at).filter(|((.., tangent), _)| !tangent.is_zero());
+    let summands: Vec<Summand<'_>> = summands
+        .map(|(&(_, tracks, _, tangent), weight)| Summand {
+            tracks,
+            weight,
+            tolerance: tolerance * tangent.largest() / TYPICAL_TANGENT,
+        })
+        .collect();
+    let mut found = side_by_side(&summands).into_iter();
+    let mut next = |(field, tracks, _, tangent): (&'static str, &[Track], f64, &LossTangent)| {
         if tangent.is_zero() {
             return Ok(Series::nothing(tracks.len()));
         }
-        let at = |n: usize| weight * tangent.at(n as f64 * weights.revolutions, temperature).value;
-        series(tracks, at, tolerance * tangent.largest() / TYPICAL_TANGENT).ok_or(NoLosses::Endless { field })
+        found.next().flatten().ok_or(NoLosses::Endless { field })
     };
-    let (rubber, cord) = (&case.losses.loss_tangent, &case.losses.cord_loss_tangent);
-    Ok(Sums {
-        bending: sum("curvature", &tracks.curvature, weights.bending, rubber)?,
-        groove: sum("penetration", &tracks.penetration, weights.groove, rubber)?,
-        cord: sum("cord's strain", &tracks.strain, weights.cord, cord)?,
-    })
+    let [bending, groove, cord] = fields;
+    Ok(Sums { bending: next(bending)?, groove: next(groove)?, cord: next(cord)? })
 }

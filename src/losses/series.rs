@@ -16,6 +16,8 @@
 
 use std::f64::consts::TAU;
 
+use generated::{Job, Simd};
+
 /// Harmonics at most: a field whose sum has not ended there has jumps, and its sum diverges.
 pub const MAX_HARMONICS: usize = 1 << 14;
 /// Harmonics before the end of the sum is looked for.
@@ -103,7 +105,6 @@ impl Track {
 /// whole lanes.
 #[derive(Debug, Clone)]
 pub(super) struct Jumps {
-    pub u: Vec<f64>,
     pub second: Vec<f64>,
     pub third: Vec<f64>,
     /// Nodes and jumps of the slope at both ends; the slope is continuous between.
@@ -113,8 +114,6 @@ pub(super) struct Jumps {
 impl Jumps {
     pub fn of(track: &Track) -> Self {
         let padded = track.u.len().next_multiple_of(LANES);
-        let mut u = track.u.clone();
-        u.resize(padded, 0.0);
         let (mut second, mut third) = (vec![0.0; padded], vec![0.0; padded]);
         for (j, cubic) in track.cubics().enumerate() {
             let (left, right, bend) = cubic.bends();
@@ -125,8 +124,26 @@ impl Jumps {
         }
         let first = track.slope.first().map(|slope| (0, *slope));
         let last = track.slope.last().map(|slope| (track.slope.len() - 1, -slope));
-        Self { u, second, third, ends: first.into_iter().chain(last).collect() }
+        Self { second, third, ends: first.into_iter().chain(last).collect() }
     }
+
+    /// ∫ (da/du) exp(−iωu) du, from the phases at the nodes.
+    fn integral(&self, omega: f64, cos: &[f64], sin: &[f64]) -> Complex {
+        let [(c2, s2), (c3, s3)] = Simd::run(Sums { phases: (cos, sin), of: [&self.second, &self.third] });
+        let (mut re, mut im) = (0.0, 0.0);
+        for &(node, jump) in &self.ends {
+            (re, im) = (re + jump * cos[node], im + jump * sin[node]);
+        }
+        // J_1/(iω) + J_2/(iω)² + J_3/(iω)³
+        let (square, cube) = (omega * omega, omega * omega * omega);
+        (im / omega - c2 / square - s3 / cube, -re / omega - s2 / square + c3 / cube)
+    }
+}
+
+/// Values, and zeros up to whole lanes.
+pub(super) fn padded(mut values: Vec<f64>) -> Vec<f64> {
+    values.resize(values.len().next_multiple_of(LANES), 0.0);
+    values
 }
 
 /// exp(−2πi n u), n u taken to a whole number's distance first.
@@ -176,107 +193,156 @@ impl Phases {
         if self.n.is_multiple_of(BLOCK) {
             return self.restart(u);
         }
-        let steps = self.step_cos.iter().zip(&self.step_sin);
-        for ((cos, sin), (c, s)) in self.cos.iter_mut().zip(&mut self.sin).zip(steps) {
+        Simd::run(Turn { phases: (&mut self.cos, &mut self.sin), by: (&self.step_cos, &self.step_sin) });
+    }
+}
+
+/// Phases turned on by one harmonic.
+struct Turn<'a> {
+    phases: (&'a mut [f64], &'a mut [f64]),
+    by: (&'a [f64], &'a [f64]),
+}
+
+impl Job for Turn<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let phases = self.phases.0.iter_mut().zip(self.phases.1);
+        for ((cos, sin), (c, s)) in phases.zip(self.by.0.iter().zip(self.by.1)) {
             (*cos, *sin) = (*cos * c - *sin * s, *cos * s + *sin * c);
         }
     }
 }
 
-/// Σ x cos and Σ x sin for both jumps.
-fn sums(cos: &[f64], sin: &[f64], second: &[f64], third: &[f64]) -> [f64; 4] {
-    let mut sums = [[0.0; LANES]; 4];
-    let lanes = cos.as_chunks::<LANES>().0.iter().zip(sin.as_chunks::<LANES>().0);
-    let jumps = second.as_chunks::<LANES>().0.iter().zip(third.as_chunks::<LANES>().0);
-    for ((cos, sin), (second, third)) in lanes.zip(jumps) {
-        for lane in 0..LANES {
-            sums[0][lane] += cos[lane] * second[lane];
-            sums[1][lane] += sin[lane] * second[lane];
-            sums[2][lane] += cos[lane] * third[lane];
-            sums[3][lane] += sin[lane] * third[lane];
+/// Σ x cos and Σ x sin of what is given at as many places as there are phases, for each of `K` such x.
+struct Sums<'a, const K: usize> {
+    phases: (&'a [f64], &'a [f64]),
+    of: [&'a [f64]; K],
+}
+
+impl<const K: usize> Job for Sums<'_, K> {
+    type Output = [Complex; K];
+
+    #[inline(always)]
+    fn run(self) -> [Complex; K] {
+        let mut sums = [[[0.0; LANES]; 2]; K];
+        let phases = self.phases.0.as_chunks::<LANES>().0.iter().zip(self.phases.1.as_chunks::<LANES>().0);
+        let of = self.of.map(|of| &of.as_chunks::<LANES>().0[..phases.len()]);
+        for (place, (cos, sin)) in phases.enumerate() {
+            for (sums, of) in sums.iter_mut().zip(of) {
+                for lane in 0..LANES {
+                    sums[0][lane] += cos[lane] * of[place][lane];
+                    sums[1][lane] += sin[lane] * of[place][lane];
+                }
+            }
         }
+        sums.map(|[re, im]| (re.iter().sum(), im.iter().sum()))
     }
-    sums.map(|lanes| lanes.iter().sum())
 }
 
 /// How far a harmonic is integrated by Gauss quadrature over all tracks.
-pub(super) fn gauss_harmonics(tracks: &[Track]) -> usize {
-    let longest = tracks.iter().map(Track::longest).fold(0.0, f64::max);
+pub(super) fn gauss_harmonics<'a>(tracks: impl IntoIterator<Item = &'a Track>) -> usize {
+    let longest = tracks.into_iter().map(Track::longest).fold(0.0, f64::max);
     ((GAUSS_PHASE / (TAU * longest)) as usize).clamp(1, FIRST)
 }
 
-/// The integrals of a field, region by region, harmonic after harmonic.
+/// Tracks of several fields on the same nodes of a region: phases are those of all of them.
+#[derive(Debug)]
+struct Group<T> {
+    region: usize,
+    /// Where phases are needed.
+    u: Vec<f64>,
+    phases: Phases,
+    /// Which field, and what is summed of it.
+    fields: Vec<(usize, T)>,
+}
+
+impl<T> Group<T> {
+    /// Puts `sum` of each field that is still wanted into its place among `parts`, field by field and region by region,
+    /// and goes on to the next harmonic.
+    fn next(&mut self, wanted: &[bool], parts: &mut [Vec<Complex>], sum: impl Fn(&T, (&[f64], &[f64])) -> Complex) {
+        let mut any = false;
+        for (field, of) in self.fields.iter().filter(|(field, _)| wanted[*field]) {
+            parts[*field][self.region] = sum(of, self.phases.here());
+            any = true;
+        }
+        if any {
+            self.phases.advance(&self.u);
+        }
+    }
+}
+
+/// Fields and tracks by what nodes they share: region, nodes, and the fields that have a track there.
+fn shared<'a>(fields: &[&'a [Track]]) -> Vec<(usize, Vec<(usize, &'a Track)>)> {
+    let mut groups: Vec<(usize, Vec<(usize, &Track)>)> = Vec::new();
+    for (field, tracks) in fields.iter().enumerate() {
+        for (region, track) in tracks.iter().enumerate().filter(|(_, track)| !track.u.is_empty()) {
+            let same = |(other, tracks): &&mut (usize, Vec<(usize, &Track)>)| {
+                *other == region && tracks.iter().all(|(_, other)| other.u == track.u)
+            };
+            match groups.iter_mut().find(same) {
+                Some((_, tracks)) => tracks.push((field, track)),
+                None => groups.push((region, vec![(field, track)])),
+            }
+        }
+    }
+    groups
+}
+
+/// The integrals of several fields, region by region, harmonic after harmonic.
 #[derive(Debug)]
 pub(super) struct Integrals {
-    regions: Vec<(Jumps, Phases)>,
+    /// What the first few harmonics are made of: slopes at Gauss points, times weights.
+    slopes: Vec<Group<Vec<f64>>>,
+    /// What further ones are made of.
+    jumps: Vec<Group<Jumps>>,
+    /// The last of the first few.
+    few: usize,
     n: usize,
 }
 
 impl Integrals {
     /// Those of the first few harmonics by quadrature, and all further ones from the jumps.
-    pub fn new(tracks: &[Track]) -> (Vec<Vec<Complex>>, Self) {
-        let few = gauss_harmonics(tracks);
-        let mut quadratures: Vec<Quadrature> = tracks.iter().map(Quadrature::new).collect();
-        let first = (1..=few).map(|_| quadratures.iter_mut().map(Quadrature::next).collect()).collect();
-        let regions = tracks.iter().map(|track| {
-            let jumps = Jumps::of(track);
-            let phases = Phases::new(&jumps.u, few + 1);
-            (jumps, phases)
+    pub fn new(fields: &[&[Track]]) -> Self {
+        let few = gauss_harmonics(fields.iter().copied().flatten());
+        let groups = shared(fields);
+        let slopes = groups.iter().map(|(region, tracks)| {
+            let places = tracks.first().into_iter().flat_map(|(_, track)| track.cubics());
+            let u = padded(places.flat_map(|cubic| GAUSS.map(|(t, _)| cubic.u + t * cubic.h)).collect());
+            let fields = tracks.iter().map(|(field, track)| (*field, weighted_slopes(track))).collect();
+            Group { region: *region, phases: Phases::new(&u, 1), u, fields }
         });
-        (first, Self { regions: regions.collect(), n: few + 1 })
+        let jumps = groups.iter().map(|(region, tracks)| {
+            let u = tracks.first().map(|(_, track)| padded(track.u.clone())).unwrap_or_default();
+            let fields = tracks.iter().map(|(field, track)| (*field, Jumps::of(track))).collect();
+            Group { region: *region, phases: Phases::new(&u, few + 1), u, fields }
+        });
+        Self { slopes: slopes.collect(), jumps: jumps.collect(), few, n: 1 }
     }
 
-    /// Of the next harmonic.
-    pub fn next(&mut self) -> Vec<Complex> {
-        let omega = TAU * self.n as f64;
-        let region = |(jumps, phases): &mut (Jumps, Phases)| {
-            let (cos, sin) = phases.here();
-            let [c2, s2, c3, s3] = sums(cos, sin, &jumps.second, &jumps.third);
-            let (mut re, mut im) = (0.0, 0.0);
-            for &(node, jump) in &jumps.ends {
-                (re, im) = (re + jump * cos[node], im + jump * sin[node]);
-            }
-            phases.advance(&jumps.u);
-            // J_1/(iω) + J_2/(iω)² + J_3/(iω)³
-            let (square, cube) = (omega * omega, omega * omega * omega);
-            (im / omega - c2 / square - s3 / cube, -re / omega - s2 / square + c3 / cube)
-        };
+    /// Those of the next harmonic, into `parts`, field by field and region by region, for the fields that are still
+    /// `wanted`: none that was not wanted once may be wanted again.
+    pub fn next(&mut self, wanted: &[bool], parts: &mut [Vec<Complex>]) {
+        if self.n <= self.few {
+            let sum = |slopes: &Vec<f64>, phases: (&[f64], &[f64])| {
+                let [sum] = Simd::run(Sums { phases, of: [slopes] });
+                sum
+            };
+            self.slopes.iter_mut().for_each(|group| group.next(wanted, parts, sum));
+        } else {
+            let omega = TAU * self.n as f64;
+            let sum = |jumps: &Jumps, (cos, sin): (&[f64], &[f64])| jumps.integral(omega, cos, sin);
+            self.jumps.iter_mut().for_each(|group| group.next(wanted, parts, sum));
+        }
         self.n += 1;
-        self.regions.iter_mut().map(region).collect()
     }
 }
 
-/// ∫ (da/du) exp(−2πi n u) du by Gauss quadrature, harmonic after harmonic.
-struct Quadrature {
-    u: Vec<f64>,
-    /// Weights times slopes.
-    slopes: Vec<f64>,
-    phases: Phases,
-}
-
-impl Quadrature {
-    /// Beginning with the first harmonic.
-    fn new(track: &Track) -> Self {
-        let points = track
-            .cubics()
-            .flat_map(|cubic| GAUSS.map(|(t, weight)| (cubic.u + t * cubic.h, weight * cubic.h * cubic.slope_at(t))));
-        let (u, slopes): (Vec<f64>, Vec<f64>) = points.unzip();
-        let phases = Phases::new(&u, 1);
-        Self { u, slopes, phases }
-    }
-
-    /// Of the next harmonic.
-    fn next(&mut self) -> Complex {
-        let (cos, sin) = self.phases.here();
-        let phases = cos.iter().zip(sin);
-        let sum = self
-            .slopes
-            .iter()
-            .zip(phases)
-            .fold((0.0, 0.0), |(re, im), (slope, (cos, sin))| (re + slope * cos, im + slope * sin));
-        self.phases.advance(&self.u);
-        sum
-    }
+/// Slopes at the Gauss points of all intervals, times weights and lengths, padded.
+fn weighted_slopes(track: &Track) -> Vec<f64> {
+    let slopes = track.cubics().flat_map(|cubic| GAUSS.map(|(t, weight)| weight * cubic.h * cubic.slope_at(t)));
+    padded(slopes.collect())
 }
 
 /// A sum over harmonics.
@@ -301,41 +367,84 @@ impl Series {
     }
 }
 
-/// Σ_n weight(n) |B_n|²/n for a field that is given region by region around the loop, until what is missing is below
-/// `tolerance`, absolute. `None` if it does not end within [`MAX_HARMONICS`], as that of a field with jumps does not.
-pub fn series(tracks: &[Track], weight: impl Fn(usize) -> f64, tolerance: f64) -> Option<Series> {
-    let (first, mut further) = Integrals::new(tracks);
-    let mut first = first.into_iter();
-    let mut sum = Series {
-        total: 0.0,
-        regions: vec![0.0; tracks.len()],
-        harmonics: 0,
-        rest: f64::INFINITY,
-        integrals: Vec::with_capacity(8 * FIRST),
-    };
-    let (mut octave, mut last_octave, mut end) = (0.0, 0.0, FIRST / 4);
-    for n in 1..=MAX_HARMONICS {
-        let parts = first.next().unwrap_or_else(|| further.next());
+/// A field to be summed over its harmonics.
+#[derive(Clone, Copy)]
+pub(super) struct Summand<'a> {
+    /// The field, region by region around the loop.
+    pub tracks: &'a [Track],
+    /// What multiplies |B_n|²/n.
+    pub weight: &'a dyn Fn(usize) -> f64,
+    /// What may be missing, absolute.
+    pub tolerance: f64,
+}
+
+/// A sum as far as it has come.
+struct Running {
+    sum: Series,
+    octave: f64,
+    last_octave: f64,
+    /// Where the present octave ends.
+    end: usize,
+}
+
+impl Running {
+    fn new(regions: usize) -> Self {
+        let sum = Series {
+            total: 0.0,
+            regions: vec![0.0; regions],
+            harmonics: 0,
+            rest: f64::INFINITY,
+            integrals: Vec::with_capacity(8 * FIRST),
+        };
+        Self { sum, octave: 0.0, last_octave: 0.0, end: FIRST / 4 }
+    }
+
+    /// Adds the next harmonic, `n`; whether what is missing is small enough now.
+    fn add(&mut self, n: usize, parts: &[Complex], of: &Summand<'_>) -> bool {
+        let Self { sum, octave, last_octave, end } = self;
         let whole = parts.iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
-        let weight = weight(n) / n as f64;
-        for (region, part) in sum.regions.iter_mut().zip(&parts) {
+        let weight = (of.weight)(n) / n as f64;
+        for (region, part) in sum.regions.iter_mut().zip(parts) {
             *region += weight * (whole.0 * part.0 + whole.1 * part.1);
         }
         let term = weight * (whole.0 * whole.0 + whole.1 * whole.1);
         sum.total += term;
-        octave += term;
+        *octave += term;
         sum.integrals.push(whole);
-        if n < end {
-            continue;
+        if n < *end {
+            return false;
         }
         // The octaves of a sum whose terms fall as a power of n fall geometrically.
-        let ratio = if octave > 0.0 { octave / last_octave } else { 0.0 };
-        sum.rest = if ratio < SLOWEST { octave * ratio / (1.0 - ratio) } else { f64::INFINITY };
+        let ratio = if *octave > 0.0 { *octave / *last_octave } else { 0.0 };
+        sum.rest = if ratio < SLOWEST { *octave * ratio / (1.0 - ratio) } else { f64::INFINITY };
         sum.harmonics = n;
-        if n >= FIRST && sum.rest <= tolerance {
-            return Some(sum);
-        }
-        (last_octave, octave, end) = (octave, 0.0, 2 * end);
+        (*last_octave, *octave, *end) = (*octave, 0.0, 2 * *end);
+        n >= FIRST && sum.rest <= of.tolerance
     }
-    None
+}
+
+/// Σ_n weight(n) |B_n|²/n for a field that is given region by region around the loop, until what is missing is below
+/// `tolerance`, absolute. `None` if it does not end within [`MAX_HARMONICS`], as that of a field with jumps does not.
+pub fn series(tracks: &[Track], weight: impl Fn(usize) -> f64, tolerance: f64) -> Option<Series> {
+    side_by_side(&[Summand { tracks, weight: &weight, tolerance }]).pop().flatten()
+}
+
+/// [`series`] of several fields, so that those on the same nodes share what they can.
+pub(super) fn side_by_side(fields: &[Summand<'_>]) -> Vec<Option<Series>> {
+    let tracks: Vec<&[Track]> = fields.iter().map(|field| field.tracks).collect();
+    let mut integrals = Integrals::new(&tracks);
+    let mut parts: Vec<Vec<Complex>> = tracks.iter().map(|tracks| vec![(0.0, 0.0); tracks.len()]).collect();
+    let mut sums: Vec<Running> = tracks.iter().map(|tracks| Running::new(tracks.len())).collect();
+    let mut wanted = vec![true; fields.len()];
+    for n in 1..=MAX_HARMONICS {
+        if !wanted.contains(&true) {
+            break;
+        }
+        integrals.next(&wanted, &mut parts);
+        let each = sums.iter_mut().zip(&parts).zip(fields).zip(&mut wanted);
+        for (((sum, parts), field), wanted) in each.filter(|(_, wanted)| **wanted) {
+            *wanted = !sum.add(n, parts, field);
+        }
+    }
+    sums.into_iter().zip(wanted).map(|(running, wanted)| (!wanted).then_some(running.sum)).collect()
 }
