@@ -1,6 +1,8 @@
 //! The library as a program uses it: solve, sweep, limits, and results that are read back.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::sync::Mutex;
+
 use serde_json::Value;
 use sheave::prelude::*;
 
@@ -66,6 +68,33 @@ fn points_behind_one_another_share_their_meshes() {
     assert_eq!(points, 4 * (TORQUES - 1));
     assert!(evaluations < 1750 * points, "{} evaluations with derivatives a point", evaluations / points);
     assert!(10 * meshes < 22 * points, "{meshes} meshes for {points} points");
+}
+
+/// What begins a chain is solved from what begins another one with the same pulley radii, be the slack tension a third
+/// higher: the belt need not be laid anew.
+#[test]
+fn chains_begin_where_it_takes_the_least() {
+    let axes = [
+        Axis::parse("drive.ratio=0.72..0.866:2").unwrap(),
+        Axis::parse("operating_point.slack_tension=60 N..300 N:8").unwrap(),
+        Axis::parse("operating_point.primary_torque=3..4:2").unwrap(),
+    ];
+    let options = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+    let study = sheave::study::Study::new(Case::base(), axes.to_vec(), options).unwrap();
+    let found = Mutex::new(Vec::new());
+    let first_of_chain = |index: usize| index.is_multiple_of(2);
+    sheave::study::visit(&study, Some(1), first_of_chain, |index, _, outcome| {
+        let solved = &outcome.map_err(std::io::Error::other)?.solved;
+        found.lock().unwrap().push((index, solved.stats.factorisations));
+        Ok(())
+    })
+    .unwrap();
+    let mut found = found.into_inner().unwrap();
+    found.sort_unstable();
+    assert_eq!(found.len(), 16);
+    // From nothing it is some 60 each.
+    let second_ratio: usize = found[8..].iter().map(|(_, factorisations)| factorisations).sum();
+    assert!(second_ratio < 8 * 25, "{found:?}");
 }
 
 /// A belt without bending stiffness, too, is solved from its neighbour, whose nodes it needs.
@@ -136,7 +165,6 @@ fn work_that_is_cancelled_ends() {
 #[test]
 fn a_study_is_computed_in_parts() {
     use sheave::study::{Axis, Row, Study, run, table};
-    use std::sync::Mutex;
     let axes = || {
         ["operating_point.slack_tension=100..250 N:20", "drive.ratio=0.9..1.1:2"].map(|text| Axis::parse(text).unwrap())
     };

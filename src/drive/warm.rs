@@ -31,6 +31,10 @@ const FAR: f64 = 300.0;
 /// Tolerance above which there is nothing to gain by it.
 const FINE: f64 = 3e-6;
 
+/// A step in a radius or the centre distance takes as much work as one of this many times its logarithm in slack tension
+/// or torque: the belt has to be laid anew, and not only to be pulled tighter.
+const GEOMETRY: i32 = 5;
+
 /// Solves a case from a solution nearby: see [`solve_along`].
 ///
 /// # Errors
@@ -145,8 +149,9 @@ fn along(
     Ok(Solved { question, belt, stats, continuation_steps: steps, solution, route: None })
 }
 
-/// How far a case is from a solution: the largest factor between the given constants of both, and between what outputs
-/// are and are asked to be; infinite where they differ in sign.
+/// How far a case is from a solution, by what it takes to get there: the largest factor between the given constants of
+/// both, and between what outputs are and are asked to be, those of the geometry to a power; infinite where they differ
+/// in sign.
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     let question = Question::of(case);
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
@@ -157,14 +162,20 @@ pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
 /// they differ in sign.
 fn factor(here: &Position, there: &Position, unknowns: &[usize]) -> f64 {
     let given = Constant::ALL.into_iter().filter(|constant| !unknowns.contains(&constant.index()));
-    let constants = given.map(|constant| (here.drive[constant], there.drive[constant]));
-    let targets = here.targets.iter().copied().zip(there.targets.iter().copied());
     let factor = |(here, there): (f64, f64)| match there / here {
         _ if there == here => 1.0,
         factor if factor > 0.0 => factor.max(1.0 / factor),
         _ => f64::INFINITY,
     };
-    constants.chain(targets).map(factor).fold(1.0, f64::max)
+    let constants = given.map(|constant| {
+        let factor = factor((here.drive[constant], there.drive[constant]));
+        match constant {
+            Constant::PrimaryRadius | Constant::SecondaryRadius | Constant::CenterDistance => factor.powi(GEOMETRY),
+            _ => factor,
+        }
+    });
+    let targets = here.targets.iter().copied().zip(there.targets.iter().copied()).map(factor);
+    constants.chain(targets).fold(1.0, f64::max)
 }
 
 /// One step, to other given values, to a tolerance; the shortest possible is tried in every way.

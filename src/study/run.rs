@@ -13,8 +13,8 @@ use std::io;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-/// Heads farther apart, by the largest factor between their constants, are not solved one from the other.
-const FARTHEST: f64 = 1.6;
+/// Heads that are more [remote](remoteness) are not solved one from the other.
+const FARTHEST: f64 = 1.8;
 /// Points in a row whose neighbours were too far away, after which the others of the chain are solved from nothing.
 const PATIENCE: usize = 2;
 
