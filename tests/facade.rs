@@ -97,6 +97,37 @@ fn chains_begin_where_it_takes_the_least() {
     assert!(second_ratio < 8 * 25, "{found:?}");
 }
 
+/// A chain is solved from its tight end, whichever way its axis counts: rows of both ways are those of their points, and
+/// take as much work.
+#[test]
+fn chains_run_from_the_tight_belt_to_the_loose_one() {
+    let work = |from: f64, to: f64| {
+        let axis = Axis::parse(&format!("operating_point.slack_tension={from}..{to} N:8")).unwrap();
+        let study = sheave::study::Study::new(Case::base(), vec![axis], rough()).unwrap();
+        let found = Mutex::new(Vec::new());
+        sheave::study::visit(
+            &study,
+            Some(1),
+            |_| true,
+            |index, _, outcome| {
+                let outcome = outcome.map_err(std::io::Error::other)?;
+                let given = from + (to - from) * index as f64 / 7.0;
+                assert!((outcome.result.primary.exit_tension - given).abs() < 1e-6 * given, "point {index}");
+                found.lock().unwrap().push((index, outcome.solved.stats.factorisations));
+                Ok(())
+            },
+        )
+        .unwrap();
+        found.into_inner().unwrap()
+    };
+    let (up, down) = (work(60.0, 300.0), work(300.0, 60.0));
+    let points = |found: &[(usize, usize)]| found.iter().map(|(index, _)| *index).collect::<Vec<_>>();
+    assert_eq!(points(&up), [7, 6, 5, 4, 3, 2, 1, 0]);
+    assert_eq!(points(&down), [0, 1, 2, 3, 4, 5, 6, 7]);
+    let costs = |found: Vec<(usize, usize)>| found.into_iter().map(|(_, factorisations)| factorisations);
+    assert_eq!(costs(up).collect::<Vec<_>>(), costs(down).collect::<Vec<_>>());
+}
+
 /// A belt without bending stiffness, too, is solved from its neighbour, whose nodes it needs.
 #[test]
 fn strings_are_solved_from_one_another() {

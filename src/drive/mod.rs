@@ -51,4 +51,4 @@ pub use solve::{SolveOptions, WORK_LIMIT, approach_question, solve, solve_questi
 pub use solved::Solved;
 pub(crate) use trouble::PRESSED_THROUGH;
 pub use trouble::Trouble;
-pub use warm::{remoteness, solve_along, solve_from, solve_question_from, step_to_question};
+pub use warm::{apart, remoteness, solve_along, solve_from, solve_question_from, step_to_question, tightness};

@@ -158,6 +158,20 @@ pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     Position::of(from, &question).map_or(f64::INFINITY, |here| factor(&here, &Position::asked(&question), &unknowns))
 }
 
+/// How far a case is from another one: see [`remoteness`].
+pub fn apart(from: &Resolved, to: &Resolved) -> f64 {
+    let (here, there) = (Question::of(from), Question::of(to));
+    let unknowns: Vec<usize> = there.unknowns().into_iter().map(Constant::index).collect();
+    factor(&Position::asked(&here), &Position::asked(&there), &unknowns)
+}
+
+/// How tight a belt is: slack tension by torque, 1/m; infinite without torque. The way from a tighter belt to a looser
+/// one takes a third to a half less work than the way back, and is hardly ever lost.
+pub fn tightness(case: &Resolved) -> f64 {
+    let constants = Question::of(case).constants;
+    constants[Constant::SlackTension] / constants[Constant::PrimaryTorque].abs()
+}
+
 /// The largest factor between the given constants, and between the prescribed outputs, of two positions; infinite where
 /// they differ in sign.
 fn factor(here: &Position, there: &Position, unknowns: &[usize]) -> f64 {

@@ -32,6 +32,7 @@ mod row;
 mod rows;
 mod run;
 mod stream;
+mod tasks;
 pub mod thesis;
 mod write;
 

@@ -1,8 +1,9 @@
 //! Solving the points of studies, on several threads.
 
 use super::error::StudyError;
-use super::plan::{GridPoint, HEADS, Study};
+use super::plan::{GridPoint, Study};
 use super::row::{Row, Table, TableBuilder};
+use super::tasks::{self, Task};
 use crate::cancel::is_cancelled;
 use crate::case::Resolved;
 use crate::clock::Stopwatch;
@@ -10,7 +11,6 @@ use crate::drive::{Failure, SolveOptions, Solved, TRAIL, remoteness, solve_along
 use crate::result::{self, Outcome};
 use crate::threads::{self, Scope};
 use std::io;
-use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 /// Heads that are more [remote](remoteness) are not solved one from the other.
@@ -43,17 +43,7 @@ pub fn visit(
     wanted: impl Fn(usize) -> bool + Sync,
     see: impl Fn(usize, &GridPoint, Result<&Outcome, String>) -> io::Result<()> + Sync,
 ) -> Result<(), StudyError> {
-    let task = |chain: Range<usize>| {
-        let last = chain.clone().rev().find(|index| wanted(*index));
-        let end = last.map_or(chain.start, |last| last + 1);
-        Task { places: vec![(0, chain.start)], start: chain.start, end }
-    };
-    let mut groups: Vec<Vec<Task>> =
-        study.chains().chunks(HEADS).map(|group| group.iter().cloned().map(task).collect()).collect();
-    for group in &mut groups {
-        let needed = group.iter().rposition(|task| task.start < task.end).map_or(0, |last| last + 1);
-        group.truncate(needed);
-    }
+    let groups = tasks::wanted(study, &wanted);
     let take = |_: &Task, index: usize, point: &GridPoint, outcome: Found<'_>| {
         if wanted(index) { see(index, point, outcome) } else { Ok(()) }
     };
@@ -86,16 +76,15 @@ pub fn each(
     jobs: Option<usize>,
     see: impl Fn(usize, usize, &GridPoint, Result<&Outcome, String>) + Sync,
 ) -> Result<(Vec<Table>, usize), StudyError> {
-    let groups = groups(studies)?;
-    let points = groups.iter().flatten().map(|task| task.end - task.start).sum();
+    let groups = tasks::all(studies)?;
+    let points = groups.iter().flatten().map(|task| task.points().len()).sum();
     let rows: Vec<Mutex<TableBuilder>> =
         studies.iter().map(|study| Mutex::new(TableBuilder::new(study.points()))).collect();
     let take = |task: &Task, index: usize, _: &GridPoint, outcome: Found<'_>| {
-        for (at, first) in &task.places {
-            let place = first + (index - task.start);
-            let (Some(study), Some(rows)) = (studies.get(*at), rows.get(*at)) else { continue };
+        for (at, place) in task.places(index) {
+            let (Some(study), Some(rows)) = (studies.get(at), rows.get(at)) else { continue };
             let Ok(point) = study.point(place) else { continue };
-            see(*at, place, &point, outcome.clone());
+            see(at, place, &point, outcome.clone());
             let row = Row::new(place, &point, outcome.clone());
             rows.lock().unwrap_or_else(PoisonError::into_inner).insert(row);
         }
@@ -104,53 +93,6 @@ pub fn each(
     Work { studies, take: &take, failed: Mutex::default() }.run(groups, jobs)?;
     let table = |rows: Mutex<TableBuilder>| rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     Ok((rows.into_iter().map(table).collect(), points))
-}
-
-/// A chain of points to solve one from the other.
-#[derive(Debug, Clone)]
-struct Task {
-    /// Where its points stand: numbers of studies, and of the first point there. The first of them is solved.
-    places: Vec<(usize, usize)>,
-    start: usize,
-    end: usize,
-}
-
-/// The chains of all studies, those of the same cases and options together, in groups of one model.
-fn groups(studies: &[Study]) -> Result<Vec<Vec<Task>>, StudyError> {
-    let mut known: Vec<(SolveOptions, Vec<GridPoint>)> = Vec::new();
-    let mut tasks: Vec<Task> = Vec::new();
-    for (at, study) in studies.iter().enumerate() {
-        for chain in study.chains() {
-            let cases = chain.clone().map(|index| study.point(index)).collect::<Result<Vec<GridPoint>, _>>()?;
-            let same = |(options, others): &(SolveOptions, Vec<GridPoint>)| {
-                options == study.options()
-                    && others.len() == cases.len()
-                    && others.iter().zip(&cases).all(|(a, b)| matches!((&a.case, &b.case), (Ok(a), Ok(b)) if a == b))
-            };
-            match known.iter().position(same) {
-                Some(place) => tasks.get_mut(place).into_iter().for_each(|task| task.places.push((at, chain.start))),
-                None => {
-                    known.push((*study.options(), cases));
-                    tasks.push(Task { places: vec![(at, chain.start)], start: chain.start, end: chain.end });
-                }
-            }
-        }
-    }
-    let head = |(options, points): &(SolveOptions, Vec<GridPoint>)| {
-        let case = points.first().and_then(|point| point.case.as_ref().ok());
-        (*options, case.map(|case| case.model))
-    };
-    let mut groups: Vec<Vec<Task>> = Vec::new();
-    let mut last = None;
-    for (task, chain) in tasks.into_iter().zip(&known) {
-        let this = head(chain);
-        match groups.last_mut() {
-            Some(group) if last == Some(this) && group.len() < HEADS => group.push(task),
-            _ => groups.push(vec![task]),
-        }
-        last = Some(this);
-    }
-    Ok(groups)
 }
 
 /// Threads that are of use: as many as are asked for, but no more than there are cores and chains to solve.
@@ -206,16 +148,16 @@ impl Work<'_> {
     fn heads<'s>(&'s self, scope: &Scope<'s>, group: Vec<Task>) {
         let mut heads: Vec<Known> = Vec::new();
         for task in group {
-            let Some(study) = task.places.first().and_then(|(study, _)| self.studies.get(*study)) else { continue };
+            let Some(study) = self.studies.get(task.study) else { continue };
             let begun = self.checked(|| {
-                let point = study.point(task.start)?;
+                let point = study.point(task.head())?;
                 let head = attempt(&point, |case| head(case, study.options(), &heads));
                 uncancelled()?;
                 Ok((point, head))
             });
             let Some((point, head)) = begun else { return };
             heads.extend(head.as_ref().ok().cloned());
-            if task.start < task.end {
+            if task.points().len() > 0 {
                 scope.spawn_fifo(move |_| {
                     self.checked(|| self.along(study, &task, &point, head));
                 });
@@ -231,10 +173,10 @@ impl Work<'_> {
         first: &GridPoint,
         head: Result<Known, String>,
     ) -> Result<(), StudyError> {
-        (self.take)(task, task.start, first, found(&head))?;
+        (self.take)(task, task.head(), first, found(&head))?;
         let mut trail: Vec<Known> = head.into_iter().collect();
         let mut too_far = 0;
-        for index in task.start + 1..task.end {
+        for index in task.points().skip(1) {
             if self.failed.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
                 return Ok(());
             }
