@@ -97,8 +97,8 @@ fn chains_begin_where_it_takes_the_least() {
     assert!(second_ratio < 8 * 25, "{found:?}");
 }
 
-/// A chain is solved from its tight end, whichever way its axis counts: rows of both ways are those of their points, and
-/// take as much work.
+/// A chain is solved from its tight end, whichever way its axis counts: rows of both ways are those of their points,
+/// and take as much work.
 #[test]
 fn chains_run_from_the_tight_belt_to_the_loose_one() {
     let work = |from: f64, to: f64| {

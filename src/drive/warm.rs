@@ -31,8 +31,8 @@ const FAR: f64 = 300.0;
 /// Tolerance above which there is nothing to gain by it.
 const FINE: f64 = 3e-6;
 
-/// A step in a radius or the centre distance takes as much work as one of this many times its logarithm in slack tension
-/// or torque: the belt has to be laid anew, and not only to be pulled tighter.
+/// A step in a radius or the centre distance takes as much work as one of this many times its logarithm in slack
+/// tension or torque: the belt has to be laid anew, and not only to be pulled tighter.
 const GEOMETRY: i32 = 5;
 
 /// Solves a case from a solution nearby: see [`solve_along`].

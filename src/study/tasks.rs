@@ -1,7 +1,7 @@
 //! Chains of points, in the order in which they are solved.
 //!
 //! The way from a tight belt to a looser one takes a third to a half less work than the way back, and so does one whose
-//! steps begin small. So each chain begins at its tight end, or where that is the same, where its steps are smaller; and
+//! steps begin small. So each chain begins at its tight end, or where that is the same, where its steps are smaller;
 //! so do the heads of a group. Rows are in the order of the study whatever is solved first.
 
 use super::error::StudyError;
@@ -122,8 +122,7 @@ fn begins_at_the_end(study: &Study, chain: &Range<usize>) -> bool {
     if from == to { apart(&before, &last) < apart(&first, &second) } else { to > from }
 }
 
-/// Puts the chains of a group into the order in which their heads are solved. What there is no drive for comes last, and
-/// gives its reason then.
+/// Puts the chains of a group into the order in which their heads are solved. What there is no drive for comes last.
 fn tightest_first(studies: &[Study], group: &mut Vec<Task>) {
     let tight = |task: &Task| {
         let point = studies.get(task.study)?.point(task.head()).ok()?;
