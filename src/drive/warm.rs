@@ -155,14 +155,15 @@ fn along(
 pub fn remoteness(from: &Solved, case: &Resolved) -> f64 {
     let question = Question::of(case);
     let unknowns: Vec<usize> = question.unknowns().into_iter().map(Constant::index).collect();
-    Position::of(from, &question).map_or(f64::INFINITY, |here| factor(&here, &Position::asked(&question), &unknowns))
+    let there = Position::asked(&question);
+    Position::of(from, &question).map_or(f64::INFINITY, |here| factor(&here, &there, &unknowns, GEOMETRY))
 }
 
 /// How far a case is from another one: see [`remoteness`].
 pub fn apart(from: &Resolved, to: &Resolved) -> f64 {
     let (here, there) = (Question::of(from), Question::of(to));
     let unknowns: Vec<usize> = there.unknowns().into_iter().map(Constant::index).collect();
-    factor(&Position::asked(&here), &Position::asked(&there), &unknowns)
+    factor(&Position::asked(&here), &Position::asked(&there), &unknowns, GEOMETRY)
 }
 
 /// How tight a belt is: slack tension by torque, 1/m; infinite without torque. The way from a tighter belt to a looser
@@ -172,9 +173,9 @@ pub fn tightness(case: &Resolved) -> f64 {
     constants[Constant::SlackTension] / constants[Constant::PrimaryTorque].abs()
 }
 
-/// The largest factor between the given constants, and between the prescribed outputs, of two positions; infinite where
-/// they differ in sign.
-fn factor(here: &Position, there: &Position, unknowns: &[usize]) -> f64 {
+/// The largest factor between the given constants, and between the prescribed outputs, of two positions, those of the
+/// geometry to a power; infinite where they differ in sign.
+fn factor(here: &Position, there: &Position, unknowns: &[usize], geometry: i32) -> f64 {
     let given = Constant::ALL.into_iter().filter(|constant| !unknowns.contains(&constant.index()));
     let factor = |(here, there): (f64, f64)| match there / here {
         _ if there == here => 1.0,
@@ -184,7 +185,7 @@ fn factor(here: &Position, there: &Position, unknowns: &[usize]) -> f64 {
     let constants = given.map(|constant| {
         let factor = factor((here.drive[constant], there.drive[constant]));
         match constant {
-            Constant::PrimaryRadius | Constant::SecondaryRadius | Constant::CenterDistance => factor.powi(GEOMETRY),
+            Constant::PrimaryRadius | Constant::SecondaryRadius | Constant::CenterDistance => factor.powi(geometry),
             _ => factor,
         }
     });
@@ -230,7 +231,7 @@ fn advance(
 /// Whether a coarse solution first is less work than the fine one at once. What is predicted misses by the square of
 /// the step, or by its cube where the solution before tells how the path bends.
 fn is_far(path: &PathPiece<'_>, tolerance: f64) -> bool {
-    let step = libm::log(factor(&path.from.position, path.to, path.unknowns));
+    let step = libm::log(factor(&path.from.position, path.to, path.unknowns, 1));
     let miss = if path.before.is_empty() { step * step } else { step * step * step };
     tolerance <= FINE && miss > FAR * tolerance
 }
