@@ -47,7 +47,8 @@ pub fn visit(
     let take = |_: &Task, index: usize, point: &GridPoint, outcome: Found<'_>| {
         if wanted(index) { see(index, point, outcome) } else { Ok(()) }
     };
-    Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, jobs)
+    let chains = study.chains().len();
+    Work { studies: std::slice::from_ref(study), take: &take, failed: Mutex::default() }.run(groups, chains, jobs)
 }
 
 /// Solves all points and makes a table of them.
@@ -90,7 +91,8 @@ pub fn each(
         }
         Ok(())
     };
-    Work { studies, take: &take, failed: Mutex::default() }.run(groups, jobs)?;
+    let chains = groups.iter().map(Vec::len).sum();
+    Work { studies, take: &take, failed: Mutex::default() }.run(groups.into_iter(), chains, jobs)?;
     let table = |rows: Mutex<TableBuilder>| rows.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     Ok((rows.into_iter().map(table).collect(), points))
 }
@@ -120,11 +122,16 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn run(self, groups: Vec<Vec<Task>>, jobs: Option<usize>) -> Result<(), StudyError> {
-        let chains = groups.iter().map(Vec::len).sum();
+    /// Solves so many chains, in groups.
+    fn run(
+        self,
+        groups: impl Iterator<Item = Vec<Task>> + Send,
+        chains: usize,
+        jobs: Option<usize>,
+    ) -> Result<(), StudyError> {
         let threads = useful_threads(jobs, chains);
         let work = &self;
-        let waiting = &Mutex::new(groups.into_iter());
+        let waiting = &Mutex::new(groups);
         // First come, first served: rows are wanted in the order of the points. A group begins when the chains of one
         // before it have begun, so that the first rows are there, and kept, long before the last heads.
         threads::scope(threads, |scope| {
@@ -137,7 +144,7 @@ impl Work<'_> {
     }
 
     /// Has the next group solved that waits, and then the one after it.
-    fn group<'s>(&'s self, scope: &Scope<'s>, waiting: &'s Mutex<std::vec::IntoIter<Vec<Task>>>) {
+    fn group<'s>(&'s self, scope: &Scope<'s>, waiting: &'s Mutex<impl Iterator<Item = Vec<Task>> + Send>) {
         let next = waiting.lock().unwrap_or_else(PoisonError::into_inner).next();
         let Some(group) = next else { return };
         self.heads(scope, group);

@@ -51,21 +51,26 @@ impl Task {
     }
 }
 
-/// The chains of a study, in groups, without what no point that is wanted depends on.
-pub(super) fn wanted(study: &Study, wanted: &impl Fn(usize) -> bool) -> Vec<Vec<Task>> {
-    let task = |chain: Range<usize>| {
+/// The chains of a study, in groups, without what no point that is wanted depends on. A group is put into order as it is
+/// asked for: that resolves some of its cases.
+pub(super) fn wanted<'a>(
+    study: &'a Study,
+    wanted: &'a (impl Fn(usize) -> bool + Sync),
+) -> impl Iterator<Item = Vec<Task>> + Send + 'a {
+    let task = move |chain: Range<usize>| {
         let mut task = Task::new(std::slice::from_ref(study), 0, chain);
         task.needed = (0..task.needed).rev().find(|n| wanted(task.nth(*n))).map_or(0, |last| last + 1);
         task
     };
-    let group = |chains: &[Range<usize>]| {
-        let mut group = chains.iter().cloned().map(task).collect();
+    let chains = study.chains();
+    let groups = chains.chunks(HEADS).map(<[Range<usize>]>::to_vec).collect::<Vec<_>>();
+    groups.into_iter().map(move |chains| {
+        let mut group = chains.into_iter().map(task).collect();
         tightest_first(std::slice::from_ref(study), &mut group);
         let needed = group.iter().rposition(|task| task.needed > 0).map_or(0, |last| last + 1);
         group.truncate(needed);
         group
-    };
-    study.chains().chunks(HEADS).map(group).collect()
+    })
 }
 
 /// The chains of all studies, those of the same cases and options together, in groups of one model.
