@@ -128,6 +128,19 @@ fn chains_run_from_the_tight_belt_to_the_loose_one() {
     assert_eq!(costs(up).collect::<Vec<_>>(), costs(down).collect::<Vec<_>>());
 }
 
+/// What intervals have become too long for along a chain is foreseen: most of its points take one mesh.
+#[test]
+fn points_of_a_chain_take_one_mesh() {
+    let axes = ["operating_point.slack_tension=100..300 N:3", "operating_point.primary_torque=3..18:16"];
+    let axes = axes.map(|axis| Axis::parse(axis).unwrap());
+    let options = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+    let points = sheave::sweep(Case::base(), axes, options).unwrap();
+    let meshes: Vec<usize> = points.map(|item| item.unwrap().1.unwrap().solved.solution.history().len()).collect();
+    // The first few of a chain tell how it goes on.
+    let once = meshes.chunks(16).flat_map(|chain| &chain[5..]).filter(|meshes| **meshes == 1).count();
+    assert!(once >= 25, "{once}: {meshes:?}");
+}
+
 /// A belt without bending stiffness, too, is solved from its neighbour, whose nodes it needs.
 #[test]
 fn strings_are_solved_from_one_another() {

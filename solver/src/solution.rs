@@ -146,16 +146,18 @@ impl RegionSolution {
     /// [`eval_into`](Self::eval_into) for each place, to the same bits, and many times as fast where places increase.
     pub fn eval_many(&self, s: &[f64]) -> Vec<f64> {
         let places = self.places(s);
-        let mut values = Vec::with_capacity(self.states() * s.len());
-        (0..self.states()).for_each(|i| self.component(i).extend(&places, &mut values));
+        let mut values = vec![0.0; self.states() * s.len()];
+        for (i, values) in values.chunks_exact_mut(s.len().max(1)).enumerate() {
+            self.component(i).write(&places, values);
+        }
         values
     }
 
     /// State `i` at many places: as [`eval_many`](Self::eval_many), to the same bits. Empty if there is no such state.
     pub fn eval_state(&self, i: usize, s: &[f64]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(s.len());
-        if i < self.states() {
-            self.component(i).extend(&self.places(s), &mut values);
+        let mut values = vec![0.0; if i < self.states() { s.len() } else { 0 }];
+        if !values.is_empty() {
+            self.component(i).write(&self.places(s), &mut values);
         }
         values
     }
@@ -164,8 +166,8 @@ impl RegionSolution {
     pub(crate) fn eval_along(&self, mesh: &[f64]) -> Vec<Vec<f64>> {
         let places = self.places(mesh);
         let along = |component: Component<'_>| {
-            let mut values = Vec::with_capacity(mesh.len());
-            component.extend(&places, &mut values);
+            let mut values = vec![0.0; mesh.len()];
+            component.write(&places, &mut values);
             values
         };
         (0..self.states()).map(|i| along(self.component(i))).collect()
@@ -256,12 +258,15 @@ impl Component<'_> {
         }
     }
 
-    /// Appends its values at some places.
-    fn extend(&self, places: &[Place], values: &mut Vec<f64>) {
-        for places in places.chunk_by(|a, b| a.interval == b.interval) {
-            let Some(first) = places.first() else { continue };
-            let piece = self.piece(first.interval);
-            values.extend(places.iter().map(|place| piece.at(&place.basis, place.h)));
+    /// Writes its values at some places.
+    fn write(&self, places: &[Place], values: &mut [f64]) {
+        let Some(first) = places.first() else { return };
+        let (mut interval, mut piece) = (first.interval, self.piece(first.interval));
+        for (value, place) in values.iter_mut().zip(places) {
+            if place.interval != interval {
+                (interval, piece) = (place.interval, self.piece(place.interval));
+            }
+            *value = piece.at(&place.basis, place.h);
         }
     }
 }

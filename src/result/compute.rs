@@ -82,11 +82,13 @@ impl Sampled {
 /// Nodes, and `inner` equidistant points between each two.
 pub fn refined(mesh: &[f64], inner: usize) -> Vec<f64> {
     let steps = inner + 1;
-    let part = |pair: &[f64]| {
-        let (a, h) = (pair[0], pair[1] - pair[0]);
-        (0..steps).map(move |i| a + h * i as f64 / steps as f64).collect::<Vec<_>>()
-    };
-    mesh.windows(2).flat_map(part).chain(mesh.last().copied()).collect()
+    let mut all = Vec::with_capacity(mesh.len() * steps);
+    for ends in mesh.windows(2) {
+        let (a, h) = (ends[0], ends[1] - ends[0]);
+        all.extend((0..steps).map(|i| a + h * i as f64 / steps as f64));
+    }
+    all.extend(mesh.last());
+    all
 }
 
 /// Rounds in which an extremum is sought between samples, and the parts into which each divides what is left.

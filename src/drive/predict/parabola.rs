@@ -5,10 +5,10 @@ use std::array;
 use solver::{Guess, RegionGuess};
 
 use super::moved::{drift, kinks};
+use super::nodes::{Nodes, expected};
 use super::path::{Measure, PathPiece, TRAIL, Waypoint, states_at, sum};
 use super::scale::Scale;
 use super::sliding::{slide, speeds};
-use super::thin::keep;
 use crate::drive::belt::BeltProblem;
 use crate::drive::region::RegionId;
 use crate::drive::start;
@@ -21,9 +21,9 @@ use crate::model::{Constant, Constants};
 const CLOSE: f64 = 30.0;
 
 /// The guess at the end of a piece of path: the parabola through its last three solutions, if one more says that it is
-/// close, on the nodes of the last that are `kept` in each region. The unknown constants are predicted relative to
-/// those of the tight, inextensible belt.
-pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<usize>]) -> Option<Guess> {
+/// close, on the nodes that `tolerance` asks for. The unknown constants are predicted relative to those of the tight,
+/// inextensible belt.
+pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Option<Guess> {
     let trail = Trail::new(belt, path)?;
     let [now, before, earlier, _] = trail.steps;
     let parabola = Extrapolation::new([now, before, earlier]);
@@ -33,8 +33,8 @@ pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<us
     }
     let constants = constants.0.into_iter().chain(path.to.targets.iter().copied()).collect();
     let mut guess = Guess { constants, regions: Vec::new() };
-    for (region, kept) in RegionId::ALL.into_iter().zip(kept) {
-        let seen = trail.seen(region, kept)?;
+    for region in RegionId::ALL {
+        let seen = trail.seen(region, tolerance)?;
         guess.regions.push(seen.ahead(&parabola)?);
         if region.is_contact() {
             let _ = trail.slide(region, &seen, &parabola, &mut guess);
@@ -91,17 +91,25 @@ impl<'a> Trail<'a> {
         unknown.all(|constant| (parabola[constant] - cubic[constant]).abs() <= CLOSE * slip * here[constant].abs())
     }
 
-    /// A region at the last three solutions, at the nodes of the last that are `kept`: where these have moved, if kinks
-    /// of friction belong together one by one, else where they are.
-    fn seen(&self, region: RegionId, kept: &[usize]) -> Option<Seen> {
+    /// A region at the last three solutions, at the nodes that `tolerance` asks for: where these have moved, if kinks of
+    /// friction belong together one by one, else where they are.
+    fn seen(&self, region: RegionId, tolerance: f64) -> Option<Seen> {
         let index = region.index();
-        let part = self.points[0].solution.regions().get(index)?;
-        let mut now = RegionGuess::from(part);
-        keep(kept, &mut now);
-        let moved = if region.is_contact() { self.moved(region, &now.mesh) } else { None };
-        let [then, before] = moved.unwrap_or_else(|| [now.mesh.clone(), now.mesh.clone()]);
+        let [now, before] = [0, 1].map(|point: usize| self.points[point].solution.regions().get(index));
+        let (now, before, mesh) = (now?, before?, now?.mesh());
+        let moved = if region.is_contact() { self.moved(region, mesh) } else { None };
+        let places = moved.unwrap_or_else(|| [mesh.to_vec(), mesh.to_vec()]);
+        let nodes = if self.path.bends {
+            let exponent = self.path.from.solution.order().defect_exponent();
+            let expected = expected(now, (before, &places[0], -self.steps[1]), exponent);
+            Nodes::needed(now, &expected, exponent, tolerance).and_middles(&expected, tolerance)
+        } else {
+            Nodes::all(now)
+        };
+        let [then, earlier] = places.each_ref().map(|places| nodes.linear(places));
         let states = |point: usize, places: &[f64]| states_at(&self.points[point].solution, index, places);
-        Some(Seen { states: [now.states, states(1, &then)?, states(2, &before)?], places: [now.mesh, then, before] })
+        let states = [nodes.states(&self.points[0].solution, index)?, states(1, &then)?, states(2, &earlier)?];
+        Some(Seen { states, places: [nodes.linear(mesh), then, earlier] })
     }
 
     /// Where some places of a contact were at the two solutions before the last, seen from the kinks of friction.
@@ -183,7 +191,7 @@ mod tests {
     use super::*;
     use crate::case::{Case, Resolved};
     use crate::drive::position::Position;
-    use crate::drive::predict::{tangents, thin};
+    use crate::drive::predict::tangents;
     use crate::drive::question::Question;
     use crate::drive::solved::Solved;
     use crate::drive::{SolveOptions, solve};
@@ -220,7 +228,6 @@ mod tests {
         let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
         let [far, third, second, first, last, next] = [10.0, 11.0, 12.0, 13.0, 14.0, 15.0].map(at);
         let belt = &last.1.belt;
-        let kept = thin::kept(&last.1.solution, thin::SHARE * 1e-4);
         let waypoint = |point: &'_ (Question, Solved)| Waypoint {
             solution: std::borrow::Cow::Owned(point.1.solution.clone()),
             position: Position::of(&point.1, &point.0).unwrap(),
@@ -229,7 +236,7 @@ mod tests {
         let to = Position::asked(&next.0);
         let predict = |before: &[Waypoint<'_>]| {
             let path = PathPiece { before, from: &last, to: &to, unknowns: &unknowns, bends: true };
-            (predicted(belt, &path, &kept), tangents::predicted(belt, &path, &kept).unwrap())
+            (predicted(belt, &path, 1e-4), tangents::predicted(belt, &path, 1e-4).unwrap())
         };
         let (parabola, tangent) = predict(&[first.clone(), second.clone(), third.clone()]);
         // The speed ratio and the mass flow, on which sliding hangs.
@@ -242,7 +249,6 @@ mod tests {
             let (this, that) = (miss(&parabola, constant), miss(&tangent, constant));
             assert!(this < 1e-5 && this < 2.0 * that + 1e-6, "{constant:?}: {this:e}, by the tangent {that:e}");
         }
-        assert_eq!(parabola.regions[0].mesh.len(), kept[0].len());
         // Too few, one from elsewhere, and one at a place that is there already.
         assert!(predict(&[first.clone(), second.clone()]).0.is_none());
         assert!(predict(&[first.clone(), second.clone(), waypoint(&next)]).0.is_none());
@@ -259,7 +265,6 @@ mod tests {
         let to = Position::asked(&Question::of(&case(40.0)));
         let path =
             PathPiece { before: &[first, second, third], from: &last, to: &to, unknowns: &unknowns, bends: true };
-        let kept = thin::kept(&last.solution, 0.0);
-        assert!(predicted(&points[3].1.belt, &path, &kept).is_none());
+        assert!(predicted(&points[3].1.belt, &path, 1e-4).is_none());
     }
 }

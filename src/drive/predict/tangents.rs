@@ -3,10 +3,10 @@
 use solver::{Guess, Linearisation, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
 use super::moved::{drift, kinks};
+use super::nodes::Nodes;
 use super::path::{Measure, PathPiece, Waypoint, states_at, sum};
 use super::scale::Scale;
 use super::sliding::{slide, speeds};
-use super::thin::keep;
 use crate::drive::belt::BeltProblem;
 use crate::drive::position::Position;
 use crate::drive::region::RegionId;
@@ -17,9 +17,9 @@ use crate::model::{Constant, Constants};
 const DIFFERENCE: f64 = 1e-3;
 
 /// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the
-/// solution before it bends, on the nodes of the first that are `kept` in each region. The unknown constants follow
-/// those of the tight, inextensible belt.
-pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<usize>]) -> Result<Guess, SolveError> {
+/// solution before it bends, on those of its nodes that `tolerance` asks for. The unknown constants follow those of the tight,
+/// inextensible belt.
+pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
     let curve = Curve::new(belt, path)?;
     let mut guess = Guess::from(&*path.from.solution);
     guess.constants = curve.constants();
@@ -30,8 +30,13 @@ pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, kept: &[Vec<us
     for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
         let _ = curve.adhere(region, &mut guess);
     }
-    for (region, kept) in guess.regions.iter_mut().zip(kept) {
-        keep(kept, region);
+    if path.bends {
+        let exponent = path.from.solution.order().defect_exponent();
+        for (part, region) in path.from.solution.regions().iter().zip(&mut guess.regions) {
+            let nodes = Nodes::needed(part, part.defects(), exponent, tolerance);
+            region.mesh = nodes.linear(&region.mesh);
+            region.states.iter_mut().for_each(|states| *states = nodes.linear(states));
+        }
     }
     Ok(guess)
 }
