@@ -5,6 +5,7 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod circle;
 mod derivation;
 mod function;
 mod job;
@@ -19,6 +20,7 @@ mod sweep;
 mod types;
 mod vocabulary;
 
+pub use circle::sines_and_cosines;
 pub use derivation::{DerivationFormat, derivation};
 pub use job::Job;
 pub use kernels::{

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, padded, phase};
+use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, padded};
 
 /// Derivatives of a sum by a track's coordinates, values and slopes, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -66,6 +66,13 @@ fn spread(cubic: &Cubic, by: CubicGradient, j: usize, gradient: &mut TrackGradie
     gradient.u[j + 1] += length;
     gradient.slope[j] += by.slope[0];
     gradient.slope[j + 1] += by.slope[1];
+}
+
+/// exp(−2πi n u), n u taken to a whole number's distance first.
+fn phase(n: usize, u: f64) -> Complex {
+    let turns = n as f64 * u;
+    let (sin, cos) = libm::sincos(TAU * (turns - turns.round()));
+    (cos, -sin)
 }
 
 /// The harmonics that are integrated by quadrature.

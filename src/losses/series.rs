@@ -16,7 +16,7 @@
 
 use std::f64::consts::TAU;
 
-use generated::{Job, Simd};
+use generated::{Job, Simd, sines_and_cosines};
 
 /// Harmonics at most: a field whose sum has not ended there has jumps, and its sum diverges.
 pub const MAX_HARMONICS: usize = 1 << 14;
@@ -146,11 +146,31 @@ pub(super) fn padded(mut values: Vec<f64>) -> Vec<f64> {
     values
 }
 
-/// exp(−2πi n u), n u taken to a whole number's distance first.
-pub(super) fn phase(n: usize, u: f64) -> Complex {
-    let turns = n as f64 * u;
-    let (sin, cos) = libm::sincos(TAU * (turns - turns.round()));
-    (cos, -sin)
+/// cos and −sin of 2π n u, n u taken to a whole number's distance first.
+fn turned(n: usize, u: &[f64]) -> [Vec<f64>; 2] {
+    let mut angles = vec![0.0; u.len()];
+    Simd::run(Angles { n: n as f64, u, out: &mut angles });
+    let [sines, cosines] = sines_and_cosines(&angles);
+    [cosines, sines]
+}
+
+/// −2π n u.
+struct Angles<'a> {
+    n: f64,
+    u: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl Job for Angles<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (angle, u) in self.out.iter_mut().zip(self.u) {
+            let turns = self.n * u;
+            *angle = -TAU * (turns - turns.round_ties_even());
+        }
+    }
 }
 
 /// Phases of a region's nodes, harmonic after harmonic.
@@ -167,19 +187,9 @@ pub(super) struct Phases {
 impl Phases {
     /// At the first harmonic that will be asked for.
     pub fn new(u: &[f64], n: usize) -> Self {
-        let steps = u.iter().map(|u| phase(1, *u));
-        let (step_cos, step_sin): (Vec<f64>, Vec<f64>) = steps.unzip();
-        let mut phases = Self { cos: step_cos.clone(), sin: step_sin.clone(), step_cos, step_sin, n };
-        if n != 1 {
-            phases.restart(u);
-        }
-        phases
-    }
-
-    fn restart(&mut self, u: &[f64]) {
-        for ((u, cos), sin) in u.iter().zip(&mut self.cos).zip(&mut self.sin) {
-            (*cos, *sin) = phase(self.n, *u);
-        }
+        let [step_cos, step_sin] = turned(1, u);
+        let [cos, sin] = if n == 1 { [step_cos.clone(), step_sin.clone()] } else { turned(n, u) };
+        Self { cos, sin, step_cos, step_sin, n }
     }
 
     /// cos and −sin of 2π n u at the present harmonic.
@@ -191,7 +201,8 @@ impl Phases {
     pub fn advance(&mut self, u: &[f64]) {
         self.n += 1;
         if self.n.is_multiple_of(BLOCK) {
-            return self.restart(u);
+            [self.cos, self.sin] = turned(self.n, u);
+            return;
         }
         Simd::run(Turn { phases: (&mut self.cos, &mut self.sin), by: (&self.step_cos, &self.step_sin) });
     }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use generated::{RegionKernel, Symbol};
+use generated::{RegionKernel, Symbol, sines_and_cosines};
 use solver::{Points, Solution};
 
 use super::schema::{BeltResult, Efficiency, Energy, Pulley, Span};
@@ -46,9 +46,10 @@ impl Sampled {
     /// # Errors
     /// [`InternalError::Field`] of a span.
     pub(super) fn rim_friction(&self) -> Result<f64, InternalError> {
-        let friction = self.field(Field::FrictionAtPoint)?.iter();
-        let along = friction.zip(self.field(Field::ApparentSheaveAngle)?).zip(self.field(Field::SlidingAngle)?);
-        let along: Vec<f64> = along.map(|((mu, beta), gamma)| mu * libm::cos(*beta) * libm::sin(*gamma)).collect();
+        let [_, sheave] = sines_and_cosines(self.field(Field::ApparentSheaveAngle)?);
+        let [along_rim, _] = sines_and_cosines(self.field(Field::SlidingAngle)?);
+        let along = self.field(Field::FrictionAtPoint)?.iter().zip(sheave).zip(along_rim);
+        let along: Vec<f64> = along.map(|((mu, sheave), along_rim)| mu * sheave * along_rim).collect();
         Ok(weighted_mean(&self.s, &along, self.field(Field::Pressure)?))
     }
 
