@@ -190,3 +190,26 @@ fn the_points_of_a_branch_are_not_corrected() {
     let branch = trace(&problem, &problem.start(), 0, &[], &options, &[]).unwrap();
     assert!(branch.points.len() > 2 && branch.points.iter().all(|point| !point.solution.is_corrected()));
 }
+
+/// Whatever their order, and however many lie in one interval.
+#[test]
+fn states_at_many_places_are_those_at_each_to_the_same_bits() {
+    for order in ORDERS {
+        let solution = wave(order, 6, false);
+        let part = &solution.regions()[0];
+        let many: Vec<f64> = (0..=40).map(|i| 0.5 * f64::from(i) / 40.0).collect();
+        let mut places = vec![0.07, 0.06, 0.41, 0.42, -0.1, 0.6, 0.425, 0.43, 0.44, 0.0, 0.5];
+        places.extend(many.iter().chain(part.mesh()));
+        for places in [&places[..], &many[..], &many[..3], &places[..1], &[]] {
+            let all = part.eval_many(places);
+            assert_eq!(all.len(), 2 * places.len());
+            for state in 0..2 {
+                let each: Vec<u64> = places.iter().map(|s| part.eval(*s)[state].to_bits()).collect();
+                let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+                assert_eq!(bits(&all[state * places.len()..][..places.len()]), each, "order {}", order.number());
+                assert_eq!(bits(&part.eval_state(state, places)), each);
+            }
+            assert!(part.eval_state(2, places).is_empty());
+        }
+    }
+}

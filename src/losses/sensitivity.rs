@@ -292,7 +292,7 @@ impl Chain<'_> {
         let (belt, solution) = (&self.solved.belt, &self.solved.solution);
         let Some(followed) = Followed::new(region, belt.kernel(region)) else { return };
         let Some(part) = solution.regions().get(region.index()) else { return };
-        let (constants, layout) = (solution.constants(), belt.layout());
+        let (columns, layout) = (followed.columns(part, solution.constants()), belt.layout());
         let first = layout.ends() + layout.integrals();
         let (value, slope) = what.places();
         let mut inputs = Vec::new();
@@ -303,7 +303,7 @@ impl Chain<'_> {
                     .into_iter()
                     .for_each(|x| functional.nodes.push((region.index(), node, x, *by_value)));
             }
-            followed.at(part, node, constants, &mut inputs);
+            columns.at(node, &mut inputs);
             for ((output, input), partial) in Partials::of(followed.kernel, &inputs).entries() {
                 let by = match output {
                     output if Some(output) == value => *by_value,

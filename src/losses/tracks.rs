@@ -4,7 +4,7 @@
 use generated::{
     BoundaryKernel, HYSTERESIS_CONTACT, HYSTERESIS_SPAN, HysteresisContactInput, HysteresisSpanInput, RegionKernel,
 };
-use solver::Solution;
+use solver::{RegionSolution, Solution};
 
 use super::series::Track;
 use crate::drive::{BeltProblem, RegionId, Source};
@@ -106,15 +106,35 @@ impl Followed {
         Some(Self { kernel, inputs, penetration: state(State::Penetration), length })
     }
 
-    /// Values of the inputs at a node.
-    pub fn at(&self, part: &solver::RegionSolution, node: usize, constants: &[f64], values: &mut Vec<f64>) {
-        let state = |values: &[f64]| values.get(node).copied().unwrap_or(f64::NAN);
+    /// Where the values of the inputs stand in a region of a solution.
+    pub fn columns<'a>(&self, part: &'a RegionSolution, constants: &[f64]) -> Columns<'a> {
+        let column = |input: &Input| match *input {
+            Input::State(i) => Column::Nodes(part.state(i)),
+            Input::Slope(i) => Column::Nodes(part.slope(i)),
+            Input::Constant(constant) => Column::Everywhere(constants.get(constant).copied().unwrap_or(f64::NAN)),
+            Input::One => Column::Everywhere(1.0),
+        };
+        Columns(self.inputs.iter().map(column).collect())
+    }
+}
+
+/// The inputs of a region's formulae in a solution.
+pub(super) struct Columns<'a>(Vec<Column<'a>>);
+
+enum Column<'a> {
+    /// One value a node.
+    Nodes(&'a [f64]),
+    /// The same at all nodes.
+    Everywhere(f64),
+}
+
+impl Columns<'_> {
+    /// Their values at a node.
+    pub fn at(&self, node: usize, values: &mut Vec<f64>) {
         values.clear();
-        values.extend(self.inputs.iter().map(|input| match *input {
-            Input::State(i) => state(part.state(i)),
-            Input::Slope(i) => state(part.slope(i)),
-            Input::Constant(constant) => constants.get(constant).copied().unwrap_or(f64::NAN),
-            Input::One => 1.0,
+        values.extend(self.0.iter().map(|column| match *column {
+            Column::Nodes(values) => values.get(node).copied().unwrap_or(f64::NAN),
+            Column::Everywhere(value) => value,
         }));
     }
 }
@@ -147,10 +167,12 @@ impl Tracks {
             let cumulative = part.cumulative(followed.length);
             let u: Vec<f64> = cumulative.iter().map(|passed| (start + passed) / length).collect();
             start += cumulative.last().copied().unwrap_or(0.0);
-            let empty = || Track { u: u.clone(), value: Vec::new(), slope: Vec::new() };
+            let room = || Vec::with_capacity(u.len());
+            let empty = || Track { u: u.clone(), value: room(), slope: room() };
             let (mut curvature, mut strain, mut penetration) = (empty(), empty(), empty());
+            let columns = followed.columns(part, solution.constants());
             for node in 0..u.len() {
-                followed.at(part, node, solution.constants(), &mut inputs);
+                columns.at(node, &mut inputs);
                 (followed.kernel.value)(&[], &[], &inputs, &mut found);
                 curvature.value.push(found[CURVATURE]);
                 curvature.slope.push(found[CURVATURE_SLOPE] * length);
