@@ -155,10 +155,11 @@ impl RegionSolution {
 
     /// State `i` at many places: as [`eval_many`](Self::eval_many), to the same bits. Empty if there is no such state.
     pub fn eval_state(&self, i: usize, s: &[f64]) -> Vec<f64> {
-        let mut values = vec![0.0; if i < self.states() { s.len() } else { 0 }];
-        if !values.is_empty() {
-            self.component(i).write(&self.places(s), &mut values);
+        if i >= self.states() {
+            return Vec::new();
         }
+        let mut values = vec![0.0; s.len()];
+        self.component(i).write(&self.places(s), &mut values);
         values
     }
 

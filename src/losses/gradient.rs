@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, padded};
+use super::series::{Complex, Cubic, GAUSS, Jumps, Phases, Series, Track, gauss_harmonics, gauss_places, padded};
 
 /// Derivatives of a sum by a track's coordinates, values and slopes, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -68,26 +68,26 @@ fn spread(cubic: &Cubic, by: CubicGradient, j: usize, gradient: &mut TrackGradie
     gradient.slope[j + 1] += by.slope[1];
 }
 
-/// exp(−2πi n u), n u taken to a whole number's distance first.
-fn phase(n: usize, u: f64) -> Complex {
-    let turns = n as f64 * u;
-    let (sin, cos) = libm::sincos(TAU * (turns - turns.round()));
-    (cos, -sin)
-}
-
 /// The harmonics that are integrated by quadrature.
 fn by_quadrature(track: &Track, adjoints: &[Complex], gradient: &mut TrackGradient) {
-    for (j, cubic) in track.cubics().enumerate() {
+    let places = gauss_places(track);
+    let mut phases = Phases::new(&places, 1);
+    // Σ of p and of ωq at each place, p + iq being conj(c_n) exp(−iωu).
+    let mut sums = vec![(0.0, 0.0); places.len()];
+    for (n, adjoint) in (1..).zip(adjoints) {
+        let omega = TAU * n as f64;
+        let (cos, sin) = phases.here();
+        for (((value, place), c), s) in sums.iter_mut().zip(cos).zip(sin) {
+            let (p, q) = (adjoint.0 * c - adjoint.1 * s, adjoint.0 * s + adjoint.1 * c);
+            *value += p;
+            *place += omega * q;
+        }
+        phases.advance(&places);
+    }
+    for ((j, cubic), sums) in track.cubics().enumerate().zip(sums.chunks_exact(GAUSS.len())) {
         let mut by = CubicGradient::default();
-        for (t, weight) in GAUSS {
+        for ((t, weight), (value, place)) in GAUSS.into_iter().zip(sums) {
             let slope = weight * cubic.slope_at(t);
-            let (mut value, mut place) = (0.0, 0.0);
-            for (n, adjoint) in (1..).zip(adjoints) {
-                let (c, s) = phase(n, cubic.u + t * cubic.h);
-                let (p, q) = (adjoint.0 * c - adjoint.1 * s, adjoint.0 * s + adjoint.1 * c);
-                value += p;
-                place += TAU * n as f64 * q;
-            }
             let place = place * slope * cubic.h;
             let [m, a, b] = Cubic::basis(t);
             let scaled = weight * cubic.h * value;

@@ -319,8 +319,7 @@ impl Integrals {
         let few = gauss_harmonics(fields.iter().copied().flatten());
         let groups = shared(fields);
         let slopes = groups.iter().map(|(region, tracks)| {
-            let places = tracks.first().into_iter().flat_map(|(_, track)| track.cubics());
-            let u = padded(places.flat_map(|cubic| GAUSS.map(|(t, _)| cubic.u + t * cubic.h)).collect());
+            let u = tracks.first().map(|(_, track)| gauss_places(track)).unwrap_or_default();
             let fields = tracks.iter().map(|(field, track)| (*field, weighted_slopes(track))).collect();
             Group { region: *region, phases: Phases::new(&u, 1), u, fields }
         });
@@ -348,6 +347,11 @@ impl Integrals {
         }
         self.n += 1;
     }
+}
+
+/// The Gauss points of all intervals, padded.
+pub(super) fn gauss_places(track: &Track) -> Vec<f64> {
+    padded(track.cubics().flat_map(|cubic| GAUSS.map(|(t, _)| cubic.u + t * cubic.h)).collect())
 }
 
 /// Slopes at the Gauss points of all intervals, times weights and lengths, padded.

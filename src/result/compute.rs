@@ -46,10 +46,10 @@ impl Sampled {
     /// # Errors
     /// [`InternalError::Field`] of a span.
     pub(super) fn rim_friction(&self) -> Result<f64, InternalError> {
-        let [_, sheave] = sines_and_cosines(self.field(Field::ApparentSheaveAngle)?);
-        let [along_rim, _] = sines_and_cosines(self.field(Field::SlidingAngle)?);
-        let along = self.field(Field::FrictionAtPoint)?.iter().zip(sheave).zip(along_rim);
-        let along: Vec<f64> = along.map(|((mu, sheave), along_rim)| mu * sheave * along_rim).collect();
+        let [_, cosines] = sines_and_cosines(self.field(Field::ApparentSheaveAngle)?);
+        let [sines, _] = sines_and_cosines(self.field(Field::SlidingAngle)?);
+        let along = self.field(Field::FrictionAtPoint)?.iter().zip(cosines).zip(sines);
+        let along: Vec<f64> = along.map(|((mu, cosine), sine)| mu * cosine * sine).collect();
         Ok(weighted_mean(&self.s, &along, self.field(Field::Pressure)?))
     }
 

@@ -51,8 +51,8 @@ impl Task {
     }
 }
 
-/// The chains of a study, in groups, without what no point that is wanted depends on. A group is put into order as it is
-/// asked for: that resolves some of its cases.
+/// The chains of a study, in groups, without what no point that is wanted depends on. A group is put into order as it
+/// is asked for: that resolves some of its cases.
 pub(super) fn wanted<'a>(
     study: &'a Study,
     wanted: &'a (impl Fn(usize) -> bool + Sync),

@@ -28,10 +28,9 @@ impl Nodes {
     /// solution have these `defects`, and they grow with their length to the power `exponent`.
     pub(super) fn needed(part: &RegionSolution, defects: &[f64], exponent: u32, tolerance: f64) -> Self {
         let (mesh, last) = (part.mesh(), part.intervals());
-        // The defect of an interval is this times that power of its length, however long it is made.
         let factor = |interval: usize| {
-            let defect = defects.get(interval).filter(|defect| defect.is_finite());
-            defect.map_or(f64::INFINITY, |defect| defect / power(mesh[interval + 1] - mesh[interval], exponent))
+            let factor = factor(mesh, defects, interval, exponent);
+            if factor.is_finite() { factor } else { f64::INFINITY }
         };
         let limit = SHARE * tolerance;
         let (mut kept, mut from, mut largest) = (vec![0], 0, factor(0));
@@ -66,8 +65,7 @@ impl Nodes {
         self.kept.len() + self.halved.len()
     }
 
-    /// What is linear between the nodes of the solution, or what is known at these alone and has no middles, from the
-    /// values there.
+    /// Values there from those at all nodes of the solution, in the middle of an interval the mean of both ends.
     pub(super) fn linear(&self, values: &[f64]) -> Vec<f64> {
         self.with(values, |node| 0.5 * (values[node] + values[node + 1]))
     }
@@ -103,10 +101,7 @@ pub(super) fn expected(
     (before, places, back): (&RegionSolution, &[f64], f64),
     exponent: u32,
 ) -> Vec<f64> {
-    let factor = |part: &RegionSolution, interval: usize| {
-        let (mesh, defect) = (part.mesh(), part.defects().get(interval).copied());
-        defect.unwrap_or(f64::NAN) / power(mesh[interval + 1] - mesh[interval], exponent)
-    };
+    let factor = |part: &RegionSolution, interval: usize| factor(part.mesh(), part.defects(), interval, exponent);
     let mut there = 0;
     let grown = |(interval, ends): (usize, &[f64])| {
         let middle = 0.5 * (ends[0] + ends[1]);
@@ -118,6 +113,12 @@ pub(super) fn expected(
         now.defects().get(interval).map_or(f64::NAN, |defect| defect * growth)
     };
     places.windows(2).enumerate().map(grown).collect()
+}
+
+/// The defect of an interval is this times that power of its length, however long it is made. NaN if it is not known.
+fn factor(mesh: &[f64], defects: &[f64], interval: usize, exponent: u32) -> f64 {
+    let defect = defects.get(interval).copied().unwrap_or(f64::NAN);
+    defect / power(mesh[interval + 1] - mesh[interval], exponent)
 }
 
 fn power(length: f64, exponent: u32) -> f64 {

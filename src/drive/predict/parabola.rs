@@ -91,8 +91,8 @@ impl<'a> Trail<'a> {
         unknown.all(|constant| (parabola[constant] - cubic[constant]).abs() <= CLOSE * slip * here[constant].abs())
     }
 
-    /// A region at the last three solutions, at the nodes that `tolerance` asks for: where these have moved, if kinks of
-    /// friction belong together one by one, else where they are.
+    /// A region at the last three solutions, at the nodes that `tolerance` asks for: where these have moved, if kinks
+    /// of friction belong together one by one, else where they are.
     fn seen(&self, region: RegionId, tolerance: f64) -> Option<Seen> {
         let index = region.index();
         let [now, before] = [0, 1].map(|point: usize| self.points[point].solution.regions().get(index));
@@ -249,6 +249,15 @@ mod tests {
             let (this, that) = (miss(&parabola, constant), miss(&tangent, constant));
             assert!(this < 1e-5 && this < 2.0 * that + 1e-6, "{constant:?}: {this:e}, by the tangent {that:e}");
         }
+        // Both stand on the nodes that they say they do: those of the tangent are as many as its defects ask for.
+        let (part, exponent) = (&last.solution.regions()[0], last.solution.order().defect_exponent());
+        let needed = Nodes::needed(part, part.defects(), exponent, 1e-4);
+        assert_eq!(tangent.regions[0].mesh.len(), needed.len());
+        let before = [first.clone(), second.clone(), third.clone()];
+        let path = PathPiece { before: &before, from: &last, to: &to, unknowns: &unknowns, bends: true };
+        let seen = Trail::new(belt, &path).unwrap().seen(RegionId::Primary, 1e-4).unwrap();
+        assert_eq!(parabola.regions[0].mesh.len(), seen.places[0].len());
+        assert!(seen.places[0].iter().filter(|s| part.mesh().contains(s)).count() < part.mesh().len());
         // Too few, one from elsewhere, and one at a place that is there already.
         assert!(predict(&[first.clone(), second.clone()]).0.is_none());
         assert!(predict(&[first.clone(), second.clone(), waypoint(&next)]).0.is_none());

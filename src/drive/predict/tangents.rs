@@ -17,8 +17,8 @@ use crate::model::{Constant, Constants};
 const DIFFERENCE: f64 = 1e-3;
 
 /// The guess at the end of a piece of path: its first solution and the tangent there, bent as the path from the
-/// solution before it bends, on those of its nodes that `tolerance` asks for. The unknown constants follow those of the tight,
-/// inextensible belt.
+/// solution before it bends, on those of its nodes that `tolerance` asks for. The unknown constants follow those of the
+/// tight, inextensible belt.
 pub(super) fn predicted(belt: &BeltProblem, path: &PathPiece<'_>, tolerance: f64) -> Result<Guess, SolveError> {
     let curve = Curve::new(belt, path)?;
     let mut guess = Guess::from(&*path.from.solution);
