@@ -142,11 +142,11 @@ mod wide {
     }
 
     /// Coefficients that stand in memory.
-    struct Stored<'a, T: Kept>(&'a [Block<T>]);
+    struct Stored<'a, T: Kept>(&'a [Block<Vec<T>>]);
 
     impl<T: Kept> Intervals<T> for Stored<'_, T> {
         #[inline(always)]
-        fn fill<R: Rows>(&mut self, _: R, t: usize, to: &mut Block<T>) {
+        fn fill<R: Rows>(&mut self, _: R, t: usize, to: &mut Block<&mut [T]>) {
             let Some(from) = self.0.get(t) else { return };
             to.a.copy_from_slice(&from.a);
             to.b.copy_from_slice(&from.b);
@@ -158,17 +158,19 @@ mod wide {
     }
 
     /// Blocks of a chain near -I, I.
-    fn blocks<T: Kept>(sizes: Sizes, count: usize) -> Vec<Block<T>> {
+    fn blocks<T: Kept>(sizes: Sizes, count: usize) -> Vec<Block<Vec<T>>> {
         let mut seed = 1_u64;
         let mut random = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
         };
         let mut block = || {
-            let mut block = Block::new(sizes);
+            let Sizes { n, p, k } = sizes;
+            let [a, b, c, fa, fb, fc] = [n * n, n * n, n * p, k * n, k * n, k * p].map(|count| vec![T::ZERO; count]);
+            let mut block = Block { a, b, c, fa, fb, fc };
             for (matrix, sign) in [(&mut block.a, -1.0), (&mut block.b, 1.0)] {
                 for (at, value) in matrix.iter_mut().enumerate() {
-                    let number = 0.05 * random() + if at % (sizes.n + 1) == 0 { sign } else { 0.0 };
+                    let number = 0.05 * random() + if at % (n + 1) == 0 { sign } else { 0.0 };
                     *value = T::ONE.times(number);
                 }
             }
@@ -184,13 +186,13 @@ mod wide {
 
     /// As the crate eliminates a region.
     #[target_feature(enable = "avx2")]
-    fn one<R: Rows>(rows: R, stretches: &mut Chain<Lane>, whole: &mut Chain<f64>, blocks: &[Block<Lane>]) {
+    fn one<R: Rows>(rows: R, stretches: &mut Chain<Lane>, whole: &mut Chain<f64>, blocks: &[Block<Vec<Lane>>]) {
         stretches.factor(rows, Stored(blocks));
-        whole.factor(rows, Reduced(&stretches.end));
+        whole.factor(rows, Reduced(stretches.end()));
     }
 
     #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-    fn eight<R: Rows>(rows: R, chains: &mut Chain<Eight>, blocks: &[Block<Eight>]) {
+    fn eight<R: Rows>(rows: R, chains: &mut Chain<Eight>, blocks: &[Block<Vec<Eight>>]) {
         chains.factor(rows, Stored(blocks));
     }
 

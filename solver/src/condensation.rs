@@ -112,7 +112,7 @@ impl Factorisation {
         }
         let mut rates: Vec<f64> = ends.iter().zip(input_scales(&self.scales)).map(|(end, scale)| end * scale).collect();
         for (plan, factor) in system.plan.regions.iter().zip(&self.regions) {
-            let (n, p, end) = (plan.n, plan.columns.len(), &factor.top.end);
+            let (n, p, end) = (plan.n, plan.columns.len(), factor.top.end());
             let (first, last) = ends[plan.first_end..][..2 * n].split_at(n);
             let here: Vec<f64> = plan.columns.iter().map(|&column| constants[column]).collect();
             rates.extend((0..plan.active.len()).map(|k| {

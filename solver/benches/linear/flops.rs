@@ -77,7 +77,7 @@ impl SubAssign for Counted {
 struct Plain;
 
 impl Intervals<Counted> for Plain {
-    fn fill<R: Rows>(&mut self, rows: R, _: usize, block: &mut Block<Counted>) {
+    fn fill<R: Rows>(&mut self, rows: R, _: usize, block: &mut Block<&mut [Counted]>) {
         let n = rows.n();
         for i in 0..n {
             block.a[i * n + i] = Counted(-1.0);

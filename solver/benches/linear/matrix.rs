@@ -23,7 +23,7 @@ pub const SHAPE: Sizes = Sizes { n: N, p: P, k: 0 };
 pub struct Bordered {
     steps: usize,
     /// `a`, `b` and `c` of each interval by columns: `A u_t + B u_{t+1} + C c`.
-    blocks: Vec<Block<f64>>,
+    blocks: Vec<Block<Vec<f64>>>,
     /// Boundary equations by rows: first node, last node, constant.
     boundary: Vec<f64>,
     rhs: Vec<f64>,
@@ -52,7 +52,9 @@ impl Bordered {
         assert_eq!(intervals % W, 0);
         let h = 1.0 / intervals as f64;
         let blocks = (0..intervals).map(|t| {
-            let mut block = Block::new(SHAPE);
+            let zeros = |count: usize| vec![0.0; count];
+            let (a, b, c) = (zeros(N * N), zeros(N * N), zeros(N * P));
+            let mut block = Block { a, b, c, fa: Vec::new(), fb: Vec::new(), fc: Vec::new() };
             let (left, right) = (t as f64 * h, (t + 1) as f64 * h);
             for j in 0..N {
                 for i in 0..N {
@@ -143,14 +145,14 @@ impl Bordered {
 /// `W` stretches of `steps` blocks, side by side.
 struct Stretches<'a> {
     steps: usize,
-    blocks: &'a [Block<f64>],
+    blocks: &'a [Block<Vec<f64>>],
 }
 
 impl Intervals<Lane> for Stretches<'_> {
     #[inline(always)]
-    fn fill<R: Rows>(&mut self, _: R, t: usize, block: &mut Block<Lane>) {
-        let pick =
-            |entry: &dyn Fn(&Block<f64>) -> f64| Lane(std::array::from_fn(|l| entry(&self.blocks[l * self.steps + t])));
+    fn fill<R: Rows>(&mut self, _: R, t: usize, block: &mut Block<&mut [Lane]>) {
+        let of = |l: usize| &self.blocks[l * self.steps + t];
+        let pick = |entry: &dyn Fn(&Block<Vec<f64>>) -> f64| Lane(std::array::from_fn(|l| entry(of(l))));
         for i in 0..N * N {
             block.a[i] = pick(&|block| block.a[i]);
             block.b[i] = pick(&|block| block.b[i]);
@@ -174,15 +176,15 @@ impl Job for Eliminate<'_> {
         let mut lanes = Chain::<Lane>::new(SHAPE, steps);
         lanes.factor(rows, Stretches { steps, blocks });
         let mut top = Chain::<f64>::new(SHAPE, W);
-        top.factor(rows, Reduced(&lanes.end));
-        let size = 2 * N + P;
+        top.factor(rows, Reduced(lanes.end()));
+        let (size, end) = (2 * N + P, top.end());
         let mut dense = vec![0.0; size * size];
         for i in 0..N {
             for j in 0..N {
-                dense[i * size + j] = top.end.a[j * N + i];
-                dense[i * size + N + j] = top.end.b[j * N + i];
+                dense[i * size + j] = end.a[j * N + i];
+                dense[i * size + N + j] = end.b[j * N + i];
             }
-            dense[i * size + 2 * N] = top.end.c[i];
+            dense[i * size + 2 * N] = end.c[i];
         }
         dense[N * size..].copy_from_slice(boundary);
         let mut border = Lu::default();

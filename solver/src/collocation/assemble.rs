@@ -98,14 +98,14 @@ impl Job for Couple<'_, '_> {
 }
 
 /// The equations of one interval of every stretch.
-struct Linearise<'a, 'b> {
+struct Linearise<'a, 'b, 'c> {
     assembly: &'a mut Assembly<'b>,
     t: usize,
-    block: &'a mut Block<Lane>,
+    block: &'a mut Block<&'c mut [Lane]>,
     inner: Inner<'a>,
 }
 
-impl BySize for Linearise<'_, '_> {
+impl BySize for Linearise<'_, '_, '_> {
     type Output = ();
 
     #[inline(always)]
@@ -176,7 +176,7 @@ impl<'a> Assembly<'a> {
         &mut self,
         rows: R,
         t: usize,
-        block: &mut Block<Lane>,
+        block: &mut Block<&mut [Lane]>,
         row_scale: &mut [Lane],
         inner: Inner<'_>,
     ) {
@@ -187,7 +187,7 @@ impl<'a> Assembly<'a> {
     /// As [`linearise`](Self::linearise), where there are neither integrals nor constants and stages follow those
     /// before them: all sizes are known when compiled.
     #[inline(always)]
-    fn linearise_alone<const N: usize>(&self, t: usize, block: &mut Block<Lane>) {
+    fn linearise_alone<const N: usize>(&self, t: usize, block: &mut Block<&mut [Lane]>) {
         let h = Lane(self.h[t]);
         let stages = self.tableau.stages().min(MOST_STAGES);
         // By sides, stages, rows.
@@ -270,7 +270,13 @@ impl<'a> Assembly<'a> {
 
     /// `n` states, `k` active integrals, `p` constants.
     #[inline(always)]
-    fn linearise(&mut self, (n, k, p): (usize, usize, usize), t: usize, block: &mut Block<Lane>, mut inner: Inner<'_>) {
+    fn linearise(
+        &mut self,
+        (n, k, p): (usize, usize, usize),
+        t: usize,
+        block: &mut Block<&mut [Lane]>,
+        mut inner: Inner<'_>,
+    ) {
         if self.tableau.coupled && (Pairs { assembly: self, t, inner: inner.reborrowed(), block }).vectorised() {
             return;
         }
@@ -427,7 +433,7 @@ impl<'a> Assembly<'a> {
 
     /// `A = -I - h Σ b dK/dy_0`, `B = I - h Σ b dK/dy_1`, `C = -h Σ b dK/dc`; functionals `h Σ b dQ`.
     #[inline(always)]
-    fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<Lane>) {
+    fn combine(&mut self, n: usize, all: usize, p: usize, h: Lane, block: &mut Block<&mut [Lane]>) {
         let (width, sum) = (2 * n + p, &mut self.sum[..all * (2 * n + p)]);
         sum.fill(Lane::ZERO);
         for (slopes, &b) in self.slopes.chunks_exact(all * width).zip(self.tableau.b) {
@@ -448,8 +454,8 @@ impl<'a> Assembly<'a> {
             block.fb[i * n..(i + 1) * n].copy_from_slice(&row[n..2 * n]);
             block.fc[i * p..(i + 1) * p].copy_from_slice(&row[2 * n..]);
         }
-        add_to_diagonal(&mut block.a, n, -1.0);
-        add_to_diagonal(&mut block.b, n, 1.0);
+        add_to_diagonal(block.a, n, -1.0);
+        add_to_diagonal(block.b, n, 1.0);
     }
 }
 
@@ -508,7 +514,7 @@ impl Twice<'_> {
 
 /// Divides the equations so that no coefficient of a node exceeds 1.
 #[inline(always)]
-fn scale_rows(n: usize, p: usize, block: &mut Block<Lane>, row_scale: &mut [Lane]) {
+fn scale_rows(n: usize, p: usize, block: &mut Block<&mut [Lane]>, row_scale: &mut [Lane]) {
     for (i, scale) in row_scale.iter_mut().enumerate() {
         let mut largest = Lane::ONE;
         for j in 0..n {

@@ -102,7 +102,7 @@ impl Factorisation {
         self.dense.resize((system.plan.states() + system.layout.equations.len()) * size, 0.0);
         let mut row = 0;
         for (plan, factor) in system.plan.regions.iter().zip(&self.regions) {
-            let (n, end) = (plan.n, &factor.top.end);
+            let (n, end) = (plan.n, factor.top.end());
             for i in 0..n {
                 let out = &mut self.dense[(row + i) * size..(row + i + 1) * size];
                 for j in 0..n {
@@ -137,7 +137,14 @@ impl Factorisation {
             } else if input < ends + integrals {
                 let Some((region, k)) = locate_integral(&system.plan.regions, input - ends) else { continue };
                 self.integral_entries.push((equation, region, k, value));
-                add_integral(&system.plan.regions[region], &self.regions[region].top.end, k, value, first_unknown, out);
+                add_integral(
+                    &system.plan.regions[region],
+                    &self.regions[region].top.end(),
+                    k,
+                    value,
+                    first_unknown,
+                    out,
+                );
             } else {
                 let constant = input - ends - integrals;
                 if let Some(u) = system.plan.unknowns.iter().position(|&index| index == constant) {
@@ -348,7 +355,7 @@ pub(crate) fn locate_integral(regions: &[RegionPlan], integral: usize) -> Option
 }
 
 /// Adds `value` times the reduced functional of integral `k` to a dense row.
-fn add_integral(plan: &RegionPlan, end: &Block<f64>, k: usize, value: f64, first_unknown: usize, out: &mut [f64]) {
+fn add_integral(plan: &RegionPlan, end: &Block<&[f64]>, k: usize, value: f64, first_unknown: usize, out: &mut [f64]) {
     let (n, p) = (plan.n, plan.columns.len());
     for i in 0..n {
         out[plan.first_end + i] += value * end.fa[k * n + i];

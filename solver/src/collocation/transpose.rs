@@ -146,7 +146,7 @@ impl Factorisation {
 impl RegionFactor {
     /// Weights on integrals as weights on ends and constants: `ends` holds first and last node.
     fn add_functionals(&self, n: usize, weights: &[f64], ends: &mut [f64], constants: &mut [f64]) {
-        let end = &self.top.end;
+        let end = self.top.end();
         let p = constants.len();
         for (k, weight) in weights.iter().enumerate() {
             for i in 0..n {

@@ -26,21 +26,37 @@ pub(crate) struct Sizes {
 
 /// Coefficients of one interval, or of a whole chain once reduced. `a`, `b`, `c` by columns of `n`;
 /// functional rows `fa`, `fb` by rows of `n`, `fc` by rows of `p`.
-#[derive(Debug, Clone)]
-pub(crate) struct Block<T: Reused> {
-    pub a: Array<T>,
-    pub b: Array<T>,
-    pub c: Array<T>,
-    pub fa: Array<T>,
-    pub fb: Array<T>,
-    pub fc: Array<T>,
+pub(crate) struct Block<S> {
+    pub a: S,
+    pub b: S,
+    pub c: S,
+    pub fa: S,
+    pub fb: S,
+    pub fc: S,
 }
 
-impl<T: Reused> Block<T> {
-    pub(crate) fn new(Sizes { n, p, k }: Sizes) -> Self {
-        let unset = Array::unset;
-        Self { a: unset(n * n), b: unset(n * n), c: unset(n * p), fa: unset(k * n), fb: unset(k * n), fc: unset(k * p) }
-    }
+fn block_len(Sizes { n, p, k }: Sizes) -> usize {
+    (n + k) * (2 * n + p)
+}
+
+#[inline(always)]
+fn block<T>(Sizes { n, p, k }: Sizes, data: &[T]) -> Block<&[T]> {
+    let (a, rest) = data.split_at(n * n);
+    let (b, rest) = rest.split_at(n * n);
+    let (c, rest) = rest.split_at(n * p);
+    let (fa, rest) = rest.split_at(k * n);
+    let (fb, fc) = rest.split_at(k * n);
+    Block { a, b, c, fa, fb, fc }
+}
+
+#[inline(always)]
+fn block_mut<T>(Sizes { n, p, k }: Sizes, data: &mut [T]) -> Block<&mut [T]> {
+    let (a, rest) = data.split_at_mut(n * n);
+    let (b, rest) = rest.split_at_mut(n * n);
+    let (c, rest) = rest.split_at_mut(n * p);
+    let (fa, rest) = rest.split_at_mut(k * n);
+    let (fb, fc) = rest.split_at_mut(k * n);
+    Block { a, b, c, fa, fb, fc }
 }
 
 /// What back substitution keeps of one eliminated node.
@@ -88,23 +104,23 @@ fn kept_mut<T>(Sizes { n, p, .. }: Sizes, data: &mut [T]) -> Kept<&mut [T]> {
 /// are compiled without the vectors of their caller.
 pub(crate) trait Intervals<T: Reused> {
     /// Writes the coefficients of interval `t`. Must be `#[inline(always)]`.
-    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<T>);
+    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<&mut [T]>);
 }
 
 /// Chains reduced side by side, as the intervals of one more chain.
-pub(crate) struct Reduced<'a>(pub &'a Block<Lane>);
+pub(crate) struct Reduced<'a>(pub Block<&'a [Lane]>);
 
 impl Intervals<f64> for Reduced<'_> {
     #[inline(always)]
-    fn fill<R: Rows>(&mut self, _: R, l: usize, to: &mut Block<f64>) {
-        let from = self.0;
+    fn fill<R: Rows>(&mut self, _: R, l: usize, to: &mut Block<&mut [f64]>) {
+        let from = &self.0;
         let pairs = [
-            (&from.a, &mut to.a),
-            (&from.b, &mut to.b),
-            (&from.c, &mut to.c),
-            (&from.fa, &mut to.fa),
-            (&from.fb, &mut to.fb),
-            (&from.fc, &mut to.fc),
+            (from.a, &mut to.a),
+            (from.b, &mut to.b),
+            (from.c, &mut to.c),
+            (from.fa, &mut to.fa),
+            (from.fb, &mut to.fb),
+            (from.fc, &mut to.fc),
         ];
         for (from, to) in pairs {
             for (to, from) in to.iter_mut().zip(from) {
@@ -118,37 +134,47 @@ impl Intervals<f64> for Reduced<'_> {
 #[derive(Debug, Clone)]
 pub(crate) struct Chain<T: Reused> {
     sizes: Sizes,
+    /// The whole chain, reduced; room for one interval; what is kept of every node.
     data: Array<T>,
-    /// The whole chain, reduced: `a u_0 + b u_steps + c constants = r`, and the functionals.
-    pub end: Block<T>,
-    block: Block<T>,
 }
 
 impl<T: Reused> Chain<T> {
     pub(crate) fn new(sizes: Sizes, steps: usize) -> Self {
-        let data = Array::unset(kept_len(sizes) * steps.saturating_sub(1));
-        Self { sizes, data, end: Block::new(sizes), block: Block::new(sizes) }
+        Self { sizes, data: Array::unset(2 * block_len(sizes) + kept_len(sizes) * steps.saturating_sub(1)) }
     }
 
     pub(crate) fn sizes(&self) -> Sizes {
         self.sizes
     }
 
+    /// The whole chain, reduced: `a u_0 + b u_steps + c constants = r`, and the functionals.
+    #[inline(always)]
+    pub(crate) fn end(&self) -> Block<&[T]> {
+        block(self.sizes, &self.data[..block_len(self.sizes)])
+    }
+
+    /// What is kept of the interior nodes.
+    #[inline(always)]
+    fn nodes(&self) -> std::slice::ChunksExact<'_, T> {
+        self.data[2 * block_len(self.sizes)..].chunks_exact(kept_len(self.sizes))
+    }
+
     /// Reciprocals of all diagonal entries of R.
     pub(crate) fn inverse_pivots(&self) -> impl Iterator<Item = &T> {
-        let nodes = self.data.chunks_exact(kept_len(self.sizes));
-        nodes.flat_map(|data| kept(self.sizes, data).inverse)
+        self.nodes().flat_map(|data| kept(self.sizes, data).inverse)
     }
 
     /// Eliminates the interior nodes `1..steps`.
     #[inline(always)]
     pub(crate) fn factor<R: Rows>(&mut self, rows: R, mut intervals: impl Intervals<T>) {
-        intervals.fill(rows, 0, &mut self.end);
         let sizes = self.sizes;
-        for (t, data) in self.data.chunks_exact_mut(kept_len(sizes)).enumerate() {
-            intervals.fill(rows, t + 1, &mut self.block);
-            let kept = kept_mut(sizes, data);
-            eliminate(rows, sizes, kept, &mut self.end, &mut self.block);
+        let (end, rest) = self.data.split_at_mut(block_len(sizes));
+        let (next, nodes) = rest.split_at_mut(block_len(sizes));
+        let (mut end, mut next) = (block_mut(sizes, end), block_mut(sizes, next));
+        intervals.fill(rows, 0, &mut end);
+        for (t, data) in nodes.chunks_exact_mut(kept_len(sizes)).enumerate() {
+            intervals.fill(rows, t + 1, &mut next);
+            eliminate(rows, sizes, kept_mut(sizes, data), &mut end, &mut next);
         }
     }
 
@@ -157,7 +183,7 @@ impl<T: Reused> Chain<T> {
     #[inline(always)]
     pub(crate) fn forward<R: Rows>(&self, rows: R, rhs: &mut [T], functionals: &mut [T]) {
         let n = rows.n();
-        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate() {
+        for (t, data) in self.nodes().enumerate() {
             let kept = kept(self.sizes, data);
             let (top, bottom) = rhs[t * n..(t + 2) * n].split_at_mut(n);
             rows.apply(kept.reflectors, n, top, bottom);
@@ -174,7 +200,7 @@ impl<T: Reused> Chain<T> {
     #[inline(always)]
     pub(crate) fn backward<R: Rows>(&self, rows: R, rhs: &[T], constants: &[T], u: &mut [T]) {
         let n = rows.n();
-        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate().rev() {
+        for (t, data) in self.nodes().enumerate().rev() {
             let kept = kept(self.sizes, data);
             let (first, rest) = u.split_at_mut(n);
             let (here, next) = rest[t * n..(t + 2) * n].split_at_mut(n);
@@ -200,7 +226,7 @@ impl<T: Reused> Chain<T> {
     #[inline(always)]
     pub(crate) fn backward_transposed<R: Rows>(&self, rows: R, rhs: &mut [T], constants: &mut [T], u: &mut [T]) {
         let n = rows.n();
-        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate() {
+        for (t, data) in self.nodes().enumerate() {
             let kept = kept(self.sizes, data);
             let (first, rest) = u.split_at_mut(n);
             let (here, next) = rest[t * n..(t + 2) * n].split_at_mut(n);
@@ -223,7 +249,7 @@ impl<T: Reused> Chain<T> {
     #[inline(always)]
     pub(crate) fn forward_transposed<R: Rows>(&self, rows: R, rhs: &mut [T], functionals: &[T]) {
         let n = rows.n();
-        for (t, data) in self.data.chunks_exact(kept_len(self.sizes)).enumerate().rev() {
+        for (t, data) in self.nodes().enumerate().rev() {
             let kept = kept(self.sizes, data);
             let (top, bottom) = rhs[t * n..(t + 2) * n].split_at_mut(n);
             for (&weight, x) in functionals.iter().zip(kept.x.chunks_exact(n)) {
@@ -247,12 +273,12 @@ fn subtract<T: Scalar>(matrix: &[T], x: &[T], out: &mut [T]) {
 }
 
 #[inline(always)]
-fn eliminate<T: Reused, R: Rows>(
+fn eliminate<T: Scalar, R: Rows>(
     rows: R,
     sizes: Sizes,
     kept: Kept<&mut [T]>,
-    carry: &mut Block<T>,
-    block: &mut Block<T>,
+    carry: &mut Block<&mut [T]>,
+    block: &mut Block<&mut [T]>,
 ) {
     let n = rows.n();
     for j in 0..n {
@@ -287,7 +313,13 @@ fn eliminate<T: Reused, R: Rows>(
 
 /// Replaces `u_t` in the functionals by the kept equation: `X = w R⁻¹`, then `row -= X [E F G]`.
 #[inline(always)]
-fn eliminate_functionals<T: Reused>(n: usize, p: usize, kept: Kept<&mut [T]>, carry: &mut Block<T>, block: &Block<T>) {
+fn eliminate_functionals<T: Scalar>(
+    n: usize,
+    p: usize,
+    kept: Kept<&mut [T]>,
+    carry: &mut Block<&mut [T]>,
+    block: &Block<&mut [T]>,
+) {
     for (row, x) in kept.x.chunks_exact_mut(n).enumerate() {
         let span = row * n..(row + 1) * n;
         for c in 0..n {

@@ -11,14 +11,14 @@ use crate::linear::simd::{Job, vectorised};
 use crate::tableau::{COUPLED, Tableau};
 
 /// One interval of every stretch. It is compiled once, and not for every number of states as what it is called from.
-pub(super) struct Pairs<'a, 'b> {
+pub(super) struct Pairs<'a, 'b, 'c> {
     pub assembly: &'a Assembly<'b>,
     pub t: usize,
     pub inner: Inner<'a>,
-    pub block: &'a mut Block<Lane>,
+    pub block: &'a mut Block<&'c mut [Lane]>,
 }
 
-impl Pairs<'_, '_> {
+impl Pairs<'_, '_, '_> {
     /// Writes the equations, and what is kept of the inner stages, if the region is of this kind; else nothing. Whether
     /// it was so.
     #[inline(never)]
@@ -27,7 +27,7 @@ impl Pairs<'_, '_> {
     }
 }
 
-impl Job for Pairs<'_, '_> {
+impl Job for Pairs<'_, '_, '_> {
     type Output = bool;
 
     #[inline(always)]
@@ -47,7 +47,7 @@ impl Job for Pairs<'_, '_> {
     }
 }
 
-impl Pairs<'_, '_> {
+impl Pairs<'_, '_, '_> {
     /// `Q` equations of second order, `N` states, `M` unknowns at the inner stages.
     #[inline(always)]
     fn linearise<const Q: usize, const N: usize, const M: usize>(self, pairs: roles::Pairs<Q>) {

@@ -14,7 +14,7 @@ const INNER: usize = 2;
 impl Assembly<'_> {
     /// Writes interval `t` of every stretch. `N` states.
     #[inline(always)]
-    pub(super) fn linearise_simpson<const N: usize>(&mut self, t: usize, block: &mut Block<Lane>) {
+    pub(super) fn linearise_simpson<const N: usize>(&mut self, t: usize, block: &mut Block<&mut [Lane]>) {
         let mut values = std::mem::take(&mut self.values);
         for (value, entry) in values.iter_mut().zip(&self.states) {
             *value = self.by_state(entry, INNER, t);
@@ -28,7 +28,7 @@ impl Assembly<'_> {
 
     /// Coefficients of the states at both nodes, with the entries' `values` at the inner stage.
     #[inline(always)]
-    fn write_by_states<const N: usize>(&self, t: usize, mut values: &[Lane], block: &mut Block<Lane>) {
+    fn write_by_states<const N: usize>(&self, t: usize, mut values: &[Lane], block: &mut Block<&mut [Lane]>) {
         let (h, method) = (Lane(self.h[t]), self.tableau);
         // What the states at the inner stage move by with those at each node.
         let mut moves = [[[Lane::ZERO; N]; 2]; N];
@@ -82,7 +82,7 @@ impl Assembly<'_> {
 
     /// Coefficients of the constants, likewise.
     #[inline(always)]
-    fn write_by_constants<const N: usize>(&mut self, t: usize, values: &[Lane], block: &mut Block<Lane>) {
+    fn write_by_constants<const N: usize>(&mut self, t: usize, values: &[Lane], block: &mut Block<&mut [Lane]>) {
         let (h, method, p) = (Lane(self.h[t]), self.tableau, self.plan.columns.len());
         let all = N + self.plan.active.len();
         let (moves, slopes, sum) =

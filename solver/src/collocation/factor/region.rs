@@ -35,7 +35,7 @@ impl RowsJob for FactorRegion<'_, '_> {
 fn factor_region<R: Rows>(rows: R, assembly: Assembly<'_>, factor: &mut RegionFactor) {
     let RegionFactor { lanes, top, row_scale, coupling, coupled } = factor;
     lanes.factor(rows, Stretches { assembly, row_scale, coupling, coupled });
-    top.factor(rows, Reduced(&lanes.end));
+    top.factor(rows, Reduced(lanes.end()));
 }
 
 /// The intervals of all stretches, side by side.
@@ -48,7 +48,7 @@ struct Stretches<'a, 'b> {
 
 impl Intervals<Lane> for Stretches<'_, '_> {
     #[inline(always)]
-    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<Lane>) {
+    fn fill<R: Rows>(&mut self, rows: R, t: usize, block: &mut Block<&mut [Lane]>) {
         let n = rows.n();
         let len = self.coupling.len();
         let inner = Inner { coupling: self.coupling, kept: &mut self.coupled[t * len..(t + 1) * len] };
