@@ -32,10 +32,13 @@ mod pool {
         Ok(pool(threads)?.install(|| (0..count).into_par_iter().map(item).collect()))
     }
 
-    /// What `of` makes of each item, in order, on all cores.
+    /// What `of` makes of each item, in order, on all cores; on the calling thread if no others can be had.
     #[cfg(feature = "figures")]
     pub(crate) fn collect<I: Sync, T: Send>(items: &[I], of: impl Fn(&I) -> T + Sync + Send) -> Vec<T> {
-        items.par_iter().map(of).collect()
+        match pool(0) {
+            Ok(pool) => pool.install(|| items.par_iter().map(of).collect()),
+            Err(NoThreads) => items.iter().map(of).collect(),
+        }
     }
 }
 

@@ -2,13 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use serde_json::Value;
+use sheave::bench::BenchProblem;
 use sheave::bench::compare::{Actuator, Clamp, Comparison, ENGINE_SCALE, Options, Radii, compare, parse, read};
 use sheave::bench::dyno::{self, calibration, points_csv, process, records};
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::made::{Disturbance, Known, files, truth};
 use sheave::case::Case;
+use sheave::{Cancel, cancellable};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const EI: &str = "belt.bending_stiffness";
 /// Bending stiffness and engine's scale of the made data.
@@ -235,6 +239,29 @@ fn bad_rows_and_bad_questions_are_named() {
     ] {
         let error = compare(&Case::base(), table.clone(), &options(&fit)).unwrap_err();
         assert!(error.to_string().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_comparison_ends_when_it_is_cancelled() {
+    let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
+    let mut table = read(&data("operating-points.csv"), Some(&engine)).unwrap();
+    table.points.retain(|point| point.reason.is_none());
+    table.points.truncate(6);
+    let asked = Arc::new(AtomicUsize::new(0));
+    let ending_after = |limit: usize| {
+        asked.store(0, Ordering::Relaxed);
+        let count = asked.clone();
+        let cancel = Cancel::asking(move || count.fetch_add(1, Ordering::Relaxed) >= limit);
+        cancellable(&cancel, || compare(&Case::base(), table.clone(), &options(&[ENGINE_SCALE, EI])))
+    };
+    assert!(ending_after(usize::MAX).unwrap().fit.is_some());
+    let all = asked.load(Ordering::Relaxed);
+    // While the points are solved from each other; while constants are fitted, on all cores.
+    for limit in [all / 10, all * 4 / 5] {
+        let error = ending_after(limit).unwrap_err();
+        assert!(matches!(error.problem(), BenchProblem::Cancelled), "{error}");
+        assert!(asked.load(Ordering::Relaxed) < all, "{limit} of {all}");
     }
 }
 

@@ -339,3 +339,35 @@ fn an_interrupt_ends_a_command_in_order() {
     }
     assert_eq!(child.wait().unwrap().code(), Some(130));
 }
+
+/// So does one of any other command that solves: its one object says that it was cancelled.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_command_says_so_in_its_object() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let curve = ["shift", "examples/drive/gx9.toml", "--points", "2000", "--tol", "1e-8", "-v", "--json"];
+    let launch = ["launch", "examples/drive/gx9.toml", "-v", "--json"];
+    let chapters = ["reproduce", "--points", "1000", "--out", out, "-v"];
+    for command in [&curve[..], &launch[..], &chapters[..]] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_sheave"))
+            .args(command)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stderr.take().unwrap()));
+        lines.find(|line| line.as_ref().is_ok_and(|line| line.contains("stage 1"))).unwrap().unwrap();
+        let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        assert!(interrupt.success());
+        let said: Vec<String> = lines.map_while(Result::ok).collect();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{command:?}: {said:?}");
+        assert!(said.iter().any(|line| line.starts_with("stopping")), "{command:?}: {said:?}");
+        if command.contains(&"--json") {
+            let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(object["failure"]["kind"], "cancelled", "{object}");
+        }
+    }
+}

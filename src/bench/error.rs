@@ -87,6 +87,9 @@ pub enum BenchProblem {
         /// What is wrong, and what is expected.
         reason: String,
     },
+    /// Stopped from elsewhere: see [`cancellable`](crate::cancellable).
+    #[error("cancelled")]
+    Cancelled,
     /// Nothing in a file of measurements could be used.
     #[error("nothing in `{path}` can be used: {reason}")]
     NoData {

@@ -9,7 +9,7 @@ use sheave::bench::compare::{
     ACTUATOR_KEYS, Actuator, Clamp, Comparison, Options, Radii, compare, figures, read, summary,
 };
 use sheave::bench::engine::EngineCurve;
-use sheave::bench::{BenchError, PageTable, keys, page};
+use sheave::bench::{BenchError, BenchProblem, PageTable, keys, page};
 use sheave::case::Case;
 use std::path::PathBuf;
 
@@ -67,7 +67,10 @@ fn help() -> String {
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.case.read()?;
-    let found = arguments.find(&case).map_err(|error| refused("compare", arguments.json, error))?;
+    let found = arguments.find(&case).map_err(|error| match error.problem() {
+        BenchProblem::Cancelled => Stop::Cancelled,
+        _ => refused("compare", arguments.json, error),
+    })?;
     warn(&found.warnings);
     arguments.deliver(&case, &found)
 }

@@ -111,7 +111,7 @@ pub fn run() -> ExitCode {
     let outcome = std::panic::catch_unwind(|| match &arguments.command {
         Command::Solve(arguments) => in_order(|| solve::run(arguments)),
         Command::Drive(arguments) => in_order(|| drive::run(arguments)),
-        Command::Shift(arguments) => shift::run(arguments),
+        Command::Shift(arguments) => in_order(|| shift::run(arguments)),
         Command::Launch(arguments) => in_order(|| launch::run(arguments)),
         Command::Beside(arguments) => in_order(|| beside::run(arguments)),
         Command::Sweep(arguments) => in_order(|| sweep::run(arguments)),
@@ -122,7 +122,7 @@ pub fn run() -> ExitCode {
         Command::Tune(arguments) => in_order(|| tune::run(arguments)),
         Command::Ramp(arguments) => in_order(|| inverse::ramp(arguments)),
         Command::Helix(arguments) => in_order(|| inverse::helix(arguments)),
-        Command::Reproduce(arguments) => reproduce::run(arguments),
+        Command::Reproduce(arguments) => in_order(|| reproduce::run(arguments)),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
         Command::Pulley(arguments) => pulley::run(arguments),
@@ -130,7 +130,7 @@ pub fn run() -> ExitCode {
         Command::Belt(arguments) => belt::run(arguments),
         Command::Radii(arguments) => radii::run(arguments),
         Command::Dyno(arguments) => dyno::run(arguments),
-        Command::Compare(arguments) => compare::run(arguments),
+        Command::Compare(arguments) => in_order(|| compare::run(arguments)),
         Command::BenchData(arguments) => bench_data::run(arguments),
         Command::Keys(arguments) => keys::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
@@ -155,7 +155,12 @@ pub fn run() -> ExitCode {
 
 /// A command that Ctrl-C ends at the next step of what is being solved, rather than the program at once.
 fn in_order(command: impl FnOnce() -> Result<(), stop::Stop>) -> Result<(), stop::Stop> {
-    sheave::cancellable(&stop::cancel_on_interrupt(), command)
+    let cancel = stop::cancel_on_interrupt();
+    match sheave::cancellable(&cancel, command) {
+        // That no solution was found says nothing then.
+        Err(stop::Stop::NoSolution(_)) if cancel.is_cancelled() => Err(stop::Stop::Cancelled),
+        done => done,
+    }
 }
 
 /// Help and version, or what is wrong with the arguments; in plain text if one of them holds what a terminal would act

@@ -124,7 +124,8 @@ pub fn engagement_speed(case: &Resolved, direction: Direction) -> Result<Option<
 /// there is.
 ///
 /// # Errors
-/// A case that lacks a part: points without an equilibrium are told as such, and the curve goes on.
+/// A case that lacks a part, or that the search is cancelled: points without an equilibrium are told as such, and the
+/// curve goes on.
 pub fn shift_branch(
     case: &Resolved,
     direction: Direction,
@@ -223,7 +224,7 @@ impl Search<'_> {
         for (speed, _) in ordered.into_iter().step_by(2).take(ATTEMPTS) {
             match equilibrium(self.case, speed, self.direction, &self.options.solve) {
                 Ok(found) => return Ok(Some(found)),
-                Err(error) if error.is_bad_input() => return Err(error),
+                Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
                 Err(error) => last = Some(error),
             }
         }

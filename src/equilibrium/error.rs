@@ -69,6 +69,11 @@ impl EquilibriumError {
         }
     }
 
+    /// Whether the search was stopped from elsewhere: see [`cancellable`](crate::cancellable).
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self, Self::Failure { failure, .. } if failure.is_cancelled())
+    }
+
     /// What to try, where there is more to say than the message says.
     pub fn hint(&self) -> Option<&'static str> {
         match self {

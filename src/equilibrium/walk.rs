@@ -31,7 +31,7 @@ impl ShiftWalk {
     /// Finds the ends of the curve's phases; its points are not yet computed.
     ///
     /// # Errors
-    /// A case that lacks a part.
+    /// A case that lacks a part, or that the search is cancelled.
     pub fn begin(case: &Resolved, direction: Direction, options: &ShiftOptions) -> Result<Self, EquilibriumError> {
         Self::begun(case, direction, options, None)
     }
@@ -99,7 +99,7 @@ impl ShiftWalk {
     /// The next point, which may have no equilibrium; nothing behind the last.
     ///
     /// # Errors
-    /// What is wrong with the case.
+    /// What is wrong with the case, or that the search is cancelled: the points before keep.
     pub fn step(&mut self) -> Result<Option<&ShiftPoint>, EquilibriumError> {
         let at = self.branch.points.len();
         let Some(speed) = self.speeds.get(at).copied().filter(|_| !self.ended) else { return Ok(None) };
@@ -112,7 +112,7 @@ impl ShiftWalk {
                 let report = DriveReport::new(&self.case, &found, outcome, false).map(Box::new);
                 (report.map_err(|error| error.to_string()), Some(found))
             }
-            Err(error) if error.is_bad_input() => return Err(error),
+            Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
             Err(error) => (Err(error.to_string()), None),
         };
         if self.keeps {

@@ -70,11 +70,20 @@ const SMALL: f64 = 1e-6;
 /// Largest damping tried in an iteration.
 const DAMPED: f64 = 1e8;
 
-/// Fits positive parameters. `evaluate` may fail for some of them; then a shorter step is tried.
+/// Why the model says nothing with some parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NoModel {
+    /// There is no solution, for this reason; with others there may be one.
+    Unsolved(String),
+    /// The work was cancelled.
+    Cancelled,
+}
+
+/// Fits positive parameters. `evaluate` may have no solution for some of them; then a shorter step is tried.
 ///
 /// # Errors
-/// What `evaluate` says of the start.
-pub fn fit<E>(start: &[f64], mut evaluate: impl FnMut(&[f64]) -> Result<Linearised, E>) -> Result<Fitted, E> {
+/// What `evaluate` says of the start; [`NoModel::Cancelled`] whenever it says so.
+pub fn fit(start: &[f64], mut evaluate: impl FnMut(&[f64]) -> Result<Linearised, NoModel>) -> Result<Fitted, NoModel> {
     let mut values = start.to_vec();
     let mut here = evaluate(&values)?;
     let cost = |residuals: &[f64]| residuals.iter().map(|r| r * r).sum::<f64>();
@@ -111,7 +120,8 @@ pub fn fit<E>(start: &[f64], mut evaluate: impl FnMut(&[f64]) -> Result<Linearis
                     converged = true;
                     break;
                 }
-                _ => damping *= 10.0,
+                Err(NoModel::Cancelled) => return Err(NoModel::Cancelled),
+                Ok(_) | Err(NoModel::Unsolved(_)) => damping *= 10.0,
             }
         }
         if !moved {
@@ -176,14 +186,30 @@ mod tests {
 
     #[test]
     fn a_curve_is_found_again() {
-        let found = fit(&[1.0, 2.0], |p| Ok::<_, ()>(curve(p, 0.0))).unwrap();
+        let found = fit(&[1.0, 2.0], |p| Ok(curve(p, 0.0))).unwrap();
         assert!(
             found.converged && (found.values[0] - 3.0).abs() < 1e-6 && (found.values[1] - 0.7).abs() < 1e-6,
             "{found:?}"
         );
-        let noisy = fit(&[1.0, 2.0], |p| Ok::<_, ()>(curve(p, 0.02))).unwrap();
+        let noisy = fit(&[1.0, 2.0], |p| Ok(curve(p, 0.02))).unwrap();
         let half = noisy.errors.as_ref().unwrap()[0] * noisy.quantile;
         assert!((noisy.values[0] / 3.0).ln().abs() < half, "{noisy:?}");
+    }
+
+    #[test]
+    fn a_shorter_step_is_tried_where_there_is_no_solution_but_none_after_an_interrupt() {
+        let mut calls = 0;
+        let beyond = |p: &[f64]| p[0] > 1.2;
+        let found = fit(&[1.0, 2.0], |p| match beyond(p) && p[0] < 1.3 {
+            true => Err(NoModel::Unsolved("a gap".into())),
+            false => Ok(curve(p, 0.0)),
+        });
+        assert!(found.is_ok_and(|found| found.converged));
+        let ended = fit(&[1.0, 2.0], |p| {
+            calls += 1;
+            if calls > 1 { Err(NoModel::Cancelled) } else { Ok(curve(p, 0.0)) }
+        });
+        assert_eq!((ended.unwrap_err(), calls), (NoModel::Cancelled, 2));
     }
 
     #[test]
@@ -191,7 +217,7 @@ mod tests {
         let alike = |p: &[f64]| {
             let residuals = (0..5).map(|at| f64::from(at) + 1.0 - p[0] * p[1] * f64::from(at)).collect();
             let rows = (0..5).map(|at| vec![-p[0] * p[1] * f64::from(at); 2]).collect();
-            Ok::<_, ()>(Linearised { residuals, rows })
+            Ok(Linearised { residuals, rows })
         };
         let found = fit(&[1.0, 1.5], alike).unwrap();
         assert!(found.errors.is_none() && found.condition > SINGULAR, "{found:?}");

@@ -2,12 +2,12 @@
 
 use super::ENGINE_SCALE;
 use super::comparison::{Clamp, Compared, Comparison, Fit, FittedConstant, Options, Radii};
-use super::fit::{self, Linearised, Scale};
+use super::fit::{self, Linearised, NoModel, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, BenchProblem};
 use crate::case::{Case, Free, Include, Key, Resolved, ValueKind};
 use crate::clock::Stopwatch;
-use crate::drive::{Constant, SolveOptions, Solved, solve, solve_along};
+use crate::drive::{Constant, Failure, SolveOptions, Solved, solve, solve_along};
 use crate::result::interpret;
 
 /// A point on its way through the model.
@@ -61,7 +61,7 @@ const CORRELATED: f64 = 0.95;
 ///
 /// # Errors
 /// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the
-/// model can solve, or fewer points than constants to fit.
+/// model can solve, fewer points than constants to fit, or [`BenchProblem::Cancelled`].
 pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Comparison, BenchError> {
     let keys = keys(base, options)?;
     let mut warnings = Vec::new();
@@ -81,22 +81,19 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
     let ratio = |point: &Point| points.get(point.place).and_then(|point| point.speed_ratio).unwrap_or(0.0);
     ways.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
     let mut trail: Option<Solved> = None;
-    ways.retain_mut(|point| match evaluate(&point.case, trail.as_ref(), options.tolerance, &[]) {
-        Ok(said) => {
-            trail = Some(said.solved.clone());
-            if let Some(compared) = points.get_mut(point.place) {
+    for point in &mut ways {
+        let Some(compared) = points.get_mut(point.place) else { continue };
+        match evaluate(&point.case, trail.as_ref(), options.tolerance, &[]) {
+            Ok(said) => {
+                trail = Some(said.solved.clone());
                 compared.take(&said);
+                point.solved = Some(said.solved);
             }
-            point.solved = Some(said.solved);
-            true
+            Err(NoModel::Unsolved(reason)) => compared.exclude(format!("the model has no solution: {reason}")),
+            Err(NoModel::Cancelled) => return Err(BenchProblem::Cancelled.into()),
         }
-        Err(reason) => {
-            if let Some(compared) = points.get_mut(point.place) {
-                compared.exclude(format!("the model has no solution: {reason}"));
-            }
-            false
-        }
-    });
+    }
+    ways.retain(|point| point.solved.is_some());
     let parameters = keys.len() + usize::from(options.fit.iter().any(|key| key == ENGINE_SCALE));
     if ways.len() < 2.max(parameters + 1) {
         let first = points.iter().find_map(|point| point.reason.clone()).unwrap_or_default();
@@ -224,29 +221,33 @@ fn set_up(base: &Case, measured: &Measured, options: &Options) -> Result<Case, S
 }
 
 /// Solves a case, from a solution nearby if that can be; derivatives by `keys`.
-fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, String> {
-    let resolved: Resolved = case.resolve().map_err(|error| error.to_string())?;
-    case.check_posed(&resolved).map_err(|error| error.to_string())?;
+fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, NoModel> {
+    let resolved: Resolved = case.resolve().map_err(unsolved)?;
+    case.check_posed(&resolved).map_err(unsolved)?;
     let options = SolveOptions { tolerance, sensitivities: !keys.is_empty(), ..SolveOptions::default() };
     let warm = near.and_then(|near| solve_along(&[near], &resolved, &options).ok());
     let solved = match warm {
         Some(solved) => solved,
-        None => solve(&resolved, &options).map_err(|failure| failure.to_string())?,
+        None => solve(&resolved, &options).map_err(failed)?,
     };
-    let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(|failure| failure.to_string())?;
+    let outcome = interpret(&resolved, &options, solved, Stopwatch::start()).map_err(failed)?;
     let result = &outcome.result;
-    let elastic = result.efficiency.overall.ok_or("the drive takes power from its output: it has no efficiency")?;
+    let takes_power = || unsolved("the drive takes power from its output: it has no efficiency");
+    let elastic = result.efficiency.overall.ok_or_else(takes_power)?;
     let with_losses = resolved.losses.include == Some(Include::On);
     let efficiency = match (with_losses, result.efficiency.overall_with_losses) {
         (true, Some(efficiency)) => efficiency,
-        (true, None) => return Err(outcome.no_losses.map_or_else(String::new, |reason| reason.to_string())),
+        (true, None) => {
+            let reason = outcome.no_losses.map(unsolved);
+            return Err(reason.unwrap_or_else(|| unsolved("it has no efficiency with losses besides friction")));
+        }
         (false, _) => elastic,
     };
     let compared = EFFICIENCY[usize::from(with_losses)];
     let row = result.sensitivities.as_ref().and_then(|rows| rows.get(compared));
     let derivative = |(key, _): &(Key, f64)| {
         let found = row.and_then(|row| row.get(key.path())).copied().filter(|value| value.is_finite());
-        found.ok_or_else(|| format!("nothing is known of the derivative of {compared} by {}", key.path()))
+        found.ok_or_else(|| unsolved(format!("nothing is known of the derivative of {compared} by {}", key.path())))
     };
     Ok(Said {
         efficiency,
@@ -257,6 +258,21 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
         primary_radius: outcome.solved.constant(Constant::PrimaryRadius),
         solved: outcome.solved,
     })
+}
+
+fn unsolved(reason: impl ToString) -> NoModel {
+    NoModel::Unsolved(reason.to_string())
+}
+
+fn failed(failure: Failure) -> NoModel {
+    if failure.is_cancelled() { NoModel::Cancelled } else { unsolved(failure) }
+}
+
+fn unfitted(none: NoModel) -> BenchError {
+    match none {
+        NoModel::Unsolved(reason) => unusable("--fit", reason).into(),
+        NoModel::Cancelled => BenchProblem::Cancelled.into(),
+    }
 }
 
 /// Fits constants to the points; they then have what the model says with the fitted ones.
@@ -303,11 +319,10 @@ fn fitted(
         for (way, said) in ways.iter_mut().zip(&said) {
             way.solved = Some(said.solved.clone());
         }
-        Ok::<_, String>(out)
+        Ok(out)
     });
-    let found = found.map_err(|reason| BenchError::from(unusable("--fit", reason)))?;
-    let said = all(ways, keys, &found.values, options.tolerance)
-        .map_err(|reason| BenchError::from(unusable("--fit", reason)))?;
+    let found = found.map_err(unfitted)?;
+    let said = all(ways, keys, &found.values, options.tolerance).map_err(unfitted)?;
     let mut square = 0.0;
     let scale = if scaled { found.values.last().copied().unwrap_or(1.0) } else { 1.0 };
     for ((way, said), (measured, _)) in ways.iter().zip(&said).zip(&data) {
@@ -340,11 +355,11 @@ fn fitted(
 }
 
 /// The model at all points with other values of the fitted keys.
-fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> Result<Vec<Said>, String> {
+fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> Result<Vec<Said>, NoModel> {
     let said = crate::threads::collect(ways, |way| {
         let mut case = way.case.clone();
         for ((key, _), value) in keys.iter().zip(values) {
-            case.set_si(*key, *value).map_err(|error| error.to_string())?;
+            case.set_si(*key, *value).map_err(unsolved)?;
         }
         evaluate(&case, way.solved.as_ref(), tolerance, keys)
     });
