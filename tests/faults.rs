@@ -119,6 +119,7 @@ fn killed(folder: &Path) -> String {
         std::fs::remove_file(&out).unwrap();
         assert_eq!(std::fs::read_dir(folder).unwrap().count(), 1, "something is left over");
     }
+    assert!(kills >= trials, "{kills} kills: the sweeps were over before");
     format!("{kills} kills in {trials} sweeps")
 }
 

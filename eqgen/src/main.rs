@@ -39,11 +39,18 @@ fn write() -> Result<(), String> {
     std::fs::create_dir_all(golden()).map_err(|error| failed(&golden(), error))?;
     for file in eqgen::generate().map_err(|error| error.to_string())? {
         for path in places(&file).iter().filter(|path| !holds(path, &file)) {
-            std::fs::write(path, &file.text).map_err(|error| failed(path, error))?;
+            replace(path, &file.text).map_err(|error| failed(path, error))?;
             println!("wrote {}", path.display());
         }
     }
     Ok(())
+}
+
+/// Writes beside, then renames: whoever stops this finds the old file or the new one.
+fn replace(path: &Path, text: &str) -> std::io::Result<()> {
+    let beside = path.with_extension("new");
+    let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, path));
+    written.inspect_err(|_| drop(std::fs::remove_file(&beside)))
 }
 
 fn check() -> Result<(), String> {

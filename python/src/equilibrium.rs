@@ -11,6 +11,7 @@ use sheave::Cancel;
 use sheave::case::{Key, Resolved, Setting};
 use sheave::equilibrium::{
     self, Direction, DriveReport, EquilibriumError, Measured, ShiftBranch, ShiftCurve, ShiftOptions, ShiftPoint,
+    UnknownDirection,
 };
 use sheave::plot::{Figure, Stack};
 use sheave::quantity::{self, Dimension};
@@ -198,14 +199,9 @@ fn measured(path: &std::path::Path) -> PyResult<Vec<Measured>> {
 }
 
 fn one_direction(name: &str) -> PyResult<Direction> {
-    match name {
-        "up" => Ok(Direction::Up),
-        "back" => Ok(Direction::Back),
-        "frictionless" => Ok(Direction::Frictionless),
-        other => Err(PyValueError::new_err(format!(
-            "direction = \"{other}\": expected \"up\", \"back\" or \"frictionless\""
-        ))),
-    }
+    name.parse().map_err(|_: UnknownDirection| {
+        PyValueError::new_err(format!("direction = \"{name}\": expected \"up\", \"back\" or \"frictionless\""))
+    })
 }
 
 /// The secondary's speed that a case gives, rad/s.

@@ -49,6 +49,20 @@ impl Direction {
     }
 }
 
+/// A direction of this name does not exist.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no direction: expected up, back or frictionless")]
+pub struct UnknownDirection(pub String);
+
+impl std::str::FromStr for Direction {
+    type Err = UnknownDirection;
+
+    fn from_str(name: &str) -> Result<Self, UnknownDirection> {
+        let all = [Self::Up, Self::Back, Self::Frictionless];
+        all.into_iter().find(|direction| direction.name() == name).ok_or_else(|| UnknownDirection(name.to_owned()))
+    }
+}
+
 /// A stop on which a sheave may rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -145,10 +145,11 @@ impl DriveReport {
     /// How the drive stands against slip, in words.
     pub fn slip_words(&self) -> String {
         if self.slipping {
-            let share = 100.0 * self.speed_efficiency.unwrap_or(0.0);
+            let arrives = |share: f64| format!(", and {:.1} % of the speed arrives", 100.0 * share);
             return format!(
-                "it slips: {:.1} % of the friction at hand is in reserve, and {share:.1} % of the speed arrives",
-                100.0 * self.slip_reserve
+                "it slips: {:.1} % of the friction at hand is in reserve{}",
+                100.0 * self.slip_reserve,
+                self.speed_efficiency.map(arrives).unwrap_or_default()
             );
         }
         format!(

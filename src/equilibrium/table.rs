@@ -78,6 +78,14 @@ pub enum DataError {
         /// What stands there.
         text: String,
     },
+    /// A direction that is none.
+    #[error("line {line}: direction `{text}`: expected up, back, or nothing where it is not known")]
+    Direction {
+        /// Which line of the file.
+        line: u64,
+        /// What stands there.
+        text: String,
+    },
     /// Nothing but a header.
     #[error("has no points")]
     Empty,
@@ -109,10 +117,14 @@ pub fn read_measured(from: impl io::Read) -> Result<Vec<Measured>, DataError> {
         points.push(Measured {
             secondary_speed: number(secondary)?,
             primary_speed: number(primary)?,
-            direction: match direction.and_then(|at| record.get(at)) {
-                Some("up") => Some(Direction::Up),
-                Some("back") => Some(Direction::Back),
-                _ => None,
+            direction: match direction.and_then(|at| record.get(at)).unwrap_or_default() {
+                "" => None,
+                text => match text.parse() {
+                    Ok(Direction::Frictionless) | Err(_) => {
+                        return Err(DataError::Direction { line, text: text.to_owned() });
+                    }
+                    Ok(direction) => Some(direction),
+                },
             },
         });
     }

@@ -99,12 +99,15 @@ impl Checkpoint {
     /// # Errors
     /// Those of the file system.
     pub fn save(&self, path: &Path) -> io::Result<()> {
+        // Two processes that save to one path do not write into each other's file.
         let mut beside = path.as_os_str().to_owned();
-        beside.push(".new");
-        let file = fs::File::create(&beside)?;
-        self.write(io::BufWriter::new(&file))?;
-        file.sync_all()?;
-        fs::rename(beside, path)
+        beside.push(format!(".{}.new", std::process::id()));
+        let written = fs::File::create(&beside).and_then(|file| {
+            self.write(io::BufWriter::new(&file))?;
+            file.sync_all()?;
+            fs::rename(&beside, path)
+        });
+        written.inspect_err(|_| drop(fs::remove_file(&beside)))
     }
 
     /// # Errors

@@ -417,7 +417,8 @@ impl Problem {
         let mut slower = 0.0;
         while !newton::is_possible(&self.drive, closed, self.situation.clamped()) {
             slower = if slower == 0.0 { strain } else { 2.0 * slower };
-            if slower.is_nan() || slower >= 1.0 {
+            // Nor does a strain of zero, where the torque is too small to be told, lead anywhere.
+            if !(slower > 0.0 && slower < 1.0) {
                 return Err(InitError::Overloaded { torque });
             }
             self.complete(closed, v_0 * (1.0 - slower));
