@@ -36,6 +36,9 @@ pub enum GuessError {
     NotFinite(String),
 }
 
+/// Below this tolerance defects are those of rounding where meshes are fine.
+const NEAR_ROUNDING: f64 = 1e-12;
+
 /// Why [`solve`](crate::solve()) has no solution to show.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -159,6 +162,9 @@ impl SolveError {
     pub fn advice(&self) -> &'static str {
         match self {
             Self::Newton { error, .. } => error.advice(),
+            Self::MeshLimit { tolerance, .. } if *tolerance < NEAR_ROUNDING => {
+                "Rounding is what is left at such a tolerance: ask for 1e-12 at most, or use a higher order."
+            }
             Self::MeshLimit { defect, tolerance, .. } if *defect > 1e3 * tolerance => {
                 "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution \
                  of a coarse mesh. Continue in the parameter that makes it thin, begin with a finer mesh where the \

@@ -48,8 +48,34 @@ const NARROW: usize = 2;
 
 /// A number that a model is evaluated with: `f64` itself, or one that carries derivatives.
 ///
-/// Arithmetic, comparison with `f64`, and the elementary functions come from [`DualNum`].
-pub trait Scalar: DualNum<Primitive = f64> + Copy {}
+/// Arithmetic, comparison with `f64`, and the elementary functions come from [`DualNum`]. Two of these have derivatives
+/// that are not a number where they exist: `powf` at 0 for exponents below 3, and `tanh` from 355 on;
+/// [`power`](Self::power) and [`hyperbolic_tangent`](Self::hyperbolic_tangent) stand in for them.
+pub trait Scalar: DualNum<Primitive = f64> + Copy {
+    /// `self` to a constant power, with its first derivatives.
+    #[must_use]
+    fn power(self, exponent: f64) -> Self {
+        chained(self, power(self.re(), exponent))
+    }
+
+    /// Hyperbolic tangent, with its first derivatives.
+    #[must_use]
+    fn hyperbolic_tangent(self) -> Self {
+        let value = libm::tanh(self.re());
+        chained(self, [value, 1.0 - value * value])
+    }
+}
+
+/// x to a constant power, and the slope there.
+pub(crate) fn power(x: f64, exponent: f64) -> [f64; 2] {
+    let slope = if exponent == 0.0 { 0.0 } else { exponent * libm::pow(x, exponent - 1.0) };
+    [libm::pow(x, exponent), slope]
+}
+
+/// A function of `x` by its value and its slope there.
+fn chained<S: Scalar>(x: S, [value, slope]: [f64; 2]) -> S {
+    (x - x.re()) * slope + value
+}
 
 impl<S: DualNum<Primitive = f64> + Copy> Scalar for S {}
 

@@ -278,7 +278,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         self.factorisation.factor(self.system, &self.work, scales);
         self.stats.factorisations += 1;
         let (rank, size) = self.factorisation.rank();
-        if rank < size { Err(self.factorisation.singular(self.system)) } else { Ok(()) }
+        if rank < size { Err(self.factorisation.deficient(self.system)) } else { Ok(()) }
     }
 
     /// Solves the stage equations first, where nothing is known of the states at inner stages and that does not change

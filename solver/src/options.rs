@@ -111,7 +111,7 @@ pub struct Options {
     pub max_iterations: usize,
     /// Damping factor below which Newton's iteration counts as stalled.
     pub smallest_damping: f64,
-    /// Intervals of one region.
+    /// Intervals up to which the mesh of a region may be refined; one that is given may have more, and keeps them.
     pub max_intervals: usize,
     /// Meshes in one solve.
     pub max_meshes: usize,
@@ -156,7 +156,7 @@ pub struct Options {
     /// Points at which the right-hand side may be evaluated, with its derivatives or without
     /// ([`Stats::points`](crate::Stats::points)), by the whole call: by all meshes of a solve, all steps of a
     /// continuation, all attempts of an automatic solve. Beyond it the call ends with [`SolveError::WorkLimit`].
-    /// Default: 1000 times `max_intervals`, which a few seconds suffice for.
+    /// Default: 1000 times `max_intervals`: a few seconds for 20,000 intervals, minutes for a million.
     pub work_limit: Option<usize>,
     /// Ends the whole call from outside, with [`SolveError::Cancelled`]. Default: none.
     pub cancel: Option<Cancel>,
@@ -241,7 +241,12 @@ impl Options {
                 return Err(SolveError::Option { name, value, expected: "a positive number" });
             }
         }
-        for (name, value) in [("max_iterations", self.max_iterations), ("max_meshes", self.max_meshes)] {
+        let limits = [
+            ("max_iterations", self.max_iterations),
+            ("max_meshes", self.max_meshes),
+            ("max_intervals", self.max_intervals),
+        ];
+        for (name, value) in limits {
             if value == 0 {
                 return Err(SolveError::Option { name, value: 0.0, expected: "at least 1" });
             }

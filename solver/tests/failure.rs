@@ -1,10 +1,12 @@
 //! Failures: what each says, and that it names the place.
 
-#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::needless_range_loop)]
 
+use solver::bvp::Bvp;
+use solver::continuation::{BranchOptions, PathOptions, Ramp, Stiffness, follow, solve_automatically, trace};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Event, Guess, GuessError, Layout, NewtonError, Options, Problem, Region, SolveError, solve, solve_observed,
+    Event, Guess, GuessError, Layout, NewtonError, Options, Order, Problem, Region, SolveError, solve, solve_observed,
 };
 use std::ops::ControlFlow;
 
@@ -173,4 +175,68 @@ fn the_resonant_problem_is_not_reported_solved() {
         let largest = solution.regions()[0].state(0).iter().fold(0.0_f64, |max, u| max.max(u.abs()));
         assert!(largest > 1e4, "{largest}");
     }
+}
+
+/// u' = p u with u = 0 at both ends: whatever p is. The iteration comes from where p is determined.
+#[test]
+fn a_constant_of_a_solution_that_vanishes_is_not_reported_found() {
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let options = Options { order, rescues: 0, ..Options::default() };
+        for guess in [1.0, 3.0, -2.0] {
+            let problem =
+                Bvp::new(&["u"], (0.0, 1.0), |_, y, p, f| f[0] = p[0] * y[0], |a, b, _, g| (g[0], g[1]) = (a[0], b[0]))
+                    .unknown("p", 3.0)
+                    .guess(10, move |_, y| y[0] = guess);
+            let Err(SolveError::Newton { error: NewtonError::Singular { rank, size, null_vector, .. }, .. }) =
+                problem.solve(&options)
+            else {
+                panic!("order {order:?}")
+            };
+            assert_eq!((rank, size, null_vector[0].name.as_str()), (2, 3, "constant p"));
+        }
+    }
+    // A solution that vanishes and determines its constant is one.
+    let problem =
+        Bvp::new(&["u"], (0.0, 1.0), |_, y, p, f| f[0] = y[0] + p[0] - 2.0, |a, b, _, g| (g[0], g[1]) = (a[0], b[0]));
+    let solution = problem.unknown("p", 3.0).guess(10, |_, y| y[0] = 1.0).solve(&Options::default()).unwrap();
+    assert!((solution.constants()[0] - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn coefficients_that_overflow_are_called_so() {
+    let bratu = || {
+        Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |_, y, _, f| (f[0], f[1]) = (y[1], -y[0].exp()),
+            |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+        )
+    };
+    let options = Options { rescues: 0, other_orders: false, ..Options::default() };
+    let error = bratu().guess(10, |_, y| y.fill(400.0)).solve(&Options::default()).unwrap_err();
+    assert!(matches!(&error, SolveError::Newton { error: NewtonError::Overflow, .. }), "{error}");
+    assert!(error.advice().contains("smaller values"));
+    // Near rounding no mesh is fine enough, and no layer is to blame.
+    let error = bratu().solve(&Options { tolerance: 1e-15, ..Options::default() }).unwrap_err();
+    assert!(error.advice().contains("Rounding"), "{error}: {}", error.advice());
+}
+
+#[test]
+fn indices_and_limits_that_make_no_sense_are_refused() {
+    let problem =
+        Bvp::new(&["u"], (0.0, 1.0), |_, y, p, f| f[0] = p[0] * y[0], |a, _, _, g| g[0] = a[0] - 1.0).given("p", 1.0);
+    let guess = problem.start();
+    let refused = |error: &SolveError, wanted: &str| match error {
+        SolveError::Option { name, .. } => assert_eq!(*name, wanted),
+        other => panic!("{other}"),
+    };
+    let ramp = Ramp::new().linear(1, 1.0, 3.0);
+    refused(&follow(&problem, &guess, &ramp, &[], &PathOptions::default()).unwrap_err().cause, "path");
+    let stiffness = Some(Stiffness { constant: 5, easy: None });
+    refused(&solve_automatically(&problem, &guess, &[], stiffness, &Options::default()).unwrap_err(), "stiffness");
+    refused(&problem.solve(&Options { max_intervals: 0, ..Options::default() }).unwrap_err(), "max_intervals");
+    let branch = |options: BranchOptions| trace(&problem, &guess, 0, &[], &options, &[]).unwrap_err().cause;
+    let options = BranchOptions { range: (0.0, 2.0), ..BranchOptions::default() };
+    refused(&branch(BranchOptions { max_iterations: 0, ..options.clone() }), "max_iterations");
+    refused(&branch(BranchOptions { smallest_step: 1.0, largest_step: 0.1, ..options }), "smallest_step");
 }

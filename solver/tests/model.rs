@@ -137,3 +137,29 @@ fn an_inconsistent_layout_is_refused() {
     }
     assert!(Differentiated::new(Wrong).is_err());
 }
+
+/// Functions whose derivatives by num-dual are not a number where they exist.
+#[test]
+fn powers_and_hyperbolic_tangents_have_derivatives_everywhere() {
+    struct Powers;
+    impl Model for Powers {
+        fn layout(&self) -> Layout {
+            Layout::dense(vec![Region::dense("only", (0.0, 1.0), &["u", "v"], &[], 0)], &[], &["left", "right"])
+        }
+        fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], _: &[S], f: &mut [S]) {
+            (f[0], f[1]) = (y[0].power(1.5), (y[1] * 355.0).hyperbolic_tangent());
+        }
+        fn boundary<S: Scalar>(&self, ends: &[S], _: &[S], _: &[S], g: &mut [S]) {
+            (g[0], g[1]) = (ends[0], ends[1]);
+        }
+    }
+    let problem = Differentiated::new(Powers).unwrap();
+    for (y, value, slopes) in [([0.0, 2.0], [0.0, 1.0], [0.0, 0.0]), ([4.0, 0.0], [8.0, 0.0], [3.0, 355.0])] {
+        let (mut f, mut dy) = ([9.0; 2], [9.0; 4]);
+        let at = Points { len: 1, stride: 1, s: &[0.5], y: &y };
+        problem.rhs_jacobian(0, &at, &[], Scope::All, &mut f, &mut dy, &mut []);
+        let pattern = &problem.layout().regions[0].state_pattern;
+        let slope = |i: usize| dy[pattern.iter().position(|&entry| entry == (i, i)).unwrap()];
+        assert_eq!((f, [slope(0), slope(1)]), (value, slopes));
+    }
+}

@@ -1,5 +1,6 @@
 //! The number that closures are evaluated with.
 
+use crate::model::power;
 use num_dual::{DualNum, DualSVec64};
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -33,16 +34,34 @@ impl Number {
         self.0.eps.0.as_ref().map_or(0.0, |values| values[direction])
     }
 
+    /// A function of `self` by its value and its slope there.
+    fn chained(self, value: f64, slope: f64) -> Self {
+        let mut image = self.0 * slope;
+        image.re = value;
+        Self(image)
+    }
+
     /// `self` to a whole power.
     #[must_use]
     pub fn powi(self, exponent: i32) -> Self {
-        Self(self.0.powi(exponent))
+        // Of num-dual's own, those below 3 are not a number at 0.
+        let slope = if exponent == 0 { 0.0 } else { f64::from(exponent) * self.value().powi(exponent - 1) };
+        self.chained(self.value().powi(exponent), slope)
     }
 
     /// `self` to a constant power.
     #[must_use]
     pub fn powf(self, exponent: f64) -> Self {
-        Self(self.0.powf(exponent))
+        let [value, slope] = power(self.value(), exponent);
+        self.chained(value, slope)
+    }
+
+    /// Hyperbolic tangent.
+    #[must_use]
+    pub fn tanh(self) -> Self {
+        // Not the quotient of sine and cosine, which both overflow.
+        let value = libm::tanh(self.value());
+        self.chained(value, 1.0 - value * value)
     }
 
     /// The magnitude; its derivative at 0 is 0.
@@ -93,7 +112,6 @@ functions! {
     atan "Arc tangent.";
     sinh "Hyperbolic sine.";
     cosh "Hyperbolic cosine.";
-    tanh "Hyperbolic tangent.";
 }
 
 macro_rules! operators {
@@ -226,6 +244,20 @@ mod tests {
             assert!((exact.derivative(2) - difference).abs() < 1e-8 * (1.0 + difference.abs()), "{name}");
             assert_eq!((exact.value(), exact.derivative(1)), (value(x), 0.0), "{name}");
         }
+        // Where powers and quotients of what overflows or vanishes would be none.
+        let at =
+            |x: f64, f: fn(Number) -> Number| (f(Number::input(x, 0)).value(), f(Number::input(x, 0)).derivative(0));
+        assert_eq!(at(0.0, |x| x.powf(1.5)), (0.0, 0.0));
+        assert_eq!(at(0.0, |x| x.powf(1.0)), (0.0, 1.0));
+        assert_eq!(at(-2.0, |x| x.powf(3.0)), (-8.0, 12.0));
+        assert_eq!(at(0.0, |x| x.powf(0.0)), (1.0, 0.0));
+        assert_eq!(at(1e-210, |x| x.powf(1.5)).1, 1.5 * 1e-105);
+        assert_eq!(at(0.0, |x| x.powi(2)), (0.0, 0.0));
+        assert_eq!(at(0.0, |x| x.powi(0)), (1.0, 0.0));
+        assert_eq!(at(2.0, |x| x.powi(-1)), (0.5, -0.25));
+        assert_eq!(at(0.0, |x| x.powi(-1)).0, f64::INFINITY);
+        assert_eq!(at(800.0, Number::tanh), (1.0, 0.0));
+        assert_eq!(at(-800.0, Number::tanh), (-1.0, 0.0));
         assert!(Number::constant(1.0) < 2.0 && Number::constant(1.0) == 1.0);
         assert_eq!([1.0, 2.0].map(Number::constant).into_iter().sum::<Number>(), 3.0);
         assert_eq!(Number::input(0.0, 0).abs().derivative(0), 0.0);

@@ -3,7 +3,7 @@
 use super::branch::{BranchOptions, PointKind};
 use super::checkpoint::Checkpoint;
 use super::homotopy::Homotopy;
-use super::natural::{PathError, PathOptions, follow_within};
+use super::natural::{PathError, PathOptions, follow_within, given};
 use super::path::Ramp;
 use super::trace::trace_within;
 use crate::accuracy::{Accuracy, Shortfall};
@@ -100,6 +100,8 @@ fn solve_any(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Automatic, SolveError> {
+    let varied = stiffness.map(|stiffness| stiffness.constant);
+    given("stiffness", varied.as_slice(), problem.layout(), unknowns)?;
     let intervals =
         if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
     let direct = Options { max_intervals: intervals, ..options.clone() };

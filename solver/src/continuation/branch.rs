@@ -60,6 +60,13 @@ impl BranchOptions {
             ("largest_step", self.largest_step),
             ("contraction", self.contraction),
         ])?;
+        if self.smallest_step > self.largest_step {
+            let expected = "no more than largest_step";
+            return Err(SolveError::Option { name: "smallest_step", value: self.smallest_step, expected });
+        }
+        if self.max_iterations == 0 {
+            return Err(SolveError::Option { name: "max_iterations", value: 0.0, expected: "at least 1" });
+        }
         let (low, high) = self.range;
         if (low..=high).contains(&start) {
             return Ok(());

@@ -17,7 +17,7 @@ use crate::measure::{Solved, undefined};
 use crate::observer::{Event, Observer, Silent};
 use crate::options::{Control, Options};
 use crate::orientation::BranchCheck;
-use crate::problem::Problem;
+use crate::problem::{Layout, Problem};
 use crate::run::Run;
 use crate::solution::Solution;
 use crate::solve::check;
@@ -91,6 +91,20 @@ impl PathOptions {
 pub(crate) fn positive(options: &[(&'static str, f64)]) -> Result<(), SolveError> {
     match options.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
         Some(&(name, value)) => Err(SolveError::Option { name, value, expected: "a positive number" }),
+        None => Ok(()),
+    }
+}
+
+/// # Errors
+/// The first index that is not one of a given constant.
+pub(super) fn given(
+    name: &'static str,
+    indices: &[usize],
+    layout: &Layout,
+    unknowns: &[usize],
+) -> Result<(), SolveError> {
+    match indices.iter().find(|index| **index >= layout.constants.len() || unknowns.contains(index)) {
+        Some(&index) => Err(SolveError::Option { name, value: index as f64, expected: "constants that are given" }),
         None => Ok(()),
     }
 }
@@ -193,6 +207,7 @@ pub(super) fn follow_within(
     let layout = problem.layout();
     check(layout, start, unknowns, &options.solve).map_err(early)?;
     options.check(from).map_err(early)?;
+    given("path", &path.varied(), layout, unknowns).map_err(early)?;
     let plan = Plan::new(layout, unknowns);
     let first = Options { control: Control::Defect, ..options.solve.loosened(options.tolerance) };
     let path_options = Options { max_iterations: options.max_iterations, rescues: 0, ..first.clone() };

@@ -138,6 +138,9 @@ pub enum NewtonError {
         /// Boundary equations that do not depend on any unknown.
         empty_equations: Vec<String>,
     },
+    /// Coefficients of the linearised equations are not finite: the iterate is so large that they overflow.
+    #[error("the linearised equations overflow: their coefficients are not finite")]
+    Overflow,
     /// No step, however short, brings the iterate closer to a solution.
     #[error(
         "Newton's iteration stalled after {iterations} iterations: damping {damping:.1e}, \
@@ -174,7 +177,8 @@ impl NewtonError {
         match self {
             Self::NonFinite(_) => {
                 "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or \
-                 rewrite the right-hand side so that it is defined nearby; at a singular end give the limit."
+                 rewrite the right-hand side so that it is defined nearby; at a singular end give the limit. \
+                 solve_automatically comes from a problem that the guess solves."
             }
             Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
                 "A boundary equation depends on no unknown: correct it."
@@ -183,13 +187,17 @@ impl NewtonError {
                 "The boundary equations do not determine the components named. A phase or scale may be free (add a \
                  condition), a condition may be stated twice, or the branch turns round here: trace it by arclength."
             }
+            Self::Overflow => {
+                "The guess, or an iterate, is far too large for the equations, as an exponential of hundreds is: guess \
+                 smaller values, scale the equations, or use solve_automatically."
+            }
             Self::Stalled { .. } => {
                 "There may be no solution near the guess, or the equations may have a kink. Improve the guess, \
                  continue from an easier parameter, or use solve_automatically."
             }
             Self::IterationLimit { .. } => {
-                "The iteration was still moving: allow more iterations, improve the guess, or continue from an easier \
-                parameter."
+                "The iteration was still moving: allow more iterations, improve the guess, continue from an easier \
+                 parameter, or use solve_automatically."
             }
         }
     }

@@ -4,6 +4,7 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::NewtonError;
+use crate::linear::simd::largest_number;
 use crate::problem::Problem;
 
 /// Where the iteration ended, with what it held.
@@ -59,6 +60,14 @@ impl Converged {
             full_steps: true,
             stagnated: None,
         }
+    }
+
+    /// Whether all states of a region are zero to `tolerance`, in their typical magnitudes.
+    pub(crate) fn vanishes(&self, tolerance: f64) -> bool {
+        self.x.y.iter().zip(&self.scales().states).any(|(y, scales)| {
+            let states = y.chunks_exact(y.len() / scales.len().max(1)).zip(scales);
+            !scales.is_empty() && states.into_iter().all(|(y, scale)| largest_number(y) <= tolerance * scale)
+        })
     }
 
     /// Typical magnitudes at the solution, where those of the factorisation are far larger.

@@ -38,7 +38,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
             // What another order runs into says nothing of the next attempt.
-            NewtonError::NonFinite(_) => !self.options.other_orders && self.order == self.options.order,
+            NewtonError::NonFinite(_) | NewtonError::Overflow => {
+                !self.options.other_orders && self.order == self.options.order
+            }
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         let rescue = &mut progress.rescue;
