@@ -196,6 +196,19 @@ fn tables_stand_in_place_of_numbers() {
     assert!((half_way / (28.98e6_f64 * 18.71e6).sqrt() - 1.0).abs() < 1e-12, "{half_way}");
 }
 
+#[test]
+fn a_bare_temperature_in_degrees_celsius_is_not_taken_for_one_in_kelvin() {
+    for key in ["thermal.ambient", "thermal.reference"] {
+        let mut case = Case::default();
+        case.set(key, "25").unwrap();
+        let error = case.resolve().unwrap_err();
+        assert!(error.to_string().contains("expected"), "{error}");
+        assert_eq!(error.hint().as_deref(), Some("a bare number is in SI units; did you mean \"25 degC\"?"));
+        case.set(key, "25 degC").unwrap();
+        case.resolve().unwrap();
+    }
+}
+
 /// What is wrong with a table is underlined at its own place.
 #[test]
 fn tables_that_are_none_are_refused_where_they_are_wrong() {

@@ -340,6 +340,51 @@ fn an_interrupt_ends_a_command_in_order() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
 }
 
+#[test]
+fn a_command_refuses_what_it_would_not_use() {
+    let swap = "belt.bending_stiffness for efficiency.overall = 0.9";
+    for command in ["drive", "shift", "launch", "init", "radii"] {
+        let output = sheave(&[command, "examples/drive/gx9.toml", "--swap", swap]);
+        assert_eq!(status(&output), 2, "{command}");
+        assert!(stderr(&output).contains("expected a case without swap"), "{command}: {}", stderr(&output));
+    }
+    let range = ["shift", "examples/drive/gx9.toml", "--from", "3000 rpm", "--to", "2000 rpm"];
+    let output = sheave(&range);
+    assert_eq!(status(&output), 2);
+    assert!(stderr(&output).contains("--from is 3000 rpm and --to is 2000 rpm"), "{}", stderr(&output));
+}
+
+/// Far below the speed at which the belt takes off it slips like a clutch, whatever share of its friction is left.
+#[test]
+fn a_belt_that_slips_like_a_clutch_is_told_as_slipping() {
+    let at = |speed: &str| {
+        object(&sheave(&["drive", "examples/drive/gx9.toml", "--tol", "1e-4", "--speed", speed, "--json"]))
+    };
+    let (slow, shifting) = (at("600 rpm"), at("3000 rpm"));
+    assert!(
+        slow["speed_efficiency"].as_f64().unwrap() < 0.8 && slow["primary_travel"].as_f64().unwrap() < -1e-3,
+        "{slow}"
+    );
+    assert_eq!((&slow["slipping"], &shifting["slipping"]), (&Value::Bool(true), &Value::Bool(false)));
+    let warned = |object: &Value| object["warnings"].to_string().contains("slips like a clutch");
+    assert!(warned(&slow) && !warned(&shifting), "{slow}");
+}
+
+/// Without a power in, nothing is a share of it; in engine braking the secondary is the pulley that drives.
+#[test]
+fn what_has_no_torque_has_no_share_and_braking_turns_the_pulleys_round() {
+    let none = object(&sheave(&["solve", "--tol", "1e-3", "--set", "operating_point.primary_torque=0", "--json"]));
+    assert_eq!((&none["energy"]["imbalance"], &none["energy"]["closure"]), (&Value::Null, &Value::Null));
+    let set = ["operating_point.primary_torque=-18 N*m", "operating_point.slack_tension=500 N"];
+    let braking = object(&sheave(&["pulley", "--tol", "1e-3", "--set", set[0], "--set", set[1], "--json"]));
+    for (pulley, sign) in [("primary", -1.0), ("secondary", -1.0)] {
+        let number = |name: &str| braking[pulley][name].as_f64().unwrap();
+        assert!(number("tight_tension") > number("slack_tension"), "{braking}");
+        assert!(number("torque") * sign > 0.0 && number("full_torque") * sign > 0.0, "{braking}");
+        assert!((number("torque") / number("full_torque") - 1.0).abs() < 0.15, "{braking}");
+    }
+}
+
 /// So does one of any other command that solves: its one object says that it was cancelled.
 #[cfg(unix)]
 #[test]

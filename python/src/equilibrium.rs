@@ -54,6 +54,7 @@ pub fn drive<'py>(
         warnings.extend(sheave::result::warnings(&outcome));
         let report = DriveReport::new(&case, &found, outcome.clone(), true)?;
         warnings.extend(equilibrium::beyond_engine(&case, report.primary_speed));
+        warnings.extend(equilibrium::beyond_open(report.primary_travel));
         Ok((report, outcome, warnings))
     };
     let (report, outcome, warnings) = interrupt::run(py, work)?.map_err(|error| error::equilibrium(&error))?;

@@ -48,3 +48,8 @@ pub fn travel(half_angle: f64, start: f64, radius: f64) -> f64 {
     let inputs = [(Input::HalfAngle, half_angle), (Input::Radius, radius), (Input::Start, start)];
     Inputs::new(&SHEAVE_TRAVEL).with(&inputs).outputs().get(SheaveTravelOutput::Travel)
 }
+
+/// What a movable sheave travels for a unit of the belt's radius: [`travel`] is in proportion to it.
+pub fn travel_by_radius(half_angle: f64) -> f64 {
+    travel(half_angle, 0.0, 1.0)
+}

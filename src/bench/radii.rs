@@ -10,6 +10,7 @@
 //! ```
 
 use super::error::{BenchError, BenchProblem};
+use crate::actuator::travel_by_radius;
 use crate::case::geometry::{NoRadii, pitch_length, radii_of_ratio, radius_beside, wrap_angles};
 use serde::Serialize;
 
@@ -120,7 +121,7 @@ impl Geometry {
     /// # Errors
     /// As [`Geometry::at_primary`].
     pub fn at_travel(&self, travel: f64, from: f64) -> Result<Radii, BenchError> {
-        let radius = from + travel / (2.0 * self.half_angle.tan());
+        let radius = from + travel / travel_by_radius(self.half_angle);
         if !(radius > 0.0 && radius.is_finite()) {
             let reason = format!(
                 "{:.3} mm from a radius of {:.3} mm leads to one of {:.3} mm; with a half angle of {:.2} deg the \
@@ -139,7 +140,7 @@ impl Geometry {
     /// What the movable sheave of a pulley travels, the other standing still, for the belt to move from one radius to
     /// another: Δs = 2 tan(β) ΔR, positive to close; m.
     pub fn travel(&self, from: f64, to: f64) -> f64 {
-        2.0 * self.half_angle.tan() * (to - from)
+        travel_by_radius(self.half_angle) * (to - from)
     }
 
     fn beside(&self, given: &str, radius: f64) -> Result<f64, BenchError> {

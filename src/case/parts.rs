@@ -7,7 +7,7 @@ use super::keys::{Key, TABLE};
 use super::setting::Setting;
 use crate::actuator::{
     ActuatorError, AngleFrom, CamArm, Flyweights, Helix, Mechanism, PrimaryActuator, Profile, RollerArm,
-    SecondaryActuator, Shift, Spring, travel,
+    SecondaryActuator, Shift, Spring, travel, travel_by_radius,
 };
 use crate::model::{FlyweightKind, HelixAngleFrom, SecondaryKind};
 use crate::powertrain::{Engine, Governor, Vehicle};
@@ -416,7 +416,7 @@ impl Reading<'_> {
         let (length, center) = (self.case.value(Key::BeltLength), self.case.value(Key::CenterDistance));
         let half_angle = self.case.value(Key::HalfAngle);
         let Some(full) = actuation.primary_travel else { return };
-        let closed = actuation.start_radius + full / (2.0 * libm::tan(half_angle));
+        let closed = actuation.start_radius + full / travel_by_radius(half_angle);
         let open = (closed < center).then(|| radius_beside(closed, length, center).ok()).flatten();
         for at in 0..TRIED {
             let share = at as f64 / (TRIED - 1) as f64;

@@ -1,5 +1,6 @@
 //! The arguments that say which case a command is about.
 
+use super::stop::Stop;
 use clap::Args;
 use clap::builder::PossibleValue;
 use clap::builder::PossibleValuesParser;
@@ -67,6 +68,18 @@ impl CaseArguments {
             None => Case::base(),
         };
         self.changed(case)
+    }
+
+    /// The same for a command that prescribes no outputs of the belt.
+    pub fn read_unswapped(&self, command: &str) -> Result<Case, Stop> {
+        let case = self.read()?;
+        if let Some(swap) = case.swaps().next() {
+            return Err(Stop::Usage(format!(
+                "swap \"{swap}\": `sheave {command}` prescribes no output of the belt; expected a case without swap, or \
+                 solve, sweep, limit, optimum or pulley"
+            )));
+        }
+        Ok(case)
     }
 
     /// The case, and what the file says is to be varied in it.

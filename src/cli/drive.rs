@@ -8,7 +8,9 @@ use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use sheave::case::{Case, Key, Resolved};
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::{Direction, DriveReport, EquilibriumError, beyond_engine, equilibrium_outcome, unused_keys};
+use sheave::equilibrium::{
+    Direction, DriveReport, EquilibriumError, beyond_engine, beyond_open, equilibrium_outcome, unused_keys,
+};
 use sheave::quantity::{Dimension, parse};
 
 /// Which way friction in the actuators acts.
@@ -61,7 +63,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_unswapped("drive")?;
     let resolved = case.resolve()?;
     let speed = arguments.secondary_speed(&case, &resolved)?;
     let warnings = unused_keys(&case);
@@ -71,6 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let mut warnings: Vec<String> = warnings.into_iter().chain(sheave::result::warnings(&outcome)).collect();
     let report = DriveReport::new(&resolved, &found, outcome, true).map_err(stop)?;
     warnings.extend(beyond_engine(&resolved, report.primary_speed));
+    warnings.extend(beyond_open(report.primary_travel));
     warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     if arguments.json {
         return output::print(&envelope::object("drive", &resolved, &warnings, &report)?);

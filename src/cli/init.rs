@@ -75,7 +75,7 @@ struct Belt {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read().and_then(|case| case.resolve())?;
+    let case = arguments.case.read_unswapped("init")?.resolve()?;
     let situation = Situation::of_case(&case, arguments.no_load).map_err(stop)?;
     let drive = SimpleDrive::of_case(&case);
     let state = solve(&drive, situation).map_err(stop)?;

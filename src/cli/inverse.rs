@@ -137,7 +137,7 @@ fn stop(error: InverseError) -> Stop {
 
 impl Common {
     fn run(&self, command: &'static str, made: Made, roller: Option<f64>) -> Result<(), Stop> {
-        let case = self.case.read()?;
+        let case = self.case.read_unswapped(command)?;
         let made = if self.both { Made::Both } else { made };
         let target = quantity("--target", &self.target, Dimension::ANGULAR_SPEED, "3400 rpm")?;
         let defaults = InverseOptions::new(target, made);

@@ -63,7 +63,7 @@ pub struct Told<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_unswapped("launch")?;
     let resolved = case.resolve()?;
     let options = arguments.options()?;
     let Some(vehicle) = resolved.parts.vehicle else {

@@ -125,7 +125,7 @@ pub fn run() -> ExitCode {
         Command::Reproduce(arguments) => in_order(|| reproduce::run(arguments)),
         Command::Derive(arguments) => derive::run(arguments),
         Command::Init(arguments) => init::run(arguments),
-        Command::Pulley(arguments) => pulley::run(arguments),
+        Command::Pulley(arguments) => in_order(|| pulley::run(arguments)),
         Command::Size(arguments) => size::run(arguments),
         Command::Belt(arguments) => belt::run(arguments),
         Command::Radii(arguments) => radii::run(arguments),

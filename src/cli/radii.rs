@@ -82,7 +82,7 @@ fn limits(text: &str) -> Result<(f64, f64), String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read().and_then(|case| case.resolve())?;
+    let case = arguments.case.read_unswapped("radii")?.resolve()?;
     let geometry = Geometry {
         pitch_length: case.belt.length,
         center_distance: case.drive.center_distance,

@@ -103,7 +103,7 @@ pub struct Told<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_unswapped("shift")?;
     let resolved = case.resolve()?;
     let other = arguments.compare.as_deref().map(|path| Case::read(path)?.resolve()).transpose()?;
     let measured = arguments.data.as_deref().map(read_data).transpose()?.unwrap_or_default();
@@ -147,11 +147,22 @@ impl Arguments {
             Branches::Back => vec![Direction::Back],
             Branches::Frictionless => vec![Direction::Frictionless],
         };
+        let (from, to) = (speed("--from", &self.from)?, speed("--to", &self.to)?);
+        if let (Some(from), Some(to)) = (from, to)
+            && from >= to
+        {
+            let rpm = |speed: f64| speed * 30.0 / PI;
+            return Err(Stop::Usage(format!(
+                "--from is {:.0} rpm and --to is {:.0} rpm: expected a higher speed to end at than to begin at",
+                rpm(from),
+                rpm(to)
+            )));
+        }
         Ok(ShiftOptions {
             points: self.points.into(),
             directions,
-            from: speed("--from", &self.from)?,
-            to: speed("--to", &self.to)?,
+            from,
+            to,
             solve: SolveOptions { tolerance: self.tol, ..SolveOptions::default() },
         })
     }

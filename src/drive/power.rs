@@ -30,6 +30,11 @@ impl PowerFlow {
         }
     }
 
+    /// Whether a power is none beside the one on the other side.
+    pub fn is_none(power: f64, other: f64) -> bool {
+        !(power.abs() > NO_POWER * power.abs().max(other.abs()))
+    }
+
     /// Whether one pulley drives the other, so that there is an efficiency.
     pub fn is_through(self) -> bool {
         matches!(self, Self::FromPrimary | Self::FromSecondary)
@@ -58,6 +63,7 @@ mod tests {
         ] {
             assert_eq!(PowerFlow::of(power_in, power_out), flow, "{power_in} {power_out}");
             assert_eq!(flow.is_through(), matches!(flow, FromPrimary | FromSecondary));
+            assert!(!flow.is_through() || !PowerFlow::is_none(power_in, power_out));
         }
     }
 }

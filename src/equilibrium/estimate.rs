@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::point::{Direction, Phase, Stop};
-use crate::actuator::{PrimaryActuator, travel};
+use crate::actuator::{PrimaryActuator, travel, travel_by_radius};
 use crate::case::geometry::{radii_of_ratio, radius_beside, wrap_angles};
 use crate::case::{Actuation, Resolved};
 use crate::powertrain::Engine;
@@ -51,7 +51,7 @@ pub(super) fn estimate(
     direction: Direction,
 ) -> Estimate {
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
-    let slope = 2.0 * libm::tan(case.sheave.half_angle);
+    let slope = travel_by_radius(case.sheave.half_angle);
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
     let held = match actuation.primary {
         PrimaryActuator::Position(travel) => Some(actuation.start_radius + travel / slope),
@@ -84,7 +84,7 @@ pub(super) fn elsewhere(
     direction: Direction,
 ) -> Vec<Estimate> {
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
-    let slope = 2.0 * libm::tan(case.sheave.half_angle);
+    let slope = travel_by_radius(case.sheave.half_angle);
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
     let (high, _) = rough.high(low, slope);
     let at = |share: &f64| {

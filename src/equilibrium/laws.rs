@@ -1,6 +1,6 @@
 //! The laws that close a drive: engine and actuators as boundary equations.
 
-use crate::actuator::{PrimaryActuator, SecondaryActuator, Shift, travel};
+use crate::actuator::{PrimaryActuator, SecondaryActuator, Shift, travel, travel_by_radius};
 use crate::drive::{Argument, Constant, Law, Output};
 use crate::powertrain::Engine;
 
@@ -70,7 +70,7 @@ impl Law for PrimaryLaw {
         let Ok(Some(force)) = self.actuator.force(speed, at, self.shift) else { return f64::NAN };
         *by_axial = 1.0;
         *by_speed = -force.by_drive;
-        *by_radius = -force.by_travel * 2.0 * libm::tan(half_angle);
+        *by_radius = -force.by_travel * travel_by_radius(half_angle);
         *by_angle = -force.by_travel * travel_by_angle(half_angle, self.start_radius, radius);
         axial - force.value
     }
@@ -114,7 +114,7 @@ impl Law for SecondaryLaw {
         let Ok(force) = self.actuator.force(torque, opening, self.shift) else { return f64::NAN };
         *by_axial = 1.0;
         *by_torque = -force.by_drive;
-        *by_radius = force.by_travel * 2.0 * libm::tan(half_angle);
+        *by_radius = force.by_travel * travel_by_radius(half_angle);
         *by_angle = -force.by_travel * travel_by_angle(half_angle, radius, self.closed_radius);
         axial - force.value
     }

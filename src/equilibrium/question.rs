@@ -6,7 +6,7 @@ use super::error::EquilibriumError;
 use super::estimate::{Estimate, elsewhere, estimate};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 use super::point::{Direction, Equilibrium, Phase, Stop};
-use crate::actuator::PrimaryActuator;
+use crate::actuator::{PrimaryActuator, travel_by_radius};
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{
     Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question,
@@ -145,7 +145,7 @@ impl<'a> Whole<'a> {
 
     /// What is asked of the belt in a phase: constants as in `at`, five or four of them unknown.
     fn question(&self, phase: Phase, at: &Resolved) -> Question {
-        let slope = 2.0 * libm::tan(self.case.sheave.half_angle);
+        let slope = travel_by_radius(self.case.sheave.half_angle);
         let mut question = Question::of(at);
         let closed = self.actuation.closed_radius;
         match phase {

@@ -26,3 +26,17 @@ pub fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
         )
     })
 }
+
+/// A sentence where a primary would have to stand farther open than it can, its travel in m being negative: the belt
+/// has sunk below the radius at which the sheaves are open, as where it slips like a clutch.
+pub fn beyond_open(primary_travel: f64) -> Option<String> {
+    /// What a belt sinks on a primary that is open, m.
+    const SUNK: f64 = 1e-4;
+    (primary_travel < -SUNK).then(|| {
+        format!(
+            "The belt has sunk below the radius at which the primary is open, as if that stood {:.2} mm farther open: a \
+             belt that slips like a clutch is not what the model is for.",
+            -1e3 * primary_travel
+        )
+    })
+}

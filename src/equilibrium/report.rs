@@ -16,6 +16,9 @@ use crate::result::{DriveResult, Light, Outcome};
 /// Share of the friction at hand below which the belt counts as slipping: what presses does not carry the torque, or
 /// hardly does.
 pub const SLIPPING: f64 = 0.05;
+/// Share of the speed below which it does, too: a belt that holds loses up to a tenth and more of it, by creep and by
+/// sinking into small radii.
+pub const ARRIVING: f64 = 0.8;
 
 /// The equilibrium of a drive, SI.
 #[derive(Debug, Clone, Serialize)]
@@ -65,7 +68,8 @@ pub struct DriveReport {
     pub force_residual: f64,
     /// Share of the friction at hand that is left over.
     pub slip_reserve: f64,
-    /// Whether the belt slips as a whole, or is about to: its slip reserve is below [`SLIPPING`].
+    /// Whether the belt slips as a whole, or is about to: its slip reserve is below [`SLIPPING`], or its speed
+    /// efficiency below [`ARRIVING`].
     pub slipping: bool,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
@@ -131,7 +135,7 @@ impl DriveReport {
             secondary_axial_force: forces.secondary_belt,
             force_residual: forces.residual,
             slip_reserve: drive.slip_reserve,
-            slipping: drive.slip_reserve < SLIPPING,
+            slipping: drive.slip_reserve < SLIPPING || drive.efficiency.speed.is_some_and(|share| share < ARRIVING),
             speed_efficiency: drive.efficiency.speed,
             efficiency,
             power_in: drive.energy.power_in,

@@ -46,7 +46,7 @@ pub struct PulleyComparison {
     pub full_min_sliding_speed: f64,
     /// Largest sliding speed in the full model, m/s.
     pub full_max_sliding_speed: f64,
-    /// Size of the component's torque at the full model's tensions, N·m.
+    /// The component's torque at the full model's tensions, N·m; into the primary, out of the secondary.
     pub torque: f64,
     /// Torque of the full model, N·m.
     pub full_torque: f64,
@@ -90,12 +90,13 @@ pub fn compare(outcome: &Outcome, grip: Grip) -> Result<Comparison, InternalErro
     // From the solution: a radius may have been solved for.
     let constants = Constants::try_from(outcome.solved.solution.constants())?;
     Ok(Comparison {
-        primary: pulley(outcome, belt, &result.primary, constants[Constant::PrimaryRadius], true),
-        secondary: pulley(outcome, belt, &result.secondary, constants[Constant::SecondaryRadius], false),
+        primary: pulley(outcome, belt, &result.primary, constants[Constant::PrimaryRadius], 1.0),
+        secondary: pulley(outcome, belt, &result.secondary, constants[Constant::SecondaryRadius], -1.0),
     })
 }
 
-fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving: bool) -> PulleyComparison {
+/// `sign`: of the torque of a pulley that drives the belt.
+fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, sign: f64) -> PulleyComparison {
     let inputs = &outcome.result.inputs;
     let component = BeltPulley {
         belt,
@@ -110,6 +111,8 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
     };
     let ideal = belt == BeltType::Ideal;
     let coefficient = component.effective_coefficient();
+    // In engine braking it is the secondary that drives.
+    let driving = full.entry_tension >= full.exit_tension;
     let (tight_tension, slack_tension) = match driving {
         true => (full.entry_tension, full.exit_tension),
         false => (full.exit_tension, full.entry_tension),
@@ -139,7 +142,7 @@ fn pulley(outcome: &Outcome, belt: BeltType, full: &Pulley, radius: f64, driving
         sliding_speed: creep,
         full_min_sliding_speed: full.min_sliding_speed,
         full_max_sliding_speed: full.max_sliding_speed,
-        torque: torque.abs(),
+        torque: if driving { sign * torque.abs() } else { -sign * torque.abs() },
         full_torque: full.torque,
         friction_loss: creep.map(|_| behaviour.friction_loss),
         full_friction_loss: full.friction_loss,

@@ -371,13 +371,18 @@ impl<'a> Reading<'a> {
 
     /// The energy audit.
     pub fn energy(&self) -> Result<Energy, InternalError> {
+        let (power_in, power_out) =
+            (self.outputs.get(Output::EnergyPowerIn)?, self.outputs.get(Output::EnergyPowerOut)?);
+        // What the solver's tolerance leaves of a power in is nothing to compare with.
+        let without = PowerFlow::is_none(power_in, power_out);
+        let share = |of: Output| Ok(if without { f64::NAN } else { self.outputs.get(of)? });
         Ok(Energy {
-            power_in: self.outputs.get(Output::EnergyPowerIn)?,
-            power_out: self.outputs.get(Output::EnergyPowerOut)?,
+            power_in,
+            power_out,
             friction_loss: self.outputs.get(Output::EnergyFrictionLoss)?,
-            imbalance: self.outputs.get(Output::EnergyImbalance)?,
+            imbalance: share(Output::EnergyImbalance)?,
             stretch_work: self.outputs.get(Output::EnergyStretchWork)?,
-            closure: self.outputs.get(Output::EnergyClosure)?,
+            closure: share(Output::EnergyClosure)?,
         })
     }
 }

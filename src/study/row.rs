@@ -81,8 +81,10 @@ impl Row {
         match &outcome {
             Ok(outcome) => row.flatten("", serde_json::to_value(&outcome.result).unwrap_or_default()),
             Err(_) => {
-                let inputs = point.case.as_ref().ok().and_then(|case| serde_json::to_value(case).ok());
-                row.flatten("inputs", inputs.unwrap_or_default());
+                // Of a case that makes no sense there are none.
+                if let Some(inputs) = point.case.as_ref().ok().and_then(|case| serde_json::to_value(case).ok()) {
+                    row.flatten("inputs", inputs);
+                }
             }
         }
         row.push(FAILURE.into(), outcome.err().map_or(Value::Null, Value::from));

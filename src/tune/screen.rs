@@ -2,7 +2,7 @@
 
 use super::error::TuneError;
 use super::unfit::{ShiftPoint, Unfit};
-use crate::actuator::{Shift, travel};
+use crate::actuator::{Shift, travel, travel_by_radius};
 use crate::beltmap::{BeltMap, MapPoint, Outside, Quantity};
 use crate::case::geometry::radius_beside;
 use crate::case::{Actuation, Key, Resolved};
@@ -42,7 +42,7 @@ pub fn ends(case: &Resolved, actuation: &Actuation) -> Result<(f64, f64), TuneEr
         needs: "give primary.travel, or secondary.travel, so that the end of the shift is known",
     };
     let (length, center) = (case.belt.length, case.drive.center_distance);
-    let slope = 2.0 * libm::tan(case.sheave.half_angle);
+    let slope = travel_by_radius(case.sheave.half_angle);
     let beside = |radius: f64| radius_beside(radius, length, center).ok();
     let low = beside(actuation.closed_radius).map(|primary| actuation.closed_radius / primary);
     let by_primary = actuation.primary_travel.and_then(|travel| {
@@ -331,7 +331,7 @@ impl Drive<'_> {
         let told = |error| Unfit::Actuator { ratio, error };
         let lost = |_: Outside| Unfit::Lost { ratio };
         let half_angle = self.case.sheave.half_angle;
-        let by_radius = 2.0 * libm::tan(half_angle);
+        let by_radius = travel_by_radius(half_angle);
         let torque_slope = self.engine.torque(speed).by_speed;
         // The map's derivatives along speed, on which the torque hangs, and slack tension.
         let along = |quantity: Quantity| -> Result<(f64, [f64; 2]), Unfit> {

@@ -1,5 +1,6 @@
 //! The axial force of flyweights and a spring on the primary: (9.2) and (9.3).
 
+use crate::actuator::travel_by_radius;
 use crate::bench::error::BenchError;
 use crate::bench::sheet::{Entry, QuantityKind, Sheet};
 use crate::case::Range;
@@ -97,7 +98,8 @@ impl Actuator {
         };
         let share = (radius - a.0) / (b.0 - a.0);
         let (arm, advantage) = (a.1 + share * (b.1 - a.1), a.2 + share * (b.2 - a.2));
-        let spring = self.full_shift_force - self.rate * 2.0 * half_angle.tan() * (self.full_shift_radius - radius);
+        let opened = travel_by_radius(half_angle) * (self.full_shift_radius - radius);
+        let spring = self.full_shift_force - self.rate * opened;
         let force = self.mass * arm * advantage * speed.powi(2) - spring;
         if force > 0.0 { Ok(force) } else { Err(format!("flyweights and spring leave an axial force of {force:.1} N")) }
     }

@@ -8,6 +8,8 @@ use crate::model::{
 use crate::quantity::{Dimension, Unit};
 use std::f64::consts::{PI, TAU};
 
+/// Of a belt and the air around it, K. A bare number below is one of degrees Celsius.
+const TEMPERATURES: Range = Range::within(150.0, 2000.0);
 const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
 const PERCENT: Unit = Unit::decimal("%", -2, Dimension::NONE);
 const MM: Unit = Unit::decimal("mm", -3, Dimension::LENGTH);
@@ -135,7 +137,7 @@ pub static TABLE: [Entry; 104] = [
         "torque that drags at the secondary, over its speed"),
     entry(Key::GearEfficiency, "losses.gear_efficiency", "η_g", base(NUMBER, Range::positive_to(1.0), 1.0),
         "efficiency of gears between the secondary and the shaft of interest"),
-    entry(Key::Ambient, "thermal.ambient", "T_a", other(K, Range::positive_to(2000.0), 298.15),
+    entry(Key::Ambient, "thermal.ambient", "T_a", other(K, TEMPERATURES, 298.15),
         "temperature of the air around the belt; degC and degF are understood"),
     entry(Key::HeatTransfer, "thermal.heat_transfer", "h", other(W_PER_K, Range::positive_to(1e5), 10.0),
         "heat that the belt gives off over its excess of temperature"),
@@ -144,7 +146,7 @@ pub static TABLE: [Entry; 104] = [
         "the same over the belt's surface, in place of thermal.heat_transfer"),
     entry(Key::FrictionShare, "thermal.friction_share", "", base(NUMBER, Range::up_to(1.0), 0.5),
         "share of the friction loss that heats the belt; the rest heats the sheaves"),
-    entry(Key::ReferenceTemperature, "thermal.reference", "T_0", base(K, Range::positive_to(2000.0), 333.15),
+    entry(Key::ReferenceTemperature, "thermal.reference", "T_0", base(K, TEMPERATURES, 333.15),
         "temperature at which the belt's stiffnesses are given"),
     entry(Key::BendingSoftening, "thermal.bending_softening", "", base(PER_K, Range::up_to(1.0), 0.0125),
         "share by which the bending stiffness falls per kelvin"),

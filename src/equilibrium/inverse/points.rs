@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::error::InverseError;
+use crate::actuator::travel_by_radius;
 use crate::case::geometry::{radius_beside, wrap_angles};
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{Failure, Question, SolveOptions, Solved, approach_question, solve_question, solve_question_from};
@@ -108,7 +109,7 @@ impl<'a> Held<'a> {
     /// `count` places at the most, evenly spaced in the travel of the primary but for the stops, from the low stop to
     /// the high one.
     pub fn points(&self, count: usize) -> Result<Vec<InversePoint>, InverseError> {
-        let slope = 2.0 * libm::tan(self.case.sheave.half_angle);
+        let slope = travel_by_radius(self.case.sheave.half_angle);
         let (closed, start) = (self.actuation.closed_radius, self.actuation.start_radius);
         let high = match (self.actuation.primary_travel, self.actuation.secondary_travel) {
             (Some(travel), _) => Place::Primary(start + travel / slope),
