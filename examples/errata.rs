@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             result.secondary.axial_force,
             100.0 * result.efficiency.overall.unwrap_or(f64::NAN),
             energy.power_in - energy.power_out,
-            energy.imbalance,
+            energy.imbalance.unwrap_or(f64::NAN),
         );
     }
     let solution = solve(&[thesis])?;

@@ -151,14 +151,14 @@ class Energy:
     def friction_loss(self) -> float:
         """Power that friction turns to heat, W."""
     @property
-    def imbalance(self) -> float:
-        """(power_in - power_out - friction_loss)/power_in."""
+    def imbalance(self) -> Optional[float]:
+        """(power_in - power_out - friction_loss)/power_in; None without power in."""
     @property
     def stretch_work(self) -> float:
         """Power that the belt's stretching takes from the energy of bending and squeezing, W."""
     @property
-    def closure(self) -> float:
-        """What nothing accounts for, over power_in."""
+    def closure(self) -> Optional[float]:
+        """What nothing accounts for, over power_in; None without power in."""
     def to_dict(self) -> dict[str, Any]:
         """All fields by name."""
 

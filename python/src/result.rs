@@ -461,12 +461,12 @@ view! {
         power_out: f64,
         /// Power that friction turns to heat, W.
         friction_loss: f64,
-        /// (power_in - power_out - friction_loss)/power_in.
-        imbalance: f64,
+        /// (power_in - power_out - friction_loss)/power_in; None without power in.
+        imbalance: Option<f64>,
         /// Power that the belt's stretching takes from the energy of bending and squeezing, W.
         stretch_work: f64,
-        /// What nothing accounts for, over power_in.
-        closure: f64,
+        /// What nothing accounts for, over power_in; None without power in.
+        closure: Option<f64>,
     }
 }
 

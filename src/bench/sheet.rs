@@ -3,7 +3,7 @@
 use super::error::{BenchError, BenchProblem};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Range, Source};
-use crate::quantity::{self, Dimension, QuantityError, Unit};
+use crate::quantity::{self, Dimension, QuantityError, Unit, ZERO_CELSIUS, on_shifted_scale};
 use crate::text::quoted;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -165,9 +165,6 @@ fn number(raw: Raw<'_>, dimension: Dimension) -> Option<Result<f64, QuantityErro
     }
 }
 
-/// 0 °C in kelvin.
-const CELSIUS: f64 = 273.15;
-
 /// A temperature in kelvin: a number and `degC`, `°C`, `degF`, `°F` or `K`; a bare number is in kelvin.
 ///
 /// # Errors
@@ -178,10 +175,14 @@ pub fn temperature(text: &str) -> Result<f64, String> {
     let (number, unit) = text.split_at(end);
     let number: f64 = number.parse().map_err(|_| format!("`{text}` does not begin with a number"))?;
     let kelvin = match unit.trim() {
-        "" | "K" => number,
-        "degC" | "°C" | "C" => number + CELSIUS,
-        "degF" | "°F" | "F" => (number - 32.0) / 1.8 + CELSIUS,
-        other => return Err(format!("`{other}` is no unit of temperature: degC, degF or K")),
+        "" | "K" => Some(number),
+        // As sheets of measurements have them.
+        "C" => on_shifted_scale(number, "degC"),
+        "F" => on_shifted_scale(number, "degF"),
+        unit => on_shifted_scale(number, unit),
+    };
+    let Some(kelvin) = kelvin else {
+        return Err(format!("`{}` is no unit of temperature: degC, degF or K", unit.trim()));
     };
     match kelvin {
         kelvin if !(kelvin.is_finite() && kelvin > 0.0) => Err(format!("`{text}` is not above absolute zero")),
@@ -195,7 +196,7 @@ pub fn temperature(text: &str) -> Result<f64, String> {
 
 /// A temperature as people read it.
 pub fn celsius(kelvin: f64) -> f64 {
-    kelvin - CELSIUS
+    kelvin - ZERO_CELSIUS
 }
 
 impl Sheet {

@@ -42,14 +42,11 @@ pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64,
     }
     let unit_missing = match unit.scale.dimension {
         // Of temperatures, those that people write without a unit are in degrees Celsius.
-        Dimension::TEMPERATURE => (quantity.bare && allowed(si + ZERO_CELSIUS)).then_some("degC"),
+        Dimension::TEMPERATURE => (quantity.bare && allowed(si + crate::quantity::ZERO_CELSIUS)).then_some("degC"),
         _ => (quantity.bare && allowed(unit.to_si(si))).then_some(unit.symbol),
     };
     Err(CaseProblem::OutOfRange { key, given: given.into(), unit_missing })
 }
-
-/// 0 °C, K.
-const ZERO_CELSIUS: f64 = 273.15;
 
 /// Most numbers of a list: no measured curve needs more.
 const LONGEST_LIST: usize = 10_000;

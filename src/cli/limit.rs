@@ -100,8 +100,9 @@ fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
     };
     let efficiency = format!("{:.1}", 100.0 * limit.state.speed_efficiency);
     let efficiency = unsigned_zero(&efficiency);
-    let warm =
-        limit.belt_temperature.map_or_else(String::new, |kelvin| format!(", the belt at {:.1} °C", kelvin - 273.15));
+    let warm = limit
+        .belt_temperature
+        .map_or_else(String::new, |kelvin| format!(", the belt at {:.1} °C", kelvin - sheave::quantity::ZERO_CELSIUS));
     // Writing to a string cannot fail.
     let _ =
         writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency} % speed efficiency{warm}: {kind}", limit.value);

@@ -65,9 +65,9 @@ fn summary(found: &Found) -> String {
     let with_losses = found
         .efficiency_with_losses
         .map_or_else(String::new, |efficiency| format!("  efficiency with losses {:>9.3} %\n", 100.0 * efficiency));
-    let temperature = found
-        .belt_temperature
-        .map_or_else(String::new, |temperature| format!("  belt temperature      {:>10.2} °C\n", temperature - 273.15));
+    let temperature = found.belt_temperature.map_or_else(String::new, |temperature| {
+        format!("  belt temperature      {:>10.2} °C\n", temperature - sheave::quantity::ZERO_CELSIUS)
+    });
     format!(
         "Best clamp for {:.2} N·m, edition {}: {what}\n\n\
          \x20 overall efficiency    {:>10.3} %, d/d(slack tension) {:.1e} %/N\n\

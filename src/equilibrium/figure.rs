@@ -66,7 +66,7 @@ pub fn shift_figures(curves: &[ShiftCurve<'_>], vehicle: Option<&Vehicle>, measu
             ],
         ),
     ];
-    let warm = |report: &DriveReport| report.belt_temperature.map(|kelvin| kelvin - 273.15);
+    let warm = |report: &DriveReport| report.belt_temperature.map(|kelvin| kelvin - crate::quantity::ZERO_CELSIUS);
     let temperature = view.panel(
         "shift_temperature",
         "Temperature of the belt along the shift curve",

@@ -58,8 +58,12 @@ impl std::str::FromStr for Direction {
     type Err = UnknownDirection;
 
     fn from_str(name: &str) -> Result<Self, UnknownDirection> {
-        let all = [Self::Up, Self::Back, Self::Frictionless];
-        all.into_iter().find(|direction| direction.name() == name).ok_or_else(|| UnknownDirection(name.to_owned()))
+        match name {
+            "up" => Ok(Self::Up),
+            "back" => Ok(Self::Back),
+            "frictionless" => Ok(Self::Frictionless),
+            other => Err(UnknownDirection(other.to_owned())),
+        }
     }
 }
 

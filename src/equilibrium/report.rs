@@ -206,7 +206,7 @@ impl DriveReport {
         line("forces balance to", format!("{:.1e} of the belt's", self.force_residual));
         line("power", self.power());
         if let Some(temperature) = self.belt_temperature {
-            line("belt", format!("{:.1} °C", temperature - 273.15));
+            line("belt", format!("{:.1} °C", temperature - crate::quantity::ZERO_CELSIUS));
         }
         text += &self.table_of_parts();
         text

@@ -8,12 +8,16 @@
 //! # Ok::<(), sheave::quantity::QuantityError>(())
 //! ```
 
+/// 0 °C, K.
+pub const ZERO_CELSIUS: f64 = 273.15;
+
 mod dimension;
 mod parse;
 mod unit;
 
 use crate::text::quoted;
 pub use dimension::Dimension;
+pub(crate) use parse::on_shifted_scale;
 pub use unit::{Scale, Unit, symbols};
 
 /// A number as it is written, without the minus sign if all its digits are zero.

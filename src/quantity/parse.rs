@@ -39,9 +39,9 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, QuantityError> {
 }
 
 /// A temperature on a scale whose zero is not the absolute one, in K; such a unit stands alone.
-fn on_shifted_scale(value: f64, unit: &str) -> Option<f64> {
+pub(crate) fn on_shifted_scale(value: f64, unit: &str) -> Option<f64> {
     match unit {
-        "degC" | "°C" => Some(value + 273.15),
+        "degC" | "°C" => Some(value + super::ZERO_CELSIUS),
         "degF" | "°F" => Some((value + 459.67) / 1.8),
         _ => None,
     }

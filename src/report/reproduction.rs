@@ -88,7 +88,7 @@ impl Reproduction {
             row("strain energy flux", |chapters| chapters.base.result.energy.stretch_work),
             row("unaccounted for", |chapters| {
                 let energy = &chapters.base.result.energy;
-                energy.closure * energy.power_in
+                energy.power_in - energy.power_out - energy.friction_loss - energy.stretch_work
             }),
         ]
     }

@@ -375,7 +375,7 @@ impl<'a> Reading<'a> {
             (self.outputs.get(Output::EnergyPowerIn)?, self.outputs.get(Output::EnergyPowerOut)?);
         // What the solver's tolerance leaves of a power in is nothing to compare with.
         let without = PowerFlow::is_none(power_in, power_out);
-        let share = |of: Output| Ok(if without { f64::NAN } else { self.outputs.get(of)? });
+        let share = |of: Output| if without { Ok(None) } else { self.outputs.get(of).map(Some) };
         Ok(Energy {
             power_in,
             power_out,

@@ -181,14 +181,14 @@ pub struct Energy {
     pub power_out: f64,
     /// Power that friction turns to heat on both pulleys, W.
     pub friction_loss: f64,
-    /// (power_in − power_out − friction_loss)/power_in; no number (`null` in JSON) without power in.
-    pub imbalance: f64,
+    /// (power_in − power_out − friction_loss)/power_in; `None` without power in.
+    pub imbalance: Option<f64>,
     /// Power that the belt's stretching takes from the energy of bending and squeezing, W: moment and pressure are
     /// given per stretched length, so that a piece of belt that grows shorter carries a little less.
     pub stretch_work: f64,
-    /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for; no number
-    /// (`null` in JSON) without power in.
-    pub closure: f64,
+    /// (power_in − power_out − friction_loss − stretch_work)/power_in: what nothing accounts for; `None` without
+    /// power in.
+    pub closure: Option<f64>,
 }
 
 /// How the solution was found, and how well it holds.

@@ -87,7 +87,9 @@ impl Units {
             (Measured::Sliding, Self::Us) => unit(1.0 / INCH, "in/s", 2),
             (Measured::Angle, Self::Workshop | Self::Us) => DEGREE,
             (Measured::Angle, Self::Si) => unit(1.0, "rad", 2),
-            (Measured::Temperature, Self::Workshop) => Unit { factor: 1.0, offset: -273.15, symbol: "°C", more: 0 },
+            (Measured::Temperature, Self::Workshop) => {
+                Unit { factor: 1.0, offset: -crate::quantity::ZERO_CELSIUS, symbol: "°C", more: 0 }
+            }
             (Measured::Temperature, Self::Si) => unit(1.0, "K", 0),
             (Measured::Temperature, Self::Us) => Unit { factor: 1.8, offset: -459.67, symbol: "°F", more: 0 },
         }

@@ -16,10 +16,8 @@ const LENGTH_ERROR: f64 = 0.005;
 /// Penetration over radius beyond which the belt no longer lies at its nominal radius.
 const DEEP: f64 = 0.3;
 
-/// Zero of the Celsius scale, K.
-const CELSIUS: f64 = 273.15;
 /// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
-const HOT: f64 = 71.0 + CELSIUS;
+const HOT: f64 = 71.0 + crate::quantity::ZERO_CELSIUS;
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
@@ -66,7 +64,7 @@ fn two_solutions(outcome: &Outcome) -> Option<String> {
 /// A belt that will not last.
 fn hot(outcome: &Outcome) -> Option<String> {
     let temperature = outcome.result.belt.temperature.filter(|temperature| *temperature > HOT)?;
-    let celsius = temperature - CELSIUS;
+    let celsius = temperature - crate::quantity::ZERO_CELSIUS;
     Some(format!("The belt is hot: {celsius:.1} °C, above the 71 °C up to which it lasts long."))
 }
 
@@ -81,10 +79,10 @@ fn beyond_tables(outcome: &Outcome) -> Option<String> {
     Some(format!(
         "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses \
          go on as they fell at the nearest, loss tangents stay as they were there.",
-        temperature - CELSIUS,
+        temperature - crate::quantity::ZERO_CELSIUS,
         key.path(),
-        low - CELSIUS,
-        high - CELSIUS
+        low - crate::quantity::ZERO_CELSIUS,
+        high - crate::quantity::ZERO_CELSIUS
     ))
 }
 

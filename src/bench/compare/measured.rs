@@ -1,15 +1,12 @@
 //! Measured operating points: the table that `sheave dyno` writes, or one like it.
 
+use crate::bench::dyno::Criteria;
 use crate::bench::engine::EngineCurve;
 use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Standard deviations over means beyond which a step is not steady.
-const SPEED_DEVIATION: f64 = 0.02;
-/// The same for the torque: firing alone makes 15 to 35 %.
-const TORQUE_DEVIATION: f64 = 0.4;
 /// Rows that a table may have.
 const ROWS: usize = 100_000;
 
@@ -170,9 +167,10 @@ fn point(
         }
     };
     let deviations = (number("primary_rpm_sd")?, number("secondary_rpm_sd")?, number("secondary_torque_sd")?);
-    unsteady("the primary's speed", deviations.0, primary, SPEED_DEVIATION);
-    unsteady("the secondary's speed", deviations.1, secondary, SPEED_DEVIATION);
-    unsteady("the torque", deviations.2, torque, TORQUE_DEVIATION);
+    let criteria = Criteria::default();
+    unsteady("the primary's speed", deviations.0, primary, criteria.speed_deviation);
+    unsteady("the secondary's speed", deviations.1, secondary, criteria.speed_deviation);
+    unsteady("the torque", deviations.2, torque, criteria.torque_deviation);
     if !(primary > 0.0 && secondary > 0.0 && torque > 0.0) {
         reason.get_or_insert("it does not transmit power from the primary to the secondary".into());
     }
