@@ -4,7 +4,7 @@ use super::case::CaseArguments;
 use super::drive::{Branch, quantity};
 use super::envelope;
 use super::output;
-use super::solve::tolerance;
+use super::solve::{share, tolerance};
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
@@ -59,8 +59,8 @@ struct Common {
     #[arg(long, value_name = "SPEED")]
     target: String,
     /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1; with --both the
-    /// reserve at every place [default: 0; 0.3 with --both]
-    #[arg(long, value_name = "S")]
+    /// reserve at every place: 0.3 or 30% [default: 0; 0.3 with --both]
+    #[arg(long, value_name = "S", value_parser = share)]
     reserve: Option<f64>,
     /// Make both profiles: the helix for the slip reserve, the flyweights' for the speed
     #[arg(long)]

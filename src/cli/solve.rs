@@ -9,6 +9,7 @@ use serde::Serialize;
 use sheave::case::{CaseError, Clamp, Key, Resolved};
 use sheave::design::{Verdict, verdict};
 use sheave::drive::{Branch, Failure, SolveOptions, WORK_LIMIT};
+use sheave::quantity::{Dimension, parse};
 use sheave::result::{
     FailureKind, FailureReport, Outcome, Units, run_on_branch as solve, summary_in, warnings, write_profile,
 };
@@ -161,6 +162,12 @@ fn write_result(folder: &Path, text: &str) -> Result<(), Stop> {
 pub(super) fn tolerance(text: &str) -> Result<f64, String> {
     let within = |tolerance: &f64| (1e-12..=1e-1).contains(tolerance);
     text.parse().ok().filter(within).ok_or_else(|| "expected a number from 1e-12 to 1e-1, such as 1e-6".into())
+}
+
+/// A share with or without `%`.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    let read = parse(text).and_then(|quantity| quantity.expect(Dimension::NONE));
+    read.map_err(|error| format!("{error}; expected a share such as 0.3 or 30%"))
 }
 
 pub(super) fn units(text: &str) -> Result<Units, String> {

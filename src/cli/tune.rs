@@ -4,6 +4,7 @@ use super::case::CaseArguments;
 use super::envelope;
 use super::keeping::{self, Keeping};
 use super::output;
+use super::solve::share;
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -46,8 +47,8 @@ pub struct Arguments {
     /// Points of the shift
     #[arg(long, value_name = "N", default_value_t = 11)]
     points: usize,
-    /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1
-    #[arg(long, value_name = "S", default_value_t = 0.0)]
+    /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1: 0.3 or 30%
+    #[arg(long, value_name = "S", default_value = "0", value_parser = share)]
     least_reserve: f64,
     /// How many of the best are confirmed by full solutions
     #[arg(long, value_name = "N", default_value_t = 10)]

@@ -52,9 +52,9 @@ pub enum TuneError {
         /// What it is.
         what: &'static str,
         /// As given.
-        given: f64,
+        given: String,
         /// What is expected.
-        expected: &'static str,
+        expected: String,
     },
     /// The threads could not be had.
     #[error("cannot start {0} threads")]

@@ -15,7 +15,7 @@ use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
 use crate::model::Output;
-use crate::powertrain::Governor;
+use crate::powertrain::{Engine, Governor};
 use crate::study::StudyError;
 use crate::threads;
 
@@ -172,9 +172,10 @@ impl TunePlan {
             what: "actuators",
             needs: "give [primary.actuator] and [secondary.actuator] in the case or in the file of parts",
         })?;
-        if first.parts.engine.is_none() {
-            return Err(TuneError::Missing { what: "engine", needs: "give [engine] with speeds and torques" });
-        }
+        let engine = first.parts.engine.as_ref();
+        let engine =
+            engine.ok_or(TuneError::Missing { what: "engine", needs: "give [engine] with speeds and torques" })?;
+        speeds(engine, options.target)?;
         let ratios = ratios(ends(&first, actuation)?, options.points);
         Ok(Self { case, parts, options, first_case, first, ratios })
     }
@@ -197,18 +198,7 @@ impl TunePlan {
     pub fn map(&self, options: MapOptions) -> Result<MapPlan, TuneError> {
         let engine = self.first.parts.engine.as_ref();
         let engine = engine.ok_or(TuneError::Missing { what: "engine", needs: "give [engine]" })?;
-        let (least, most) = engine.range();
-        // An engine whose flyweights are too light for its full torque runs into the governor, and settles where that
-        // leaves as much torque as they hold.
-        let last = engine.governor.map_or(most, |Governor { governed, no_load }| no_load - LEFT * (no_load - governed));
-        let from = (SPEEDS.0 * self.options.target).max(least);
-        let to = (SPEEDS.1 * self.options.target).min(last);
-        let target = self.options.target;
-        let holds = from < target && target < to;
-        if !holds {
-            let expected = "a speed between those at which the engine is known";
-            return Err(TuneError::Parameter { what: "the target", given: target, expected });
-        }
+        let (from, to) = speeds(engine, self.options.target)?;
         let speed = |share: f64| from + share * (to - from);
         let torques = (0..=200).map(|i| engine.torque(speed(f64::from(i) / 200.0)).value);
         let (low, high) = torques.fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at), high.max(at)));
@@ -341,15 +331,38 @@ impl TunePlan {
 }
 
 fn check(options: &TuneOptions) -> Result<(), TuneError> {
-    let parameter = |what, given: f64, holds: bool, expected| {
-        if holds { Ok(()) } else { Err(TuneError::Parameter { what, given, expected }) }
+    let parameter = |what, given: String, holds: bool, expected: &str| {
+        if holds { Ok(()) } else { Err(TuneError::Parameter { what, given, expected: expected.to_owned() }) }
     };
     let target = options.target;
-    parameter("the target", target, target.is_finite() && target > 0.0, "a speed above zero, such as \"3400 rpm\"")?;
+    let above = target.is_finite() && target > 0.0;
+    parameter("the target", in_rpm(target), above, "a speed above zero, such as \"3400 rpm\"")?;
     let points = options.points;
-    parameter("the number of points", points as f64, (2..=1000).contains(&points), "a number from 2 to 1000")?;
+    parameter("the number of points", points.to_string(), (2..=1000).contains(&points), "a number from 2 to 1000")?;
     let reserve = options.least_reserve;
-    parameter("the least slip reserve", reserve, (0.0..1.0).contains(&reserve), "a share from 0 to below 1")
+    let share = (0.0..1.0).contains(&reserve);
+    parameter("the least slip reserve", reserve.to_string(), share, "a share from 0 to below 1, such as 0.3 or 30%")
+}
+
+/// The speeds between which the drive is looked at for a target, rad/s.
+///
+/// # Errors
+/// [`TuneError::Parameter`] for a target at which the engine is not known.
+fn speeds(engine: &Engine, target: f64) -> Result<(f64, f64), TuneError> {
+    let (least, most) = engine.range();
+    // An engine whose flyweights are too light for its full torque runs into the governor, and settles where that
+    // leaves as much torque as they hold.
+    let last = engine.governor.map_or(most, |Governor { governed, no_load }| no_load - LEFT * (no_load - governed));
+    if !(least < target && target < last) {
+        let left = match engine.governor {
+            Some(_) => format!(", at which its governor leaves {:.0} % of the torque", 100.0 * LEFT),
+            None => String::new(),
+        };
+        let (least, last) = (in_rpm(least), in_rpm(last));
+        let expected = format!("a speed above {least}, from which the engine is known, and below {last}{left}");
+        return Err(TuneError::Parameter { what: "the target", given: in_rpm(target), expected });
+    }
+    Ok(((SPEEDS.0 * target).max(least), (SPEEDS.1 * target).min(last)))
 }
 
 /// A point of the shift as a full solution has it.
@@ -390,6 +403,11 @@ fn mark_pareto(tunes: &mut [Tune]) {
             front.push(here);
         }
     }
+}
+
+/// A speed in rad/s as people read it.
+fn in_rpm(speed: f64) -> String {
+    format!("{} rpm", (10.0 * rpm(speed)).round() / 10.0)
 }
 
 /// rad/s as rpm.
