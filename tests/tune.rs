@@ -5,7 +5,7 @@ use sheave::beltmap::{BeltMap, KeepNothing, MapOptions};
 use sheave::case::{Case, Key};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{Direction, equilibrium};
-use sheave::tune::{PartsBox, Ranking, TuneError, TuneOptions, TunePlan};
+use sheave::tune::{Part, PartKind, PartsBox, PartsProblem, Ranking, TuneError, TuneOptions, TunePlan};
 use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -156,4 +156,14 @@ fn what_a_search_needs_is_said() {
     let parts = PartsBox::from_toml("parts", masses).unwrap();
     let wrong = TunePlan::new(drive(), parts, TuneOptions::new(-1.0));
     assert!(matches!(wrong, Err(TuneError::Parameter { what: "the target", .. })));
+    // In rpm, with the engine's range: also where a map is given, for which none is planned.
+    let wrong = TunePlan::new(drive(), whole_box(), TuneOptions::new(340.0 * RPM)).map(|_| ()).unwrap_err().to_string();
+    let expected = "the target is 340 rpm: expected a speed above 1800 rpm, from which the engine is known, and below \
+                    3820 rpm, at which its governor leaves 40 % of the torque";
+    assert_eq!(wrong, expected);
+    // A box made by hand is checked as one that is read.
+    let part = Part { name: "long".into(), settings: vec![("belt.length".into(), "1.1 m".into())] };
+    let parts = PartsBox { kinds: vec![PartKind { name: "belt".into(), parts: vec![part] }] };
+    let wrong = TunePlan::new(drive(), parts, TuneOptions::new(TARGET));
+    assert!(matches!(wrong, Err(TuneError::Box(PartsProblem::Shared { key: Key::BeltLength, .. }))));
 }

@@ -200,4 +200,6 @@ def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="jobs"):
         sheave.tune(gx9, parts=PARTS, target="3400 rpm", jobs=0)
     with pytest.raises(sheave.CaseError, match="actuators"):
-        sheave.tune(parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")
+        sheave.tune(parts={"a": {"b": {}}}, target="3400 rpm")
+    with pytest.raises(sheave.CaseError, match=r"`a` sets `belt\.length`: expected keys of \[primary\.actuator\]"):
+        sheave.tune(gx9, parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")

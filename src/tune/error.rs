@@ -4,6 +4,45 @@ use crate::beltmap::MapError;
 use crate::case::{CaseError, Key};
 use thiserror::Error;
 
+/// What is wrong with a box of parts, beyond its form.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PartsProblem {
+    /// A key of what all parts share.
+    #[error(
+        "`{kind}` sets `{}`: expected keys of [primary.actuator], [primary.spring], [secondary.actuator] or \
+         [secondary.spring]; belt, sheaves, stops, losses and engine are the case's, for one map of the belt serves \
+         all parts", key.path()
+    )]
+    Shared {
+        /// The kind of parts.
+        kind: String,
+        /// What it sets.
+        key: Key,
+    },
+    /// A key that two kinds set.
+    #[error(
+        "`{}` is set by two kinds of parts, `{first}` and `{second}`: expected one that sets it, for of each kind one \
+         part is chosen", key.path()
+    )]
+    Twice {
+        /// The key.
+        key: Key,
+        /// A kind that sets it.
+        first: String,
+        /// Another.
+        second: String,
+    },
+    /// A key that does not exist, or a value that it does not take.
+    #[error("`{kind}`: {error}")]
+    Value {
+        /// The kind of parts.
+        kind: String,
+        /// What is wrong with it.
+        error: CaseError,
+    },
+}
+
 /// Why the search for a tune cannot be begun.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -19,6 +58,9 @@ pub enum TuneError {
         /// What is wrong.
         reason: String,
     },
+    /// The box of parts is wrong.
+    #[error(transparent)]
+    Box(#[from] PartsProblem),
     /// There is no map of the belt.
     #[error("the map of the belt: {0}")]
     Map(#[from] MapError),

@@ -13,7 +13,7 @@ mod search;
 mod show;
 mod unfit;
 
-pub use error::TuneError;
+pub use error::{PartsProblem, TuneError};
 pub use parts::{MAX_CANDIDATES, Part, PartKind, PartsBox};
 pub use screen::Screen;
 pub use search::{Confirmed, Merits, Ranking, Refused, Tune, TuneOptions, TunePlan};

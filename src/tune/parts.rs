@@ -1,12 +1,16 @@
 //! The box of parts: kinds, each with the parts among which one is chosen.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::error::TuneError;
+use super::error::{PartsProblem, TuneError};
 use crate::case::{Case, Key};
 
 /// Combinations at most.
 pub const MAX_CANDIDATES: usize = 1_000_000;
+
+/// Sections of a case whose keys parts set: neither the belt's map nor the ends of the shift depend on these.
+const SECTIONS: [&str; 4] = ["primary.actuator", "primary.spring", "secondary.actuator", "secondary.spring"];
 
 /// A box of parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,11 +65,39 @@ impl PartsBox {
             kinds.push(kind(name, content).map_err(wrong)?);
         }
         let all = kinds.iter().try_fold(1_usize, |all, kind| all.checked_mul(kind.parts.len()));
-        match all {
-            _ if kinds.is_empty() => Err(wrong("there are no parts in it".into())),
-            Some(1..=MAX_CANDIDATES) => Ok(Self { kinds }),
-            _ => Err(wrong(format!("there are more than {MAX_CANDIDATES} combinations, or none"))),
+        let parts = match all {
+            _ if kinds.is_empty() => return Err(wrong("there are no parts in it".into())),
+            Some(1..=MAX_CANDIDATES) => Self { kinds },
+            _ => return Err(wrong(format!("there are more than {MAX_CANDIDATES} combinations, or none"))),
+        };
+        parts.check().map_err(|problem| wrong(problem.to_string()))?;
+        Ok(parts)
+    }
+
+    /// Whether every key is one that parts may set, set by one kind alone, and every value one that its key takes.
+    ///
+    /// # Errors
+    /// See [`PartsProblem`].
+    pub fn check(&self) -> Result<(), PartsProblem> {
+        let mut set: BTreeMap<Key, &str> = BTreeMap::new();
+        let mut scratch = Case::base();
+        for kind in &self.kinds {
+            for (path, value) in kind.parts.iter().flat_map(|part| &part.settings) {
+                let wrong = |error| PartsProblem::Value { kind: kind.name.clone(), error };
+                if let Some(key) = Key::from_path(path) {
+                    if !SECTIONS.contains(&key.entry().section()) {
+                        return Err(PartsProblem::Shared { kind: kind.name.clone(), key });
+                    }
+                    let first = *set.entry(key).or_insert(&kind.name);
+                    if first != kind.name {
+                        let (first, second) = (first.to_owned(), kind.name.clone());
+                        return Err(PartsProblem::Twice { key, first, second });
+                    }
+                }
+                scratch.set_from("part", path, value).map_err(wrong)?;
+            }
         }
+        Ok(())
     }
 
     /// Number of combinations.
@@ -125,7 +157,12 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
             let text = text(value).ok_or_else(|| format!("`{name}.{entry}`: `{path}` is neither text nor a number"))?;
             Ok((path.clone(), text))
         });
-        parts.push(Part { settings: settings.collect::<Result<_, String>>()?, name: entry });
+        let settings: Vec<(String, String)> = settings.collect::<Result<_, String>>()?;
+        let mut seen = BTreeSet::new();
+        if let Some((path, _)) = settings.iter().find(|(path, _)| !seen.insert(path)) {
+            return Err(format!("`{name}.{entry}` sets `{path}` twice: expected it once"));
+        }
+        parts.push(Part { settings, name: entry });
     }
     for (path, _) in parts.iter().flat_map(|part| &part.settings) {
         if Key::from_path(path).is_none() {
@@ -195,5 +232,61 @@ mod tests {
         assert!(said("[a]\nb = { primary.actuator.mas = \"1 g\" }").contains("primary.actuator.mass"));
         assert!(said("[a]\nsecondary.actuator.helix_angle = \"32 deg\"").contains("a list of values"));
         assert!(said("[a").contains("parts.toml"));
+        let twice = "[a]\nb = { primary.actuator.mass = \"1 g\", \"primary.actuator.mass\" = \"2 g\" }";
+        assert!(said(twice).contains("`a.b` sets `primary.actuator.mass` twice"), "{}", said(twice));
+    }
+
+    /// A part with a value that its key does not take is refused before anything is computed, however many others fit.
+    #[test]
+    fn values_that_no_part_can_have_are_refused() {
+        let said = |text: &str| PartsBox::from_toml("parts.toml", text).unwrap_err().to_string();
+        let dimension = said("[a]\nprimary.actuator.mass = [\"1 m\", \"2 g\"]");
+        for word in ["parts.toml", "`a`", "`primary.actuator.mass`", "1 m", "expected a mass"] {
+            assert!(dimension.contains(word), "{word}: {dimension}");
+        }
+        let range =
+            said("[helix]\nb = { secondary.actuator.helix_angle = \"32 deg\", primary.actuator.mass = \"-1 g\" }");
+        assert!(range.contains("`helix`") && range.contains("out of range"), "{range}");
+    }
+
+    /// What one map serves, and the ends of the shift, no part may set.
+    #[test]
+    fn keys_that_parts_do_not_set_are_refused() {
+        let shared = [
+            ("belt.bending_stiffness", "0.5 N*m^2"),
+            ("belt.length", "1 m"),
+            ("sheave.friction_coefficient", "0.2"),
+            ("drive.center_distance", "250 mm"),
+            ("edition", "thesis"),
+            ("losses.include", "off"),
+            ("operating_point.slack_tension", "100 N"),
+            ("engine.throttle", "0.5"),
+            ("primary.travel", "20 mm"),
+            ("secondary.closed_radius", "80 mm"),
+        ];
+        for (key, value) in shared {
+            let said = PartsBox::from_toml("parts.toml", &format!("[a]\nb = {{ {key} = \"{value}\" }}")).unwrap_err();
+            let said = said.to_string();
+            assert!(said.contains(&format!("`a` sets `{key}`: expected keys of [primary.actuator]")), "{said}");
+        }
+        for section in SECTIONS {
+            assert!(crate::case::sections().any(|known| known == section), "{section}");
+        }
+    }
+
+    /// Of two kinds that set one key, the later would take the place of the earlier, whichever part of it is chosen.
+    #[test]
+    fn a_key_that_two_kinds_set_is_refused() {
+        let text = "[a]\nprimary.actuator.mass = [\"1 g\", \"2 g\"]\n[b]\nc = { primary.actuator.mass = \"3 g\" }";
+        let said = PartsBox::from_toml("parts.toml", text).unwrap_err().to_string();
+        assert!(said.contains("`primary.actuator.mass` is set by two kinds of parts, `a` and `b`"), "{said}");
+        // Made by hand, a box is refused as well.
+        let kind = |name: &str| PartKind {
+            name: name.to_owned(),
+            parts: vec![Part { name: "c".into(), settings: vec![("primary.actuator.mass".into(), "1 g".into())] }],
+        };
+        assert_eq!(PartsBox { kinds: vec![kind("a")] }.check(), Ok(()));
+        let twice = PartsBox { kinds: vec![kind("a"), kind("b")] }.check();
+        assert!(matches!(twice, Err(PartsProblem::Twice { key: Key::FlyweightMass, .. })), "{twice:?}");
     }
 }

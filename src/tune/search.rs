@@ -160,6 +160,7 @@ impl TunePlan {
     /// See [`TuneError`].
     pub fn new(case: Case, parts: PartsBox, options: TuneOptions) -> Result<Self, TuneError> {
         check(&options)?;
+        parts.check()?;
         let mut reason = None;
         let first = (0..parts.candidates()).find_map(|candidate| {
             let made = parts.case(&case, candidate).and_then(|case| Ok((case.resolve()?, case)));
