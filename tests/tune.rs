@@ -145,6 +145,46 @@ fn bad_parts_are_refused_with_the_reason() {
     assert!(counts.iter().any(|(count, _)| *count == 1), "{counts:?}");
 }
 
+/// With losses on, map and full solutions tell one efficiency: that with losses.
+#[test]
+fn efficiencies_of_one_tune_are_of_one_kind() {
+    let mut case = drive();
+    case.set("losses.include", "on").unwrap();
+    let parts = r#"
+        [all.1072]
+        primary.actuator.mass = "72 g"
+        primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm"
+        primary.spring.free_length = "144 mm"
+        primary.spring.rate = "1.2 N/mm"
+        secondary.spring.preload = "117 N"
+        secondary.spring.rate = "4.27 N/mm"
+        secondary.spring.torsion_rate = "4.55 N*m/rad"
+        secondary.spring.pretension = "22 deg"
+        secondary.actuator.helix_angle = "42 deg"
+    "#;
+    let parts = PartsBox::from_toml("parts", parts).unwrap();
+    let options = TuneOptions { points: 3, confirmed: 1, ..TuneOptions::new(TARGET) };
+    let plan = TunePlan::new(case, parts, options).unwrap();
+    let solve = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+    let options = MapOptions { accuracy: 5e-2, solve, max_points: 300, ..MapOptions::default() };
+    let map = plan.map(options).unwrap().build(&KeepNothing).unwrap();
+    let ranking = plan.search(&map, &|| ()).unwrap();
+    let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
+    let full = tune.confirmed.as_ref().unwrap();
+    assert_eq!(full.points, 3, "{full:?}");
+    let full = full.merits.unwrap();
+    assert!((full.mean_efficiency - tune.merits.mean_efficiency).abs() < 0.01, "{full:?} {:?}", tune.merits);
+    // What friction alone takes is far from that.
+    let engine = plan.case().parts.engine.as_ref().unwrap();
+    let elastic = tune.shift.iter().map(|point| {
+        let torque = engine.torque(point.primary_speed).value;
+        let at = map.at(&[point.ratio, point.primary_speed, torque, point.slack_tension]).unwrap();
+        at.efficiency().unwrap()
+    });
+    let elastic = elastic.sum::<f64>() / tune.shift.len() as f64;
+    assert!(elastic > tune.merits.mean_efficiency + 0.02, "{elastic} {:?}", tune.merits);
+}
+
 #[test]
 fn what_a_search_needs_is_said() {
     let said = |case: Case, text: &str| {

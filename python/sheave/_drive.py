@@ -355,7 +355,7 @@ class Merits:
     smallest_slip_reserve: float
     """Smallest share of the friction at hand that is left over."""
     mean_efficiency: float
-    """Mean of power out over power in."""
+    """Mean of power out over power in, with losses besides friction where the case has them."""
 
 
 @dataclass(frozen=True)

@@ -122,7 +122,7 @@ impl Quantity {
     }
 
     /// Those of a case: losses only where they are told.
-    pub(super) fn of_case(case: &Resolved) -> Vec<Self> {
+    pub(crate) fn of_case(case: &Resolved) -> Vec<Self> {
         let told = case.losses.wanted() && case.model.bending.is_some();
         Self::ALL.into_iter().filter(|quantity| told || *quantity != Self::Losses).collect()
     }

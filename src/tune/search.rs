@@ -9,11 +9,12 @@ use super::error::TuneError;
 use super::parts::PartsBox;
 use super::screen::{Screen, ends, ratios};
 use super::unfit::ShiftPoint;
-use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan};
+use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan, Quantity};
 use crate::cancel::is_cancelled;
 use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
+use crate::losses::losses;
 use crate::model::Output;
 use crate::powertrain::{Engine, Governor};
 use crate::study::StudyError;
@@ -67,7 +68,7 @@ pub struct Merits {
     pub mean_speed: f64,
     /// Smallest share of the friction at hand that is left over.
     pub smallest_slip_reserve: f64,
-    /// Mean of power out over power in.
+    /// Mean of power out over power in, with losses besides friction where the case has them.
     pub mean_efficiency: f64,
 }
 
@@ -316,7 +317,14 @@ impl TunePlan {
             let found = warm.map_or_else(|| equilibrium(&case, speed, Direction::Up, options), Ok);
             match found {
                 Ok(found) => {
-                    let here = solved_point(&found, point);
+                    let efficiency = match efficiency(&case, &found, self.options.solve.tolerance) {
+                        Ok(efficiency) => efficiency,
+                        Err(reason) => {
+                            confirmed.failures.push(format!("at ratio {:.2}: {reason}", point.ratio));
+                            continue;
+                        }
+                    };
+                    let here = solved_point(&found, point, efficiency);
                     confirmed.largest_difference =
                         confirmed.largest_difference.max((here.primary_speed - point.primary_speed).abs());
                     shift.push(here);
@@ -366,8 +374,18 @@ fn speeds(engine: &Engine, target: f64) -> Result<(f64, f64), TuneError> {
     Ok(((SPEEDS.0 * target).max(least), (SPEEDS.1 * target).min(last)))
 }
 
+/// Power out over power in of a full solution, with losses where the map of the same case has them; or why it cannot be
+/// told.
+fn efficiency(case: &Resolved, found: &Equilibrium, tolerance: f64) -> Result<f64, String> {
+    if Quantity::of_case(case).contains(&Quantity::Losses) {
+        let told = losses(case, &found.solved, case.stiffnesses.reference, tolerance);
+        return told.map(|losses| losses.efficiency).map_err(|error| error.to_string());
+    }
+    found.output(Output::EfficiencyOverall).map_err(|error| error.to_string())
+}
+
 /// A point of the shift as a full solution has it.
-fn solved_point(found: &Equilibrium, near: &ShiftPoint) -> ShiftPoint {
+fn solved_point(found: &Equilibrium, near: &ShiftPoint, efficiency: f64) -> ShiftPoint {
     let used = crate::result::utilizations(&found.solved).unwrap_or([f64::NAN; 2]);
     ShiftPoint {
         ratio: near.ratio,
@@ -375,7 +393,7 @@ fn solved_point(found: &Equilibrium, near: &ShiftPoint) -> ShiftPoint {
         secondary_speed: near.secondary_speed,
         slack_tension: found.output(Output::PrimaryExitTension).unwrap_or(f64::NAN),
         slip_reserve: 1.0 - used[0].abs().max(used[1].abs()),
-        efficiency: found.output(Output::EfficiencyOverall).unwrap_or(f64::NAN),
+        efficiency,
     }
 }
 
