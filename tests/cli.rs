@@ -416,3 +416,57 @@ fn an_interrupted_command_says_so_in_its_object() {
         }
     }
 }
+
+/// A map of another belt, parts that no box has and shares in percent: what `tune`, `ramp` and `helix` say.
+#[test]
+fn what_a_search_for_a_tune_cannot_take_is_status_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let example = |name: &str| format!("{}/examples/drive/{name}", env!("CARGO_MANIFEST_DIR"));
+    let (gx9, parts, map) = (example("gx9.toml"), example("gx9-parts.toml"), path("map.csv"));
+    let over = ["ratio=1..1.1:2", "torque=20 N*m..25 N*m:2", "speed=3300 rpm..3500 rpm:2", "slack_tension=150..200:2"];
+    let mut arguments = vec!["map", &gx9, "--losses", "off", "--accuracy", "0.5", "--out", &map];
+    over.iter().for_each(|over| arguments.extend(["--over", over]));
+    let made = sheave(&arguments);
+    assert_eq!(status(&made), 0, "{made:?}");
+    let boxed = |text: &str| {
+        std::fs::write(path("parts.toml"), text).unwrap();
+        path("parts.toml")
+    };
+    let said = |arguments: &[&str]| {
+        let output = sheave(arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}: {output:?}");
+        stderr(&output).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let tune = |more: &[&str]| {
+        let mut arguments = vec!["tune", gx9.as_str(), "--target", "3400 rpm"];
+        arguments.extend(more);
+        said(&arguments)
+    };
+    let given = ["--parts", &parts, "--map", &map];
+    let losses = tune(&given);
+    let expected = format!("{map}: the map was made with `losses.include` = \"off\", and the case has \"on\"");
+    assert!(losses.contains(&expected), "{losses}");
+    let friction = tune(&[&given[..], &["--losses", "off", "--set", "sheave.friction_coefficient=0.2"]].concat());
+    let expected = format!("{map}: the map was made with `sheave.friction_coefficient` = ");
+    assert!(friction.contains(&expected) && friction.contains("and the case has 0.2"), "{friction}");
+    // Of its own case the map is taken: it reaches as far as it does, and that is no fault of the question.
+    let own = sheave(&["tune", &gx9, "--target", "3400 rpm", "--parts", &parts, "--map", &map, "--losses", "off"]);
+    assert_eq!(status(&own), 3, "{own:?}");
+    let mass = tune(&["--parts", &boxed("[a]\nprimary.actuator.mass = [\"1 m\", \"2 g\"]")]);
+    assert!(mass.contains("`primary.actuator.mass` = 1 m") && mass.contains("expected a mass"), "{mass}");
+    let belt = tune(&["--parts", &boxed("[a]\nb = { belt.bending_stiffness = \"0.5 N*m^2\" }")]);
+    assert!(belt.contains("`a` sets `belt.bending_stiffness`: expected keys of [primary.actuator]"), "{belt}");
+    let share = tune(&["--parts", &parts, "--least-reserve", "140%"]);
+    assert!(share.contains("the least slip reserve is 1.4: expected a share from 0 to below 1"), "{share}");
+    let share = tune(&["--parts", &parts, "--least-reserve", "much"]);
+    assert!(share.contains("expected a share such as 0.3 or 30%"), "{share}");
+    let target = said(&["tune", &gx9, "--target", "340 rpm", "--parts", &parts]);
+    assert!(target.contains("the target is 340 rpm: expected a speed above"), "{target}");
+    for command in ["ramp", "helix"] {
+        let share = said(&[command, &gx9, "--target", "3400 rpm", "--reserve", "140%"]);
+        assert!(share.contains("1.4") && share.contains("expected a share from 0 to below 1"), "{command}: {share}");
+        let share = said(&[command, &gx9, "--target", "3400 rpm", "--reserve", "3 kg"]);
+        assert!(share.contains("expected a share such as 0.3 or 30%"), "{command}: {share}");
+    }
+}

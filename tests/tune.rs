@@ -1,7 +1,7 @@
 //! The search for a tune: what it finds, what it refuses, how much work it is.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use sheave::beltmap::{BeltMap, KeepNothing, MapOptions};
+use sheave::beltmap::{BeltMap, KeepNothing, MapFormat, MapOptions};
 use sheave::case::{Case, Key};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{Direction, equilibrium};
@@ -143,6 +143,50 @@ fn bad_parts_are_refused_with_the_reason() {
     // A spring so stiff that nothing balances it.
     let (_, counts) = refused(r#"primary.spring.free_length = "300 mm", primary.spring.rate = "80 N/mm""#);
     assert!(counts.iter().any(|(count, _)| *count == 1), "{counts:?}");
+}
+
+/// A map that was made with another belt, other sheaves, another edition or other losses tells nothing of this case.
+#[test]
+fn a_map_of_another_case_is_refused() {
+    let checked = |changes: &[(&str, &str)]| {
+        let mut case = drive();
+        changes.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+        let options = TuneOptions { points: 3, confirmed: 0, ..TuneOptions::new(TARGET) };
+        let plan = TunePlan::new(case, whole_box(), options).unwrap();
+        let checked = plan.check_map(map());
+        if checked.is_err() {
+            // A search refuses it as well.
+            assert!(plan.search(map(), &|| ()).is_err());
+        }
+        checked
+    };
+    let differs = |changes: &[(&str, &str)]| match checked(changes) {
+        Err(TuneError::OtherMap { key, map, case }) => (key, map, case),
+        other => panic!("{changes:?}: {other:?}"),
+    };
+    let said = |key, map: &str, case: &str| (key, map.to_owned(), case.to_owned());
+    let changed = differs(&[("sheave.friction_coefficient", "0.2")]);
+    assert_eq!(changed, said("sheave.friction_coefficient", "0.4", "0.2"));
+    let changed = differs(&[("belt.bending_stiffness", "0.5 N*m^2")]);
+    assert_eq!(changed, said("belt.bending_stiffness", "0.2602 N·m²", "0.5 N·m²"));
+    assert_eq!(differs(&[("losses.include", "on")]), said("losses.include", "\"off\"", "\"on\""));
+    assert_eq!(differs(&[("edition", "published")]), said("edition", "\"consistent\"", "\"published\""));
+    assert_eq!(differs(&[("drive.center_distance", "267 mm")]), said("drive.center_distance", "266.4 mm", "267 mm"));
+    assert_eq!(differs(&[("belt.mass_per_length", "0.36 kg/m"), ("edition", "string")]).0, "edition");
+    // One quantity in another unit is the same, and what the map does not depend on may differ: the engine, and losses
+    // that neither tells.
+    for same in [
+        [("belt.length", "104.14 cm"), ("sheave.half_angle", "0.209439510239 rad")],
+        [("engine.throttle", "0.41"), ("secondary.actuator.helix_radius", "44 mm")],
+        [("belt.loss_tangent", "0.2"), ("losses.gear_efficiency", "0.9")],
+    ] {
+        assert!(checked(&same).is_ok(), "{same:?}: {:?}", checked(&same));
+    }
+    // As a file has it, the map is the same.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.csv");
+    MapFormat::Csv.write(map(), &mut std::fs::File::create(&path).unwrap()).unwrap();
+    assert!(plan(whole_box(), 0).check_map(&BeltMap::read(&path).unwrap()).is_ok());
 }
 
 /// With losses on, map and full solutions tell one efficiency: that with losses.

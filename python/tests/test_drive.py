@@ -180,6 +180,8 @@ def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, gx9: sh
     again = sheave.tune(gx9, parts=PARTS, map=tuning.map, progress=told.append, **options)
     assert [one.candidate for one in again.tunes] == [one.candidate for one in tuning.tunes]
     assert told[-1] == 24, "combinations alone: there was no map to make"
+    with pytest.raises(sheave.MapError, match=r"made with `sheave\.friction_coefficient` = "):
+        sheave.tune(gx9.with_({"sheave.friction_coefficient": 0.2}), parts=PARTS, map=tuning.map, **options)
     # A reserve that none keeps: nothing shifts, and the map is not lost.
     none = sheave.tune(gx9, parts=PARTS, map=tuning.map, least_reserve=0.99, **options)
     assert not none.tunes and "slip reserve" in none._repr_html_()

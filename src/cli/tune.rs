@@ -38,7 +38,8 @@ pub struct Arguments {
     /// Speed to hold the engine at
     #[arg(long, value_name = "SPEED", value_parser = speed, allow_hyphen_values = true)]
     target: f64,
-    /// A map of the drive's belt as CSV, in place of one that is made: over ratio, torque, speed and slack_tension
+    /// A map of the drive's belt as CSV, in place of one that is made: over ratio, torque, speed and slack_tension, and
+    /// with the case's belt, sheaves, edition and losses
     #[arg(long, value_name = "MAP.csv")]
     map: Option<PathBuf>,
     /// Accuracy of the map that is made
@@ -139,7 +140,14 @@ impl Arguments {
     /// The map: read, or made and kept.
     fn find_map(&self, plan: &TunePlan) -> Result<BeltMap, Stop> {
         if let Some(path) = &self.map {
-            return BeltMap::read(path).map_err(|error| Stop::Usage(error.to_string()));
+            let map = BeltMap::read(path).map_err(|error| Stop::Usage(error.to_string()))?;
+            return match plan.check_map(&map) {
+                Ok(()) => Ok(map),
+                Err(error @ (TuneError::Axis { .. } | TuneError::OtherMap { .. })) => {
+                    Err(Stop::Usage(format!("{}: {error}", path.display())))
+                }
+                Err(error) => Err(stop(error)),
+            };
         }
         let solve = SolveOptions { tolerance: 0.01 * self.accuracy, ..SolveOptions::default() };
         let options = MapOptions {

@@ -88,6 +88,16 @@ pub enum TuneError {
         /// What is expected.
         expected: &'static str,
     },
+    /// A map of another belt, or made with other choices.
+    #[error("the map was made with `{key}` = {map}, and the case has {case}: expected a map of this case's belt")]
+    OtherMap {
+        /// The first key that differs.
+        key: &'static str,
+        /// Its value in the map, as people read it.
+        map: String,
+        /// Its value in the case.
+        case: String,
+    },
     /// A number out of its range.
     #[error("{what} is {given}: expected {expected}")]
     Parameter {

@@ -6,6 +6,7 @@
 //! derivatives. The best are confirmed by full solutions: the equilibrium of the whole drive at the same speeds of the
 //! secondary.
 
+mod belongs;
 mod error;
 mod parts;
 mod screen;

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
+use super::belongs;
 use super::error::TuneError;
 use super::parts::PartsBox;
 use super::screen::{Screen, ends, ratios};
@@ -219,6 +220,16 @@ impl TunePlan {
         Ok(MapPlan::new(self.first_case.clone(), axes, options)?)
     }
 
+    /// Whether a map is one on which this drive can be screened: over what the search needs, and made with this case's
+    /// belt, sheaves, edition and losses.
+    ///
+    /// # Errors
+    /// [`TuneError::Axis`], [`TuneError::OtherMap`], and those of [`TunePlan::map`].
+    pub fn check_map(&self, map: &BeltMap) -> Result<(), TuneError> {
+        Screen::new(map)?;
+        belongs::check(map, self.map(MapOptions::default())?.case())
+    }
+
     /// Radius of the primary at low ratio, m.
     fn smallest_radius(&self) -> f64 {
         let ratio = self.ratios.first().copied().unwrap_or(1.0);
@@ -230,9 +241,10 @@ impl TunePlan {
     /// Screens every combination on a map, and confirms the best. `done` hears of each screened combination.
     ///
     /// # Errors
-    /// [`TuneError::Axis`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is counted
-    /// among the refused.
+    /// Those of [`TunePlan::check_map`], [`TuneError::Threads`], and cancellation. A combination that makes no drive is
+    /// counted among the refused.
     pub fn search(&self, map: &BeltMap, done: &(dyn Fn() + Sync)) -> Result<Ranking, TuneError> {
+        self.check_map(map)?;
         let screen = Screen::new(map)?;
         let jobs = self.options.jobs.unwrap_or(0);
         let screened = threads::map(jobs, self.parts.candidates(), |candidate| {
