@@ -75,8 +75,8 @@ impl CaseArguments {
         let case = self.read()?;
         if let Some(swap) = case.swaps().next() {
             return Err(Stop::Usage(format!(
-                "swap \"{swap}\": `sheave {command}` prescribes no output of the belt; expected a case without swap, or \
-                 solve, sweep, limit, optimum or pulley"
+                "swap \"{swap}\": `sheave {command}` prescribes no output of the belt; expected a case without swap, \
+                 or solve, sweep, limit, optimum or pulley"
             )));
         }
         Ok(case)

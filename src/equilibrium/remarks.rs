@@ -34,8 +34,8 @@ pub fn beyond_open(primary_travel: f64) -> Option<String> {
     const SUNK: f64 = 1e-4;
     (primary_travel < -SUNK).then(|| {
         format!(
-            "The belt has sunk below the radius at which the primary is open, as if that stood {:.2} mm farther open: a \
-             belt that slips like a clutch is not what the model is for.",
+            "The belt has sunk below the radius at which the primary is open, as if that stood {:.2} mm farther open: \
+             a belt that slips like a clutch is not what the model is for.",
             -1e3 * primary_travel
         )
     })

@@ -57,11 +57,12 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 impl Factorisation {
-    /// What is wrong with a matrix whose rank is deficient: it is not finite, or leaves something undetermined, by name.
+    /// What is wrong with a matrix whose rank is deficient: it is not finite, or leaves something undetermined.
     pub(crate) fn deficient<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> NewtonError {
         if self.dense.iter().all(|value| value.is_finite()) { self.singular(system) } else { NewtonError::Overflow }
     }
 
+    /// What the rank-deficient matrix leaves undetermined, by name.
     pub(crate) fn singular<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> NewtonError {
         let (rank, size) = self.rank();
         let equations = &system.layout.equations;
