@@ -204,6 +204,8 @@ fn a_bare_temperature_in_degrees_celsius_is_not_taken_for_one_in_kelvin() {
         assert!(error.to_string().contains("from 150 K and up to 2000 K"), "{error}");
         assert_eq!(error.hint().as_deref(), Some("a bare number is in SI units; did you mean \"25 degC\"?"));
         case.set(key, "25 degC").unwrap();
+        case.set("thermal.ambient", "25 degC").unwrap();
+        case.set("thermal.heat_transfer", "10 W/K").unwrap();
         case.resolve().unwrap();
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, QuantityError> {
 pub(crate) fn on_shifted_scale(value: f64, unit: &str) -> Option<f64> {
     match unit {
         "degC" | "°C" => Some(value + super::ZERO_CELSIUS),
-        "degF" | "°F" => Some((value + 459.67) / 1.8),
+        "degF" | "°F" => Some((value - 32.0) / 1.8 + super::ZERO_CELSIUS),
         _ => None,
     }
 }
