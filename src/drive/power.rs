@@ -32,7 +32,7 @@ impl PowerFlow {
 
     /// Whether a power is none beside the one on the other side.
     pub fn is_none(power: f64, other: f64) -> bool {
-        !(power.abs() > NO_POWER * power.abs().max(other.abs()))
+        power.is_nan() || power.abs() <= NO_POWER * power.abs().max(other.abs())
     }
 
     /// Whether one pulley drives the other, so that there is an efficiency.
