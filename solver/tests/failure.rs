@@ -212,7 +212,6 @@ fn coefficients_that_overflow_are_called_so() {
             |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
         )
     };
-    let options = Options { rescues: 0, other_orders: false, ..Options::default() };
     let error = bratu().guess(10, |_, y| y.fill(400.0)).solve(&Options::default()).unwrap_err();
     assert!(matches!(&error, SolveError::Newton { error: NewtonError::Overflow, .. }), "{error}");
     assert!(error.advice().contains("smaller values"));
