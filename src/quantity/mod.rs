@@ -17,6 +17,7 @@ mod unit;
 
 use crate::text::quoted;
 pub use dimension::Dimension;
+#[cfg(feature = "bench")]
 pub(crate) use parse::on_shifted_scale;
 pub use unit::{Scale, Unit, symbols};
 
