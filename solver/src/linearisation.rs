@@ -123,12 +123,9 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
 
     pub(crate) fn at(system: System<'p, P>, x: Iterate, stats: Stats) -> Result<Self, SolveError> {
         let linearisation = Self::perhaps_singular(system, x, stats)?;
-        let (rank, size) = linearisation.factorisation.rank();
-        if rank < size {
-            let intervals = intervals(&linearisation.system.grids);
-            let error = linearisation.factorisation.singular(&linearisation.system);
-            return Err(SolveError::Newton { error, intervals });
-        }
+        let Self { system, factorisation, .. } = &linearisation;
+        let failed = |error| SolveError::Newton { error, intervals: intervals(&system.grids) };
+        factorisation.determined(system).map_err(failed)?;
         Ok(linearisation)
     }
 

@@ -277,8 +277,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let scales = self.system.scales(x);
         self.factorisation.factor(self.system, &self.work, scales);
         self.stats.factorisations += 1;
-        let (rank, size) = self.factorisation.rank();
-        if rank < size { Err(self.factorisation.deficient(self.system)) } else { Ok(()) }
+        self.factorisation.determined(self.system)
     }
 
     /// Solves the stage equations first, where nothing is known of the states at inner stages and that does not change

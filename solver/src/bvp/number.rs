@@ -1,6 +1,6 @@
 //! The number that closures are evaluated with.
 
-use crate::model::power;
+use crate::model::{Scalar, power};
 use num_dual::{DualNum, DualSVec64};
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -59,9 +59,7 @@ impl Number {
     /// Hyperbolic tangent.
     #[must_use]
     pub fn tanh(self) -> Self {
-        // Not the quotient of sine and cosine, which both overflow.
-        let value = libm::tanh(self.value());
-        self.chained(value, 1.0 - value * value)
+        Self(self.0.hyperbolic_tangent())
     }
 
     /// The magnitude; its derivative at 0 is 0.

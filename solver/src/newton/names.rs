@@ -57,9 +57,17 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 impl Factorisation {
-    /// What is wrong with a matrix whose rank is deficient: it is not finite, or leaves something undetermined.
-    pub(crate) fn deficient<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> NewtonError {
-        if self.dense.iter().all(|value| value.is_finite()) { self.singular(system) } else { NewtonError::Overflow }
+    /// Whether the matrix determines all ends and unknowns.
+    ///
+    /// # Errors
+    /// It is not finite, or leaves something undetermined.
+    pub(crate) fn determined<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Result<(), NewtonError> {
+        let (rank, size) = self.rank();
+        if rank == size {
+            return Ok(());
+        }
+        let finite = self.dense.iter().all(|value| value.is_finite());
+        Err(if finite { self.singular(system) } else { NewtonError::Overflow })
     }
 
     /// What the rank-deficient matrix leaves undetermined, by name.

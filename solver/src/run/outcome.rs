@@ -134,9 +134,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         evaluated.map_err(undefined(&system.grids))?;
         factorisation.factor(system, &work, system.scales(&converged.x));
         self.stats.factorisations += 1;
-        let (rank, size) = factorisation.rank();
         let failed = |error| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        if rank < size { Err(failed(factorisation.deficient(system))) } else { Ok(()) }
+        factorisation.determined(system).map_err(failed)
     }
 
     /// The solution, if its boundary residuals too meet their tolerance.
