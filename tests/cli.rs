@@ -470,3 +470,27 @@ fn what_a_search_for_a_tune_cannot_take_is_status_2() {
         assert!(share.contains("expected a share such as 0.3 or 30%"), "{command}: {share}");
     }
 }
+
+/// What the contract of the command line names of a shift curve.
+#[test]
+fn a_shift_curve_has_what_other_programs_read() {
+    let arguments =
+        ["shift", "examples/drive/gx9.toml", "--direction", "up", "--points", "2", "--tol", "1e-3", "--json"];
+    let output = sheave(&arguments);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    let object = object(&output);
+    assert!(object["engagement_speed"].as_f64().is_some_and(|speed| speed > 100.0), "{object}");
+    let points = object["points"].as_array().unwrap();
+    let phases: Vec<&str> = points.iter().map(|point| point["phase"].as_str().unwrap()).collect();
+    assert_eq!(phases, ["engagement", "low", "shift", "high"]);
+    for point in points {
+        assert_eq!(point["direction"], "up");
+        let number = |name: &str| point[name].as_f64().unwrap_or_else(|| panic!("{name}: {point}"));
+        for name in ["ratio", "vehicle_speed", "primary_axial_force", "secondary_axial_force", "primary_torque"] {
+            assert!(number(name) > 0.0, "{name}: {point}");
+        }
+        assert!(number("efficiency") < 1.0 && number("slip_reserve") < 1.0, "{point}");
+        let speeds = number("primary_speed") / number("secondary_speed");
+        assert!((number("speed_ratio") - speeds).abs() < 1e-12 * speeds, "{point}");
+    }
+}

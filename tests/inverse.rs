@@ -72,7 +72,7 @@ fn holds(case: &Case, found: &Inverse) {
     let (a, b) = (&found.points[place], &found.points[place + 1]);
     let speed = 0.5 * (a.secondary_speed + b.secondary_speed);
     let solved = equilibrium(&again, speed, Direction::Up, &SolveOptions::default()).unwrap();
-    assert_eq!(solved.phase, Phase::Shifting);
+    assert_eq!(solved.phase, Phase::Shift);
     let missed = (solved.primary_speed() - target) / RPM;
     assert!(missed.abs() < 5.0, "{missed} rpm");
 }

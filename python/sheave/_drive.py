@@ -82,7 +82,7 @@ class Equilibrium:
 
     edition: str
     phase: str
-    """Where the sheaves stand: ``"low"``, ``"shifting"``, ``"high"`` or ``"held"``."""
+    """Where the sheaves stand: ``"low"``, ``"shift"``, ``"high"`` or ``"held"``."""
     stop: Optional[str]
     """The stop on which a sheave rests."""
     stop_force: Optional[float]
@@ -97,8 +97,12 @@ class Equilibrium:
     """Speed of the vehicle, m/s; None for a case without one."""
     acceleration: Optional[float]
     """What the vehicle's acceleration would be, m/s²."""
+    speed_ratio: float
+    """Speed of the primary over that of the secondary."""
     ratio: float
     """Radius on the secondary over that on the primary."""
+    primary_torque: float
+    """Torque into the primary, N·m."""
     primary_travel: float
     """Travel of the primary from its start, m."""
     secondary_travel: float

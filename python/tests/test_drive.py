@@ -33,12 +33,12 @@ def settled(gx9: sheave.Case) -> sheave.Equilibrium:
 
 def test_a_drive_settles_where_its_forces_balance(settled: sheave.Equilibrium) -> None:
     assert settled.secondary_speed == pytest.approx(2000 * RPM)
-    assert settled.phase in {"low", "shifting", "high"}
+    assert settled.phase in {"low", "shift", "high"}
     assert abs(settled.force_residual) < 1e-6
     assert settled.flyweight_force is not None and settled.primary_spring_force is not None
     presses = settled.flyweight_force + settled.primary_spring_force
     # A stop carries what is left over.
-    if settled.phase == "shifting":
+    if settled.phase == "shift":
         assert presses == pytest.approx(settled.primary_axial_force, rel=1e-6)
     assert settled.belt.primary.axial_force == settled.primary_axial_force
     assert settled.belt.secondary.speed == settled.secondary_speed
@@ -118,7 +118,7 @@ def test_a_shift_curve_has_a_table_and_landmarks(gx9: sheave.Case, tmp_path: Pat
         curve.branch("back")
     frame = curve.to_pandas()
     assert set(frame["direction"]) == {"up"} and frame["converged"].all()
-    assert set(frame["phase"]) <= {"low", "shifting", "high"}
+    assert set(frame["phase"]) <= {"engagement", "low", "shift", "high"}
     html = curve._repr_html_()
     assert "<svg" in html and "it leaves the low stop" in html
     assert "shift" in curve.figures() and "points, up" in repr(curve)
@@ -163,7 +163,7 @@ def test_a_tune_is_a_case_that_settles(tuning: sheave.Tuning) -> None:
         np.radians(float(best.parts["helix"].split()[0]))
     )
     found = sheave.drive(case, speed=2000 * RPM, tolerance=1e-4)
-    assert found.phase == "shifting"
+    assert found.phase == "shift"
     assert abs(found.primary_speed - best.merits.mean_speed) < 0.15 * tuning.target
     with pytest.raises(ValueError, match="there are 24"):
         tuning.case(24)

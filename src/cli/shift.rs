@@ -98,6 +98,9 @@ struct BranchTold<'a> {
 #[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Told<'a> {
     edition: &'static str,
+    /// Speed of the primary in rad/s from which flyweights overcome their spring, as the drive shifts up; of the first
+    /// direction where it does not.
+    engagement_speed: Option<f64>,
     branches: Vec<BranchTold<'a>>,
     points: serde_json::Value,
 }
@@ -115,8 +118,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let branches = arguments.branches(&resolved, &options, true)?;
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let last = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    let fastest = last.map(|report| report.primary_speed).fold(0.0, f64::max);
-    warnings.extend(beyond_engine(&resolved, fastest));
+    let fastest = last.map(|report| report.primary_speed).reduce(f64::max);
+    warnings.extend(fastest.and_then(|speed| beyond_engine(&resolved, speed)));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));
@@ -264,6 +267,8 @@ fn told<'a>(case: &Resolved, branches: &'a [ShiftBranch], measured: &[Measured])
     let written = Format::Json.write(&shift_table(branches), &mut rows);
     written.map_err(|error| Stop::Write("JSON".into(), error))?;
     let points = serde_json::from_slice(&rows).map_err(|error| Stop::Write("JSON".into(), error.into()))?;
+    let up = branches.iter().find(|branch| branch.direction == Direction::Up).or(branches.first());
+    let engagement_speed = up.and_then(|branch| branch.engagement);
     let branches = branches.iter().map(|branch| BranchTold {
         direction: branch.direction,
         engagement_speed: branch.engagement,
@@ -273,7 +278,7 @@ fn told<'a>(case: &Resolved, branches: &'a [ShiftBranch], measured: &[Measured])
         deviation: deviation(branch, measured),
         remarks: &branch.remarks,
     });
-    Ok(Told { edition: case.edition.name(), branches: branches.collect(), points })
+    Ok(Told { edition: case.edition.name(), engagement_speed, branches: branches.collect(), points })
 }
 
 fn summary(case: &Resolved, branches: &[ShiftBranch], told: &Told<'_>) -> String {
@@ -317,12 +322,12 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
     let rpm = |speed: f64| speed * 30.0 / PI;
     let road = if case.parts.vehicle.is_some() { "km/h" } else { "" };
     let mut text = format!(
-        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>11}{:>8}{:>9}\n",
+        "  {:>9}{:>8}{:>8}{:>7}  {:<10}{:>9}{:>11}{:>8}{:>9}\n",
         "secondary", road, "engine", "ratio", "", "primary", "secondary", "slip", "effi-"
     );
     let _ = writeln!(
         text,
-        "  {:>9}{:>8}{:>8}{:>7}  {:<9}{:>9}{:>11}{:>8}{:>9}",
+        "  {:>9}{:>8}{:>8}{:>7}  {:<10}{:>9}{:>11}{:>8}{:>9}",
         "rpm", "", "rpm", "", "", "N", "N", "reserve", "ciency"
     );
     for point in &branch.points {
@@ -335,7 +340,7 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
                 let share = report.efficiency.map_or_else(|| "-".into(), |share| format!("{:.1} %", 100.0 * share));
                 let _ = writeln!(
                     text,
-                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<9}{:>9.0}{:>11.0}{slip:>8}{share:>9}",
+                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<10}{:>9.0}{:>11.0}{slip:>8}{share:>9}",
                     rpm(report.primary_speed),
                     report.ratio,
                     report.phase,

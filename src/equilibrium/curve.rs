@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium, Phase, Stop};
+use super::point::{Direction, Equilibrium, Phase, ReportedPhase, Stop};
 use super::question::{Given, Whole, equilibrium, equilibrium_from};
 use super::report::DriveReport;
 use super::walk::ShiftWalk;
@@ -95,6 +95,19 @@ pub struct ShiftBranch {
     pub remarks: Vec<String>,
 }
 
+impl ShiftBranch {
+    /// A report of one of its points, which knows where the belt takes off: like the other phases, that of engagement
+    /// has its end for its last point.
+    pub(super) fn in_phases(&self, report: DriveReport) -> DriveReport {
+        let engaging = self.take_off.is_some_and(|at| report.secondary_speed <= at.secondary_speed * (1.0 + SAME));
+        let phase =
+            if engaging && report.phase == ReportedPhase::Low { ReportedPhase::Engagement } else { report.phase };
+        DriveReport { phase, ..report }
+    }
+}
+
+/// Share of a speed by which two that are one differ, each solved to a tolerance of its own.
+const SAME: f64 = 1e-6;
 /// Speeds of the secondary at which a first equilibrium is sought.
 const FIRST: usize = 24;
 /// Speed efficiency at take-off over that at shift-out, where a belt that sinks into small radii loses some as well.
@@ -213,7 +226,7 @@ impl Search<'_> {
         let whole = |speed| Whole::new(self.case, Given::SecondarySpeed(speed), self.direction);
         let mut ordered: Vec<(f64, bool)> = Vec::new();
         for speed in speeds {
-            ordered.push((speed, whole(speed)?.rough().phase == Phase::Shifting));
+            ordered.push((speed, whole(speed)?.rough().phase == Phase::Shift));
         }
         // From the middle of those that seem to lie between the stops.
         let between: Vec<f64> = ordered.iter().filter(|(_, between)| *between).map(|(speed, _)| *speed).collect();
@@ -265,7 +278,7 @@ impl Search<'_> {
     }
 
     /// Speeds of the secondary at which points are computed.
-    pub(super) fn speeds(&self, corners: &Corners) -> Vec<f64> {
+    pub(super) fn speeds(&mut self, corners: &Corners) -> Vec<f64> {
         let speed =
             |found: &Option<Equilibrium>| found.as_ref().and_then(|found| found.output(Output::SecondarySpeed).ok());
         let (slowest, fastest) = self.range();
@@ -276,6 +289,19 @@ impl Search<'_> {
         });
         let from = self.options.from.or(speed(&corners.take_off)).unwrap_or(slowest);
         let to = self.options.to.unwrap_or(LAST_SPEED * last / ratio);
+        if from > to {
+            let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+            self.branch.remarks.push(format!(
+                "the curve would begin at a secondary speed of {:.0} rpm and end at {:.0} rpm, {}",
+                rpm(from),
+                rpm(to),
+                if self.options.to.is_some() {
+                    "which is below where the belt takes off: name where it begins as well"
+                } else {
+                    "where the engine's torque is known no farther: name where it ends as well"
+                }
+            ));
+        }
         let mut ends = vec![from];
         ends.extend([speed(&corners.low), speed(&corners.high)].into_iter().flatten());
         ends.push(to);

@@ -40,7 +40,7 @@ pub use error::EquilibriumError;
 pub use figure::{ShiftCurve, shift_figures};
 pub use heat::equilibrium_outcome;
 pub use laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
-pub use point::{Direction, Equilibrium, Forces, Phase, Stop, UnknownDirection};
+pub use point::{Direction, Equilibrium, Forces, Phase, ReportedPhase, Stop, UnknownDirection};
 pub use question::{equilibrium, equilibrium_from};
 pub use remarks::{beyond_engine, beyond_open, unused_keys};
 pub use report::{ARRIVING, DriveReport, SLIPPING};

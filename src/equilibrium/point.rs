@@ -88,7 +88,7 @@ pub enum Phase {
     /// At the low stop.
     Low,
     /// Between the stops: the drive shifts.
-    Shifting,
+    Shift,
     /// At a high stop.
     High(
         /// Which.
@@ -99,13 +99,13 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// Name in tables.
-    pub const fn name(self) -> &'static str {
+    /// What a report calls it.
+    pub const fn reported(self) -> ReportedPhase {
         match self {
-            Self::Low => "low",
-            Self::Shifting => "shifting",
-            Self::High(_) => "high",
-            Self::Held => "held",
+            Self::Low => ReportedPhase::Low,
+            Self::Shift => ReportedPhase::Shift,
+            Self::High(_) => ReportedPhase::High,
+            Self::Held => ReportedPhase::Held,
         }
     }
 
@@ -114,8 +114,45 @@ impl Phase {
         match self {
             Self::Low => Some(Stop::SecondaryClosed),
             Self::High(stop) => Some(stop),
-            Self::Shifting | Self::Held => None,
+            Self::Shift | Self::Held => None,
         }
+    }
+}
+
+/// The phase of a launch in which a report finds a drive, whichever stop it stands at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ReportedPhase {
+    /// At the low stop, up to the take-off of a shift curve: the belt slips as a clutch does. An equilibrium by itself,
+    /// which knows no take-off, is [`ReportedPhase::Low`] there.
+    Engagement,
+    /// At the low stop.
+    Low,
+    /// Between the stops.
+    Shift,
+    /// At a high stop.
+    High,
+    /// Where a motor holds the primary.
+    Held,
+}
+
+impl ReportedPhase {
+    /// Name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Engagement => "engagement",
+            Self::Low => "low",
+            Self::Shift => "shift",
+            Self::High => "high",
+            Self::Held => "held",
+        }
+    }
+}
+
+impl fmt::Display for ReportedPhase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
     }
 }
 
@@ -123,7 +160,7 @@ impl fmt::Display for Phase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Low => "at the low stop, the secondary closed",
-            Self::Shifting => "between the stops",
+            Self::Shift => "between the stops",
             Self::High(Stop::PrimaryClosed) => "at the high stop, the primary closed",
             Self::High(Stop::SecondaryOpen) => "at the high stop, the secondary open",
             Self::High(Stop::SecondaryClosed) => "at the stop of the secondary",
@@ -189,7 +226,7 @@ impl Equilibrium {
         let on_primary = primary.map_or(0.0, |force| force.value - primary_belt);
         let on_secondary = secondary.value - secondary_belt;
         let (stop, missed) = match phase {
-            Phase::Shifting => (None, (on_primary / primary_belt).abs().max((on_secondary / secondary_belt).abs())),
+            Phase::Shift => (None, (on_primary / primary_belt).abs().max((on_secondary / secondary_belt).abs())),
             Phase::Low => (Some(on_secondary), (on_primary / primary_belt).abs()),
             Phase::High(Stop::PrimaryClosed) => (Some(on_primary), (on_secondary / secondary_belt).abs()),
             Phase::High(Stop::SecondaryOpen | Stop::SecondaryClosed) => {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium, Stop};
+use super::point::{Direction, Equilibrium, ReportedPhase, Stop};
 use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
@@ -26,8 +26,8 @@ pub const ARRIVING: f64 = 0.8;
 pub struct DriveReport {
     /// Name of the edition of the equations.
     pub edition: &'static str,
-    /// Where the sheaves stand: low, shifting, high or held.
-    pub phase: &'static str,
+    /// Where the sheaves stand.
+    pub phase: ReportedPhase,
     /// The stop on which a sheave rests.
     pub stop: Option<Stop>,
     /// Force on that stop, N.
@@ -42,8 +42,12 @@ pub struct DriveReport {
     pub vehicle_speed: Option<f64>,
     /// What the vehicle's acceleration would be, m/s².
     pub acceleration: Option<f64>,
+    /// ω_P/ω_S.
+    pub speed_ratio: f64,
     /// R_S/R_P.
     pub ratio: f64,
+    /// Torque into the primary, N·m.
+    pub primary_torque: f64,
     /// Travel of the primary from its start, m.
     pub primary_travel: f64,
     /// Opening of the secondary from where it is closed, m.
@@ -114,7 +118,7 @@ impl DriveReport {
             .map_or(("none", "none"), |parts| (primary_name(&parts.primary), secondary_name(&parts.secondary)));
         Ok(Self {
             edition: case.edition.name(),
-            phase: found.phase.name(),
+            phase: found.phase.reported(),
             stop: found.phase.stop(),
             stop_force: forces.stop,
             direction: found.direction,
@@ -122,7 +126,9 @@ impl DriveReport {
             primary_speed: drive.primary.speed,
             vehicle_speed: vehicle.map(|vehicle| vehicle.load(secondary_speed).speed),
             acceleration: vehicle.map(|vehicle| vehicle.acceleration(secondary_speed, delivered / secondary_speed)),
+            speed_ratio: drive.primary.speed / secondary_speed,
             ratio: drive.secondary.radius / drive.primary.radius,
+            primary_torque: drive.primary.torque,
             primary_travel: found.primary_travel,
             secondary_travel: found.secondary_travel,
             primary_actuator: actuators.0,
@@ -238,7 +244,7 @@ impl DriveReport {
             Some(Stop::SecondaryClosed) => stop("low stop of the secondary"),
             Some(Stop::PrimaryClosed) => stop("high stop of the primary"),
             Some(Stop::SecondaryOpen) => stop("high stop of the secondary"),
-            None if self.phase == "held" => "where the motor holds the primary".to_owned(),
+            None if self.phase == ReportedPhase::Held => "where the motor holds the primary".to_owned(),
             None => match self.direction {
                 Direction::Up => "between the stops, shifting up".to_owned(),
                 Direction::Back => "between the stops, shifting back".to_owned(),

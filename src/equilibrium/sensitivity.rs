@@ -43,7 +43,7 @@ enum Law {
 
 const fn laws(phase: Phase) -> &'static [Law] {
     match phase {
-        Phase::Shifting => &[Law::Engine, Law::Primary, Law::Secondary],
+        Phase::Shift => &[Law::Engine, Law::Primary, Law::Secondary],
         Phase::Low | Phase::High(Stop::SecondaryOpen | Stop::SecondaryClosed) => &[Law::Engine, Law::Primary],
         Phase::High(Stop::PrimaryClosed) | Phase::Held => &[Law::Engine, Law::Secondary],
     }
@@ -88,7 +88,7 @@ pub fn sensitivities(case: &Resolved, at: &Equilibrium) -> Result<Vec<PartSensit
         let (primary_speed, ratio) = (-by_part * target.speed, -by_part * target.ratio);
         let shift_speed = by_secondary
             .as_ref()
-            .filter(|_| at.phase == Phase::Shifting)
+            .filter(|_| at.phase == Phase::Shift)
             .map(|speed| primary_speed - speed.speed * ratio / speed.ratio);
         found.push(PartSensitivity { key, primary_speed, ratio, shift_speed });
     }

@@ -109,7 +109,8 @@ impl ShiftWalk {
         let found = equilibrium_outcome(near.as_ref(), &self.case, speed, direction, &self.options.solve);
         let (report, found) = match found {
             Ok((found, outcome)) => {
-                let report = DriveReport::new(&self.case, &found, outcome, false).map(Box::new);
+                let report = DriveReport::new(&self.case, &found, outcome, false);
+                let report = report.map(|report| Box::new(self.branch.in_phases(report)));
                 (report.map_err(|error| error.to_string()), Some(found))
             }
             Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),

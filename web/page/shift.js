@@ -283,7 +283,7 @@ export class ShiftView {
 
   /** One line: how well the engine is held while the drive shifts up. */
   get glance() {
-    const shifting = this.branches.up.points.filter((point) => point.phase === "shifting");
+    const shifting = this.branches.up.points.filter((point) => point.phase === "shift");
     if (shifting.length === 0) return "";
     const speeds = shifting.map((point) => point.primary_speed * RPM);
     const reserve = Math.min(...this.points.filter((point) => !point.failure).map((point) => point.slip_reserve));
@@ -294,7 +294,7 @@ export class ShiftView {
 
   /** The engine's mean speed while the drive shifts up, rad/s. */
   get speed() {
-    const shifting = this.branches.up.points.filter((point) => point.phase === "shifting");
+    const shifting = this.branches.up.points.filter((point) => point.phase === "shift");
     return shifting.reduce((sum, point) => sum + point.primary_speed, 0) / shifting.length;
   }
 

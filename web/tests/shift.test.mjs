@@ -82,7 +82,7 @@ test("the curve has the native program's numbers", async () => {
 test("a curve is drawn while it is computed, and a change begins another", async () => {
   const page = await example();
   const mass = (await answer(page)).values["primary.actuator.mass"];
-  const speed = async () => (await points(page, "up")).find((point) => point.phase === "shifting").primary_speed;
+  const speed = async () => (await points(page, "up")).find((point) => point.phase === "shift").primary_speed;
   const heavy = await speed();
   await page.evaluate(() => {
     const { view } = globalThis.sheave.whole;
