@@ -8,8 +8,8 @@ use std::path::Path;
 use sheave::case::{Case, Key, Resolved};
 use sheave::drive::{Constant, Output, SolveOptions, solve};
 use sheave::equilibrium::{
-    Direction, Equilibrium, EquilibriumError, Phase, ShiftOptions, Stop, equilibrium, equilibrium_from, sensitivities,
-    shift_branch, shift_table,
+    Direction, Equilibrium, EquilibriumError, Phase, ReportedPhase, ShiftOptions, Stop, equilibrium, equilibrium_from,
+    sensitivities, shift_branch, shift_table,
 };
 
 const RPM: f64 = PI / 30.0;
@@ -38,7 +38,7 @@ fn first() -> (Resolved, Equilibrium) {
 #[test]
 fn the_equilibrium_is_one_of_every_part() {
     let (case, found) = first();
-    assert_eq!(found.phase, Phase::Shifting);
+    assert_eq!(found.phase, Phase::Shift);
     assert!(found.forces.residual < 1e-9, "{:?}", found.forces);
     let parts = case.parts.actuation.as_ref().unwrap();
     let (engine, speed) = (case.parts.engine.as_ref().unwrap(), found.primary_speed());
@@ -133,7 +133,7 @@ fn at_low_speed_the_secondary_rests_on_its_stop() {
     assert_eq!(found.phase, Phase::Low);
     assert!(found.secondary_travel.abs() < 1e-12 && found.forces.stop.is_some_and(|force| force > 0.0));
     let faster = equilibrium_from(&found, &case, 1700.0 * RPM, UP, &options()).unwrap();
-    assert_eq!(faster.phase, Phase::Shifting, "{:?}", faster.forces);
+    assert_eq!(faster.phase, Phase::Shift, "{:?}", faster.forces);
 }
 
 /// A shift curve has all phases, its stops at the landmarks, and every point an equilibrium.
@@ -153,8 +153,8 @@ fn a_shift_curve_has_its_phases() {
     assert!(engagement > 1000.0 && engagement < 2600.0, "{engagement} rpm");
     let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
     assert!(out.secondary_speed < full.secondary_speed && out.ratio > full.ratio, "{out:?} {full:?}");
-    let phases: Vec<&str> = branch.points.iter().map(|point| point.report.as_ref().unwrap().phase).collect();
-    for phase in ["low", "shifting", "high"] {
+    let phases: Vec<_> = branch.points.iter().map(|point| point.report.as_ref().unwrap().phase).collect();
+    for phase in [ReportedPhase::Low, ReportedPhase::Shift, ReportedPhase::High] {
         assert!(phases.contains(&phase), "{phases:?}");
     }
     assert_eq!(shift_table(std::slice::from_ref(&branch)).rows.len(), branch.points.len());
@@ -173,6 +173,10 @@ fn a_shift_curve_with_friction_has_its_phases() {
     let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
     assert!(out.ratio > 2.5 && full.ratio < 0.65 && branch.take_off.unwrap().ratio > out.ratio, "{branch:?}");
     assert!(branch.points.iter().all(|point| point.report.is_ok()));
+    // Each phase has its end for its last point.
+    let phases: Vec<_> = branch.points.iter().map(|point| point.report.as_ref().unwrap().phase).collect();
+    let wanted = [ReportedPhase::Engagement, ReportedPhase::Low, ReportedPhase::Shift, ReportedPhase::High];
+    assert_eq!(phases, wanted);
 }
 
 /// Beyond the travel the primary rests on its stop, which carries what the belt does not.
@@ -189,7 +193,7 @@ fn a_stop_carries_what_is_too_much() {
     assert!(stop > 0.0 && (press - found.forces.primary_belt - stop).abs() < 1e-9 * press, "{:?}", found.forces);
     // From there back to where it shifts.
     let slower = equilibrium_from(&found, &case, 1600.0 * RPM, UP, &options()).unwrap();
-    assert_eq!(slower.phase, Phase::Shifting, "{:?}", slower.forces);
+    assert_eq!(slower.phase, Phase::Shift, "{:?}", slower.forces);
     assert!(slower.primary_travel < 10e-3);
 }
 

@@ -1,6 +1,7 @@
 //! What can be wrong with an actuator.
 
 use super::profile::ProfileError;
+use super::shift::Shift;
 use thiserror::Error;
 
 /// Why an actuator gives no force.
@@ -61,6 +62,26 @@ pub enum ActuatorError {
         travel: f64,
         /// Torque, N·m.
         torque: f64,
+    },
+    /// A helix whose friction no torque overcomes.
+    #[error(
+        "at a travel of {:.3} mm the helix locks itself: it stands at {:.1}° and its flanks rub with a friction angle \
+         of {:.1}°, so that no force makes the sheave {}; expected a friction angle below {:.1}°",
+        travel * 1e3,
+        angle.to_degrees(),
+        friction_angle.to_degrees(),
+        if *shift == Shift::Opening { "open" } else { "close" },
+        if *shift == Shift::Opening { angle.to_degrees() } else { 90.0 - angle.to_degrees() }
+    )]
+    HelixLocks {
+        /// Travel, m.
+        travel: f64,
+        /// Angle of the helix from the plane of rotation, rad.
+        angle: f64,
+        /// Friction angle of its flanks, rad.
+        friction_angle: f64,
+        /// Which way the sheave would go.
+        shift: Shift,
     },
 }
 

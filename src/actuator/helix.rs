@@ -1,5 +1,7 @@
 //! The helix of a secondary: what turns the belt's torque, and its torsion spring's, into axial force.
 
+use std::f64::consts::FRAC_PI_2;
+
 use generated::{HELIX, HelixInput, HelixOutput};
 
 use super::error::{ActuatorError, check};
@@ -78,7 +80,7 @@ impl Helix {
     /// [`ActuatorError::Parameter`] for an angle outside (0°, 90°) or a radius that is not positive.
     pub fn constant(radius: f64, angle: f64) -> Result<Self, ActuatorError> {
         check("the helix radius", radius, radius > 0.0, "a positive length in m")?;
-        let inclined = angle > 0.0 && angle < std::f64::consts::FRAC_PI_2;
+        let inclined = angle > 0.0 && angle < FRAC_PI_2;
         check("the helix angle", angle, inclined, "an angle between 0 and π/2 rad from the plane of rotation")?;
         Ok(Self::with_turn(radius, Profile::line(0.0, 0.0, 1.0 / (radius * libm::tan(angle)))))
     }
@@ -90,7 +92,7 @@ impl Helix {
     pub fn varying(radius: f64, angle: &Profile) -> Result<Self, ActuatorError> {
         check("the helix radius", radius, radius > 0.0, "a positive length in m")?;
         for &angle in angle.values() {
-            let inclined = angle > 0.0 && angle < std::f64::consts::FRAC_PI_2;
+            let inclined = angle > 0.0 && angle < FRAC_PI_2;
             check("the helix angle", angle, inclined, "an angle between 0 and π/2 rad from the plane of rotation")?;
         }
         let slopes: Vec<f64> = angle.values().iter().map(|angle| 1.0 / (radius * libm::tan(*angle))).collect();
@@ -151,12 +153,19 @@ impl Helix {
     /// The axial force at the belt's torque on the secondary in N·m, where the sheave has opened by `opening` in m.
     ///
     /// # Errors
-    /// [`ActuatorError::HelixContact`] where the flank would have to pull.
+    /// [`ActuatorError::HelixContact`] where the flank would have to pull, [`ActuatorError::HelixLocks`] where friction
+    /// lets no torque move the sheave.
     pub fn force(&self, torque: f64, opening: f64, shift: Shift) -> Result<HelixForce, ActuatorError> {
         use HelixInput as Input;
         use HelixOutput as Output;
         let jet = self.turn.at(opening);
         let tangent = 1.0 / (self.radius * jet.slope);
+        let angle = libm::atan(tangent);
+        let against = angle + shift.sign() * self.friction_angle;
+        if !(against > 0.0 && against < FRAC_PI_2) {
+            let friction_angle = self.friction_angle;
+            return Err(ActuatorError::HelixLocks { travel: opening, angle, friction_angle, shift });
+        }
         let found = self.formulae(torque, jet.value, tangent, shift).linearised();
         let carried = found.get(Output::Torque);
         if carried < 0.0 || !found.get(Output::Force).is_finite() {

@@ -379,6 +379,12 @@ impl Reading<'_> {
     fn helix(&mut self, by: Key) -> Option<Helix> {
         let radius = self.need(by, Key::HelixRadius);
         let from = self.angle_from();
+        if self.case.has(Key::HelixAngle) && self.case.has(Key::HelixOpenings) && !self.case.has(Key::HelixAngles) {
+            let reason = "openings belong to a list of angles, and a helix of one angle has none";
+            let error = self.case.conflict(Key::HelixAngle, Key::HelixOpenings, reason);
+            self.errors.push(error);
+            return None;
+        }
         let made = match (self.case.quantity(Key::HelixAngle), self.case.has(Key::HelixAngles)) {
             (Some(_), true) => {
                 let error =
@@ -415,7 +421,17 @@ impl Reading<'_> {
     fn try_out(&mut self, actuation: &Actuation) {
         let (length, center) = (self.case.value(Key::BeltLength), self.case.value(Key::CenterDistance));
         let half_angle = self.case.value(Key::HalfAngle);
-        let Some(full) = actuation.primary_travel else { return };
+        let (key, full) = match (&actuation.primary, actuation.primary_travel) {
+            (PrimaryActuator::Position(held), Some(full)) if *held > full => {
+                let (held, full) = (1e3 * held, 1e3 * full);
+                let reason =
+                    format!("a motor cannot hold the sheave {held:.1} mm closed where it stops at {full:.1} mm");
+                return self.wrong(Key::PrimaryServoPosition, reason);
+            }
+            (_, Some(full)) => (Key::PrimaryTravel, full),
+            (PrimaryActuator::Position(held), None) => (Key::PrimaryServoPosition, *held),
+            (PrimaryActuator::Flyweights { .. } | PrimaryActuator::Force(_), None) => return,
+        };
         let closed = actuation.start_radius + full / travel_by_radius(half_angle);
         let open = (closed < center).then(|| radius_beside(closed, length, center).ok()).flatten();
         for at in 0..TRIED {
@@ -434,8 +450,10 @@ impl Reading<'_> {
             let opening = share * travel(half_angle, open, actuation.closed_radius);
             if let SecondaryActuator::Helix { helix, spring } = &actuation.secondary {
                 for shift in [Shift::Closing, Shift::Opening] {
-                    if let Err(error) = helix.force(0.0, opening, shift) {
-                        return self.wrong(Key::SecondaryActuator, error);
+                    match helix.force(0.0, opening, shift) {
+                        Ok(_) => {}
+                        Err(error @ ActuatorError::HelixLocks { .. }) => return self.wrong(Key::HelixFriction, error),
+                        Err(error) => return self.wrong(Key::SecondaryActuator, error),
                     }
                 }
                 if let Some(Err(error)) = spring.map(|spring| spring.force(opening)) {
@@ -451,7 +469,7 @@ impl Reading<'_> {
                 1e3 * length,
                 1e3 * center
             );
-            self.wrong(Key::PrimaryTravel, reason);
+            self.wrong(key, reason);
         }
     }
 

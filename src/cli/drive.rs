@@ -45,10 +45,14 @@ impl From<Branch> for Direction {
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Speed of the secondary, in place of operating_point.secondary_speed: "2000 rpm"
-    #[arg(long, value_name = "SPEED", conflicts_with = "vehicle_speed")]
+    /// Speed of the secondary, "2000 rpm", or of the vehicle, "30 km/h", as its unit says; in place of
+    /// operating_point.secondary_speed
+    #[arg(long, value_name = "SPEED", conflicts_with_all = ["secondary_speed", "vehicle_speed"])]
     speed: Option<String>,
-    /// Speed of the vehicle, in place of the secondary's: "30 km/h"
+    /// Speed of the secondary; a number without a unit is in rad/s
+    #[arg(long, value_name = "SPEED", conflicts_with = "vehicle_speed")]
+    secondary_speed: Option<String>,
+    /// Speed of the vehicle; a number without a unit is in m/s
     #[arg(long, value_name = "SPEED")]
     vehicle_speed: Option<String>,
     /// Which way the drive shifts, and so which way friction in the actuators acts
@@ -83,15 +87,31 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 
 impl Arguments {
     fn secondary_speed(&self, case: &Case, resolved: &Resolved) -> Result<f64, Stop> {
-        if let Some(text) = &self.vehicle_speed {
+        let of_vehicle = |option: &str, text: &str| {
             let vehicle = resolved.parts.vehicle.as_ref();
-            let vehicle =
-                vehicle.ok_or_else(|| Stop::Usage("--vehicle-speed needs a case with [vehicle]".to_owned()))?;
-            return quantity("--vehicle-speed", text, Dimension::SPEED, "30 km/h")
-                .map(|speed| vehicle.secondary_speed(speed));
+            let vehicle = vehicle.ok_or_else(|| {
+                Stop::Usage(format!("{option} {text}: the speed of a vehicle needs a case with [vehicle]"))
+            })?;
+            quantity(option, text, Dimension::SPEED, "30 km/h").map(|speed| vehicle.secondary_speed(speed))
+        };
+        let of_secondary = |option: &str, text: &str| quantity(option, text, Dimension::ANGULAR_SPEED, "2000 rpm");
+        if let Some(text) = &self.vehicle_speed {
+            return of_vehicle("--vehicle-speed", text);
+        }
+        if let Some(text) = &self.secondary_speed {
+            return of_secondary("--secondary-speed", text);
         }
         if let Some(text) = &self.speed {
-            return quantity("--speed", text, Dimension::ANGULAR_SPEED, "2000 rpm");
+            return match parse(text) {
+                Ok(read) if read.expect(Dimension::SPEED).is_ok() && read.expect(Dimension::ANGULAR_SPEED).is_ok() => {
+                    Err(Stop::Usage(format!(
+                        "--speed {text}: of the secondary or of the vehicle? Give a unit such as \"2000 rpm\" or \
+                         \"30 km/h\", or --secondary-speed in rad/s or --vehicle-speed in m/s"
+                    )))
+                }
+                Ok(read) if read.expect(Dimension::SPEED).is_ok() => of_vehicle("--speed", text),
+                Ok(_) | Err(_) => of_secondary("--speed", text),
+            };
         }
         let given = case.settings().find_map(|(key, setting)| match setting {
             sheave::case::Setting::Number(value) if key == Key::SecondarySpeed => Some(value),
@@ -99,7 +119,7 @@ impl Arguments {
         });
         given.ok_or_else(|| {
             Stop::Usage(
-                "at which speed of the secondary? Give --speed \"2000 rpm\", --vehicle-speed \"30 km/h\", or \
+                "at which speed of the secondary? Give --speed \"2000 rpm\" or \"30 km/h\", or \
                  operating_point.secondary_speed in the case"
                     .to_owned(),
             )
@@ -121,6 +141,12 @@ pub(super) fn quantity(option: &str, text: &str, dimension: Dimension, example: 
 
 /// Why there is no equilibrium.
 pub(super) fn stop(error: EquilibriumError) -> Stop {
+    if let EquilibriumError::Failure { failure, .. } = &error {
+        tracing::info!("in full: {failure}");
+        if let Some(words) = failure.solver() {
+            tracing::info!("the solver says: {words}");
+        }
+    }
     let reason = match error.hint() {
         Some(hint) => format!("{error}\n{hint}"),
         None => error.to_string(),

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::point::Phase;
 use crate::actuator::ActuatorError;
-use crate::drive::Failure;
+use crate::drive::{Failure, Trouble};
 use crate::model::InternalError;
 
 /// Why a drive has no equilibrium, or none was found.
@@ -33,7 +33,7 @@ pub enum EquilibriumError {
     /// The flyweights do not overcome their spring.
     #[error(
         "the flyweights press with {force:.1} N less than their spring at {:.0} rpm: the primary is open, and the belt \
-         carries no torque", speed * 30.0 / std::f64::consts::PI
+         carries no torque", rpm(*speed)
     )]
     Disengaged {
         /// Speed of the primary, rad/s.
@@ -41,8 +41,22 @@ pub enum EquilibriumError {
         /// By how much the spring is stronger, N.
         force: f64,
     },
+    /// A speed at which the engine would have to turn far faster than its torque is known.
+    #[error(
+        "with the secondary at {:.0} rpm the engine would have to turn at some {:.0} rpm even at the ratio of {ratio:.2} \
+         at which the sheaves stand highest, and its torque is known up to {:.0} rpm",
+        rpm(*secondary_speed), rpm(ratio * secondary_speed), rpm(*last_speed)
+    )]
+    BeyondEngine {
+        /// Speed of the secondary, rad/s.
+        secondary_speed: f64,
+        /// R_S/R_P at the high stop.
+        ratio: f64,
+        /// The highest speed for which the engine's torque is given, rad/s.
+        last_speed: f64,
+    },
     /// The boundary value problem was not solved.
-    #[error("{phase}: {failure}")]
+    #[error("{phase}: {}", told(.failure))]
     Failure {
         /// Where the sheaves were taken to stand.
         phase: Phase,
@@ -65,7 +79,11 @@ impl EquilibriumError {
         match self {
             Self::Missing { .. } | Self::Speed(_) => true,
             Self::Failure { failure, .. } => failure.is_bad_input(),
-            Self::Actuator { .. } | Self::Disengaged { .. } | Self::Cycle(_) | Self::Internal(_) => false,
+            Self::Actuator { .. }
+            | Self::Disengaged { .. }
+            | Self::BeyondEngine { .. }
+            | Self::Cycle(_)
+            | Self::Internal(_) => false,
         }
     }
 
@@ -77,14 +95,47 @@ impl EquilibriumError {
     /// What to try, where there is more to say than the message says.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::Failure { .. } => Some(
-                "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
-                 spring or a smaller helix angle clamp it tighter",
-            ),
+            Self::Failure { failure, .. } => match failure.trouble() {
+                Some(Trouble::Slip { .. } | Trouble::Pushed { .. } | Trouble::Lifted { .. }) => Some(
+                    "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
+                     spring or a smaller helix angle clamp it tighter",
+                ),
+                Some(Trouble::Deep { .. }) => Some(
+                    "the actuators press the belt through its groove, or their stops leave it no room: check springs, \
+                     travels and radii, and the unit of `belt.radial_stiffness`",
+                ),
+                Some(Trouble::Stiff { .. }) => Some(
+                    "check the unit of `belt.bending_stiffness`, and that the actuators press: a belt so loose does \
+                     not wrap its pulleys",
+                ),
+                Some(Trouble::Work | Trouble::Unknown) => Some(
+                    "there may be no equilibrium at this speed: `sheave shift` shows at which there is one; the engine \
+                     may be out of its range, or the actuators may press too little or too much",
+                ),
+                None => failure.hint(),
+            },
             Self::Disengaged { .. } => {
                 Some("try a higher speed of the secondary, heavier flyweights or a softer spring")
             }
-            _ => None,
+            Self::BeyondEngine { .. } => {
+                Some("try a lower speed of the secondary, or give the engine's torque at higher speeds")
+            }
+            Self::Missing { .. } | Self::Speed(_) | Self::Actuator { .. } | Self::Cycle(_) | Self::Internal(_) => None,
         }
     }
+}
+
+/// The laws of engine and actuators are no keys of a case: how far each was met, `Failure` says to whoever asks.
+fn told(failure: &Failure) -> String {
+    match failure {
+        Failure::Unreached { trouble, torque, slack_tension, .. } => format!(
+            "no equilibrium was found: {trouble}; the last state on the way has a primary torque of {torque:.2} N·m and \
+             a slack tension of {slack_tension:.2} N"
+        ),
+        other => other.to_string(),
+    }
+}
+
+fn rpm(speed: f64) -> f64 {
+    speed * 30.0 / std::f64::consts::PI
 }

@@ -72,7 +72,21 @@ pub(super) fn estimate(
         let middle = 0.5 * (below + above);
         if rough.excess(middle) > 0.0 { below = middle } else { above = middle }
     }
-    rough.at(0.5 * (below + above), Phase::Shifting)
+    rough.at(0.5 * (below + above), Phase::Shift)
+}
+
+/// R_S/R_P where the sheaves stand at the high stop; without one, as far as the belt lets them.
+pub(super) fn highest_ratio(
+    case: &Resolved,
+    actuation: &Actuation,
+    engine: &Engine,
+    secondary_speed: f64,
+    direction: Direction,
+) -> f64 {
+    let rough = Rough { case, actuation, engine, secondary_speed, direction };
+    let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
+    let (primary, _) = rough.high(low, travel_by_radius(case.sheave.half_angle));
+    rough.secondary_beside(primary) / primary
 }
 
 /// Other places between the stops at which an equilibrium may be sought: where the engine would turn at usual speeds.
@@ -91,7 +105,7 @@ pub(super) fn elsewhere(
         let ratio = share * engine.range().1 / secondary_speed;
         let radii = radii_of_ratio(ratio, case.belt.length, case.drive.center_distance).ok();
         let primary = radii.map_or(if ratio > 1.0 { low } else { high }, |(primary, _)| primary);
-        rough.at(primary.clamp(low, high.max(low)), Phase::Shifting)
+        rough.at(primary.clamp(low, high.max(low)), Phase::Shift)
     };
     SPEEDS.iter().map(at).collect()
 }
@@ -161,7 +175,7 @@ impl Rough<'_> {
         // At a stop the other pulley's actuator decides.
         let mean = match phase {
             Phase::Low | Phase::High(Stop::SecondaryOpen | Stop::SecondaryClosed) => press / on_primary,
-            Phase::Shifting | Phase::Held | Phase::High(Stop::PrimaryClosed) => squeeze / on_secondary,
+            Phase::Shift | Phase::Held | Phase::High(Stop::PrimaryClosed) => squeeze / on_secondary,
         };
         let least = LEAST_TENSION * torque.abs() / primary;
         let tension = (mean - 0.5 * torque.abs() / primary).max(least);

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::error::EquilibriumError;
-use super::estimate::{Estimate, elsewhere, estimate};
+use super::estimate::{Estimate, elsewhere, estimate, highest_ratio};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 use super::point::{Direction, Equilibrium, Phase, Stop};
-use crate::actuator::{PrimaryActuator, travel_by_radius};
+use crate::actuator::{ActuatorError, PrimaryActuator, travel_by_radius};
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{
     Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question,
@@ -21,6 +21,9 @@ const FORCE: f64 = 1000.0;
 /// Travel in m, and share of a force, by which a stop may be missed.
 const TRAVEL_SLACK: f64 = 1e-9;
 const FORCE_SLACK: f64 = 1e-6;
+/// Over the last speed for which the engine's torque is known, the speed at which no equilibrium is sought. Below, one
+/// may be found at the high stop: a belt that is hardly loaded climbs on the primary, and the engine turns the slower.
+const BEYOND_ENGINE: f64 = 2.0;
 
 /// What is given of a drive, beside its parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +58,7 @@ pub fn equilibrium(
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     let near = whole.rough();
-    whole.engaged(&near)?;
+    whole.in_reach(&near)?;
     let from = |near: &Estimate| {
         let question = whole.question(near.phase, &start(case, near));
         let solved = solve_question(&case.model, &question, options);
@@ -130,8 +133,17 @@ impl<'a> Whole<'a> {
         self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)
     }
 
-    /// Refuses a drive whose primary is open.
-    fn engaged(&self, near: &Estimate) -> Result<(), EquilibriumError> {
+    /// Refuses a drive whose engine would have to turn far beyond what is known of it, whose primary is open, or whose
+    /// secondary cannot press: a search would end nowhere, after long, and would not know why.
+    fn in_reach(&self, near: &Estimate) -> Result<(), EquilibriumError> {
+        if let Given::SecondarySpeed(secondary_speed) = self.given {
+            let ratio = highest_ratio(self.case, self.actuation, self.engine, secondary_speed, self.direction);
+            let last_speed = self.engine.range().1;
+            if ratio * secondary_speed > BEYOND_ENGINE * last_speed {
+                return Err(EquilibriumError::BeyondEngine { secondary_speed, ratio, last_speed });
+            }
+        }
+        self.secondary_presses(near)?;
         let half_angle = self.case.sheave.half_angle;
         let travel = crate::actuator::travel(half_angle, self.actuation.start_radius, near.primary_radius);
         match self.actuation.primary.force(near.speed, travel, self.direction.primary()) {
@@ -140,6 +152,19 @@ impl<'a> Whole<'a> {
                 Err(EquilibriumError::Disengaged { speed: near.speed, force: -force.value })
             }
             Ok(_) => Ok(()),
+        }
+    }
+
+    fn secondary_presses(&self, near: &Estimate) -> Result<(), EquilibriumError> {
+        let half_angle = self.case.sheave.half_angle;
+        let opening = crate::actuator::travel(half_angle, near.secondary_radius, self.actuation.closed_radius);
+        let torque = near.torque * near.secondary_radius / near.primary_radius;
+        match self.actuation.secondary.force(torque, opening, self.direction.secondary()) {
+            // Where the sheave comes to stand in the end, contact and spring may be another matter; friction is not.
+            Err(error @ ActuatorError::HelixLocks { .. }) => {
+                Err(EquilibriumError::Actuator { phase: near.phase, error })
+            }
+            Ok(_) | Err(_) => Ok(()),
         }
     }
 
@@ -165,7 +190,7 @@ impl<'a> Whole<'a> {
                 };
                 question.constants[Constant::PrimaryRadius] = self.actuation.start_radius + travel / slope;
             }
-            Phase::Shifting => {}
+            Phase::Shift => {}
         }
         let primary_is_given = matches!(phase, Phase::High(Stop::PrimaryClosed) | Phase::Held);
         let other = if primary_is_given { Constant::SecondaryRadius } else { Constant::PrimaryRadius };
@@ -184,7 +209,7 @@ impl<'a> Whole<'a> {
             question = question.close(self.by_primary(Constant::SlackTension));
         }
         match phase {
-            Phase::Shifting => question.close(self.by_secondary(Constant::SecondaryRadius)),
+            Phase::Shift => question.close(self.by_secondary(Constant::SecondaryRadius)),
             Phase::High(Stop::PrimaryClosed) | Phase::Held => question.close(self.by_secondary(Constant::SlackTension)),
             Phase::Low | Phase::High(Stop::SecondaryOpen | Stop::SecondaryClosed) => question,
         }
@@ -228,10 +253,10 @@ impl<'a> Whole<'a> {
         let pulls = |belt: f64| found.forces.stop.is_some_and(|force| force < -FORCE_SLACK * belt);
         match found.phase {
             Phase::Held => None,
-            Phase::Low => pulls(found.forces.secondary_belt).then_some(Phase::Shifting),
-            Phase::High(Stop::PrimaryClosed) => pulls(found.forces.primary_belt).then_some(Phase::Shifting),
-            Phase::High(_) => pulls(found.forces.secondary_belt).then_some(Phase::Shifting),
-            Phase::Shifting => {
+            Phase::Low => pulls(found.forces.secondary_belt).then_some(Phase::Shift),
+            Phase::High(Stop::PrimaryClosed) => pulls(found.forces.primary_belt).then_some(Phase::Shift),
+            Phase::High(_) => pulls(found.forces.secondary_belt).then_some(Phase::Shift),
+            Phase::Shift => {
                 let beyond = |travel: f64, most: Option<f64>| most.is_some_and(|most| travel > most + TRAVEL_SLACK);
                 if found.secondary_travel < -TRAVEL_SLACK {
                     Some(Phase::Low)

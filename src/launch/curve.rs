@@ -55,6 +55,18 @@ pub enum LaunchError {
     /// The launch did not end.
     #[error("the vehicle gets neither to its top speed nor over the distances asked for within {0:.0} s")]
     Endless(f64),
+    /// What resists holds the vehicle below the speed at which the clutch locks up.
+    #[error(
+        "the vehicle gets no faster than {:.1} km/h against what resists it, and the belt takes the drive off at \
+         {:.1} km/h: the clutch slips for good; check the resistance, or take a shorter final drive",
+        3.6 * top_speed, 3.6 * take_off
+    )]
+    NeverLocks {
+        /// The speed that it reaches, m/s.
+        top_speed: f64,
+        /// The speed at which the clutch would lock up, m/s.
+        take_off: f64,
+    },
     /// The integration was given up.
     #[error("the launch cannot be integrated: {0}")]
     Integration(String),

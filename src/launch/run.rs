@@ -207,6 +207,9 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     }
     let (top_speed, limited_by_curve) = top(&motion, last);
     let goal = options.share_of_top * top_speed;
+    if goal < take_off {
+        return Err(LaunchError::NeverLocks { top_speed, take_off });
+    }
     motion.end = (goal, far);
     // How long it takes, and then at even times.
     let whole = integrate(&motion, None)?;
