@@ -21,10 +21,13 @@ fn told(output: &Output) -> String {
 }
 
 fn transcript(commands: &[(&[&str], &str)]) -> String {
-    let folder = tempfile::tempdir().unwrap();
+    transcript_in(tempfile::tempdir().unwrap().path(), commands)
+}
+
+fn transcript_in(folder: &std::path::Path, commands: &[(&[&str], &str)]) -> String {
     let mut text = String::new();
     for (arguments, input) in commands {
-        let output = run(arguments, input, folder.path());
+        let output = run(arguments, input, folder);
         writeln!(text, "$ sheave {}", arguments.join(" ").escape_debug()).unwrap();
         if !input.is_empty() {
             let shown: String = input.escape_debug().take(100).collect();
@@ -188,4 +191,59 @@ fn two_solutions_are_told_and_each_can_be_had() {
     assert!((other(&tight) - tension(&loose)).abs() < 1e-2 && (other(&loose) - tension(&tight)).abs() < 1e-2);
     let warned = |object: &serde_json::Value, branch: &str| object["warnings"].to_string().contains(branch);
     assert!(warned(&tight, "--branch loose") && warned(&loose, "--branch tight"));
+}
+
+/// Copies the files of a folder of examples, and of its folders.
+fn copy(from: &std::path::Path, to: &std::path::Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+#[test]
+fn drives_that_cannot_work_say_why() {
+    let folder = tempfile::tempdir().unwrap();
+    copy(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/drive").as_ref(), folder.path());
+    let whole = std::fs::read_to_string(folder.path().join("gx9.toml")).unwrap();
+    let servo =
+        whole.replace("file = \"parts/gx9-arms.toml\"\nmass = \"134 g\"", "type = \"servo\"\nposition = \"20 mm\"");
+    let servo = servo.replace("[primary.spring]\nrate = \"60 lbf/in\"\npreload = \"67.5 lbf\"\n", "");
+    std::fs::write(folder.path().join("servo.toml"), servo).unwrap();
+    let all: &[(&[&str], &str)] = &[
+        (&["drive", "gx9.toml", "--speed", "20000 rpm"], ""),
+        (&["drive", "gx9.toml", "--secondary-speed", "20000 rpm"], ""),
+        (&["drive", "gx9.toml", "--speed", "300 km/h"], ""),
+        (&["drive", "gx9.toml", "--speed", "200"], ""),
+        (&["drive", "gx9.toml", "--speed", "200 N"], ""),
+        (&["drive", "gx9.toml", "--speed", "2000 rpm", "--set", "secondary.actuator.friction_angle=44 deg"], ""),
+        (&["drive", "gx9.toml", "--speed", "2000 rpm", "--set", "secondary.actuator.helix_openings=0, 9 mm"], ""),
+        (&["drive", "servo.toml", "--speed", "2000 rpm"], ""),
+        (&["shift", "gx9.toml", "--direction", "up", "--tol", "1e-3", "--points", "2", "--from", "9000 rpm"], ""),
+        (&["launch", "gx9.toml", "--tol", "1e-3", "--points", "8", "--set", "vehicle.drag_area=300"], ""),
+        (&["sweep", "--over", "drive.ratio=1,2", "--jobs", "0"], ""),
+        (&["map", "gx9.toml", "--least-speed-efficiency", "nine"], ""),
+    ];
+    insta::assert_snapshot!("drives", transcript_in(folder.path(), all));
+}
+
+#[test]
+fn logs_that_cannot_be_used_say_why() {
+    let folder = tempfile::tempdir().unwrap();
+    copy(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/made").as_ref(), &folder.path().join("made"));
+    let points = "primary_rpm,secondary_rpm,secondary_torque_Nm,primary_torque_Nm\n3300,3200,16,18\n";
+    std::fs::write(folder.path().join("one.csv"), points).unwrap();
+    let all: &[(&[&str], &str)] = &[
+        (&["dyno", "made", "--calibration", "made/calibration.csv", "--spectrum", "999"], ""),
+        (&["dyno", "made", "--calibration", "made/calibration.csv", "--primary", "RPM3"], ""),
+        (&["bench-data", "--engine", "made/engine.csv", "--steps", "2", "--out", "made"], ""),
+        (&["compare", "--data", "one.csv", "--fit", "sheave.friction_coefficient"], ""),
+    ];
+    insta::assert_snapshot!("logs", transcript_in(folder.path(), all));
 }

@@ -4,10 +4,12 @@ use super::case::CaseArguments;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
+use sheave::bench::dyno::step_file;
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::made::{Disturbance, files, truth};
 use sheave::case::Case;
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// Make a set of dynamometer logs from the model
 ///
@@ -51,13 +53,34 @@ fn scale(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| (0.1..=10.0).contains(x)).ok_or_else(|| "expected a number from 0.1 to 10".into())
 }
 
+/// The first log by name in the folder that none of the files made replaces.
+fn other_log(folder: &Path, made: &[(String, String)]) -> io::Result<Option<String>> {
+    let mut first: Option<String> = None;
+    for entry in std::fs::read_dir(folder)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        let is_other = step_file(&name).is_some() && !made.iter().any(|(own, _)| *own == name);
+        if is_other && first.as_ref().is_none_or(|first| name < *first) {
+            first = Some(name);
+        }
+    }
+    Ok(first)
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case: Case = arguments.case.read()?;
     let engine = EngineCurve::read(&arguments.engine)?;
     let known = truth(&case, &engine, arguments.engine_scale, RANGE, arguments.steps.into())?;
     let folder = &arguments.out;
     output::create_folder(folder)?;
-    for (name, text) in files(&known, &Disturbance::default(), arguments.seed) {
+    let made = files(&known, &Disturbance::default(), arguments.seed);
+    if let Some(other) = other_log(folder, &made).map_err(|error| Stop::Write(folder.display().to_string(), error))? {
+        return Err(Stop::Usage(format!(
+            "{} has the log {other} of another test, which `sheave dyno` would read with these: expected a folder \
+             without other logs",
+            folder.display()
+        )));
+    }
+    for (name, text) in made {
         output::write_file(folder, &name, |to| to.write_all(text.as_bytes()))?;
     }
     let resolved = case.resolve()?;

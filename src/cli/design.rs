@@ -2,6 +2,7 @@
 
 use super::case::CaseArguments;
 use super::output;
+use super::solve::jobs;
 use super::stop::Stop;
 use clap::Args;
 use sheave::design::DesignError;
@@ -32,7 +33,7 @@ pub struct GridArguments {
     #[arg(long, value_name = "DIR", requires = "over")]
     out: Option<PathBuf>,
     /// Threads [default: all cores]
-    #[arg(long, value_name = "N", requires = "over")]
+    #[arg(long, value_name = "N", value_parser = jobs, requires = "over")]
     jobs: Option<NonZeroUsize>,
 }
 

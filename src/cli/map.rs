@@ -4,6 +4,7 @@ use super::case::CaseArguments;
 use super::envelope;
 use super::keeping::{self, Keeping};
 use super::output;
+use super::solve::{jobs, share};
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
@@ -39,10 +40,10 @@ pub struct Arguments {
     max_points: usize,
     /// Count the drive as slipping below this speed efficiency, from 0 to 1, unless a fifth of the friction at hand is
     /// left: sunk into its groove at a ratio of 3, a belt that does not slip has 0.94
-    #[arg(long, value_name = "S", default_value_t = MapOptions::default().least_speed_efficiency)]
+    #[arg(long, value_name = "S", default_value_t = MapOptions::default().least_speed_efficiency, value_parser = share)]
     least_speed_efficiency: f64,
     /// Threads, no more of which are started than there are cores [default: all cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     jobs: Option<NonZeroUsize>,
     /// Write the map into this file: .csv, .parquet or .nc (NetCDF). Points are kept as they come in FILE.journal
     /// beside it until the map is whole. Without it, CSV goes to standard output

@@ -62,9 +62,10 @@ fn summary(found: &Found) -> String {
         OptimumPlace::Loosest => "no maximum found: the loosest belt tried",
         OptimumPlace::Tightest => "no maximum found: the tightest belt tried",
     };
-    let with_losses = found
-        .efficiency_with_losses
-        .map_or_else(String::new, |efficiency| format!("  efficiency with losses {:>9.3} %\n", 100.0 * efficiency));
+    let with_losses = found.efficiency_with_losses.map_or_else(
+        || "  (of friction alone: --losses on maximises it with hysteresis, drag and gears)\n".to_owned(),
+        |efficiency| format!("  efficiency with losses {:>9.3} %\n", 100.0 * efficiency),
+    );
     let temperature = found.belt_temperature.map_or_else(String::new, |temperature| {
         format!("  belt temperature      {:>10.2} °C\n", temperature - sheave::quantity::ZERO_CELSIUS)
     });

@@ -1,6 +1,7 @@
 //! `sheave reproduce`: chapters 6 and 7 of the thesis.
 
 use super::output;
+use super::solve::jobs;
 use super::stop::Stop;
 use clap::Args;
 use sheave::report::{REPRODUCED, Reproduction};
@@ -22,7 +23,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Threads [default: all cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     jobs: Option<NonZeroUsize>,
     /// Points over the operating range
     #[arg(long, value_name = "N", default_value_t = RATIOS as u64,

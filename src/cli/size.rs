@@ -4,6 +4,7 @@ use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
+use sheave::quantity::unsigned_zero;
 use sheave::small::size::{BeltDrive, Entry, IDLER, SizeError, Sizing, TABLE, size};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -59,7 +60,8 @@ fn summary(sizing: &Sizing) -> String {
     let mut text = format!("Belt drive, ratio {:.4} (output over input diameter)\n\n", sizing.ratio);
     let mut row = |name: &str, value: f64, unit: &str| {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {name:<34}{value:>14.6}  {unit}");
+        let value = format!("{value:.6}");
+        let _ = writeln!(text, "  {name:<34}{:>14}  {unit}", unsigned_zero(&value));
     };
     let (inertia, torque) = (&sizing.inertia, &sizing.torque);
     row("inertia of belt and linear load", inertia.load, "kg·m²");

@@ -15,6 +15,7 @@ use sheave::result::{
 };
 use solver::Order;
 use std::io;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 /// Solve one case
@@ -146,6 +147,9 @@ impl Arguments {
 
     fn unsolved(&self, case: &Resolved, report: FailureReport, stop: Stop) -> Stop {
         let known = Unsolved { edition: case.edition.name(), inputs: case };
+        if let Some(folder) = self.out.as_ref().filter(|folder| folder.join("report.html").exists()) {
+            tracing::warn!("report.html, the figures and profile.csv in {} are of an earlier run", folder.display());
+        }
         let told = match &self.out {
             Some(folder) => envelope::failure("solve", &known, &report).and_then(|text| write_result(folder, &text)),
             None if self.json => envelope::tell("solve", &known, &report),
@@ -168,6 +172,11 @@ pub(super) fn tolerance(text: &str) -> Result<f64, String> {
 pub(super) fn share(text: &str) -> Result<f64, String> {
     let read = parse(text).and_then(|quantity| quantity.expect(Dimension::NONE));
     read.map_err(|error| format!("{error}; expected a share such as 0.3 or 30%"))
+}
+
+/// A number of threads.
+pub(super) fn jobs(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "expected a whole number of threads, from 1".into())
 }
 
 pub(super) fn units(text: &str) -> Result<Units, String> {

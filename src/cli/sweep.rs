@@ -3,6 +3,7 @@
 use super::case::CaseArguments;
 use super::keeping;
 use super::output;
+use super::solve::jobs;
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -28,7 +29,7 @@ pub struct Arguments {
     #[arg(long, value_name = "KEY=VALUES")]
     over: Vec<String>,
     /// Threads, no more of which are started than there are cores [default: all cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     jobs: Option<NonZeroUsize>,
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-6", value_parser = super::solve::tolerance)]

@@ -4,7 +4,7 @@ use super::case::CaseArguments;
 use super::envelope;
 use super::keeping::{self, Keeping};
 use super::output;
-use super::solve::share;
+use super::solve::{jobs, share};
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -55,7 +55,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 10)]
     best: usize,
     /// Threads, no more of which are started than there are cores [default: all cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     jobs: Option<NonZeroUsize>,
     /// Print the result as one JSON object, in SI units
     #[arg(long, conflicts_with = "out")]

@@ -23,6 +23,22 @@ pub enum DesignError {
     /// There is not even an operating point to start from.
     #[error("no operating point was found to start from: {0}")]
     Start(#[from] Failure),
+    /// The drive from which a limit is sought is beyond it.
+    #[error(
+        "no drive was found with a speed efficiency of {:.1} %: already that from which the limit is sought, with \
+         {torque:.2} N·m and a slack tension of {slack_tension:.1} N, has {:.1} %",
+        100.0 * asked, 100.0 * had
+    )]
+    Beyond {
+        /// Least speed efficiency asked for.
+        asked: f64,
+        /// Speed efficiency there is.
+        had: f64,
+        /// Primary torque there, N·m.
+        torque: f64,
+        /// Slack tension there, N.
+        slack_tension: f64,
+    },
     /// What must not happen.
     #[error(transparent)]
     Internal(#[from] InternalError),
@@ -40,7 +56,7 @@ impl DesignError {
         match self {
             Self::Given { .. } => true,
             Self::Start(failure) => failure.is_bad_input(),
-            Self::Singular(_) | Self::Internal(_) | Self::Losses(_) => false,
+            Self::Beyond { .. } | Self::Singular(_) | Self::Internal(_) | Self::Losses(_) => false,
         }
     }
 }

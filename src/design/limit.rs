@@ -333,6 +333,14 @@ fn limit(
 ) -> Result<Found, DesignError> {
     let least = options.least_speed_efficiency;
     let branch = Branch::trace(model, start, (free, output), upwards, least, &options.solve)?;
+    if let Some(state) = branch.points.first().map(|first| first.state).filter(|state| state.speed_efficiency < least) {
+        return Err(DesignError::Beyond {
+            asked: least,
+            had: state.speed_efficiency,
+            torque: state.primary_torque,
+            slack_tension: state.slack_tension,
+        });
+    }
     let kind = match &branch.end {
         BranchEnd::Lost(Failure::Cancelled) => return Err(Failure::Cancelled.into()),
         BranchEnd::Lost(failure) => LimitKind::Lost(failure.to_string()),

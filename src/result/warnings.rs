@@ -36,6 +36,7 @@ pub fn warnings(outcome: &Outcome) -> Vec<String> {
     said.extend(length(outcome));
     said.extend(energy(outcome));
     said.extend(outcome.no_losses.map(|reason| format!("No losses besides friction are told: {reason}.")));
+    said.extend(overtaken(outcome));
     said.extend(hot(outcome));
     said.extend(beyond_tables(outcome));
     said
@@ -59,6 +60,19 @@ fn two_solutions(outcome: &Outcome) -> Option<String> {
         100.0 * other.friction_utilization,
         wanted.name(),
     ))
+}
+
+/// Losses that take more than the belt brings: nothing would arrive, and the drive would not turn as was given.
+fn overtaken(outcome: &Outcome) -> Option<String> {
+    let losses = outcome.result.losses.as_ref().filter(|losses| losses.power_out < 0.0)?;
+    let brought = outcome.result.energy.power_out;
+    (brought > 0.0).then(|| {
+        format!(
+            "Losses besides friction take {:.0} W, and the belt brings {brought:.0} W: nothing arrives. Check the \
+             units of the drags and of what the belt's losses are made of.",
+            losses.total
+        )
+    })
 }
 
 /// A belt that will not last.

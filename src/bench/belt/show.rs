@@ -3,6 +3,7 @@
 use super::{BeltTable, Properties};
 use crate::bench::sheet::celsius;
 use crate::plot::{Axis, Figure, Look, Series};
+use crate::text::printable;
 use std::fmt::Write;
 
 impl BeltTable {
@@ -80,7 +81,7 @@ impl Properties {
 
     /// A case file: everything on the way as comments, then the `[belt]` table.
     pub fn case_file(&self) -> String {
-        let mut text = format!("# {}{}\n#\n", self.name.as_deref().unwrap_or("Belt"), self.at());
+        let mut text = format!("# {}{}\n#\n", printable(self.name.as_deref().unwrap_or("Belt")), self.at());
         for (name, value, unit) in self.rows() {
             let _ = writeln!(text, "# {name:<48}{value:>13.6} {unit}"); // writing to a string does not fail
         }

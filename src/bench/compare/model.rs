@@ -96,9 +96,12 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
     ways.retain(|point| point.solved.is_some());
     let parameters = keys.len() + usize::from(options.fit.iter().any(|key| key == ENGINE_SCALE));
     if ways.len() < 2.max(parameters + 1) {
-        let first = points.iter().find_map(|point| point.reason.clone()).unwrap_or_default();
-        let reason =
-            format!("{} points are left, too few to compare and fit with; the first that is not: {first}", ways.len());
+        let wanted = 2.max(parameters + 1);
+        let mut reason = format!("{} of {} points are left, and this takes {wanted}", ways.len(), points.len());
+        if let Some(first) = points.iter().find_map(|point| point.reason.as_deref()) {
+            reason.push_str("; the first is left out because ");
+            reason.push_str(first);
+        }
         return Err(BenchProblem::NoData { path: "the table of points".into(), reason }.into());
     }
     let fit = if options.fit.is_empty() {

@@ -56,6 +56,11 @@ pub fn reduce(
         };
         reports.push(process(record, options, take, &mut read));
     }
+    if let (Some(number), None) = (spectrum, &chosen) {
+        let last = points.len().saturating_sub(1);
+        let reason = format!("there is no point {number}: expected a number from 0 to {last}");
+        return Err(BenchError::from(BenchProblem::Unusable { path: "spectrum".into(), reason }));
+    }
     let mut warnings = warnings(&reports);
     if beyond > 0 {
         warnings.push(format!(
