@@ -141,6 +141,23 @@ fn a_least_speed_efficiency_is_a_limit_of_its_own() {
     assert!(lengths.all(|length| (length - 0.8572).abs() < 1e-9));
 }
 
+/// A string at a small slip threshold is hardly ever solved from a string nearby.
+#[test]
+fn a_string_has_a_best_clamp_too() {
+    let best = optimum(&case(&[("edition", "string")]), &to(1e-3)).unwrap();
+    assert_eq!(best.bound, OptimumPlace::Inner);
+    assert!(best.state.slack_tension > 15.0 && best.state.slack_tension < 35.0, "{:?}", best.state);
+}
+
+/// A drive that is beyond what is asked of it from the start has no limit, and its start is none.
+#[test]
+fn a_start_beyond_the_criterion_is_no_limit() {
+    let options = LimitOptions { least_speed_efficiency: 0.9999, ..limits(1e-3) };
+    let error = largest_torque(&Case::base().resolve().unwrap(), &options).unwrap_err();
+    assert!(matches!(error, DesignError::Beyond { had, .. } if had < 0.9999), "{error}");
+    assert!(error.to_string().contains("no drive was found with a speed efficiency of 100.0 %"), "{error}");
+}
+
 #[test]
 fn the_best_clamp_is_where_the_gradient_vanishes() {
     for (edition, tension, efficiency) in [("consistent", 38.57, 0.96191), ("thesis", 64.52, 0.97002)] {
