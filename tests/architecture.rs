@@ -164,7 +164,20 @@ fn generated_names() -> BTreeSet<&'static str> {
     names
 }
 
-/// Whether a line decides by a generated name: compares one with a text, matches one, or looks one up.
+/// Whether a text is an output's name, or a pattern that becomes one: `efficiency.{which}`. Only outputs have names with
+/// a dot, so that such a text names nothing else wherever it stands.
+fn names_an_output(text: &str) -> bool {
+    let open = |part: &str| part.starts_with('{') && part.ends_with('}');
+    let Some((group, member)) = text.split_once('.') else { return false };
+    let fits = |name: &str| match name.split_once('.') {
+        Some((of, what)) => (of == group || open(group)) && (what == member || open(member)),
+        None => false,
+    };
+    !(open(group) && open(member)) && Output::ALL.into_iter().any(|output| fits(output.name()))
+}
+
+/// Whether a line decides by a generated name: compares one with a text, matches one, looks one up, or writes an
+/// output's name out.
 fn matches_a_name(line: &str, names: &BTreeSet<&str>) -> bool {
     let compared = ["symbol.name ==", ".name() ==", "equation.name ==", "name() == name"];
     if compared.iter().any(|text| line.contains(text)) {
@@ -175,7 +188,7 @@ fn matches_a_name(line: &str, names: &BTreeSet<&str>) -> bool {
         let (before, text, after) = (part[0].trim_end(), part[1], part[2].trim_start());
         let looked_up = [".get(", ".state(", ".field(", ".integral(", ".set(", "named(", "column("];
         let arm = after.starts_with("=>") || after.starts_with("| \"") || after.starts_with(", Self::");
-        names.contains(text) && (arm || looked_up.iter().any(|call| before.ends_with(call)))
+        names_an_output(text) || names.contains(text) && (arm || looked_up.iter().any(|call| before.ends_with(call)))
     })
 }
 
@@ -198,7 +211,14 @@ fn no_generated_name_is_matched_as_a_string() {
         "\"T\" | \"tau\" => tension,",
         "(\"sigma\", Self::Primary) => return Some(Source::One),",
         "let value = outputs.get(\"efficiency.overall\");",
+        "const EFFICIENCY: &str = \"efficiency.overall\";",
+        "let value = table.number(rows.start + at, \"efficiency.overall\");",
+        "let value = table.number(row, &format!(\"efficiency.{which}\"));",
+        "let name = format!(\"{pulley}.axial_force\");",
     ] {
         assert!(matches_a_name(line, &names), "{line}");
+    }
+    for line in ["format!(\"{pulley}.max_penetration\")", "\"losses.total\"", "&format!(\"{}.svg\", figure.name)"] {
+        assert!(!matches_a_name(line, &names), "{line}");
     }
 }

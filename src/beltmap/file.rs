@@ -12,6 +12,8 @@ use super::record::ATTRIBUTE;
 use super::record::{STATUS, cells, columns, slope_name};
 use super::report::Report;
 use crate::case::Key;
+use crate::losses::LossOutput;
+use crate::model::Output;
 use crate::study::{Cell, Table, write_csv};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -26,8 +28,8 @@ const VERSION: usize = 1;
 const LONGEST: u64 = 16 << 20;
 const MOST: usize = 1 << 20;
 /// Columns that follow from others, for those who read the table only.
-const EFFICIENCY: &str = "efficiency.overall";
-const WITH_LOSSES: &str = "efficiency.overall_with_losses";
+const EFFICIENCY: &str = Output::EfficiencyOverall.name();
+const WITH_LOSSES: &str = LossOutput::Efficiency.name();
 const RESERVE: &str = "slip_reserve";
 
 /// How a map is written.

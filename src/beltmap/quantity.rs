@@ -3,7 +3,7 @@
 use super::axis::direction;
 use crate::case::{Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved};
-use crate::losses::{NoDerivatives, NoLosses, gradients, losses};
+use crate::losses::{LossOutput, NoDerivatives, NoLosses, gradients, losses};
 use crate::model::{Constant, Constants, InternalError, Output};
 use crate::result::utilizations;
 use solver::Linearisation;
@@ -72,19 +72,19 @@ impl Quantity {
     /// Its name in files, as in the result object where that has it.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::PrimaryAxialForce => "primary.axial_force",
-            Self::SecondaryAxialForce => "secondary.axial_force",
-            Self::PrimarySpeed => "primary.speed",
-            Self::PrimaryTorque => "primary.torque",
-            Self::SecondaryTorque => "secondary.torque",
+            Self::PrimaryAxialForce => Output::PrimaryAxialForce.name(),
+            Self::SecondaryAxialForce => Output::SecondaryAxialForce.name(),
+            Self::PrimarySpeed => Output::PrimarySpeed.name(),
+            Self::PrimaryTorque => Output::PrimaryTorque.name(),
+            Self::SecondaryTorque => Output::SecondaryTorque.name(),
             Self::SpeedLoss => "speed_loss",
             Self::PrimaryUtilization => "primary.friction_utilization",
             Self::SecondaryUtilization => "secondary.friction_utilization",
             Self::PrimaryRadius => "primary.radius",
             Self::SecondaryRadius => "secondary.radius",
-            Self::SlackTension => "primary.exit_tension",
-            Self::TightTension => "primary.entry_tension",
-            Self::Losses => "losses.total",
+            Self::SlackTension => Output::PrimaryExitTension.name(),
+            Self::TightTension => Output::PrimaryEntryTension.name(),
+            Self::Losses => LossOutput::Total.name(),
         }
     }
 
@@ -248,6 +248,5 @@ fn lost(case: &Resolved, solved: &Solved, options: &SolveOptions) -> Result<(f64
             NoDerivatives::Internal(error) => error.into(),
             NoDerivatives::Solve(error) => Failure::Sensitivities(error),
         })?;
-    let gradient = found.by_constant.get(Quantity::Losses.name()).cloned().unwrap_or_default();
-    Ok((total, gradient))
+    Ok((total, found.by_constant[LossOutput::Total].clone()))
 }

@@ -30,7 +30,7 @@ pub struct Arguments {
 }
 
 /// Columns that are drawn unless others are asked for.
-const SHOWN: [&str; 3] = ["efficiency.overall", "primary.axial_force", "secondary.axial_force"];
+const SHOWN: [Output; 3] = [Output::EfficiencyOverall, Output::PrimaryAxialForce, Output::SecondaryAxialForce];
 /// The column behind those of the varied keys.
 const CONVERGED: &str = "converged";
 /// Curves in one figure at most: more colours cannot be distinguished.
@@ -54,8 +54,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
             Stop::Usage(format!("no column stands before `{CONVERGED}`: expected --x with the name of a column"))
         })?,
     };
-    let asked: Vec<&str> =
-        if arguments.y.is_empty() { SHOWN.to_vec() } else { arguments.y.iter().map(String::as_str).collect() };
+    let asked: Vec<&str> = match arguments.y.as_slice() {
+        [] => SHOWN.map(Output::name).to_vec(),
+        given => given.iter().map(String::as_str).collect(),
+    };
     output::create_folder(&arguments.out)?;
     let others: Vec<usize> = (0..varied).filter(|column| *column != x).collect();
     let figures = asked.into_iter().map(|name| table.figure(x, &others, name)).collect::<Result<Vec<_>, Stop>>()?;

@@ -15,7 +15,7 @@ use super::limit::clamped;
 use super::state::DriveState;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
-use crate::losses::{Heat, NoDerivatives, NoLosses, gradients, losses, warm_start};
+use crate::losses::{Heat, LossOutput, NoDerivatives, NoLosses, gradients, losses, warm_start};
 use crate::model::{Constant, Constants, Include, Output};
 use crate::result::{derivatives, warmed};
 
@@ -241,8 +241,7 @@ fn efficiency(case: &Resolved, trial: &Trial, options: &SolveOptions) -> Result<
 /// d(efficiency sought)/d(slack tension), 1/N.
 fn gradient(case: &Resolved, solved: &Solved, heat: Option<&Heat>, options: &SolveOptions) -> Result<f64, DesignError> {
     if let Some(heat) = heat {
-        let sought =
-            if with_losses(case) { "efficiency.overall_with_losses" } else { Output::EfficiencyOverall.name() };
+        let sought = if with_losses(case) { LossOutput::Efficiency.name() } else { Output::EfficiencyOverall.name() };
         let rows = derivatives(case, options, solved, Some(heat))?;
         return match rows.get(sought).and_then(|row| row.get(Key::SlackTension.path())) {
             Some(found) => Ok(*found),
@@ -255,7 +254,10 @@ fn gradient(case: &Resolved, solved: &Solved, heat: Option<&Heat>, options: &Sol
     }
     if with_losses(case) {
         return match gradients(case, solved, case.stiffnesses.reference, options.tolerance) {
-            Ok(gradients) => Ok(Constants::try_from(gradients.efficiency.as_slice())?[Constant::SlackTension]),
+            Ok(gradients) => {
+                Ok(Constants::try_from(gradients.by_constant[LossOutput::Efficiency].as_slice())?
+                    [Constant::SlackTension])
+            }
             Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
             Err(NoDerivatives::Internal(error)) => Err(error.into()),
             Err(NoDerivatives::Solve(error)) => Err(error.into()),

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use solver::{Functional, Linearisation};
 
-use super::{NoDerivatives, NoLosses, gradients, losses};
+use super::{LossOutput, LossValues, NoDerivatives, NoLosses, gradients, losses};
 use crate::case::{Resolved, Softened, Surface, Thermal};
 use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
 use crate::model::{Constant, InternalError, Output};
@@ -209,37 +209,39 @@ fn rate(
         && let Ok(losses) = losses(case, solved, temperature, options.tolerance)
     {
         heat += losses.bending + losses.groove + losses.cord;
-        let gradients = match gradients(case, solved, temperature, options.tolerance) {
-            Ok(gradients) => gradients,
+        match gradients(case, solved, temperature, options.tolerance) {
+            Ok(gradients) => {
+                by_temperature = LossOutput::HYSTERESIS.map(|output| gradients.by_temperature[output]).iter().sum();
+                for output in LossOutput::HYSTERESIS {
+                    let row = &gradients.by_constant[output];
+                    by_constant.iter_mut().zip(row).for_each(|(sum, by)| *sum += by);
+                }
+            }
             Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
-            Err(NoDerivatives::Internal(error)) => return Err(error.into()),
-            Err(NoDerivatives::Losses(_)) => Default::default(),
-        };
-        by_temperature = HYSTERESIS.iter().filter_map(|name| gradients.by_temperature.get(name)).sum();
-        for name in HYSTERESIS {
-            let rows = gradients.by_constant.get(name).into_iter().flatten();
-            by_constant.iter_mut().zip(rows).for_each(|(sum, by)| *sum += by);
+            Err(NoDerivatives::Internal(error) | NoDerivatives::Losses(NoLosses::Internal(error))) => {
+                return Err(error.into());
+            }
+            // Losses that can be told have derivatives.
+            Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => {}
         }
     }
     Ok(Rate { heat, by_constant, by_temperature })
 }
 
-const HYSTERESIS: [&str; 3] = ["losses.bending", "losses.groove", "losses.cord"];
-
 /// Makes derivatives at a fixed temperature those at which the temperature follows; adds its own. `direct` has what
-/// changes with the temperature of the loss tangents itself, W/K or 1/K.
+/// changes with the temperature of the loss tangents itself, W/K or 1/K; nothing where there are no losses to tell.
 pub fn close(
     derivatives: &mut BTreeMap<String, BTreeMap<String, f64>>,
     thermal: &Thermal,
     heat: &Heat,
-    direct: &BTreeMap<&'static str, f64>,
+    direct: Option<&LossValues<f64>>,
 ) {
     const STIFFNESSES: [&str; 2] = ["belt.bending_stiffness", "belt.radial_stiffness"];
     let row = |name: &str| derivatives.get(name).cloned().unwrap_or_default();
-    let mut by: BTreeMap<String, f64> = row("energy.friction_loss");
+    let mut by: BTreeMap<String, f64> = row(Output::EnergyFrictionLoss.name());
     by.values_mut().for_each(|value| *value *= thermal.friction_share);
-    for name in HYSTERESIS {
-        for (key, value) in row(name) {
+    for output in LossOutput::HYSTERESIS {
+        for (key, value) in row(output.name()) {
             *by.entry(key).or_default() += value;
         }
     }
@@ -260,6 +262,8 @@ pub fn close(
             row.entry(key.into()).and_modify(|value| *value *= softened.factor);
         }
     };
+    let direct = direct.map(|values| LossOutput::ALL.map(|output| (output.name(), values[output])));
+    let direct: BTreeMap<&str, f64> = direct.into_iter().flatten().collect();
     for (name, row) in derivatives.iter_mut() {
         let softened = STIFFNESSES.iter().zip(heat.softened);
         let through = softened.map(|(key, softened)| row.get(*key).copied().unwrap_or(0.0) * softened.by_temperature);

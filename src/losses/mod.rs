@@ -8,6 +8,7 @@
 mod checks;
 mod gradient;
 mod heat;
+mod output;
 mod sensitivity;
 mod series;
 mod tracks;
@@ -17,6 +18,7 @@ use serde::Serialize;
 
 pub use gradient::TrackGradient;
 pub use heat::{Heat, Hotter, Rates, at_temperature, close, into_belt, settle, warm_start};
+pub use output::{LossOutput, LossValues};
 pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};
 

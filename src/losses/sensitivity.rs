@@ -1,11 +1,10 @@
 //! Derivatives of the losses with respect to what is given: exactly those of the sums, which are functions of the
 //! solution's states at its nodes, of the unstretched lengths of its intervals and of the drive's constants.
 
-use std::collections::BTreeMap;
-
 use generated::{BoundaryKernel, HYSTERESIS, HysteresisOutput, LOSS_BALANCE, LossBalanceOutput};
 use solver::{Functional, Linearisation, Points, Problem, Scope, SolveError};
 
+use super::output::{LossOutput, LossValues};
 use super::series::{Series, Track};
 use super::tracks::{CURVATURE, CURVATURE_SLOPE, Followed, Input, PENETRATION_SLOPE, STRAIN, STRAIN_SLOPE, Tracks};
 use super::{NoLosses, Sums, TrackGradient, WEIGHT_CONSTANTS, Weights, balance_inputs, sums, weight_inputs, weights};
@@ -34,16 +33,14 @@ struct Adjoint {
     temperature: f64,
 }
 
-/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones), by their names in
-/// the result object; and by the temperature at which the loss tangents are taken.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones); and by the
+/// temperature at which the loss tangents are taken.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Gradients {
-    /// By name, by constant.
-    pub by_constant: BTreeMap<&'static str, Vec<f64>>,
-    /// That of the efficiency with losses, by constant.
-    pub efficiency: Vec<f64>,
-    /// By name, by the temperature, W/K or 1/K.
-    pub by_temperature: BTreeMap<&'static str, f64>,
+    /// By each constant.
+    pub by_constant: LossValues<Vec<f64>>,
+    /// By the temperature, W/K or 1/K.
+    pub by_temperature: LossValues<f64>,
 }
 
 /// Derivatives of a solved case's losses, sums to `tolerance` times the power that the drive takes in.
@@ -98,35 +95,34 @@ pub fn gradients(
         let term = |at: usize| leading.iter().enumerate().map(|(i, row)| partial.at(output.index(), i) * row[at]).sum();
         (0..size).map(term).collect()
     };
-    let drag = row(LossBalanceOutput::PrimaryDrag)
-        .iter()
-        .zip(row(LossBalanceOutput::SecondaryDrag))
-        .map(|(a, b)| a + b)
-        .collect();
-    let (gears, all, efficiency) =
-        (row(LossBalanceOutput::Gears), row(LossBalanceOutput::Total), row(LossBalanceOutput::Efficiency));
-    let by_constant = BTreeMap::from([
-        ("losses.bending", bending),
-        ("losses.groove", groove),
-        ("losses.cord", cord),
-        ("losses.drag", drag),
-        ("losses.gears", gears),
-        ("losses.total", all),
-        ("efficiency.overall_with_losses", efficiency.clone()),
-    ]);
+    let drag = || {
+        let (primary, secondary) = (row(LossBalanceOutput::PrimaryDrag), row(LossBalanceOutput::SecondaryDrag));
+        primary.iter().zip(&secondary).map(|(a, b)| a + b).collect()
+    };
+    let by_constant = LossValues::new(|output| match output {
+        LossOutput::Bending => bending.clone(),
+        LossOutput::Groove => groove.clone(),
+        LossOutput::Cord => cord.clone(),
+        LossOutput::Drag => drag(),
+        LossOutput::Gears => row(LossBalanceOutput::Gears),
+        LossOutput::Total => row(LossBalanceOutput::Total),
+        LossOutput::Efficiency => row(LossBalanceOutput::Efficiency),
+    });
     let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| adjoint.temperature);
     let dissipated = bending + groove + cord;
     // Hysteresis is the third of the balance's inputs.
     let through = |output: LossBalanceOutput| partial.at(output.index(), 2) * dissipated;
-    let by_temperature = BTreeMap::from([
-        ("losses.bending", bending),
-        ("losses.groove", groove),
-        ("losses.cord", cord),
-        ("losses.gears", through(LossBalanceOutput::Gears)),
-        ("losses.total", through(LossBalanceOutput::Total)),
-        ("efficiency.overall_with_losses", through(LossBalanceOutput::Efficiency)),
-    ]);
-    Ok(Gradients { by_constant, efficiency, by_temperature })
+    let by_temperature = LossValues::new(|output| match output {
+        LossOutput::Bending => bending,
+        LossOutput::Groove => groove,
+        LossOutput::Cord => cord,
+        // No loss tangent is in it.
+        LossOutput::Drag => 0.0,
+        LossOutput::Gears => through(LossBalanceOutput::Gears),
+        LossOutput::Total => through(LossBalanceOutput::Total),
+        LossOutput::Efficiency => through(LossBalanceOutput::Efficiency),
+    });
+    Ok(Gradients { by_constant, by_temperature })
 }
 
 /// The functional that is an unknown constant itself.

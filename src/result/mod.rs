@@ -133,12 +133,12 @@ pub(crate) fn derivatives(
 ) -> Result<Sensitivities, Failure> {
     let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
     let mut derivatives = sensitivities(solved)?;
-    let mut direct = BTreeMap::new();
+    let mut direct = None;
     if case.losses.wanted() {
         direct = add_losses(&mut derivatives, case, options, temperature, solved)?;
     }
     if let (Some(thermal), Some(heat)) = (&case.thermal, heat) {
-        close(&mut derivatives, thermal, heat, &direct);
+        close(&mut derivatives, thermal, heat, direct.as_ref());
     }
     Ok(derivatives)
 }

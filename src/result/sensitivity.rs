@@ -6,7 +6,7 @@ use solver::Condensation;
 
 use crate::case::{Resolved, constant_label, output_label};
 use crate::drive::{Failure, SolveOptions, Solved};
-use crate::losses::{NoDerivatives, NoLosses, gradients};
+use crate::losses::{LossOutput, LossValues, NoDerivatives, NoLosses, gradients};
 use crate::model::Constant;
 
 /// d(output)/d(what is given), SI over SI: output by its key with dots, then the case file's key.
@@ -32,8 +32,8 @@ pub fn sensitivities(solved: &Solved) -> Result<Sensitivities, Failure> {
     Ok(rows.collect())
 }
 
-/// Adds the derivatives of the losses besides friction; nothing where there are none to tell. Gives those by the
-/// temperature at which loss tangents are taken.
+/// Adds the derivatives of the losses besides friction, and gives those by the temperature at which loss tangents are
+/// taken; nothing where there are no losses to tell.
 ///
 /// # Errors
 /// [`Failure::Sensitivities`].
@@ -43,21 +43,22 @@ pub fn add_losses(
     options: &SolveOptions,
     temperature: f64,
     solved: &Solved,
-) -> Result<BTreeMap<&'static str, f64>, Failure> {
+) -> Result<Option<LossValues<f64>>, Failure> {
     let gradients = match gradients(case, solved, temperature, options.tolerance) {
         Ok(gradients) => gradients,
         Err(NoDerivatives::Internal(error) | NoDerivatives::Losses(NoLosses::Internal(error))) => {
             return Err(error.into());
         }
-        Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => return Ok(BTreeMap::new()),
+        Err(NoDerivatives::Losses(NoLosses::String | NoLosses::Endless { .. })) => return Ok(None),
         Err(NoDerivatives::Solve(error)) => return Err(Failure::Sensitivities(error)),
     };
     let given = given(solved);
-    for (name, gradient) in gradients.by_constant {
+    for output in LossOutput::ALL {
+        let gradient = &gradients.by_constant[output];
         let value = |at: usize| gradient.get(at).copied().unwrap_or(f64::NAN);
-        to.insert(name.to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
+        to.insert(output.name().to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
     }
-    Ok(gradients.by_temperature)
+    Ok(Some(gradients.by_temperature))
 }
 
 /// Places of what is given among the problem's constants, with their names.

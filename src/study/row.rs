@@ -1,6 +1,7 @@
 //! Rows of a study, and the table they make.
 
 use super::plan::GridPoint;
+use crate::model::Output;
 use crate::result::Outcome;
 use serde_json::{Number, Value};
 use std::collections::HashMap;
@@ -144,6 +145,11 @@ impl Table {
     pub fn number(&self, row: usize, column: &str) -> f64 {
         let cell = self.column(column).and_then(|at| self.rows.get(row)?.get(at));
         cell.and_then(Cell::number).unwrap_or(f64::NAN)
+    }
+
+    /// An output in a row; NaN where there is none.
+    pub fn output(&self, row: usize, output: Output) -> f64 {
+        self.number(row, output.name())
     }
 
     /// How many points have no solution.

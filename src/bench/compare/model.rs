@@ -8,6 +8,8 @@ use crate::bench::error::{BenchError, BenchProblem};
 use crate::case::{Case, Free, Include, Key, Resolved, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, Failure, SolveOptions, Solved, solve, solve_along};
+use crate::losses::LossOutput;
+use crate::model::Output;
 use crate::result::interpret;
 
 /// A point on its way through the model.
@@ -52,8 +54,6 @@ const CLAMPS: [Key; 6] = [
     Key::SlipReserve,
     Key::FrictionUtilization,
 ];
-/// What is compared: without and with losses besides friction.
-const EFFICIENCY: [&str; 2] = ["efficiency.overall", "efficiency.overall_with_losses"];
 /// Correlation from which on two constants can hardly be told from each other.
 const CORRELATED: f64 = 0.95;
 
@@ -246,7 +246,7 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
         }
         (false, _) => elastic,
     };
-    let compared = EFFICIENCY[usize::from(with_losses)];
+    let compared = if with_losses { LossOutput::Efficiency.name() } else { Output::EfficiencyOverall.name() };
     let row = result.sensitivities.as_ref().and_then(|rows| rows.get(compared));
     let derivative = |(key, _): &(Key, f64)| {
         let found = row.and_then(|row| row.get(key.path())).copied().filter(|value| value.is_finite());

@@ -2,14 +2,15 @@
 
 use super::Chapters;
 use super::figures::{over_ratio, points};
+use crate::model::Output;
 use crate::plot::{Axis, Figure, Series};
 
 /// Quantities over the operating range, one line an edition.
 pub fn comparison(all: &[Chapters]) -> Vec<Figure> {
-    let figure = |name: &str, caption: &str, axis: &str, column: &str, scale: f64| {
+    let figure = |name: &str, caption: &str, axis: &str, output: Output, scale: f64| {
         let line = |chapters: &Chapters| {
             let rows = 0..chapters.range.rows.len();
-            Series::line(chapters.edition.name(), points(&chapters.range, rows, "drive.ratio", column, scale)).marked()
+            Series::line(chapters.edition.name(), points(&chapters.range, rows, output, scale)).marked()
         };
         over_ratio(&format!("editions_{name}"), caption, Axis::new(axis), all.iter().map(line).collect())
     };
@@ -18,28 +19,28 @@ pub fn comparison(all: &[Chapters]) -> Vec<Figure> {
             "overall_efficiency",
             "Overall efficiency over the operating range, by edition",
             "overall efficiency η (%)",
-            "efficiency.overall",
+            Output::EfficiencyOverall,
             100.0,
         ),
         figure(
             "imbalance",
             "Share of the power that neither comes out nor is friction\u{2019}s, by edition",
             "power unaccounted for (%)",
-            "energy.imbalance",
+            Output::EnergyImbalance,
             100.0,
         ),
         figure(
             "axial_force_primary",
             "Axial force of the primary over the operating range, by edition",
             "axial force A (N)",
-            "primary.axial_force",
+            Output::PrimaryAxialForce,
             1.0,
         ),
         figure(
             "axial_force_secondary",
             "Axial force of the secondary over the operating range, by edition",
             "axial force A (N)",
-            "secondary.axial_force",
+            Output::SecondaryAxialForce,
             1.0,
         ),
     ]

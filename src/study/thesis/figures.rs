@@ -2,7 +2,7 @@
 
 use super::{Chapters, Ends, Family};
 use crate::case::Key;
-use crate::model::InternalError;
+use crate::model::{InternalError, Output};
 use crate::plot::{self, Axis, Figure, Look, Series};
 use crate::result::Outcome;
 use crate::study::Table;
@@ -25,8 +25,9 @@ pub fn figures(chapters: &Chapters) -> Result<Vec<Figure>, InternalError> {
     Ok(figures)
 }
 
-pub(super) fn points(table: &Table, rows: std::ops::Range<usize>, x: &str, y: &str, scale: f64) -> Vec<(f64, f64)> {
-    rows.map(|row| (table.number(row, x), scale * table.number(row, y))).collect()
+/// An output over the ratio, in some rows.
+pub(super) fn points(table: &Table, rows: std::ops::Range<usize>, output: Output, scale: f64) -> Vec<(f64, f64)> {
+    rows.map(|row| (table.number(row, Key::Ratio.path()), scale * table.output(row, output))).collect()
 }
 
 pub(super) fn over_ratio(name: &str, caption: &str, y: Axis, series: Vec<Series>) -> Figure {
@@ -34,24 +35,24 @@ pub(super) fn over_ratio(name: &str, caption: &str, y: Axis, series: Vec<Series>
 }
 
 fn range(table: &Table) -> Vec<Figure> {
-    let line = |label: &str, column: &str, scale: f64| {
-        Series::line(label, points(table, 0..table.rows.len(), "drive.ratio", column, scale)).marked()
+    let line = |label: &str, output: Output, scale: f64| {
+        Series::line(label, points(table, 0..table.rows.len(), output, scale)).marked()
     };
     vec![
         over_ratio(
             "range_axial_force",
             "Axial forces over the operating range",
             Axis::new("axial force A (N)"),
-            vec![line("primary", "primary.axial_force", 1.0), line("secondary", "secondary.axial_force", 1.0)],
+            vec![line("primary", Output::PrimaryAxialForce, 1.0), line("secondary", Output::SecondaryAxialForce, 1.0)],
         ),
         over_ratio(
             "range_efficiency",
             "Efficiencies over the operating range",
             Axis::new("efficiency η (%)"),
             vec![
-                line("speed", "efficiency.speed", 100.0),
-                line("torque", "efficiency.torque", 100.0),
-                line("overall", "efficiency.overall", 100.0),
+                line("speed", Output::EfficiencySpeed, 100.0),
+                line("torque", Output::EfficiencyTorque, 100.0),
+                line("overall", Output::EfficiencyOverall, 100.0),
             ],
         ),
         over_ratio(
@@ -59,9 +60,9 @@ fn range(table: &Table) -> Vec<Figure> {
             "Friction loss by pulley over the operating range",
             Axis::new("friction loss W (W)"),
             vec![
-                line("primary", "primary.friction_loss", 1.0),
-                line("secondary", "secondary.friction_loss", 1.0),
-                line("both", "energy.friction_loss", 1.0),
+                line("primary", Output::PrimaryFrictionLoss, 1.0),
+                line("secondary", Output::SecondaryFrictionLoss, 1.0),
+                line("both", Output::EnergyFrictionLoss, 1.0),
             ],
         ),
     ]
@@ -156,11 +157,15 @@ fn beside(
 /// Efficiencies over the ratio, curve by curve; for the slack tension, axial forces over it as well.
 fn family(family: &Family) -> Vec<Figure> {
     let entry = family.key.entry();
-    let mut figures: Vec<Figure> = ["overall", "speed", "torque"]
-        .map(|which| {
-            let column = format!("efficiency.{which}");
+    let efficiencies = [
+        ("overall", Output::EfficiencyOverall),
+        ("speed", Output::EfficiencySpeed),
+        ("torque", Output::EfficiencyTorque),
+    ];
+    let mut figures: Vec<Figure> = efficiencies
+        .map(|(which, output)| {
             let line = |(value, rows): (f64, std::ops::Range<usize>)| {
-                Series::line(entry.label_at(value), points(&family.table, rows, "drive.ratio", &column, 100.0)).marked()
+                Series::line(entry.label_at(value), points(&family.table, rows, output, 100.0)).marked()
             };
             let series = family.curves().into_iter().map(line).collect();
             let mut start = which.to_owned();
@@ -174,19 +179,20 @@ fn family(family: &Family) -> Vec<Figure> {
         })
         .into();
     if family.key == Key::SlackTension {
-        figures.extend(["primary", "secondary"].map(|pulley| forces(family, pulley)));
+        let pulleys = [("primary", Output::PrimaryAxialForce), ("secondary", Output::SecondaryAxialForce)];
+        figures.extend(pulleys.map(|(pulley, force)| forces(family, pulley, force)));
     }
     figures
 }
 
-fn forces(family: &Family, pulley: &str) -> Figure {
+fn forces(family: &Family, pulley: &str, force: Output) -> Figure {
     let curves = family.curves();
     let width = curves.first().map_or(0, |(_, rows)| rows.len());
-    let column = format!("{pulley}.axial_force");
     let line = |at: usize| {
         let points: Vec<(f64, f64)> =
-            curves.iter().map(|(value, rows)| (*value, family.table.number(rows.start + at, &column))).collect();
-        let ratio = curves.first().map_or(f64::NAN, |(_, rows)| family.table.number(rows.start + at, "drive.ratio"));
+            curves.iter().map(|(value, rows)| (*value, family.table.output(rows.start + at, force))).collect();
+        let ratio =
+            curves.first().map_or(f64::NAN, |(_, rows)| family.table.number(rows.start + at, Key::Ratio.path()));
         Series::line(format!("ratio {ratio:.2}"), points).marked()
     };
     let series = [0, width / 2, width.saturating_sub(1)].map(line).into();

@@ -108,7 +108,7 @@ pub fn checks(chapters: &Chapters) -> Vec<Check> {
     for number in &published.parameter_studies {
         let (Some(value), Some(tolerance), Some(ratio)) = (number.value, number.tol, number.ratio) else { continue };
         let gain = family(chapters, Key::BendingStiffness).map_or(f64::NAN, |family| {
-            let at = |curve: usize| efficiency(family, curve, ratio > 1.0, "overall");
+            let at = |curve: usize| at_end(family, curve, ratio > 1.0, Output::EfficiencyOverall);
             100.0 * (at(0) - at(family.curves().len().saturating_sub(1)))
         });
         let what = format!("gain of overall efficiency, EI from 0.5 to 0.025 N·m², ratio {ratio}");
@@ -143,11 +143,11 @@ fn angle_row(chapters: &Chapters, degrees: f64, ratio: f64) -> Option<(&Table, u
     Some((&family.table, if ratio > 1.0 { rows.start } else { rows.end - 1 }))
 }
 
-/// An efficiency at one end of the range.
-fn efficiency(family: &Family, curve: usize, low_range: bool, which: &str) -> f64 {
+/// An output at one end of the range.
+fn at_end(family: &Family, curve: usize, low_range: bool, output: Output) -> f64 {
     let curves = family.curves();
     let Some((_, rows)) = curves.get(curve) else { return f64::NAN };
-    family.table.number(if low_range { rows.start } else { rows.end - 1 }, &format!("efficiency.{which}"))
+    family.table.output(if low_range { rows.start } else { rows.end - 1 }, output)
 }
 
 /// Whether a change is one upward; a point without a solution changes nothing.
@@ -161,8 +161,8 @@ fn rises(values: &[f64]) -> usize {
 }
 
 fn range_statements(range: &Table) -> Vec<Check> {
-    let column = |name: &str| (0..range.rows.len()).map(|row| range.number(row, name)).collect::<Vec<_>>();
-    let (primary, secondary) = (column(Output::PrimaryAxialForce.name()), column(Output::SecondaryAxialForce.name()));
+    let column = |output: Output| (0..range.rows.len()).map(|row| range.output(row, output)).collect::<Vec<_>>();
+    let (primary, secondary) = (column(Output::PrimaryAxialForce), column(Output::SecondaryAxialForce));
     let smaller = primary.iter().zip(&secondary).filter(|(primary, secondary)| primary <= secondary).count();
     let (first, last) = (0, primary.len().saturating_sub(1));
     let difference = |row: usize| Some(primary.get(row)? - secondary.get(row)?);
@@ -173,12 +173,8 @@ fn range_statements(range: &Table) -> Vec<Check> {
         statement("6.2.3", "secondary axial force falls from low to high range", rises(&secondary)),
         statement("6.2.3", "the primary's axial force is the larger", smaller),
         statement("6.2.3", "their difference is larger in high range than in low", usize::from(!grows)),
-        statement("6.2.4", "torque loss grows from low to high range", rises(&column(Output::EfficiencyTorque.name()))),
-        statement(
-            "6.2.4",
-            "speed loss falls from low to high range",
-            rises(&negated(column(Output::EfficiencySpeed.name()))),
-        ),
+        statement("6.2.4", "torque loss grows from low to high range", rises(&column(Output::EfficiencyTorque))),
+        statement("6.2.4", "speed loss falls from low to high range", rises(&negated(column(Output::EfficiencySpeed)))),
     ]
 }
 
@@ -188,7 +184,7 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
     let falls = |family: &Family, sign: f64| {
         let curves = family.curves();
         let value =
-            |rows: &std::ops::Range<usize>, at: usize| family.table.number(rows.start + at, "efficiency.overall");
+            |rows: &std::ops::Range<usize>, at: usize| family.table.output(rows.start + at, Output::EfficiencyOverall);
         let pairs = curves.windows(2).filter_map(|pair| if let [a, b] = pair { Some((&a.1, &b.1)) } else { None });
         pairs
             .flat_map(|(a, b)| (0..a.len()).map(move |at| (a, b, at)))
@@ -204,13 +200,13 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
             "overall efficiency falls with the slack tension at every ratio",
             falls(tension, -1.0),
         ));
-        for pulley in ["primary", "secondary"] {
-            let name = format!("{pulley}.axial_force");
+        for (pulley, force) in [("primary", Output::PrimaryAxialForce), ("secondary", Output::SecondaryAxialForce)] {
             let what = format!("{pulley}: axial force over slack tension, departure from a straight line");
-            checks.push(check("7.3", what, "% of its rise", 0.0, 5.0, 100.0 * bend(tension, &name)));
+            checks.push(check("7.3", what, "% of its rise", 0.0, 5.0, 100.0 * bend(tension, force)));
         }
         let last = tension.curves().len().saturating_sub(1);
-        let change = |low: bool| efficiency(tension, last, low, "speed") - efficiency(tension, 0, low, "speed");
+        let speed = |curve: usize, low: bool| at_end(tension, curve, low, Output::EfficiencySpeed);
+        let change = |low: bool| speed(last, low) - speed(0, low);
         checks.push(statement(
             "7.3",
             "speed efficiency falls with the slack tension in low range",
@@ -225,7 +221,7 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
     if let Some(friction) = family(chapters, Key::FrictionCoefficient) {
         let curves = friction.curves();
         let spread = curves.first().zip(curves.last()).map_or(f64::NAN, |((_, a), (_, b))| {
-            let value = |row: usize| 100.0 * friction.table.number(row, "efficiency.overall");
+            let value = |row: usize| 100.0 * friction.table.output(row, Output::EfficiencyOverall);
             (0..a.len()).map(|at| (value(b.start + at) - value(a.start + at)).abs()).fold(0.0, f64::max)
         });
         let what = "largest change of overall efficiency, friction coefficient from 0.3 to 0.5".to_owned();
@@ -234,15 +230,15 @@ fn family_statements(chapters: &Chapters) -> Vec<Check> {
     checks
 }
 
-/// Largest departure of a quantity from the straight line between the first and last curve, as a share of its rise.
-fn bend(family: &Family, name: &str) -> f64 {
+/// Largest departure of an output from the straight line between the first and last curve, as a share of its rise.
+fn bend(family: &Family, output: Output) -> f64 {
     let curves = family.curves();
     let Some(((first, start), (last, end))) = curves.first().zip(curves.last()) else { return f64::NAN };
     let mut largest = 0.0_f64;
     for (value, rows) in &curves {
         let part = (value - first) / (last - first);
         for at in 0..rows.len() {
-            let number = |rows: &std::ops::Range<usize>| family.table.number(rows.start + at, name);
+            let number = |rows: &std::ops::Range<usize>| family.table.output(rows.start + at, output);
             let rise = number(end) - number(start);
             largest = largest.max(((number(rows) - number(start) - part * rise) / rise).abs());
         }
