@@ -79,12 +79,12 @@ pub(super) fn flyweight_shape(
         forces.insert(0, *force);
         travels.insert(0, 0.0);
     }
-    let wanted = Wanted { flyweights, forces: profile(travels.clone(), forces)?, speed, shift };
+    let wanted = Wanted { flyweights, forces: profile(travels, forces)?, speed, shift };
     match &flyweights.mechanism {
-        Mechanism::Coefficient { .. } => wanted.coefficient(&travels),
-        Mechanism::Ramp { radius, .. } => wanted.ramp(&travels, radius),
-        Mechanism::RollerArm(arm) => wanted.roller(&travels, arm),
-        Mechanism::CamArm(arm) => wanted.cam(&travels, arm),
+        Mechanism::Coefficient { lost, .. } => wanted.coefficient(*lost),
+        Mechanism::Ramp { radius, friction_angle } => wanted.ramp(radius, *friction_angle),
+        Mechanism::RollerArm(arm) => wanted.roller(arm),
+        Mechanism::CamArm(arm) => wanted.cam(arm),
     }
 }
 
@@ -95,7 +95,7 @@ fn profile(places: Vec<f64>, values: Vec<f64>) -> Result<Profile, InverseError> 
 /// What flyweights have to press with.
 struct Wanted<'a> {
     flyweights: &'a Flyweights,
-    /// Over the travel.
+    /// Over the travel; the shape is found at its places.
     forces: Profile,
     speed: f64,
     shift: Shift,
@@ -106,26 +106,19 @@ impl Wanted<'_> {
         Flyweights { mechanism, ..self.flyweights.clone() }
     }
 
-    /// The force is proportional to the coefficient.
-    fn coefficient(&self, travels: &[f64]) -> Result<Shape, InverseError> {
+    /// The force is proportional to the coefficient, whatever share of it friction takes.
+    fn coefficient(&self, lost: f64) -> Result<Shape, InverseError> {
         const UNIT: f64 = 1e-2;
-        let lost = match self.flyweights.mechanism {
-            Mechanism::Coefficient { lost, .. } => lost,
-            Mechanism::Ramp { .. } | Mechanism::RollerArm(_) | Mechanism::CamArm(_) => 0.0,
-        };
         let unit = self.with(Mechanism::Coefficient { coefficient: Profile::line(0.0, UNIT, 0.0), lost });
         let of_unit = unit.force(self.speed, 0.0, self.shift).map_err(|error| InverseError::Actuator { error })?;
+        let travels = self.forces.places();
         let values = travels.iter().map(|travel| UNIT * self.forces.at(*travel).value / of_unit.value).collect();
         Ok(Shape::Coefficient(profile(travels.to_vec(), values)?))
     }
 
     /// dr/ds from r.
-    fn ramp(&self, travels: &[f64], start: &Profile) -> Result<Shape, InverseError> {
+    fn ramp(&self, start: &Profile, friction_angle: f64) -> Result<Shape, InverseError> {
         const NAME: &str = "ramp";
-        let friction_angle = match self.flyweights.mechanism {
-            Mechanism::Ramp { friction_angle, .. } => friction_angle,
-            Mechanism::Coefficient { .. } | Mechanism::RollerArm(_) | Mechanism::CamArm(_) => 0.0,
-        };
         let level = self.shift.sign() * friction_angle;
         let slope = |travel: f64, radius: f64| {
             let force = |angle: f64| {
@@ -136,13 +129,13 @@ impl Wanted<'_> {
             let reason = "give heavier or more flyweights, or a larger radius to begin with";
             steepness(self.forces.at(travel).value, level, force).map(libm::tan).ok_or((travel, reason))
         };
-        let first = travels.first().copied().unwrap_or(0.0);
-        let radii = self.integrated(NAME, travels, start.at(first).value, slope)?;
-        Ok(Shape::Ramp(profile(travels.to_vec(), radii)?))
+        let (first, _) = self.forces.domain();
+        let radii = integrated(NAME, &self.forces, start.at(first).value, slope)?;
+        Ok(Shape::Ramp(profile(self.forces.places().to_vec(), radii)?))
     }
 
     /// dθ/ds from θ; the ramp is where the roller is.
-    fn roller(&self, travels: &[f64], arm: &RollerArm) -> Result<Shape, InverseError> {
+    fn roller(&self, arm: &RollerArm) -> Result<Shape, InverseError> {
         const NAME: &str = "ramp";
         let level = self.shift.sign() * arm.friction_angle;
         let state = |angle: f64, slope: f64| arm.state(self.flyweights, self.speed, self.shift, angle, slope);
@@ -153,9 +146,10 @@ impl Wanted<'_> {
             let found = steepness(self.forces.at(travel).value, level, force).ok_or((travel, reason))?;
             Ok(state(angle, libm::tan(found)).turn)
         };
-        let first = travels.first().copied().unwrap_or(0.0);
+        let travels = self.forces.places();
+        let (first, _) = self.forces.domain();
         let start = arm.angle(first).map_err(|error| InverseError::Actuator { error })?;
-        let angles = self.integrated(NAME, travels, start, turn)?;
+        let angles = integrated(NAME, &self.forces, start, turn)?;
         let place = |(travel, angle): (&f64, &f64)| arm.ramp_start + travel - state(*angle, 0.0).along;
         let places: Vec<f64> = travels.iter().zip(&angles).map(place).collect();
         let reason = "the roller would go back on its ramp: give heavier flyweights, or a longer arm";
@@ -164,7 +158,7 @@ impl Wanted<'_> {
     }
 
     /// dξ/ds from ξ; the distance follows from the travel.
-    fn cam(&self, travels: &[f64], arm: &CamArm) -> Result<Shape, InverseError> {
+    fn cam(&self, arm: &CamArm) -> Result<Shape, InverseError> {
         const NAME: &str = "cam";
         let state = |travel: f64, at: (f64, f64)| arm.state(self.flyweights, (self.speed, travel), self.shift, at);
         let slope = |travel: f64, angle: f64| {
@@ -177,10 +171,11 @@ impl Wanted<'_> {
             let found = crossing(self.forces.at(travel).value, (-most, most), force).ok_or((travel, reason))?;
             Ok(of(found).1 * state(travel, of(found)).distance_slope)
         };
-        let first = travels.first().copied().unwrap_or(0.0);
+        let travels = self.forces.places();
+        let (first, _) = self.forces.domain();
         let distance = |travel: &f64| state(*travel, (0.0, 0.0)).distance;
         let start = arm.pitch_curve.at(distance(&first)).value;
-        let mut angles = self.integrated(NAME, travels, start, slope)?;
+        let mut angles = integrated(NAME, &self.forces, start, slope)?;
         let mut distances: Vec<f64> = travels.iter().map(distance).collect();
         if distances.first() > distances.last() {
             distances.reverse();
@@ -190,16 +185,6 @@ impl Wanted<'_> {
             have to press twice: move the roller, or the pivot, along the shaft";
         increasing(NAME, travels, &distances, reason)?;
         Ok(Shape::Cam(profile(distances, angles)?))
-    }
-
-    fn integrated(
-        &self,
-        name: &'static str,
-        travels: &[f64],
-        start: f64,
-        slope: impl Fn(f64, f64) -> Result<f64, (f64, &'static str)>,
-    ) -> Result<Vec<f64>, InverseError> {
-        integrated(name, travels, start, slope, |travel| self.forces.at(travel).value)
     }
 }
 
@@ -232,7 +217,7 @@ pub(super) fn helix_shape(
     let angle = |opening: f64, turn: f64| angle_of(helix, &forces, &torques, shift, (opening, turn));
     let slope = |opening: f64, turn: f64| angle(opening, turn).map(|angle| 1.0 / (helix.radius * libm::tan(angle)));
     let start = 0.0;
-    let turns = integrated(NAME, &openings, start, slope, |opening| forces.at(opening).value)?;
+    let turns = integrated(NAME, &forces, start, slope)?;
     let angles = openings.iter().zip(&turns).map(|(opening, turn)| {
         let force = forces.at(*opening).value;
         let told = |(travel, reason)| InverseError::Slope { profile: NAME, travel, force, reason };
@@ -308,15 +293,14 @@ fn increasing(
     }
 }
 
-/// What grows by `slope` from `start`, at every travel.
+/// What grows by `slope` from `start`, at every travel of the forces that are wanted.
 fn integrated(
     name: &'static str,
-    travels: &[f64],
+    forces: &Profile,
     start: f64,
     slope: impl Fn(f64, f64) -> Result<f64, (f64, &'static str)>,
-    force: impl Fn(f64) -> f64,
 ) -> Result<Vec<f64>, InverseError> {
-    let (Some(first), Some(last)) = (travels.first(), travels.last()) else { return Ok(Vec::new()) };
+    let (travels, (first, last)) = (forces.places(), forces.domain());
     let broken: RefCell<Option<(f64, &'static str)>> = RefCell::new(None);
     let derivative = |travel: f64, value: &f64, derivative: &mut f64| match slope(travel, *value) {
         Ok(found) => *derivative = found,
@@ -326,7 +310,7 @@ fn integrated(
         }
     };
     let method = ExplicitRungeKutta::dop853().rtol(RELATIVE).atol(ABSOLUTE);
-    let solved = IVP::ode_from_fn(&derivative, *first, *last, start).t_eval(travels).method(method).solve();
+    let solved = IVP::ode_from_fn(&derivative, first, last, start).t_eval(travels).method(method).solve();
     let reason = match solved {
         Ok(solution) if solution.y.len() == travels.len() && solution.y.iter().all(|value| value.is_finite()) => {
             return Ok(solution.y);
@@ -335,7 +319,10 @@ fn integrated(
         Err(error) => error.to_string(),
     };
     match broken.into_inner() {
-        Some((travel, reason)) => Err(InverseError::Slope { profile: name, travel, force: force(travel), reason }),
+        Some((travel, reason)) => {
+            let force = forces.at(travel).value;
+            Err(InverseError::Slope { profile: name, travel, force, reason })
+        }
         None => Err(InverseError::Integration { profile: name, reason }),
     }
 }
