@@ -66,6 +66,8 @@ pub mod equilibrium;
 mod facade;
 mod formula;
 #[cfg(feature = "ode")]
+mod integrator;
+#[cfg(feature = "ode")]
 pub mod launch;
 pub mod live;
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]

@@ -4,7 +4,7 @@ use super::axis::MapAxis;
 use super::map::BeltMap;
 use super::quantity::{Node, Quantity};
 use super::record::{ATTRIBUTE, STATUS, flag_meanings};
-use netcdf3::{DataSet, FileWriter, Version};
+use netcdf3::{DataSet, FileWriter, InvalidDataSet, Version, WriteError};
 use std::io::{self, Write};
 
 /// A variable with its numbers.
@@ -23,10 +23,10 @@ pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Resu
     let axes: Vec<String> = map.axes.iter().map(|axis| axis.key().entry().name().to_owned()).collect();
     let variables = variables(map, &axes);
     let status: Vec<i8> = map.nodes.iter().map(Node::number).collect();
-    let data = data_set(map, map.head()?, &axes, &variables).map_err(|error| io::Error::other(format!("{error:?}")))?;
+    let data = data_set(map, map.head()?, &axes, &variables).map_err(refused)?;
     // The crate writes where it can seek.
     let file = tempfile::NamedTempFile::new()?;
-    let written = || -> Result<(), netcdf3::WriteError> {
+    let written = || -> Result<(), WriteError> {
         let mut writer = FileWriter::open(file.path())?;
         writer.set_def(&data, Version::Classic, 0)?;
         for (axis, name) in map.axes.iter().zip(&axes) {
@@ -38,9 +38,29 @@ pub(super) fn write(map: &BeltMap, to: &mut (dyn Write + Send + '_)) -> io::Resu
         }
         writer.close()
     };
-    written().map_err(|error| io::Error::other(format!("{error:?}")))?;
+    written().map_err(unwritten)?;
     io::copy(&mut file.reopen()?, to)?;
     Ok(())
+}
+
+/// A data set that the crate does not take, in words: its names and sizes are this program's.
+fn refused(error: InvalidDataSet) -> io::Error {
+    tracing::debug!("NetCDF: {error:?}");
+    io::Error::other("internal error: a name or a size of the map is none in NetCDF; please report this case")
+}
+
+/// What went wrong while the file was written, in words.
+fn unwritten(error: WriteError) -> io::Error {
+    match error {
+        WriteError::IOErrorKind(kind) => kind.into(),
+        WriteError::ClassicVersionNotPossible => {
+            io::Error::other("the map is too large for NetCDF's classic format: write it as CSV")
+        }
+        other => {
+            tracing::debug!("NetCDF: {other:?}");
+            io::Error::other("internal error: the map does not fit its own data set in NetCDF; please report this case")
+        }
+    }
 }
 
 fn name(of: &str) -> String {
@@ -80,12 +100,7 @@ fn slope_unit(quantity: Quantity, axis: &MapAxis) -> String {
 }
 
 /// The file without its numbers; `head` is what it says of the map, as one line.
-fn data_set(
-    map: &BeltMap,
-    head: String,
-    axes: &[String],
-    variables: &[Variable],
-) -> Result<DataSet, netcdf3::InvalidDataSet> {
+fn data_set(map: &BeltMap, head: String, axes: &[String], variables: &[Variable]) -> Result<DataSet, InvalidDataSet> {
     let mut data = DataSet::new();
     data.add_global_attr_string("title", "belt map of a rubber V-belt CVT")?;
     data.add_global_attr_string("source", concat!("sheave ", env!("CARGO_PKG_VERSION")))?;

@@ -6,6 +6,7 @@ use differential_equations::prelude::{CrossingDirection, Event, EventConfig, Exp
 use serde::Serialize;
 
 use super::curve::{Delivered, LaunchCurve, LaunchError};
+use crate::integrator;
 use crate::powertrain::Vehicle;
 
 /// Tolerances of the integration, relative and absolute (m/s, m, J).
@@ -278,7 +279,9 @@ fn integrate(motion: &Motion<'_>, times: Option<&[f64]>) -> Result<(Vec<f64>, Ve
         Some(times) => problem.t_eval(times).solve(),
         None => problem.event(motion).solve(),
     };
-    let solution = solved.map_err(|error| LaunchError::Integration(format!("{error:?}")))?;
+    let given_up =
+        |error| LaunchError::Integration(integrator::reason(&error, |time| format!("{time:.3} s after the start")));
+    let solution = solved.map_err(given_up)?;
     Ok((solution.t, solution.y))
 }
 

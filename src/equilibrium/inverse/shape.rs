@@ -14,6 +14,7 @@ use super::points::InversePoint;
 use crate::actuator::{
     CamArm, Flyweights, Helix, Mechanism, PrimaryActuator, Profile, RollerArm, SecondaryActuator, Shift, Spring,
 };
+use crate::integrator;
 
 /// Relative and absolute tolerance of the integration.
 const RELATIVE: f64 = 1e-10;
@@ -316,7 +317,7 @@ fn integrated(
             return Ok(solution.y);
         }
         Ok(solution) => format!("it ended after {} of {} places", solution.y.len(), travels.len()),
-        Err(error) => error.to_string(),
+        Err(error) => integrator::reason(&error, |travel| format!("at a travel of {:.2} mm", travel * 1e3)),
     };
     match broken.into_inner() {
         Some((travel, reason)) => {

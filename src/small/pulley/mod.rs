@@ -115,6 +115,16 @@ pub enum End {
     B,
 }
 
+impl End {
+    /// The letter of its branch.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::A => "A",
+            Self::B => "B",
+        }
+    }
+}
+
 /// A branch's tension that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
@@ -292,7 +302,8 @@ impl BeltPulley {
         ports.s.torque -= self.inputs(&ports).outputs().get(Behaves::Torque);
         for end in self.slack_branches(&ports) {
             tracing::warn!(
-                "branch {end:?} of the belt has lost its tension; the pulley's state is not to be relied on"
+                "branch {} of the belt has lost its tension; the pulley's state is not to be relied on",
+                end.name()
             );
         }
         Ok(ports)
