@@ -11,6 +11,8 @@ use super::trends::{RADII, Scaling, Trends, best};
 
 /// The model whose fitted scale the first figure takes.
 const SHOWN: &str = "consistent";
+/// Longest line of a paragraph, in characters.
+const WIDTH: usize = 120;
 
 type Pick = fn(&Said) -> Option<f64>;
 const ELASTIC: Pick = |said| Some(said.elastic);
@@ -210,6 +212,31 @@ fn without_the_first(bench: &Bench, model: &Model) -> Option<String> {
     Some(format!("{:.2} with friction alone and {:.2} with hysteresis", rms(ELASTIC)?, rms(WITH_LOSSES)?))
 }
 
+/// The page with its paragraphs in lines of at most [`WIDTH`] characters; headings, figures and rows of tables stay as
+/// they are.
+fn wrapped(page: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    let mut in_paragraph = false;
+    for line in page.lines() {
+        if line.is_empty() || line.starts_with(['#', '|', '!']) {
+            lines.push(line.to_owned());
+            in_paragraph = false;
+            continue;
+        }
+        for word in line.split_whitespace() {
+            match lines.last_mut() {
+                Some(last) if in_paragraph && last.chars().count() + 1 + word.chars().count() <= WIDTH => {
+                    last.push(' ');
+                    last.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+            in_paragraph = true;
+        }
+    }
+    lines.iter().fold(String::new(), |page, line| page + line + "\n")
+}
+
 /// Writes the page and its figures.
 pub fn write(folder: &Path, bench: &Bench, trends: &Trends) -> Result<(), Box<dyn Error>> {
     let figures = figures(bench, trends).ok_or("no solution to show")?;
@@ -237,7 +264,7 @@ pub fn write(folder: &Path, bench: &Bench, trends: &Trends) -> Result<(), Box<dy
         .replace("{peak}", &format!("{:.2}", peak(shown, WITH_LOSSES)))
         .replace("{scaling}", &scaling_table(&trends.scaling))
         .replace("{best}", &best_table(trends));
-    put(&folder.join("validation.md"), page.as_bytes())
+    put(&folder.join("validation.md"), wrapped(&page).as_bytes())
 }
 
 /// Writes a file beside its place and renames it.
