@@ -80,6 +80,7 @@ pub fn refused(py: Python<'_>, error: &MapError) -> PyErr {
     match error {
         MapError::Case(error) => error::case(py, error),
         MapError::Study(error) => error::study(py, error),
+        MapError::Internal(error) => error::internal(error),
         other => error::map(&other.to_string()),
     }
 }

@@ -79,6 +79,7 @@ fn refused(py: Python<'_>, error: &TuneError) -> PyErr {
     match error {
         TuneError::Case(error) => error::case(py, error),
         TuneError::Map(error) => crate::beltmap::refused(py, error),
+        TuneError::Internal(error) => error::internal(error),
         TuneError::Axis { .. } | TuneError::OtherMap { .. } => error::map(&error.to_string()),
         TuneError::Parameter { .. } | TuneError::Threads(_) => PyValueError::new_err(error.to_string()),
         // What is wrong with the drive, or with the box of parts.

@@ -15,6 +15,7 @@ use super::record::{self, PointRow};
 use super::report::{ErrorReport, Report};
 use super::utilization::utilization_slopes;
 use crate::case::{Key, Resolved};
+use crate::model::InternalError;
 use crate::result::{Outcome, WANTED_RESERVE};
 use crate::study::{Axis, Study, visit};
 
@@ -40,14 +41,17 @@ impl MapPlan {
     /// See [`MapError`]. A map whose error is larger than was asked for, because it would have needed too many points,
     /// is no error: [`Report::reached`] says so.
     pub fn build(&self, keep: &dyn Keep) -> Result<BeltMap, MapError> {
-        Builder { plan: self, keep, axes: self.axes.clone(), nodes: BTreeMap::new(), checks: Vec::new(), solved: 0 }
-            .build()
+        let inputs = serde_json::to_value(&self.first).map_err(|_| InternalError::Json("a case"))?;
+        let axes = self.axes.clone();
+        Builder { plan: self, keep, inputs, axes, nodes: BTreeMap::new(), checks: Vec::new(), solved: 0 }.build()
     }
 }
 
 struct Builder<'a> {
     plan: &'a MapPlan,
     keep: &'a dyn Keep,
+    /// What the map is of.
+    inputs: serde_json::Value,
     axes: Vec<MapAxis>,
     /// By the coordinates' bits.
     nodes: BTreeMap<Vec<u64>, Node>,
@@ -223,7 +227,6 @@ impl Builder<'_> {
         let mut nodes: Vec<Node> = (0..shape.points()).map(node).collect();
         let places: Vec<&[f64]> = self.axes.iter().map(MapAxis::breakpoints).collect();
         utilization_slopes(&mut nodes, &self.plan.quantities, &shape, &places);
-        let inputs = serde_json::to_value(&self.plan.first).unwrap_or_default();
         let map = |excluded: Vec<usize>| {
             let report = self.report(&nodes);
             BeltMap::new(
@@ -232,7 +235,7 @@ impl Builder<'_> {
                 nodes.clone(),
                 excluded,
                 report,
-                inputs.clone(),
+                self.inputs.clone(),
             )
         };
         let whole = map(Vec::new());

@@ -1,6 +1,7 @@
 //! What can be wrong with a map.
 
 use crate::case::{CaseError, Key};
+use crate::model::InternalError;
 use crate::study::StudyError;
 use std::io;
 use thiserror::Error;
@@ -15,6 +16,9 @@ pub enum MapError {
     /// What is varied is wrong, or a row could not be kept.
     #[error(transparent)]
     Study(#[from] StudyError),
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// Nothing to be over.
     #[error(
         "a map needs axes: expected --over KEY=FROM..TO, such as `ratio=0.7..3.2`, up to {} times",

@@ -139,6 +139,7 @@ pub fn stop(error: MapError) -> Stop {
     match error {
         MapError::Case(error) => Stop::Input(error),
         MapError::Study(error) => error.into(),
+        MapError::Internal(error) => error.into(),
         error @ MapError::Empty { .. } => Stop::NoSolution(error.to_string()),
         other => Stop::Usage(other.to_string()),
     }

@@ -4,6 +4,7 @@ use super::output;
 use super::solve::jobs;
 use super::stop::Stop;
 use clap::Args;
+use sheave::model::InternalError;
 use sheave::report::{REPRODUCED, Reproduction};
 use sheave::study::thesis::{Chapters, ChaptersError, RATIOS, chapters};
 use sheave::study::write_csv;
@@ -58,15 +59,13 @@ fn write(folder: &Path, reproduction: &Reproduction) -> Result<(), Stop> {
     let together = folder.join("editions");
     output::create_folder(&together)?;
     output::write_figures(&together, &reproduction.comparison)?;
-    let object: serde_json::Map<String, serde_json::Value> = reproduction
-        .editions
-        .iter()
-        .map(|(chapters, checks, _)| {
-            (chapters.edition.name().to_owned(), serde_json::to_value(checks).unwrap_or_default())
-        })
-        .collect();
+    let verdicts = reproduction.editions.iter().map(|(chapters, checks, _)| {
+        let checks = serde_json::to_value(checks).map_err(|_| InternalError::Json("a verdict"))?;
+        Ok((chapters.edition.name().to_owned(), checks))
+    });
+    let verdicts = verdicts.collect::<Result<serde_json::Map<_, _>, InternalError>>()?;
     for (name, text) in [
-        ("verdicts.json", output::json(&object)?),
+        ("verdicts.json", output::json(&verdicts)?),
         ("verdicts.md", reproduction.markdown()),
         ("report.html", reproduction.page()?),
     ] {

@@ -122,6 +122,7 @@ fn stop(error: TuneError) -> Stop {
     match error {
         TuneError::Case(error) => Stop::Input(error),
         TuneError::Map(error) => super::map::stop(error),
+        TuneError::Internal(error) => error.into(),
         other => Stop::Usage(other.to_string()),
     }
 }

@@ -1,5 +1,6 @@
 //! Limits and optima over a grid of keys, as a table and as figures.
 
+use serde::Serialize;
 use serde_json::Value;
 
 use super::error::DesignError;
@@ -7,6 +8,7 @@ use super::limit::{LimitKind, LimitOptions, largest_torque, smallest_clamps};
 use super::optimum::optimum;
 use crate::case::{Key, Resolved, Setting};
 use crate::drive::{Failure, SolveOptions};
+use crate::model::InternalError;
 use crate::plot::{Axis, Figure, Look, Series};
 use crate::study::{Cell, GridPoint, Row, Study, StudyError, Table, TableBuilder};
 
@@ -96,13 +98,17 @@ pub fn limits(case: &Resolved, varied: &[Key], options: &LimitOptions) -> Result
     let mut object = serde_json::Map::new();
     if !varies(&LOADS) {
         let (limit, _) = largest_torque(case, options)?;
-        object.insert("largest_torque".into(), serde_json::to_value(limit).unwrap_or_default());
+        object.insert("largest_torque".into(), json(&limit)?);
     }
     if !varies(&CLAMPS) {
         let (limits, _) = smallest_clamps(case, options)?;
-        object.insert("smallest_clamp".into(), serde_json::to_value(limits).unwrap_or_default());
+        object.insert("smallest_clamp".into(), json(&limits)?);
     }
     Ok(Value::Object(object))
+}
+
+fn json(limit: &impl Serialize) -> Result<Value, InternalError> {
+    serde_json::to_value(limit).map_err(|_| InternalError::Json("a limit"))
 }
 
 /// A table of [`limits`] over a grid, on `jobs` threads (all cores if none are given).
@@ -161,31 +167,31 @@ fn map(
 }
 
 fn table_row(index: usize, point: &GridPoint, answer: Result<Value, String>) -> Row {
-    let mut cells: Vec<(String, Value)> = Vec::new();
+    let mut cells: Vec<(String, Cell)> = Vec::new();
     for (key, setting) in &point.varied {
-        cells.push((key.path().to_owned(), serde_json::to_value(setting).unwrap_or_default()));
+        cells.push((key.path().to_owned(), Cell::of_setting(setting).unwrap_or(Cell::Empty)));
     }
-    cells.push(("converged".into(), Value::Bool(answer.is_ok())));
+    cells.push(("converged".into(), Cell::Truth(answer.is_ok())));
     let failure = match answer {
         Ok(value) => {
             flatten("", value, &mut cells);
-            Value::Null
+            Cell::Empty
         }
-        Err(reason) => Value::from(reason),
+        Err(reason) => Cell::Text(reason.into()),
     };
     cells.push(("failure".into(), failure));
-    let (columns, cells) = cells.into_iter().map(|(name, value)| (name, cell(value))).unzip();
+    let (columns, cells) = cells.into_iter().unzip();
     Row { index, columns, cells }
 }
 
 /// The scalars of a value by their names with dots.
-fn flatten(name: &str, value: Value, cells: &mut Vec<(String, Value)>) {
+fn flatten(name: &str, value: Value, cells: &mut Vec<(String, Cell)>) {
     match value {
         Value::Object(members) => {
             let dot = if name.is_empty() { "" } else { "." };
             members.into_iter().for_each(|(member, value)| flatten(&format!("{name}{dot}{member}"), value, cells));
         }
-        value => cells.push((name.to_owned(), value)),
+        value => cells.push((name.to_owned(), cell(value))),
     }
 }
 

@@ -3,10 +3,12 @@
 use std::io;
 
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::curve::{ShiftBranch, ShiftPoint};
 use super::point::Direction;
+use super::report::DriveReport;
+use crate::model::InternalError;
 use crate::study::{Cell, Row, Table, TableBuilder};
 
 /// The points of a shift curve as a table: SI units, one row a point; a point without an equilibrium says why.
@@ -20,21 +22,22 @@ pub fn shift_table(branches: &[ShiftBranch]) -> Table {
 }
 
 fn row(index: usize, point: &ShiftPoint) -> Row {
+    let told = match &point.report {
+        Ok(report) => members(report).map_err(|error| error.to_string()),
+        Err(reason) => Err(reason.clone()),
+    };
     let mut cells: Vec<(String, Value)> = vec![
         ("direction".into(), point.direction.name().into()),
         ("secondary_speed".into(), point.secondary_speed.into()),
-        ("converged".into(), point.report.is_ok().into()),
+        ("converged".into(), told.is_ok().into()),
     ];
-    let failure = match &point.report {
-        Ok(report) => {
-            let members = serde_json::to_value(report).ok();
-            let members =
-                members.and_then(|value| if let Value::Object(members) = value { Some(members) } else { None });
+    let failure = match told {
+        Ok(members) => {
             let known = |name: &str| matches!(name, "drive" | "parts" | "direction" | "secondary_speed");
-            cells.extend(members.unwrap_or_default().into_iter().filter(|(name, _)| !known(name)));
+            cells.extend(members.into_iter().filter(|(name, _)| !known(name)));
             Value::Null
         }
-        Err(reason) => Value::from(reason.as_str()),
+        Err(reason) => Value::from(reason),
     };
     cells.push(("failure".into(), failure));
     let cell = |value: Value| match value {
@@ -45,6 +48,13 @@ fn row(index: usize, point: &ShiftPoint) -> Row {
     };
     let (columns, cells) = cells.into_iter().map(|(name, value)| (name, cell(value))).unzip();
     Row { index, columns, cells }
+}
+
+fn members(report: &DriveReport) -> Result<Map<String, Value>, InternalError> {
+    match serde_json::to_value(report) {
+        Ok(Value::Object(members)) => Ok(members),
+        Ok(_) | Err(_) => Err(InternalError::Json("an equilibrium")),
+    }
 }
 
 /// Measured speeds, rad/s.

@@ -46,4 +46,7 @@ pub enum InternalError {
         /// Values that it must hold.
         expected: usize,
     },
+    /// What this program writes or brings along as JSON is none.
+    #[error("internal error: {0} is not to be had as JSON; please report this case")]
+    Json(&'static str),
 }

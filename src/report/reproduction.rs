@@ -33,7 +33,7 @@ impl Reproduction {
     pub fn new(chapters: Vec<Chapters>, effort: String) -> Result<Self, PlotError> {
         let comparison = comparison(&chapters);
         let with = |chapters: Chapters| {
-            let (checks, figures) = (checks(&chapters), figures(&chapters)?);
+            let (checks, figures) = (checks(&chapters)?, figures(&chapters)?);
             Ok((chapters, checks, figures))
         };
         let editions = chapters.into_iter().map(with).collect::<Result<_, PlotError>>()?;

@@ -1,8 +1,10 @@
 //! Rows of a study, and the table they make.
 
 use super::plan::GridPoint;
-use crate::model::Output;
+use crate::case::Setting;
+use crate::model::{InternalError, Output};
 use crate::result::Outcome;
+use serde::Serialize;
 use serde_json::{Number, Value};
 use std::collections::HashMap;
 
@@ -46,6 +48,15 @@ impl Cell {
         }
     }
 
+    /// The value of a key; nothing for one that is no scalar.
+    pub(crate) fn of_setting(setting: &Setting) -> Option<Self> {
+        match setting {
+            Setting::Number(value) => Some(Number::from_f64(*value).map_or(Self::Empty, Self::Number)),
+            Setting::Name(name) => Some(Self::Text((*name).into())),
+            Setting::List(_) | Setting::Table(_) => None,
+        }
+    }
+
     pub(super) fn from_json(value: Value) -> Option<Self> {
         match value {
             Value::Null => Some(Self::Empty),
@@ -76,19 +87,25 @@ impl Row {
     pub fn new(index: usize, point: &GridPoint, outcome: Result<&Outcome, String>) -> Self {
         let mut row = Self { index, columns: Vec::new(), cells: Vec::new() };
         for (key, setting) in &point.varied {
-            row.push(key.path().to_owned(), serde_json::to_value(setting).unwrap_or_default());
-        }
-        row.push(CONVERGED.into(), Value::Bool(outcome.is_ok()));
-        match &outcome {
-            Ok(outcome) => row.flatten("", serde_json::to_value(&outcome.result).unwrap_or_default()),
-            Err(_) => {
-                // Of a case that makes no sense there are none.
-                if let Some(inputs) = point.case.as_ref().ok().and_then(|case| serde_json::to_value(case).ok()) {
-                    row.flatten("inputs", inputs);
-                }
+            if let Some(cell) = Cell::of_setting(setting) {
+                row.put(key.path().to_owned(), cell);
             }
         }
-        row.push(FAILURE.into(), outcome.err().map_or(Value::Null, Value::from));
+        let result = outcome.and_then(|outcome| object(&outcome.result, "a result"));
+        row.put(CONVERGED.into(), Cell::Truth(result.is_ok()));
+        // Of a case that makes no sense there are no inputs.
+        let (members, failure) = match (result, &point.case) {
+            (Ok(result), _) => (Some(("", result)), None),
+            (Err(reason), Err(_)) => (None, Some(reason)),
+            (Err(reason), Ok(case)) => match object(case, "a case") {
+                Ok(inputs) => (Some(("inputs", inputs)), Some(reason)),
+                Err(also) => (None, Some(format!("{reason}; {also}"))),
+            },
+        };
+        if let Some((name, members)) = members {
+            row.flatten(name, members);
+        }
+        row.put(FAILURE.into(), failure.map_or(Cell::Empty, |reason| Cell::Text(reason.into())));
         row
     }
 
@@ -118,12 +135,22 @@ impl Row {
     }
 
     fn push(&mut self, name: String, value: Value) {
-        let Some(cell) = Cell::from_json(value) else { return };
+        if let Some(cell) = Cell::from_json(value) {
+            self.put(name, cell);
+        }
+    }
+
+    fn put(&mut self, name: String, cell: Cell) {
         if !self.columns.contains(&name) {
             self.columns.push(name);
             self.cells.push(cell);
         }
     }
+}
+
+/// What can be written as JSON, which everything of this program can; else why not.
+fn object(of: &impl Serialize, what: &'static str) -> Result<Value, String> {
+    serde_json::to_value(of).map_err(|_| InternalError::Json(what).to_string())
 }
 
 /// A finished study: one row a point, in input order.

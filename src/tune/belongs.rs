@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::error::TuneError;
 use crate::beltmap::{BeltMap, Quantity};
 use crate::case::{Key, Resolved, TABLE};
-use crate::model::Include;
+use crate::model::{Include, InternalError};
 use crate::text::quoted;
 
 /// Numbers that are closer than this share of them are the same: one quantity in two units.
@@ -17,10 +17,10 @@ const SWAP: &str = "swap";
 /// engine and vehicle. `case` is that in the middle of the map that the case would have.
 ///
 /// # Errors
-/// [`TuneError::OtherMap`] names the first key that differs.
+/// [`TuneError::OtherMap`] names the first key that differs; [`TuneError::Internal`].
 pub fn check(map: &BeltMap, case: &Resolved) -> Result<(), TuneError> {
     let theirs = map.inputs();
-    let ours = serde_json::to_value(case).unwrap_or_default();
+    let ours = serde_json::to_value(case).map_err(|_| InternalError::Json("a case"))?;
     let told = [map.quantities().contains(&Quantity::Losses), Quantity::of_case(case).contains(&Quantity::Losses)];
     for entry in &TABLE {
         if !matters(entry.key, told) {

@@ -2,6 +2,7 @@
 
 use crate::beltmap::MapError;
 use crate::case::{CaseError, Key};
+use crate::model::InternalError;
 use thiserror::Error;
 
 /// What is wrong with a box of parts, beyond its form.
@@ -64,6 +65,9 @@ pub enum TuneError {
     /// There is no map of the belt.
     #[error("the map of the belt: {0}")]
     Map(#[from] MapError),
+    /// What must not happen.
+    #[error(transparent)]
+    Internal(#[from] InternalError),
     /// The drive lacks what the search needs.
     #[error("the drive has no {what}: {needs}")]
     Missing {

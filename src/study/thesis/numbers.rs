@@ -2,7 +2,7 @@
 
 use super::{Chapters, Family};
 use crate::case::Key;
-use crate::model::Output;
+use crate::model::{InternalError, Output};
 use crate::study::Table;
 use serde::{Deserialize, Serialize};
 
@@ -68,11 +68,15 @@ fn per_si(unit: &str) -> f64 {
 }
 
 /// All numbers and statements of chapters 6 and 7, checked.
-pub fn checks(chapters: &Chapters) -> Vec<Check> {
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn checks(chapters: &Chapters) -> Result<Vec<Check>, InternalError> {
     // The text is part of the program, and a test reads it.
-    let Ok(published) = serde_json::from_str::<Published>(PUBLISHED) else { return Vec::new() };
+    let published = serde_json::from_str::<Published>(PUBLISHED);
+    let published = published.map_err(|_| InternalError::Json("what the thesis states"))?;
     let mut checks = Vec::new();
-    let result = serde_json::to_value(&chapters.base.result).unwrap_or_default();
+    let result = serde_json::to_value(&chapters.base.result).map_err(|_| InternalError::Json("a result"))?;
     for number in &published.base_case {
         let (Some(key), Some(value), Some(tolerance)) = (&number.key, number.value, number.tol) else { continue };
         let found = key.split('.').try_fold(&result, |object, name| object.get(name)).and_then(|found| found.as_f64());
@@ -115,7 +119,7 @@ pub fn checks(chapters: &Chapters) -> Vec<Check> {
         checks.push(check(&number.section, what, &number.unit, value, tolerance, gain));
     }
     checks.extend(family_statements(chapters));
-    checks
+    Ok(checks)
 }
 
 fn words(key: &str) -> String {
