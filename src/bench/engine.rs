@@ -1,12 +1,12 @@
 //! The engine's curve: torque and power over speed, from a table.
 
 use super::error::{BenchError, BenchProblem};
+use crate::quantity::{Unit, rpm};
 use serde::Serialize;
-use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Mechanical horsepower, W: 550 ft·lbf/s.
-const HORSEPOWER: f64 = 745.699_871_582_270_2;
+/// Mechanical horsepower, W.
+const HORSEPOWER: f64 = Unit::HORSEPOWER.in_si();
 /// Rows that a curve may have.
 const ROWS: usize = 1_000_000;
 
@@ -64,7 +64,7 @@ impl EngineCurve {
             let number = |cell: &str| cell.parse::<f64>().ok().filter(|value| value.is_finite());
             match (number(first), number(second)) {
                 (Some(speed), Some(value)) if speed >= 0.0 && points.len() < ROWS => {
-                    points.push((speed * TAU / 60.0, value));
+                    points.push((Unit::RPM.to_si(speed), value));
                 }
                 (None, None) if points.is_empty() && !named => {
                     (tabulated, scale) = unit(second).ok_or_else(|| {
@@ -80,7 +80,7 @@ impl EngineCurve {
         let same = points.windows(2).find(|pair| pair[0].0 == pair[1].0);
         match (points.len(), same) {
             (_, Some(pair)) => {
-                let reason = format!("two rows have the speed {:.2} rpm", pair[0].0 * 60.0 / TAU);
+                let reason = format!("two rows have the speed {:.2} rpm", rpm(pair[0].0));
                 Err(BenchProblem::Unusable { path: name.into(), reason }.into())
             }
             (0 | 1, None) => {
@@ -109,8 +109,8 @@ impl EngineCurve {
 
     /// The speeds of the table, rpm.
     pub fn range(&self) -> (f64, f64) {
-        let rpm = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |point| point.0 * 60.0 / TAU);
-        (rpm(self.points.first()), rpm(self.points.last()))
+        let speed = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |point| rpm(point.0));
+        (speed(self.points.first()), speed(self.points.last()))
     }
 }
 
@@ -130,6 +130,7 @@ fn unit(name: &str) -> Option<(Tabulated, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     #[test]
     fn both_kinds_of_tables_are_read() {

@@ -6,6 +6,7 @@ use super::error::{BenchError, BenchProblem};
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Case, Free, Key};
 use crate::drive::{Constant, SolveOptions};
+use crate::quantity::{Unit, rpm};
 use crate::random::Random;
 use crate::result;
 use serde::Serialize;
@@ -98,7 +99,7 @@ pub fn truth(
     for at in 0..steps {
         let share = at as f64 / (steps.max(2) - 1) as f64;
         let ratio = high + share * (low - high);
-        let primary_speed = (3250.0 - 450.0 * share) * TAU / 60.0;
+        let primary_speed = Unit::RPM.to_si(3250.0 - 450.0 * share);
         let fails = |reason: String| {
             BenchError::from(BenchProblem::Unusable { path: format!("step {at}, ratio {ratio:.3}"), reason })
         };
@@ -160,7 +161,7 @@ pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String
             let turn = TAU / speed;
             let events = events(turn, &mut random, |random| {
                 // The Arduino divides integers.
-                (speed * 60.0 / TAU * (1.0 + noise * random.normal())).floor()
+                (rpm(speed) * (1.0 + noise * random.normal())).floor()
             });
             files.push((format!("{name}_{at}.csv"), polled(&events, begin, disturbance, &mut random)));
         }

@@ -17,5 +17,5 @@ mod statistics;
 
 pub use error::{BenchError, BenchProblem};
 pub use page::{PageTable, page};
-pub use sheet::{Entry, QuantityKind, celsius, keys, temperature};
+pub use sheet::{Entry, QuantityKind, keys, temperature};
 pub use statistics::{Average, CONFIDENCE, Line, student};

@@ -3,7 +3,7 @@
 use super::error::{BenchError, BenchProblem};
 use crate::case::raw::{Raw, in_order, kind, raw};
 use crate::case::{Place, Range, Source};
-use crate::quantity::{self, Dimension, QuantityError, Unit, ZERO_CELSIUS, on_shifted_scale};
+use crate::quantity::{self, Dimension, QuantityError, Unit, on_shifted_scale};
 use crate::text::quoted;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -192,11 +192,6 @@ pub fn temperature(text: &str) -> Result<f64, String> {
         }
         kelvin => Ok(kelvin),
     }
-}
-
-/// A temperature as people read it.
-pub fn celsius(kelvin: f64) -> f64 {
-    kelvin - ZERO_CELSIUS
 }
 
 impl Sheet {

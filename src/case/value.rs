@@ -5,7 +5,7 @@ use super::keys::{Entry, Key, ValueKind};
 use super::range::Range;
 use super::raw::Raw;
 use crate::model::Choice;
-use crate::quantity::{self, Dimension, Quantity, QuantityError, Unit};
+use crate::quantity::{self, Dimension, Quantity, QuantityError, Unit, ZERO_CELSIUS};
 
 /// A bare number above this is a speed in rpm, not in rad/s: 2000 rad/s are 19,100 rpm.
 const FASTEST_BARE: f64 = 2000.0;
@@ -42,7 +42,7 @@ pub(super) fn quantity_value(key: Key, raw: Raw<'_>, given: &str) -> Result<f64,
     }
     let unit_missing = match unit.scale.dimension {
         // Of temperatures, those that people write without a unit are in degrees Celsius.
-        Dimension::TEMPERATURE => (quantity.bare && allowed(si + crate::quantity::ZERO_CELSIUS)).then_some("degC"),
+        Dimension::TEMPERATURE => (quantity.bare && allowed(si + ZERO_CELSIUS)).then_some("degC"),
         _ => (quantity.bare && allowed(unit.to_si(si))).then_some(unit.symbol),
     };
     Err(CaseProblem::OutOfRange { key, given: given.into(), unit_missing })

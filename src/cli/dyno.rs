@@ -12,8 +12,8 @@ use sheave::bench::dyno::{
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, PageTable, page};
+use sheave::quantity::Unit;
 use sheave::result::envelope;
-use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -200,7 +200,7 @@ fn cell(value: Option<f64>, digits: usize) -> String {
 }
 
 fn row(point: &SteadyPoint) -> [String; 8] {
-    let rpm = 60.0 / TAU;
+    let rpm = Unit::RPM.per_si();
     [
         point.record.rsplit('/').next().unwrap_or_default().to_owned(),
         cell(Some(point.start), 2),

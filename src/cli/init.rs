@@ -6,8 +6,8 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
+use sheave::quantity::rpm;
 use sheave::small::init::{InitError, InitialState, Method, PulleyId, SimpleDrive, Situation, solve};
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 /// Where a drive starts: belt speed, speeds, torques and axial forces of the simple belt drive
@@ -130,7 +130,7 @@ fn summary(object: &Object) -> String {
         let (primary, secondary) = (value(&object.primary), value(&object.secondary));
         let _ = writeln!(text, "  {name:<26}{primary:>12.digits$}{secondary:>12.digits$}  {unit}");
     };
-    row("speed", "rpm", 2, |pulley| pulley.speed * 30.0 / PI);
+    row("speed", "rpm", 2, |pulley| rpm(pulley.speed));
     row("torque", "N·m", 3, |pulley| pulley.torque);
     row("power", "W", 1, |pulley| pulley.power);
     row("axial force", "N", 1, |pulley| pulley.axial_force);

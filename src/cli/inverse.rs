@@ -16,7 +16,7 @@ use sheave::equilibrium::inverse::{
 };
 use sheave::equilibrium::{Direction, unused_keys};
 use sheave::plot::Stack;
-use sheave::quantity::Dimension;
+use sheave::quantity::{Dimension, rpm};
 use sheave::study::Format;
 use std::path::PathBuf;
 
@@ -215,7 +215,7 @@ impl Common {
 
 /// The file's text: what it is for, and the keys.
 fn part_text(part: &sheave::equilibrium::inverse::MadePart, found: &Inverse) -> String {
-    let rpm = found.options.target * 30.0 / std::f64::consts::PI;
+    let rpm = rpm(found.options.target);
     format!(
         "# Made to hold the engine at {rpm:.0} rpm and {:.2} N·m over the whole shift. A case names this file under \
         [{}]:\n\

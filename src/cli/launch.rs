@@ -14,7 +14,7 @@ use sheave::launch::{
     Launch, LaunchCurve, LaunchError, LaunchOptions, launch, launch_figures, launch_summary, launch_table,
 };
 use sheave::plot::Stack;
-use sheave::quantity::Dimension;
+use sheave::quantity::{Dimension, rpm};
 use sheave::study::Format;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         warnings.push(format!("{missing} of {} points of the shift curve have no equilibrium.", branch.points.len()));
     }
     if let Some(report) = reports().find(|report| report.slipping) {
-        let rpm = report.secondary_speed * 30.0 / std::f64::consts::PI;
+        let rpm = rpm(report.secondary_speed);
         warnings
             .push(format!("The belt slips at a secondary speed of {rpm:.0} rpm and elsewhere: see `sheave shift`."));
     }

@@ -10,7 +10,7 @@ use sheave::case::Resolved;
 use sheave::design::{
     ClampLimits, Limit, LimitKind, LimitOptions, largest_torque, limit_figures, limit_map, smallest_clamps,
 };
-use sheave::quantity::unsigned_zero;
+use sheave::quantity::{celsius, unsigned_zero};
 use std::fmt::Write;
 
 /// Find the largest torque for the clamp of a case, and the smallest clamps for its torque
@@ -100,9 +100,8 @@ fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
     };
     let efficiency = format!("{:.1}", 100.0 * limit.state.speed_efficiency);
     let efficiency = unsigned_zero(&efficiency);
-    let warm = limit
-        .belt_temperature
-        .map_or_else(String::new, |kelvin| format!(", the belt at {:.1} °C", kelvin - sheave::quantity::ZERO_CELSIUS));
+    let warm =
+        limit.belt_temperature.map_or_else(String::new, |kelvin| format!(", the belt at {:.1} °C", celsius(kelvin)));
     // Writing to a string cannot fail.
     let _ =
         writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency} % speed efficiency{warm}: {kind}", limit.value);

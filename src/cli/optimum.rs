@@ -7,6 +7,7 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::design::{DriveState, OptimumPlace, optimum, optimum_figures, optimum_map};
+use sheave::quantity::celsius;
 
 /// Find the clamp of best overall efficiency for the torque of a case
 ///
@@ -66,9 +67,9 @@ fn summary(found: &Found) -> String {
         || "  (of friction alone: --losses on maximises it with hysteresis, drag and gears)\n".to_owned(),
         |efficiency| format!("  efficiency with losses {:>9.3} %\n", 100.0 * efficiency),
     );
-    let temperature = found.belt_temperature.map_or_else(String::new, |temperature| {
-        format!("  belt temperature      {:>10.2} °C\n", temperature - sheave::quantity::ZERO_CELSIUS)
-    });
+    let temperature = found
+        .belt_temperature
+        .map_or_else(String::new, |temperature| format!("  belt temperature      {:>10.2} °C\n", celsius(temperature)));
     format!(
         "Best clamp for {:.2} N·m, edition {}: {what}\n\n\
          \x20 overall efficiency    {:>10.3} %, d/d(slack tension) {:.1e} %/N\n\

@@ -6,6 +6,7 @@ use super::point::Phase;
 use crate::actuator::ActuatorError;
 use crate::drive::{Failure, Trouble};
 use crate::model::InternalError;
+use crate::quantity::rpm;
 
 /// Why a drive has no equilibrium, or none was found.
 #[derive(Debug, Error)]

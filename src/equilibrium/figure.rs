@@ -1,13 +1,12 @@
 //! The figure of a shift curve: engine speed over road speed, and below it efficiency, slip, forces, temperature.
 
-use std::f64::consts::PI;
-
 use super::curve::{ShiftBranch, ShiftPoint};
 use super::point::Direction;
 use super::report::DriveReport;
 use super::table::Measured;
 use crate::plot::{Axis, Figure, Look, Mark, Series};
 use crate::powertrain::Vehicle;
+use crate::quantity::{Unit, celsius, km_per_h, rpm};
 
 /// Ratios whose lines may be drawn.
 const RATIOS: [f64; 9] = [0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0];
@@ -26,18 +25,18 @@ pub struct ShiftCurve<'a> {
 /// The panels of a figure of shift curves, the topmost first: the first curve in full, others beside it.
 pub fn shift_figures(curves: &[ShiftCurve<'_>], vehicle: Option<&Vehicle>, measured: &[Measured]) -> Vec<Figure> {
     let view = View { curves, vehicle };
-    let rpm = |report: &DriveReport| report.primary_speed * 30.0 / PI;
+    let engine = |report: &DriveReport| rpm(report.primary_speed);
     let mut top = view.panel(
         "shift",
         "Engine speed over road speed along the shift curve",
         Axis::new("engine speed (rpm)"),
-        &[("", &|report| Some(rpm(report)))],
+        &[("", &|report| Some(engine(report)))],
     );
     let highest = top.series.iter().flat_map(|series| &series.points).map(|point| point.1).filter(|y| y.is_finite());
     let highest = highest.fold(0.0, f64::max);
     view.ratio_lines(&mut top, highest);
     if !measured.is_empty() {
-        let points = measured.iter().map(|point| (view.x(point.secondary_speed), point.primary_speed * 30.0 / PI));
+        let points = measured.iter().map(|point| (view.x(point.secondary_speed), rpm(point.primary_speed)));
         // Beneath the curves.
         top.series.insert(0, Series::line("measured", points.collect()).look(Look::Dots).color(6));
     }
@@ -66,7 +65,7 @@ pub fn shift_figures(curves: &[ShiftCurve<'_>], vehicle: Option<&Vehicle>, measu
             ],
         ),
     ];
-    let warm = |report: &DriveReport| report.belt_temperature.map(|kelvin| kelvin - crate::quantity::ZERO_CELSIUS);
+    let warm = |report: &DriveReport| report.belt_temperature.map(celsius);
     let temperature = view.panel(
         "shift_temperature",
         "Temperature of the belt along the shift curve",
@@ -93,7 +92,7 @@ struct View<'a> {
 
 impl View<'_> {
     fn x(&self, secondary: f64) -> f64 {
-        self.vehicle.map_or(secondary * 30.0 / PI, |vehicle| 3.6 * vehicle.load(secondary).speed)
+        self.vehicle.map_or(rpm(secondary), |vehicle| km_per_h(vehicle.load(secondary).speed))
     }
 
     fn axis(&self) -> Axis {
@@ -141,7 +140,7 @@ impl View<'_> {
     /// Lines of equal ratio with their names, and the speed of engagement.
     fn ratio_lines(&self, figure: &mut Figure, highest: f64) {
         let (_, last) = self.span(&[]);
-        let per_rpm = self.x(PI / 30.0);
+        let per_rpm = self.x(Unit::RPM.in_si());
         let top = 1.06 * highest;
         figure.y.range = Some((0.0, top));
         let curve: Vec<(f64, f64)> = figure.series.iter().flat_map(|series| series.points.clone()).collect();
@@ -161,7 +160,7 @@ impl View<'_> {
         }
         let engagement = self.curves.first().and_then(|curve| curve.branches.first()?.engagement);
         if let Some(speed) = engagement {
-            let y = speed * 30.0 / PI;
+            let y = rpm(speed);
             let end = 0.16 * last;
             figure.series.push(Series::line("engagement", vec![(0.0, y), (end, y)]).look(Look::Dashed).color(3));
         }

@@ -1,6 +1,7 @@
 //! What is worth knowing of a whole drive beside its numbers.
 
 use crate::case::{Case, Key, Resolved};
+use crate::quantity::rpm;
 
 /// A sentence for each key of a case that its equilibrium does not use, lest it be thought to count.
 pub fn unused_keys(case: &Case) -> Vec<String> {
@@ -16,7 +17,6 @@ pub fn unused_keys(case: &Case) -> Vec<String> {
 /// A sentence where an engine would have to run at a speed in rad/s for which its torque is not given.
 pub fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
     let (low, high) = case.parts.engine.as_ref()?.range();
-    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
     (speed < low || speed > high).then(|| {
         format!(
             "The engine would run at {:.0} rpm, outside of the {:.0} to {:.0} rpm for which its torque is given.",

@@ -9,6 +9,7 @@ use super::curve::{ShiftBranch, ShiftPoint};
 use super::point::Direction;
 use super::report::DriveReport;
 use crate::model::InternalError;
+use crate::quantity::Unit;
 use crate::study::{Cell, Row, Table, TableBuilder};
 
 /// The points of a shift curve as a table: SI units, one row a point; a point without an equilibrium says why.
@@ -110,7 +111,7 @@ pub fn read_measured(from: impl io::Read) -> Result<Vec<Measured>, DataError> {
     let header = reader.headers()?.clone();
     let column = |name: &'static str| {
         let place = |wanted: String| header.iter().position(|other| other == wanted);
-        let rpm = place(format!("{name}_rpm")).map(|at| (at, std::f64::consts::PI / 30.0));
+        let rpm = place(format!("{name}_rpm")).map(|at| (at, Unit::RPM.in_si()));
         rpm.or_else(|| place(format!("{name}_speed")).map(|at| (at, 1.0))).ok_or(DataError::Column(name))
     };
     let (secondary, primary) = (column("secondary")?, column("primary")?);

@@ -1,7 +1,8 @@
 //! The figure of a launch: speed, distance, engine and heat over time.
 
-use super::run::{Launch, LaunchPoint, rpm};
+use super::run::{Launch, LaunchPoint};
 use crate::plot::{Axis, Figure, Look, Mark as Text, Series};
+use crate::quantity::{km_per_h, rpm};
 
 /// The panels, the topmost first.
 pub fn launch_figures(launch: &Launch) -> Vec<Figure> {
@@ -34,7 +35,7 @@ pub fn launch_figures(launch: &Launch) -> Vec<Figure> {
             "launch_speed",
             "Speed of the vehicle over time",
             "speed (km/h)",
-            vec![line("", &|point| 3.6 * point.speed)],
+            vec![line("", &|point| km_per_h(point.speed))],
         ),
         distance,
         panel(

@@ -1,7 +1,5 @@
 //! The launch itself.
 
-use std::f64::consts::PI;
-
 use differential_equations::prelude::{CrossingDirection, Event, EventConfig, ExplicitRungeKutta, IVP};
 use serde::Serialize;
 
@@ -337,9 +335,4 @@ fn energy(vehicle: &Vehicle, state: &State) -> Energy {
     let belt_heat = engine - secondary - clutch_heat;
     let unaccounted = engine - clutch_heat - belt_heat - final_drive_heat - resistance - kinetic;
     Energy { engine, clutch_heat, belt_heat, final_drive_heat, resistance, kinetic, unaccounted }
-}
-
-/// rad/s as rpm.
-pub(super) fn rpm(speed: f64) -> f64 {
-    speed * 30.0 / PI
 }

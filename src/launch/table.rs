@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use serde_json::Number;
 
-use super::run::{Launch, LaunchPhase, LaunchPoint, rpm};
+use super::run::{Launch, LaunchPhase, LaunchPoint};
+use crate::quantity::{km_per_h, rpm};
 use crate::study::{Cell, Table};
 
 /// The launch over time, one row a moment; SI.
@@ -59,14 +60,14 @@ pub fn launch_summary(launch: &Launch) -> String {
             "{:.2} s, {:.1} m, {:.1} km/h; the engine runs at {:.0} rpm",
             lock.time,
             lock.distance,
-            3.6 * lock.speed,
+            km_per_h(lock.speed),
             rpm(first)
         ),
     );
     for mark in &launch.marks {
         line(
             &format!("{:.0} ft ({:.2} m)", mark.distance / foot, mark.distance),
-            format!("{:.3} s, at {:.1} km/h", mark.time, 3.6 * mark.speed),
+            format!("{:.3} s, at {:.1} km/h", mark.time, km_per_h(mark.speed)),
         );
     }
     let top = if launch.limited_by_curve { "end of the shift curve" } else { "top speed" };
@@ -74,8 +75,8 @@ pub fn launch_summary(launch: &Launch) -> String {
         top,
         format!(
             "{:.1} km/h; {:.1} km/h after {:.2} s and {:.1} m",
-            3.6 * launch.top_speed,
-            3.6 * launch.done.speed,
+            km_per_h(launch.top_speed),
+            km_per_h(launch.done.speed),
             launch.done.time,
             launch.done.distance
         ),

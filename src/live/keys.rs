@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::case::{Choice, Entry, Key, RangeEnd, TABLE, ValueKind};
-use crate::quantity::{Dimension, Unit};
+use crate::quantity::{Dimension, Unit, celsius};
 
 /// How a quantity is shown: in its key's unit, temperatures in °C.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,12 +25,12 @@ pub(super) fn shown(key: Key) -> Option<Shown> {
 impl Shown {
     /// From SI.
     pub(super) fn in_unit(self, si: f64) -> f64 {
-        if self.is_temperature { si - crate::quantity::ZERO_CELSIUS } else { self.unit.from_si(si) }
+        if self.is_temperature { celsius(si) } else { self.unit.from_si(si) }
     }
 
     /// From the unit of the key's table.
     fn of_table(self, value: f64) -> f64 {
-        if self.is_temperature { value - crate::quantity::ZERO_CELSIUS } else { value }
+        if self.is_temperature { celsius(value) } else { value }
     }
 
     /// As it is written behind a number in a case file.
@@ -128,6 +128,7 @@ fn reach(key: Key) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::ZERO_CELSIUS;
 
     /// The sections whose keys a page moves.
     const SECTIONS: [&str; 8] = ["", "model", "belt", "sheave", "drive", "operating_point", "losses", "thermal"];
@@ -146,7 +147,7 @@ mod tests {
             let example = shown.of_table(example);
             assert!(from <= example && example <= to, "{}: {example} in {from} to {to}", entry.path);
             for end in [from, to] {
-                let si = if shown.is_temperature { end + crate::quantity::ZERO_CELSIUS } else { unit.to_si(end) };
+                let si = if shown.is_temperature { end + ZERO_CELSIUS } else { unit.to_si(end) };
                 assert!(range.contains(si, |bound| unit.to_si(bound)), "{}: {end}", entry.path);
             }
         }

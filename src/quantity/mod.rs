@@ -8,9 +8,6 @@
 //! # Ok::<(), sheave::quantity::QuantityError>(())
 //! ```
 
-/// 0 °C, K.
-pub const ZERO_CELSIUS: f64 = 273.15;
-
 mod dimension;
 mod parse;
 mod unit;
@@ -20,6 +17,28 @@ pub use dimension::Dimension;
 #[cfg(feature = "bench")]
 pub(crate) use parse::on_shifted_scale;
 pub use unit::{Scale, Unit, symbols};
+
+/// 0 °C, K.
+pub const ZERO_CELSIUS: f64 = 273.15;
+
+/// A temperature in K, in °C.
+pub fn celsius(kelvin: f64) -> f64 {
+    kelvin - ZERO_CELSIUS
+}
+
+/// A speed of rotation in rad/s, in revolutions per minute.
+///
+/// ```
+/// assert_eq!(sheave::quantity::rpm(100.0 * std::f64::consts::PI), 3000.0);
+/// ```
+pub fn rpm(speed: f64) -> f64 {
+    Unit::RPM.from_si(speed)
+}
+
+/// A speed in m/s, in km/h.
+pub fn km_per_h(speed: f64) -> f64 {
+    3.6 * speed
+}
 
 /// A number as it is written, without the minus sign if all its digits are zero.
 ///

@@ -35,6 +35,21 @@ pub struct Scale {
 }
 
 impl Unit {
+    /// Thousandth of a metre.
+    pub const MILLIMETRE: Self = Self::decimal("mm", -3, Dimension::LENGTH);
+    /// Inch.
+    pub const INCH: Self = Self::new("in", -4, 254.0, 1.0, Dimension::LENGTH);
+    /// Degree of angle.
+    pub const DEGREE: Self = Self::new("deg", 0, PI, 180.0, Dimension::ANGLE);
+    /// Revolution per minute.
+    pub const RPM: Self = Self::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
+    /// Pound-force.
+    pub const POUND_FORCE: Self = Self::new("lbf", -13, LBF, 1.0, Dimension::FORCE);
+    /// Pound-force times foot, as workshops write it.
+    pub const POUND_FOOT: Self = Self::new("lbf-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE);
+    /// Mechanical horsepower.
+    pub const HORSEPOWER: Self = Self::new("hp", -17, 550.0 * 3048.0 * LBF, 1.0, Dimension::POWER);
+
     /// A unit `10^tens · numerator / denominator` as large as the SI unit of `dimension`.
     pub const fn new(symbol: &'static str, tens: i32, numerator: f64, denominator: f64, dimension: Dimension) -> Self {
         Self { symbol, scale: Scale { tens, numerator, denominator, dimension } }
@@ -58,6 +73,23 @@ impl Unit {
     /// A value in SI, in this unit.
     pub fn from_si(&self, value: f64) -> f64 {
         shift(value * self.scale.denominator / self.scale.numerator, -self.scale.tens)
+    }
+
+    /// This unit in SI, as a factor: what is multiplied by it is rounded once more than by [`Unit::to_si`].
+    pub const fn in_si(&self) -> f64 {
+        let Scale { tens, numerator, denominator, .. } = self.scale;
+        // Exact up to 10^22.
+        let (mut power, mut left) = (1.0, tens.unsigned_abs());
+        while left > 0 {
+            power *= 10.0;
+            left -= 1;
+        }
+        if tens < 0 { numerator / (denominator * power) } else { power * numerator / denominator }
+    }
+
+    /// How many of it make up the SI unit, as a factor.
+    pub const fn per_si(&self) -> f64 {
+        1.0 / self.in_si()
     }
 }
 
@@ -109,6 +141,10 @@ const fn plain(symbol: &'static str, tens: i32, numerator: f64, denominator: f64
     Symbol { unit: Unit::new(symbol, tens, numerator, denominator, dimension), prefixed: false }
 }
 
+const fn known(unit: Unit) -> Symbol {
+    Symbol { unit, prefixed: false }
+}
+
 const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
     Symbol { unit: Unit::decimal(symbol, tens, dimension), prefixed: true }
 }
@@ -118,7 +154,7 @@ const LBF: f64 = 44_482_216_152_605.0;
 
 static SYMBOLS: [Symbol; 34] = [
     si("m", 0, Dimension::LENGTH),
-    plain("in", -4, 254.0, 1.0, Dimension::LENGTH),
+    known(Unit::INCH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
     si("g", -3, Dimension::MASS),
     plain("t", 3, 1.0, 1.0, Dimension::MASS),
@@ -129,12 +165,12 @@ static SYMBOLS: [Symbol; 34] = [
     plain("h", 0, 3600.0, 1.0, Dimension::TIME),
     si("Hz", 0, Dimension::FREQUENCY),
     si("rad", 0, Dimension::ANGLE),
-    plain("deg", 0, PI, 180.0, Dimension::ANGLE),
+    known(Unit::DEGREE),
     plain("°", 0, PI, 180.0, Dimension::ANGLE),
     plain("rev", 0, TAU, 1.0, Dimension::ANGLE),
-    plain("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED),
+    known(Unit::RPM),
     si("N", 0, Dimension::FORCE),
-    plain("lbf", -13, LBF, 1.0, Dimension::FORCE),
+    known(Unit::POUND_FORCE),
     plain("ozf", -13, LBF, 16.0, Dimension::FORCE),
     plain("kgf", -5, 980_665.0, 1.0, Dimension::FORCE),
     plain("gf", -8, 980_665.0, 1.0, Dimension::FORCE),
@@ -147,7 +183,7 @@ static SYMBOLS: [Symbol; 34] = [
     plain("psi", -5, LBF, 64_516.0, Dimension::PRESSURE),
     plain("ksi", -2, LBF, 64_516.0, Dimension::PRESSURE),
     si("W", 0, Dimension::POWER),
-    plain("hp", -17, 550.0 * 3048.0 * LBF, 1.0, Dimension::POWER),
+    known(Unit::HORSEPOWER),
     plain("%", -2, 1.0, 1.0, Dimension::NONE),
     si("K", 0, Dimension::TEMPERATURE),
     plain("1", 0, 1.0, 1.0, Dimension::NONE),
@@ -155,7 +191,7 @@ static SYMBOLS: [Symbol; 34] = [
 
 /// What workshops write, as they write it: pounds are pounds-force here, and Nm² is N·m², not (N·m)².
 static WORKSHOP: [Unit; 9] = [
-    Unit::new("lbf-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
+    Unit::POUND_FOOT,
     Unit::new("lb-ft", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
     Unit::new("ft-lbf", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
     Unit::new("ft-lb", -17, 3048.0 * LBF, 1.0, Dimension::TORQUE),
@@ -212,6 +248,16 @@ mod tests {
         for nonsense in ["kft", "mrpm", "kdeg", "mm2", "k", "", "klbf", "cmm"] {
             assert_eq!(find(nonsense), None, "{nonsense}");
         }
+    }
+
+    #[test]
+    fn factors_are_those_of_the_conversions() {
+        for Symbol { unit, .. } in &SYMBOLS {
+            let (there, back) = (unit.in_si() / unit.to_si(1.0), unit.per_si() / unit.from_si(1.0));
+            assert!((there - 1.0).abs() < 1e-15 && (back - 1.0).abs() < 1e-15, "{}", unit.symbol);
+        }
+        assert_eq!((Unit::RPM.in_si(), Unit::RPM.per_si()), (PI / 30.0, 30.0 / PI));
+        assert_eq!((Unit::INCH.in_si(), Unit::POUND_FORCE.in_si()), (0.0254, 4.448_221_615_260_5));
     }
 
     #[test]

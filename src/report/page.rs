@@ -3,7 +3,7 @@
 use super::loss::{LossSplit, Mechanisms, losses};
 use crate::case::Setting;
 use crate::plot::{Figure, PlotError};
-use crate::quantity::unsigned_zero;
+use crate::quantity::{rpm, unsigned_zero};
 use crate::result::{Outcome, Pulley, warnings};
 use std::fmt::Write;
 
@@ -80,10 +80,6 @@ pub fn document(title: &str, body: &str) -> String {
          content=\"width=device-width,initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>{title}</title>\
          <style>{STYLE}</style></head>\n<body>{body}</body></html>\n"
     )
-}
-
-fn rpm(speed: f64) -> f64 {
-    speed * 30.0 / std::f64::consts::PI
 }
 
 fn headline(html: &mut String, outcome: &Outcome) {

@@ -1,6 +1,6 @@
 //! The units in which a summary is written. Results themselves are in SI units.
 
-use std::f64::consts::PI;
+use crate::quantity::{self, ZERO_CELSIUS};
 
 /// A choice of units for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,19 +37,21 @@ pub(super) struct Unit {
     more: usize,
 }
 
-const fn unit(factor: f64, symbol: &'static str, more: usize) -> Unit {
-    Unit { factor, offset: 0.0, symbol, more }
+const fn si(symbol: &'static str, more: usize) -> Unit {
+    Unit { factor: 1.0, offset: 0.0, symbol, more }
 }
 
-const NEWTON: Unit = unit(1.0, "N", 0);
-const NEWTON_METRE: Unit = unit(1.0, "N·m", 0);
-const RPM: Unit = unit(30.0 / PI, "rpm", 0);
-const WATT: Unit = unit(1.0, "W", 0);
-const DEGREE: Unit = unit(180.0 / PI, "deg", 0);
-/// Pound-force, foot and inch are exact; a horsepower is 550 lbf·ft/s.
-const POUND: f64 = 4.448_221_615_260_5;
-const FOOT: f64 = 0.3048;
-const INCH: f64 = 0.0254;
+const fn unit(unit: quantity::Unit, symbol: &'static str, more: usize) -> Unit {
+    Unit { factor: unit.per_si(), offset: 0.0, symbol, more }
+}
+
+const NEWTON: Unit = si("N", 0);
+const NEWTON_METRE: Unit = si("N·m", 0);
+const RPM: Unit = unit(quantity::Unit::RPM, "rpm", 0);
+const WATT: Unit = si("W", 0);
+const DEGREE: Unit = unit(quantity::Unit::DEGREE, "deg", 0);
+const MILLIMETRE: quantity::Unit = quantity::Unit::MILLIMETRE;
+const INCH: quantity::Unit = quantity::Unit::INCH;
 
 impl Units {
     /// By name: `us`, `si`, `workshop`.
@@ -72,25 +74,25 @@ impl Units {
     pub(super) const fn of(self, what: Measured) -> Unit {
         match (what, self) {
             (Measured::Force, Self::Workshop | Self::Si) => NEWTON,
-            (Measured::Force, Self::Us) => unit(1.0 / POUND, "lbf", 0),
+            (Measured::Force, Self::Us) => unit(quantity::Unit::POUND_FORCE, "lbf", 0),
             (Measured::Torque, Self::Workshop | Self::Si) => NEWTON_METRE,
-            (Measured::Torque, Self::Us) => unit(1.0 / (POUND * FOOT), "lbf·ft", 0),
+            (Measured::Torque, Self::Us) => unit(quantity::Unit::POUND_FOOT, "lbf·ft", 0),
             (Measured::Speed, Self::Workshop | Self::Us) => RPM,
-            (Measured::Speed, Self::Si) => unit(1.0, "rad/s", 2),
+            (Measured::Speed, Self::Si) => si("rad/s", 2),
             (Measured::Power, Self::Workshop | Self::Si) => WATT,
-            (Measured::Power, Self::Us) => unit(1.0 / (550.0 * POUND * FOOT), "hp", 3),
-            (Measured::Length, Self::Workshop) => unit(1e3, "mm", 0),
-            (Measured::Length, Self::Si) => unit(1.0, "m", 3),
-            (Measured::Length, Self::Us) => unit(1.0 / INCH, "in", 2),
-            (Measured::Sliding, Self::Workshop) => unit(1e3, "mm/s", 0),
-            (Measured::Sliding, Self::Si) => unit(1.0, "m/s", 3),
-            (Measured::Sliding, Self::Us) => unit(1.0 / INCH, "in/s", 2),
+            (Measured::Power, Self::Us) => unit(quantity::Unit::HORSEPOWER, "hp", 3),
+            (Measured::Length, Self::Workshop) => unit(MILLIMETRE, "mm", 0),
+            (Measured::Length, Self::Si) => si("m", 3),
+            (Measured::Length, Self::Us) => unit(INCH, "in", 2),
+            (Measured::Sliding, Self::Workshop) => unit(MILLIMETRE, "mm/s", 0),
+            (Measured::Sliding, Self::Si) => si("m/s", 3),
+            (Measured::Sliding, Self::Us) => unit(INCH, "in/s", 2),
             (Measured::Angle, Self::Workshop | Self::Us) => DEGREE,
-            (Measured::Angle, Self::Si) => unit(1.0, "rad", 2),
+            (Measured::Angle, Self::Si) => si("rad", 2),
             (Measured::Temperature, Self::Workshop) => {
-                Unit { factor: 1.0, offset: -crate::quantity::ZERO_CELSIUS, symbol: "°C", more: 0 }
+                Unit { factor: 1.0, offset: -ZERO_CELSIUS, symbol: "°C", more: 0 }
             }
-            (Measured::Temperature, Self::Si) => unit(1.0, "K", 0),
+            (Measured::Temperature, Self::Si) => si("K", 0),
             (Measured::Temperature, Self::Us) => Unit { factor: 1.8, offset: -459.67, symbol: "°F", more: 0 },
         }
     }

@@ -6,6 +6,7 @@ use super::doubt::{COMPRESSION, adheres_nowhere, is_buckled, is_driven_on_both_s
 use super::schema::Pulley;
 use crate::drive::{Branch, RegionId};
 use crate::model::{Constant, State};
+use crate::quantity::{ZERO_CELSIUS, celsius};
 
 /// Share of the deepest penetration by which another may be negative before it is said: the ends' defects are.
 const NEGATIVE: f64 = 1e-3;
@@ -17,7 +18,7 @@ const LENGTH_ERROR: f64 = 0.005;
 const DEEP: f64 = 0.3;
 
 /// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
-const HOT: f64 = 71.0 + crate::quantity::ZERO_CELSIUS;
+const HOT: f64 = 71.0 + ZERO_CELSIUS;
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
@@ -78,7 +79,7 @@ fn overtaken(outcome: &Outcome) -> Option<String> {
 /// A belt that will not last.
 fn hot(outcome: &Outcome) -> Option<String> {
     let temperature = outcome.result.belt.temperature.filter(|temperature| *temperature > HOT)?;
-    let celsius = temperature - crate::quantity::ZERO_CELSIUS;
+    let celsius = celsius(temperature);
     Some(format!("The belt is hot: {celsius:.1} °C, above the 71 °C up to which it lasts long."))
 }
 
@@ -93,10 +94,10 @@ fn beyond_tables(outcome: &Outcome) -> Option<String> {
     Some(format!(
         "The belt's temperature, {:.1} °C, is beyond those at which `{}` was measured, {:.1} to {:.1} °C: stiffnesses \
          go on as they fell at the nearest, loss tangents stay as they were there.",
-        temperature - crate::quantity::ZERO_CELSIUS,
+        celsius(temperature),
         key.path(),
-        low - crate::quantity::ZERO_CELSIUS,
-        high - crate::quantity::ZERO_CELSIUS
+        celsius(low),
+        celsius(high)
     ))
 }
 

@@ -1,7 +1,6 @@
 //! The search through a box of parts: every combination screened on the map, the best confirmed by full solutions.
 
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
 
 use serde::Serialize;
 
@@ -18,6 +17,7 @@ use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
 use crate::losses::losses;
 use crate::model::Output;
 use crate::powertrain::{Engine, Governor};
+use crate::quantity::rpm;
 use crate::study::StudyError;
 use crate::threads;
 
@@ -439,11 +439,6 @@ fn mark_pareto(tunes: &mut [Tune]) {
 /// A speed in rad/s as people read it.
 fn in_rpm(speed: f64) -> String {
     format!("{} rpm", (10.0 * rpm(speed)).round() / 10.0)
-}
-
-/// rad/s as rpm.
-pub(super) fn rpm(speed: f64) -> f64 {
-    speed * 30.0 / PI
 }
 
 #[cfg(test)]

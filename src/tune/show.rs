@@ -1,7 +1,8 @@
 //! Tunes as tables and as a figure.
 
-use super::search::{Ranking, Tune, rpm};
+use super::search::{Ranking, Tune};
 use crate::plot::{Axis, Figure, Look, Series};
+use crate::quantity::rpm;
 use crate::study::{Cell, Table};
 use serde_json::Number;
 use std::fmt::Write;

@@ -2,7 +2,7 @@
 
 use crate::actuator::ActuatorError;
 use crate::case::Key;
-use std::f64::consts::PI;
+use crate::quantity::rpm;
 
 /// A point of the shift.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ pub enum Unfit {
     /// What presses on the secondary is below the slip limit.
     #[error(
         "at ratio {ratio:.2}, the belt slips: at {:.0} rpm helix and spring press the secondary with {presses:.0} N, \
-         and a belt that hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", speed * 30.0 / PI
+         and a belt that hardly carries the engine's {torque:.1} N·m takes {needs:.0} N", rpm(*speed)
     )]
     Slips {
         /// Nominal ratio.
@@ -53,7 +53,7 @@ pub enum Unfit {
     /// The flyweights do not hold the belt at any speed of the map.
     #[error(
         "at ratio {ratio:.2}, the engine would have to turn faster than {:.0} rpm: there the flyweights less their \
-         spring press with {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+         spring press with {presses:.0} N, and the belt takes {needs:.0} N", rpm(*speed)
     )]
     TooLight {
         /// Nominal ratio.
@@ -68,7 +68,7 @@ pub enum Unfit {
     /// The flyweights press with too much at every speed of the map.
     #[error(
         "at ratio {ratio:.2}, the drive shifts out below {:.0} rpm: there the flyweights less their spring press with \
-         {presses:.0} N, and the belt takes {needs:.0} N", speed * 30.0 / PI
+         {presses:.0} N, and the belt takes {needs:.0} N", rpm(*speed)
     )]
     TooHeavy {
         /// Nominal ratio.
@@ -83,7 +83,7 @@ pub enum Unfit {
     /// The belt slips at a speed of the map whatever its tension, as far as the map has it.
     #[error(
         "at ratio {ratio:.2}, the belt slips at {:.0} rpm with every slack tension up to {tension:.0} \
-        N", speed * 30.0 / PI
+        N", rpm(*speed)
     )]
     Untold {
         /// Nominal ratio.
@@ -115,7 +115,7 @@ pub enum Unfit {
     #[error(
         "at ratio {ratio:.2}, the parts press with less than the map has: below {tension:.0} N of slack tension at \
         {:.0} rpm",
-        speed * 30.0 / PI
+        rpm(*speed)
     )]
     Loose {
         /// Nominal ratio.

@@ -25,9 +25,9 @@ pub use section::Section;
 pub use table::{Columns, parse as parse_columns};
 
 use super::error::BenchError;
-use super::sheet::{Sheet, celsius};
+use super::sheet::Sheet;
 use super::statistics::Line;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, celsius};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

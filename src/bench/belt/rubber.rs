@@ -1,7 +1,8 @@
 //! Moduli of the rubber over temperature.
 
 use crate::bench::error::BenchError;
-use crate::bench::sheet::{Sheet, celsius};
+use crate::bench::sheet::Sheet;
+use crate::quantity::celsius;
 use serde::Serialize;
 
 /// Storage over loss modulus from which on the elastic model is a fair one: the thesis relies on 8.2 (section 4.1).

@@ -1,8 +1,8 @@
 //! A belt's properties for people: a case file with everything else as comments, and figures.
 
 use super::{BeltTable, Properties};
-use crate::bench::sheet::celsius;
 use crate::plot::{Axis, Figure, Look, Series};
+use crate::quantity::celsius;
 use crate::text::printable;
 use std::fmt::Write;
 

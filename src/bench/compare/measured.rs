@@ -3,8 +3,8 @@
 use crate::bench::dyno::Criteria;
 use crate::bench::engine::EngineCurve;
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::quantity::Unit;
 use serde::Serialize;
-use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Rows that a table may have.
@@ -156,7 +156,7 @@ fn point(
         },
     };
     let need = |column: &str| number(column)?.ok_or_else(|| format!("there is no {column}"));
-    let rpm = TAU / 60.0;
+    let rpm = Unit::RPM.in_si();
     let (primary, secondary, torque) = (need("primary_rpm")?, need("secondary_rpm")?, need("secondary_torque_Nm")?);
     let (primary_speed, secondary_speed) = (primary * rpm, secondary * rpm);
     let mut reason = None;

@@ -4,7 +4,7 @@ use super::comparison::{Compared, Comparison};
 use crate::bench::dyno::aired;
 use crate::case::Key;
 use crate::plot::{Axis, Figure, Look, Series};
-use std::f64::consts::TAU;
+use crate::quantity::Unit;
 use std::fmt::Write;
 
 /// Half an interval of 95 % confidence over a standard error, for many samples.
@@ -69,7 +69,7 @@ pub fn figures(comparison: &Comparison) -> Vec<Figure> {
 pub fn summary(comparison: &Comparison) -> String {
     let used = comparison.points.iter().filter(|point| point.used).count();
     let mut text = format!("{used} of {} points compared\n\n", comparison.points.len());
-    let rpm = 60.0 / TAU;
+    let rpm = Unit::RPM.per_si();
     // Writing to a string does not fail.
     let _ = writeln!(
         text,

@@ -3,6 +3,7 @@
 use super::spectrum::{Order, Spectrum};
 use super::{CHANNELS, Options};
 use crate::bench::statistics::Average;
+use crate::quantity::{Unit, rpm};
 use serde::Serialize;
 
 /// What makes a window steady; shares of the mean over the window.
@@ -107,9 +108,9 @@ impl SteadyPoint {
         let [primary, secondary, torque] = samples;
         let scaled =
             |samples: &[f64], factor: f64| -> Vec<f64> { samples.iter().map(|value| value * factor).collect() };
-        let rpm = std::f64::consts::TAU / 60.0;
-        let primary = scaled(primary, rpm);
-        let secondary = scaled(secondary, rpm * options.secondary_factor);
+        let factor = Unit::RPM.in_si();
+        let primary = scaled(primary, factor);
+        let secondary = scaled(secondary, factor * options.secondary_factor);
         let torque = scaled(torque, if options.torque_at_sensor { options.gear } else { 1.0 });
         let count = primary.len().max(secondary.len());
         let averages = [&primary, &secondary, &torque].map(|samples| Average::of(samples));
@@ -166,7 +167,7 @@ impl SteadyPoint {
                     let (low, high) = engine.range();
                     self.reason = Some(format!(
                         "the engine's curve covers {low:.0} to {high:.0} rpm, and the primary turns at {:.0}",
-                        speed.mean * 60.0 / std::f64::consts::TAU
+                        rpm(speed.mean)
                     ));
                 }
                 None => {}

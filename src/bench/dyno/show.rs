@@ -3,10 +3,11 @@
 use super::point::SteadyPoint;
 use super::read::RecordReport;
 use crate::plot::{Axis, Figure, Look, Mark, Series};
-use std::f64::consts::TAU;
+use crate::quantity::Unit;
 use std::fmt::Write;
 
-const RPM: f64 = 60.0 / TAU;
+/// Revolutions per minute in a radian per second.
+const RPM: f64 = Unit::RPM.per_si();
 
 /// Header of the table of operating points; the last three columns are standard errors of the means.
 const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,\

@@ -6,20 +6,19 @@ use crate::model::{
     Choice, Edition, Ends, FlyweightKind, Free, Friction, HelixAngleFrom, Include, SecondaryKind, Shear, Spans,
 };
 use crate::quantity::{Dimension, Unit};
-use std::f64::consts::{PI, TAU};
 
 /// Of a belt and the air around it, K. A bare number below is one of degrees Celsius.
 const TEMPERATURES: Range = Range::within(150.0, 2000.0);
 const NUMBER: Unit = Unit::decimal("", 0, Dimension::NONE);
 const PERCENT: Unit = Unit::decimal("%", -2, Dimension::NONE);
-const MM: Unit = Unit::decimal("mm", -3, Dimension::LENGTH);
+const MM: Unit = Unit::MILLIMETRE;
 const KG_PER_M: Unit = Unit::decimal("kg/m", 0, Dimension::MASS_PER_LENGTH);
 const N: Unit = Unit::decimal("N", 0, Dimension::FORCE);
 const KN: Unit = Unit::decimal("kN", 3, Dimension::FORCE);
 const NM: Unit = Unit::decimal("N*m", 0, Dimension::TORQUE);
 const NM2: Unit = Unit::decimal("N*m^2", 0, Dimension::BENDING_STIFFNESS);
 const MPA: Unit = Unit::decimal("MPa", 6, Dimension::PRESSURE);
-const DEG: Unit = Unit::new("deg", 0, PI, 180.0, Dimension::ANGLE);
+const DEG: Unit = Unit::DEGREE;
 const M_PER_S: Unit = Unit::decimal("m/s", 0, Dimension::SPEED);
 const NM_S: Unit = Unit::decimal("N*m*s", 0, Dimension::DRAG_PER_SPEED);
 const K: Unit = Unit::decimal("K", 0, Dimension::TEMPERATURE);
@@ -32,7 +31,7 @@ const NM_PER_RAD: Unit = Unit::decimal("N*m/rad", 0, Dimension::TORSION_RATE);
 const M2: Unit = Unit::decimal("m^2", 0, Dimension::AREA);
 const KG_PER_M3: Unit = Unit::decimal("kg/m^3", 0, Dimension::DENSITY);
 const W_PER_M2_K: Unit = Unit::decimal("W/(m^2*K)", 0, Dimension::HEAT_TRANSFER_PER_AREA);
-const RPM: Unit = Unit::new("rpm", 0, TAU, 60.0, Dimension::ANGULAR_SPEED);
+const RPM: Unit = Unit::RPM;
 
 /// A quantity of the base case.
 const fn base(unit: Unit, range: Range, value: f64) -> ValueKind {

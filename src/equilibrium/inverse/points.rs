@@ -10,6 +10,7 @@ use crate::drive::{Failure, Question, SolveOptions, Solved, approach_question, s
 use crate::equilibrium::Direction;
 use crate::equilibrium::question::{Given, Whole, ordinary};
 use crate::model::{Constant, Output};
+use crate::quantity::rpm;
 use crate::result::utilizations;
 
 /// Slack tensions of the first solution over M_in/R_P.
@@ -99,9 +100,9 @@ impl<'a> Held<'a> {
         let (from, to) = engine.range();
         let torque = engine.torque(target).value;
         if !(from..=to).contains(&target) || torque <= 0.0 {
-            let rpm = |speed: f64| format!("{:.0} rpm", speed * 30.0 / std::f64::consts::PI);
-            let expected = format!("a speed from {} to {} at which the engine gives torque", rpm(from), rpm(to));
-            return Err(InverseError::Parameter { what: "the target", given: rpm(target), expected });
+            let told = |speed: f64| format!("{:.0} rpm", rpm(speed));
+            let expected = format!("a speed from {} to {} at which the engine gives torque", told(from), told(to));
+            return Err(InverseError::Parameter { what: "the target", given: told(target), expected });
         }
         Ok(Self { case, actuation, whole, target, torque, direction, clamp, options })
     }

@@ -1,6 +1,5 @@
 //! Made profiles as a table, as figures and in words.
 
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 use serde_json::Number;
@@ -8,6 +7,7 @@ use serde_json::Number;
 use super::{Inverse, InversePoint, Made, Outline, Shape};
 use crate::actuator::AngleFrom;
 use crate::plot::{Axis, Figure, Look, Series};
+use crate::quantity::{Unit, rpm};
 use crate::study::{Cell, Table};
 
 fn number(value: f64) -> Cell {
@@ -83,7 +83,7 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
                 "helix_angle",
                 "Helix angle over the opening",
                 "angle from the plane of rotation (°)",
-                180.0 / PI,
+                Unit::DEGREE.per_si(),
                 profile,
             ),
             Shape::Ramp(_) | Shape::Roller(_) | Shape::Cam(_) => continue,
@@ -106,7 +106,6 @@ pub fn inverse_figures(made: &Inverse, outlines: &[Outline]) -> Vec<Figure> {
             along("secondary", &|point| point.secondary_axial_force),
         ],
     ));
-    let rpm = |speed: f64| speed * 30.0 / PI;
     let checked = made.check.points.iter().map(|point| (point.ratio, rpm(point.primary_speed - made.options.target)));
     let ratios = made.points.iter().map(|point| point.ratio);
     let (low, high) = ratios.fold((f64::INFINITY, 0.0_f64), |(low, high), ratio| (low.min(ratio), high.max(ratio)));
@@ -146,7 +145,6 @@ fn words(layer: &str) -> String {
 
 /// What a person reads at a glance.
 pub fn inverse_summary(made: &Inverse, angle_from: AngleFrom) -> String {
-    let rpm = |speed: f64| speed * 30.0 / PI;
     let what = match made.options.made {
         Made::Ramp => "The flyweights' profile",
         Made::Helix => "The helix",
@@ -185,8 +183,8 @@ pub fn inverse_summary(made: &Inverse, angle_from: AngleFrom) -> String {
             Shape::Coefficient(profile) => ("r dr/ds", profile, 1e3, "mm"),
             Shape::Ramp(profile) => ("radius of the flyweights", profile, 1e3, "mm"),
             Shape::Roller(profile) => ("radius of the roller", profile, 1e3, "mm"),
-            Shape::Cam(profile) => ("angle of the cam", profile, 180.0 / PI, "°"),
-            Shape::Helix(profile, _) => ("helix angle", profile, 180.0 / PI, "°"),
+            Shape::Cam(profile) => ("angle of the cam", profile, Unit::DEGREE.per_si(), "°"),
+            Shape::Helix(profile, _) => ("helix angle", profile, Unit::DEGREE.per_si(), "°"),
         };
         let (Some(first), Some(last)) = (profile.values().first(), profile.values().last()) else { continue };
         let shown = |value: f64| match part.shape {
