@@ -15,9 +15,8 @@ use sheave::equilibrium::{
     read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
-use sheave::quantity::Dimension;
+use sheave::quantity::{Dimension, km_per_h, rpm};
 use sheave::study::{Format, Table};
-use std::f64::consts::PI;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -154,7 +153,6 @@ impl Arguments {
         if let (Some(from), Some(to)) = (from, to)
             && from >= to
         {
-            let rpm = |speed: f64| speed * 30.0 / PI;
             return Err(Stop::Usage(format!(
                 "--from is {:.0} rpm and --to is {:.0} rpm: expected a higher speed to end at than to begin at",
                 rpm(from),
@@ -177,7 +175,7 @@ impl Arguments {
             let mut points = Vec::new();
             let mut broken = None;
             let mut see = |point: &sheave::equilibrium::ShiftPoint| {
-                let rpm = point.secondary_speed * 30.0 / PI;
+                let rpm = rpm(point.secondary_speed);
                 tracing::info!("{} at {rpm:.0} rpm: {}", direction.name(), point_words(point));
                 points.push(point.clone());
                 let partial = ShiftBranch {
@@ -257,7 +255,7 @@ fn failures(branches: &[ShiftBranch]) -> (usize, usize) {
 
 fn point_words(point: &sheave::equilibrium::ShiftPoint) -> String {
     match &point.report {
-        Ok(report) => format!("{:.0} rpm, {}", report.primary_speed * 30.0 / PI, report.phase),
+        Ok(report) => format!("{:.0} rpm, {}", rpm(report.primary_speed), report.phase),
         Err(reason) => reason.clone(),
     }
 }
@@ -282,7 +280,6 @@ fn told<'a>(case: &Resolved, branches: &'a [ShiftBranch], measured: &[Measured])
 }
 
 fn summary(case: &Resolved, branches: &[ShiftBranch], told: &Told<'_>) -> String {
-    let rpm = |speed: f64| speed * 30.0 / PI;
     let mut text = format!("Shift curve, edition {}\n", told.edition);
     for (branch, told) in branches.iter().zip(&told.branches) {
         // Writing to a string cannot fail.
@@ -319,7 +316,6 @@ fn summary(case: &Resolved, branches: &[ShiftBranch], told: &Told<'_>) -> String
 }
 
 fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
-    let rpm = |speed: f64| speed * 30.0 / PI;
     let road = if case.parts.vehicle.is_some() { "km/h" } else { "" };
     let mut text = format!(
         "  {:>9}{:>8}{:>8}{:>7}  {:<10}{:>9}{:>11}{:>8}{:>9}\n",
@@ -334,7 +330,7 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
         let secondary = rpm(point.secondary_speed);
         match &point.report {
             Ok(report) => {
-                let road = report.vehicle_speed.map_or_else(String::new, |speed| format!("{:.1}", 3.6 * speed));
+                let road = report.vehicle_speed.map_or_else(String::new, |speed| format!("{:.1}", km_per_h(speed)));
                 let slip =
                     if report.slipping { "slips".into() } else { format!("{:.1} %", 100.0 * report.slip_reserve) };
                 let share = report.efficiency.map_or_else(|| "-".into(), |share| format!("{:.1} %", 100.0 * share));

@@ -1,6 +1,5 @@
 //! The equilibrium of a drive as an object of numbers, SI, and as people read it.
 
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 use serde::Serialize;
@@ -10,7 +9,7 @@ use super::point::{Direction, Equilibrium, ReportedPhase, Stop};
 use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
-use crate::quantity::unsigned_zero;
+use crate::quantity::{celsius, km_per_h, rpm, unsigned_zero};
 use crate::result::{DriveResult, Light, Outcome};
 
 /// Share of the friction at hand below which the belt counts as slipping: what presses does not carry the torque, or
@@ -172,7 +171,6 @@ impl DriveReport {
     /// What a person reads at a glance, in engineering units.
     pub fn summary(&self) -> String {
         let mut text = String::new();
-        let rpm = |speed: f64| speed * 30.0 / PI;
         // Writing to a string cannot fail.
         let _ = writeln!(text, "Whole drive, edition {}\n", self.edition);
         let mut line = |name: &str, value: String| {
@@ -183,7 +181,7 @@ impl DriveReport {
         line("engine and primary", format!("{:.1} rpm, {:.2} N·m", rpm(self.primary_speed), self.drive.primary.torque));
         line("secondary", format!("{:.1} rpm, {:.2} N·m", rpm(self.secondary_speed), self.drive.secondary.torque));
         if let (Some(speed), Some(acceleration)) = (self.vehicle_speed, self.acceleration) {
-            line("vehicle", format!("{:.1} km/h, {acceleration:.2} m/s² at this throttle", 3.6 * speed));
+            line("vehicle", format!("{:.1} km/h, {acceleration:.2} m/s² at this throttle", km_per_h(speed)));
         }
         let mm = |value: f64| 1e3 * value;
         line(
@@ -212,7 +210,7 @@ impl DriveReport {
         line("forces balance to", format!("{:.1e} of the belt's", self.force_residual));
         line("power", self.power());
         if let Some(temperature) = self.belt_temperature {
-            line("belt", format!("{:.1} °C", temperature - crate::quantity::ZERO_CELSIUS));
+            line("belt", format!("{:.1} °C", celsius(temperature)));
         }
         text += &self.table_of_parts();
         text
@@ -286,7 +284,7 @@ impl DriveReport {
                 crate::case::ValueKind::Choice { .. } => continue,
             };
             let symbol = if symbol.is_empty() { "1".to_owned() } else { symbol };
-            let rpm = |by: f64| signed(by * unit * 30.0 / PI);
+            let rpm = |by: f64| signed(rpm(by * unit));
             let name = format!("{} ({symbol})", entry.path);
             let shift = part.shift_speed.map_or_else(|| "-".to_owned(), |by| rpm(by) + " rpm");
             let _ = writeln!(
