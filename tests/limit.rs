@@ -155,7 +155,7 @@ fn a_start_beyond_the_criterion_is_no_limit() {
     let options = LimitOptions { least_speed_efficiency: 0.9999, ..limits(1e-3) };
     let error = largest_torque(&Case::base().resolve().unwrap(), &options).unwrap_err();
     assert!(matches!(error, DesignError::Beyond { had, .. } if had < 0.9999), "{error}");
-    assert!(error.to_string().contains("no drive was found with a speed efficiency of 100.0 %"), "{error}");
+    assert!(error.to_string().contains("no drive was found with a speed efficiency of 99.99 %"), "{error}");
 }
 
 #[test]

@@ -25,8 +25,8 @@ pub enum DesignError {
     Start(#[from] Failure),
     /// The drive from which a limit is sought is beyond it.
     #[error(
-        "no drive was found with a speed efficiency of {:.1} %: already that from which the limit is sought, with \
-         {torque:.2} N·m and a slack tension of {slack_tension:.1} N, has {:.1} %",
+        "no drive was found with a speed efficiency of {:.2} %: already that from which the limit is sought, with \
+         {torque:.2} N·m and a slack tension of {slack_tension:.1} N, has {:.2} %",
         100.0 * asked, 100.0 * had
     )]
     Beyond {

@@ -13,6 +13,7 @@ use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;
 use crate::drive::{Constant, SolveOptions};
 use crate::model::Output;
+use crate::quantity::rpm;
 
 /// How a shift curve is computed.
 #[derive(Debug, Clone)]
@@ -290,7 +291,6 @@ impl Search<'_> {
         let from = self.options.from.or(speed(&corners.take_off)).unwrap_or(slowest);
         let to = self.options.to.unwrap_or(LAST_SPEED * last / ratio);
         if from > to {
-            let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
             self.branch.remarks.push(format!(
                 "the curve would begin at a secondary speed of {:.0} rpm and end at {:.0} rpm, {}",
                 rpm(from),

@@ -136,7 +136,3 @@ fn told(failure: &Failure) -> String {
         other => other.to_string(),
     }
 }
-
-fn rpm(speed: f64) -> f64 {
-    speed * 30.0 / std::f64::consts::PI
-}

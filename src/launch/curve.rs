@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::actuator::{Profile, ProfileError};
 use crate::equilibrium::{EquilibriumError, ShiftBranch};
+use crate::quantity::km_per_h;
 
 /// Why there is no launch.
 #[derive(Debug, Error)]
@@ -59,7 +60,7 @@ pub enum LaunchError {
     #[error(
         "the vehicle gets no faster than {:.1} km/h against what resists it, and the belt takes the drive off at \
          {:.1} km/h: the clutch slips for good; check the resistance, or take a shorter final drive",
-        3.6 * top_speed, 3.6 * take_off
+        km_per_h(*top_speed), km_per_h(*take_off)
     )]
     NeverLocks {
         /// The speed that it reaches, m/s.
