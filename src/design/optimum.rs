@@ -255,8 +255,8 @@ fn gradient(case: &Resolved, solved: &Solved, heat: Option<&Heat>, options: &Sol
     if with_losses(case) {
         return match gradients(case, solved, case.stiffnesses.reference, options.tolerance) {
             Ok(gradients) => {
-                Ok(Constants::try_from(gradients.by_constant[LossOutput::Efficiency].as_slice())?
-                    [Constant::SlackTension])
+                let by_constant = gradients.by_constant[LossOutput::Efficiency].as_slice();
+                Ok(Constants::try_from(by_constant)?[Constant::SlackTension])
             }
             Err(NoDerivatives::Losses(reason)) => Err(DesignError::Losses(reason)),
             Err(NoDerivatives::Internal(error)) => Err(error.into()),
