@@ -116,7 +116,7 @@ impl Model for Eigenvalues {
 #[test]
 fn the_five_branch_points_of_autos_demo_are_located() {
     let problem = Differentiated::new(Eigenvalues).unwrap();
-    let guess = Guess::uniform(problem.layout(), 40, &[0.5], |_, _, y| y.fill(0.0));
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
     for order in ORDERS {
         let options = BranchOptions {
             solve: Options { order, ..Options::default() },
@@ -128,9 +128,18 @@ fn the_five_branch_points_of_autos_demo_are_located() {
         let found: Vec<f64> = branch.branch_points().map(|point| point.parameter).collect();
         assert_eq!(found.len(), 5, "{order:?}: {found:?}");
         for (found, wanted) in found.iter().zip(1..) {
-            // The mesh stays as coarse as the trivial solution allows; its eigenvalues are those of the discrete
-            // problem.
-            assert!((found - f64::from(wanted)).abs() < 2e-2, "{order:?}: {found} for {wanted}");
+            // The trivial solution asks for no mesh: what bifurcates does.
+            let error = (found / f64::from(wanted) - 1.0).abs();
+            assert!(error < options.solve.tolerance, "{order:?}: {found} for {wanted}");
+        }
+        let lengths: Vec<f64> = branch.points.iter().map(|point| point.arclength).collect();
+        assert!(lengths.is_sorted(), "{order:?}: {lengths:?}");
+        // Without, they are those of the discrete problem.
+        let unsettled = BranchOptions { settle_branch_points: false, ..options.clone() };
+        let branch_of_mesh = trace(&problem, &guess, 0, &[], &unsettled, &[]).unwrap();
+        assert!(branch_of_mesh.stats.factorisations < branch.stats.factorisations, "{order:?}");
+        for (found, wanted) in branch_of_mesh.branch_points().map(|point| point.parameter).zip(1..) {
+            assert!((found / f64::from(wanted) - 1.0).abs() < 2e-2, "{order:?}: {found} for {wanted}");
         }
         assert_eq!(branch.folds().count(), 0);
         assert_eq!(branch.points.last().unwrap().kind, PointKind::End);
@@ -148,6 +157,8 @@ fn branch_points_in_the_middle_of_steps_are_located_by_few_solves() {
         range: (0.0, 5.5),
         // From λ = 0.95 a step leads to 1.05: in its middle the matrix is singular.
         largest_step: 0.1,
+        // On the mesh as it is.
+        settle_branch_points: false,
         ..BranchOptions::default()
     };
     let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
@@ -177,4 +188,39 @@ fn the_orientation_is_that_of_the_problem_itself() {
     let signs = [0.5, 1.5, 2.5, 3.5, 4.5].map(at);
     assert!(signs.windows(2).all(|pair| pair[0] != pair[1]), "{signs:?}");
     assert!(signs.contains(&Orientation::Positive) && signs.contains(&Orientation::Negative));
+}
+
+/// `u'' + λ (u - u³) = 0`, `u(0) = u(π) = 0`: branch points of the trivial solution at the squares of whole numbers.
+struct Buckling;
+
+impl Model for Buckling {
+    fn layout(&self) -> Layout {
+        let mut layout = two_states();
+        layout.regions[0].interval = (0.0, std::f64::consts::PI);
+        layout
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], c[0] * (y[0] * y[0] * y[0] - y[0]));
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[0], e[2]);
+    }
+}
+
+#[test]
+fn loads_of_buckling_do_not_hang_on_the_mesh_of_the_guess() {
+    let problem = Differentiated::new(Buckling).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.5, 30.0), largest_step: 0.2, ..BranchOptions::default() };
+    let loads = |options: &BranchOptions| -> Vec<f64> {
+        let branch = trace(&problem, &guess, 0, &[], options, &[]).unwrap();
+        branch.branch_points().map(|point| point.parameter).collect()
+    };
+    let settled = loads(&options);
+    assert_eq!(settled.len(), 5, "{settled:?}");
+    for (found, wanted) in settled.iter().zip([1.0, 4.0, 9.0, 16.0, 25.0]) {
+        assert!((found / wanted - 1.0).abs() < options.solve.tolerance, "{found} for {wanted}");
+    }
+    let of_mesh = loads(&BranchOptions { settle_branch_points: false, ..options });
+    assert!((of_mesh[4] - 25.0).abs() > 0.1, "{of_mesh:?}");
 }

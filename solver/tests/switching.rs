@@ -14,8 +14,12 @@ fn nodes(solution: &Solution) -> usize {
     clear.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
 }
 
+/// The largest first state, between nodes too: those of two meshes are not the same.
 fn amplitude(solution: &Solution) -> f64 {
-    solution.regions()[0].state(0).iter().fold(0.0_f64, |max, u| max.max(u.abs()))
+    let region = &solution.regions()[0];
+    let ((a, b), samples) = ((region.mesh()[0], region.mesh()[region.intervals()]), 1000);
+    let places = (0..=samples).map(|i| a + (b - a) * f64::from(i) / f64::from(samples));
+    places.fold(0.0_f64, |max, s| max.max(region.eval(s)[0].abs()))
 }
 
 /// AUTO's demo `bvp`: `u'' = -(λ π)² u + u²`, `u(0) = u(1) = 0`. From the branch point at λ = k both halves of a branch

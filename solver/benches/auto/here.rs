@@ -94,7 +94,8 @@ fn trace(demo: &'static Demo, configuration: &Configuration) -> Option<Vec<Branc
             }
         }
         Wanted::BranchPoints { to, .. } => {
-            let options = BranchOptions { range: (0.0, to), ..options };
+            // On the mesh that the configuration says, as AUTO does.
+            let options = BranchOptions { range: (0.0, to), settle_branch_points: false, ..options };
             let mut silent = |_: &Event| ControlFlow::Continue(());
             trace_observed(&problem, &start, 0, &[], &options, &[], &mut silent).ok().map(|branch| branch.points)
         }

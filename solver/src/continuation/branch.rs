@@ -33,6 +33,10 @@ pub struct BranchOptions {
     /// orientation of the problem that arclength extends, which changes there: two of them within one step are seen as
     /// none, so that `largest_step` must be short enough to part them.
     pub branch_points: bool,
+    /// Whether each branch point is located anew on meshes of halved intervals, six times over at most, until its
+    /// parameter has settled to the tolerance: what bifurcates may ask for a finer mesh than the branch does. Without,
+    /// it is the branch point of the mesh on which it is met. Default: yes.
+    pub settle_branch_points: bool,
 }
 
 impl Default for BranchOptions {
@@ -48,6 +52,7 @@ impl Default for BranchOptions {
             max_iterations: 12,
             max_points: 200,
             branch_points: true,
+            settle_branch_points: true,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Steps along a branch: predictor, corrector, step length; folds and events between two points.
 
 mod crossing;
+mod finer;
 mod location;
 mod places;
 
@@ -259,15 +260,19 @@ impl<'a, 'e> Tracer<'a, 'e> {
         (near, other): (Near<'_>, Option<Near<'_>>),
         care: Care,
     ) -> Result<Advanced, SolveError> {
-        let arclength = Arclength::new(self.problem, here);
-        let problem: &dyn Problem = &arclength;
         let between = other.and_then(|other| near.between(&other, step));
         let mut guess = between.unwrap_or_else(|| near.point.moved(near.speed * (step - near.at)));
         guess.constants.push(step);
+        self.advance_with(here, start::near(&near.point.solution, &guess), care)
+    }
+
+    /// As [`advance`](Self::advance), from what is expected there; its last constant is the distance.
+    fn advance_with(&mut self, here: &Reference, start: Start, care: Care) -> Result<Advanced, SolveError> {
+        let arclength = Arclength::new(self.problem, here);
+        let problem: &dyn Problem = &arclength;
         let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
         run.coarsen = care == Care::Step;
-        let start = start::near(&near.point.solution, &guess);
         let outcome = if care == Care::Glance {
             run.unjudged(start)
         } else {

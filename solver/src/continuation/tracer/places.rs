@@ -55,7 +55,11 @@ impl Tracer<'_, '_> {
     ) -> Result<(f64, Option<Reference>), SolveError> {
         let kind = crossing.kind;
         if kind == PointKind::BranchPoint {
-            return self.locate_branch_point(before, here, step, next).map(|(at, found)| (at, Some(found)));
+            let mut found = self.locate_branch_point(before, here, step, next)?;
+            if self.options.settle_branch_points {
+                found = self.settled(here, step, found)?;
+            }
+            return Ok((found.0, Some(found.1)));
         }
         if self.watched(kind, &next.point) == 0.0 {
             return Ok((step, None));
@@ -158,7 +162,7 @@ impl Tracer<'_, '_> {
     }
 
     /// A point moved along its direction by so little that it is a solution still.
-    fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
+    pub(super) fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
         let plan = Plan::new(self.problem.layout(), self.unknowns);
         let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
         let start = start::near(&point.solution, &point.moved(by));

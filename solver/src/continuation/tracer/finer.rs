@@ -1,0 +1,116 @@
+//! Branch points on finer meshes.
+//!
+//! The mesh of a branch resolves its solutions; at a branch point, what bifurcates there has to be resolved as well.
+//! Along a trivial solution, which asks for no mesh, a buckling load would be as exact as the mesh of the guess makes
+//! it. Where the determinant vanishes is therefore sought on halved intervals, too, until the parameter there settles.
+
+use super::{Advanced, Care, Reference, Tracer};
+use crate::error::SolveError;
+use crate::start::{self, Start};
+
+/// Times that all intervals are halved at most.
+const HALVINGS: usize = 6;
+/// What is left of the error on a halved mesh is the last change over this at most: the methods' orders are four and
+/// more, for which it is a fifteenth of it.
+const SHRINKS: f64 = 8.0;
+/// Looks for one place at most.
+const LOOKS: usize = 10;
+/// The place counts as found when it changes by no more than this part of the step. The matrix is singular there: it is
+/// looked at from so far beside it.
+const FOUND: f64 = 1e-8;
+const BESIDE: f64 = 1e-4;
+
+/// The determinant at one place beside a branch point.
+struct Look {
+    at: f64,
+    value: f64,
+    advanced: Advanced,
+}
+
+impl Tracer<'_, '_> {
+    /// A branch point as exact as the tolerance asks, and its place: of one that leaves the step, the end of the step,
+    /// for points are told in their order.
+    pub(super) fn settled(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        (mut place, mut point): (f64, Reference),
+    ) -> Result<(f64, Reference), SolveError> {
+        let scale = self.problem.layout().constants[self.parameter].scale.unwrap_or(1.0);
+        let tolerance = self.options.solve.tolerance * point.value(self.parameter).abs().max(scale);
+        for _ in 0..HALVINGS {
+            let most = point.solution.regions().iter().map(|region| 2 * region.intervals()).max();
+            if most.is_none_or(|most| most > self.options.solve.max_intervals) {
+                break;
+            }
+            let finer = match self.finer(here, step, (place, &point), tolerance) {
+                Err(cause) if cause.is_interruption() => return Err(cause),
+                // What was found on the coarser mesh stands.
+                Err(_) | Ok(None) => break,
+                Ok(Some(finer)) => finer,
+            };
+            let change = (finer.1.value(self.parameter) - point.value(self.parameter)).abs();
+            (place, point) = finer;
+            if change <= SHRINKS * tolerance {
+                break;
+            }
+        }
+        Ok((place.clamp(0.0, step), point))
+    }
+
+    /// The branch point on halved intervals; none if the coarser mesh has it to the tolerance, or it is not found.
+    fn finer(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        (place, point): (f64, &Reference),
+        tolerance: f64,
+    ) -> Result<Option<(f64, Reference)>, SolveError> {
+        let Some((finer, look)) = self.place_on_halved(here, step, (place, point))? else { return Ok(None) };
+        let near = look.advanced.near(look.at);
+        let parameter = near.point.moved(near.speed * (finer - near.at)).constants[self.parameter];
+        if (parameter - point.value(self.parameter)).abs() <= tolerance {
+            return Ok(None);
+        }
+        let judged = self.advance_from(here, look.at, (near, None), Care::Between)?;
+        Ok(Some((finer, self.moved(&judged.point, judged.speed * (finer - look.at))?)))
+    }
+
+    /// Where the determinant vanishes on halved intervals, by secants from where it does on those of a point; and the
+    /// last look beside it.
+    fn place_on_halved(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        (place, point): (f64, &Reference),
+    ) -> Result<Option<(f64, Look)>, SolveError> {
+        let beside = BESIDE * step;
+        let mut guess = point.moved(beside);
+        guess.constants.push(place + beside);
+        let halved = start::halved(&Start::from(&guess));
+        let first = self.advance_with(here, halved, Care::Glance)?;
+        let mut last = Look::new(here, place + beside, first);
+        let (mut zero, mut next) = (place, place - beside);
+        for _ in 0..LOOKS {
+            let advanced = self.advance_from(here, next, (last.advanced.near(last.at), None), Care::Glance)?;
+            let look = Look::new(here, next, advanced);
+            let before = zero;
+            zero = look.at - look.value * (look.at - last.at) / (look.value - last.value);
+            if !zero.is_finite() || (zero - place).abs() > step {
+                break;
+            }
+            if (zero - before).abs() <= FOUND * step {
+                return Ok(Some((zero, look)));
+            }
+            next = zero + beside;
+            last = look;
+        }
+        Ok(None)
+    }
+}
+
+impl Look {
+    fn new(here: &Reference, at: f64, advanced: Advanced) -> Self {
+        Self { at, value: advanced.point.determinant.relative(&here.determinant), advanced }
+    }
+}
