@@ -97,7 +97,7 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
     let parameters = keys.len() + usize::from(options.fit.iter().any(|key| key == ENGINE_SCALE));
     if ways.len() < 2.max(parameters + 1) {
         let wanted = 2.max(parameters + 1);
-        let mut reason = format!("{} of {} points are left, and this takes {wanted}", ways.len(), points.len());
+        let mut reason = format!("{} of {} points are left, too few: this takes {wanted}", ways.len(), points.len());
         if let Some(first) = points.iter().find_map(|point| point.reason.as_deref()) {
             reason.push_str("; the first is left out because ");
             reason.push_str(first);
