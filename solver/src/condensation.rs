@@ -110,7 +110,8 @@ impl Factorisation {
         for (&unknown, moved) in unknowns.iter().zip(moved_unknowns) {
             constants[unknown] = *moved;
         }
-        let mut rates: Vec<f64> = ends.iter().zip(input_scales(&self.scales)).map(|(end, scale)| end * scale).collect();
+        let mut rates: Vec<f64> =
+            ends.iter().zip(&input_scales(&self.scales)).map(|(end, scale)| end * scale).collect();
         for (plan, factor) in system.plan.regions.iter().zip(&self.regions) {
             let (n, p, end) = (plan.n, plan.columns.len(), factor.top.end());
             let (first, last) = ends[plan.first_end..][..2 * n].split_at(n);

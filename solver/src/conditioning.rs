@@ -1,9 +1,10 @@
 //! Conditioning of a problem at a solution.
 
+use crate::by_region::ByRegion;
 use crate::collocation::Correction;
 use crate::collocation::factor::Rhs;
 use crate::collocation::transpose::Weights;
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linearisation::Linearisation;
 use crate::problem::Problem;
@@ -43,9 +44,9 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
         let grids = self.system.grids.iter().zip(&self.system.plan.regions);
         Rhs {
             regions: grids.clone().map(|(grid, plan)| Lanes::zeros(grid.steps * plan.n)).collect(),
-            inner: Vec::new(),
-            integrals: grids.map(|(_, plan)| vec![0.0; plan.active.len()]).collect(),
-            boundary: vec![0.0; self.system.layout.equations.len()],
+            inner: ByRegion::default(),
+            integrals: grids.map(|(_, plan)| Numbers::zeros(plan.active.len())).collect(),
+            boundary: Numbers::zeros(self.system.layout.equations.len()),
         }
     }
 
@@ -60,7 +61,7 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
             dx.u.iter_mut().flatten().for_each(|lane| *lane = lane.abs());
             dx.c.iter_mut().for_each(|c| *c = c.abs());
             // Nodes stand for what is between them.
-            dx.inner.clear();
+            dx.inner = ByRegion::default();
             match &mut sums {
                 None => sums = Some(dx),
                 Some(sums) => {
@@ -144,10 +145,10 @@ impl<P: Problem + ?Sized> Linearisation<'_, P> {
         Weights {
             unknowns: Correction {
                 u: grids.clone().map(|(grid, plan)| Lanes::zeros((grid.steps + 1) * plan.n)).collect(),
-                inner: Vec::new(),
+                inner: ByRegion::default(),
                 c: vec![0.0; self.system.plan.unknowns.len()],
             },
-            integrals: grids.map(|(_, plan)| vec![0.0; plan.active.len()]).collect(),
+            integrals: grids.map(|(_, plan)| Numbers::zeros(plan.active.len())).collect(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Where an iteration starts.
 
+use crate::by_region::ByRegion;
 use crate::collocation::Iterate;
 use crate::collocation::grid::Grid;
 use crate::error::GuessError;
@@ -88,7 +89,7 @@ impl Guess {
     pub(crate) fn iterate(&self, grids: &[Grid]) -> Iterate {
         let pack = |(region, grid): (&RegionGuess, &Grid)| grid.pack_all(&region.states);
         let y = self.regions.iter().zip(grids).map(pack).collect();
-        Iterate { y, inner: Vec::new(), constants: self.constants.clone() }
+        Iterate { y, inner: ByRegion::default(), constants: self.constants.clone() }
     }
 
     /// Intervals of all regions.

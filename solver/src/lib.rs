@@ -48,6 +48,7 @@ mod accuracy;
 mod basis;
 mod budget;
 pub mod bvp;
+mod by_region;
 mod cancel;
 mod collocation;
 mod condensation;

@@ -1,5 +1,6 @@
 //! The linearised problem at a solution: sensitivities, forward and adjoint.
 
+use crate::by_region::ByRegion;
 use crate::collocation::coupled::unscaled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs, input_scales};
@@ -239,7 +240,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let (integrals, explicit) = rest.split_at(layout.integrals());
         let mut gradient = explicit.to_vec();
         let scales = &self.factorisation.scales;
-        let mut u = Vec::new();
+        let mut u = ByRegion::default();
         for (region, plan) in plan.regions.iter().enumerate() {
             let grid = &self.system.grids[region];
             let mut nodes = self.integral_weights(region, integrals, &functional.intervals, &mut gradient);
@@ -261,9 +262,10 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
             plan.active.iter().map(|&k| integrals[plan.first_integral + k]).collect()
         };
         let integrals = plan.regions.iter().map(active).collect();
-        let multipliers = self
-            .factorisation
-            .solve_transposed(&self.system, Weights { unknowns: Correction { u, inner: Vec::new(), c }, integrals });
+        let multipliers = self.factorisation.solve_transposed(
+            &self.system,
+            Weights { unknowns: Correction { u, inner: ByRegion::default(), c }, integrals },
+        );
         self.pull_back(&multipliers, &mut gradient);
         for &unknown in &plan.unknowns {
             gradient[unknown] = 0.0;
@@ -333,7 +335,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
 
     /// Typical magnitudes of the boundary equations' ends, as the solver scales by.
     pub fn end_scales(&self) -> Vec<f64> {
-        input_scales(&self.factorisation.scales)
+        input_scales(&self.factorisation.scales).to_vec()
     }
 }
 

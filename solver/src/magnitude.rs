@@ -4,6 +4,7 @@
 //! largest magnitude over the region. Divided by the solve's tolerance this is its typical magnitude: every error,
 //! defect and correction is measured in units of it, and held to the one tolerance.
 
+use crate::by_region::ByRegion;
 use crate::error::SolveError;
 use crate::options::{ComponentTolerance, Options, Which};
 use crate::problem::Layout;
@@ -28,10 +29,10 @@ impl Magnitude {
 }
 
 /// Of all components.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Magnitudes {
     /// By region and state.
-    pub states: Vec<Vec<Magnitude>>,
+    pub states: ByRegion<Vec<Magnitude>>,
     /// All constants of the layout.
     pub constants: Vec<Magnitude>,
 }

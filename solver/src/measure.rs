@@ -1,5 +1,6 @@
 //! How good a converged iterate is: its defects, and the error they cause.
 
+use crate::by_region::ByRegion;
 use crate::collocation::coupled::scaled;
 use crate::collocation::defect::Defects;
 use crate::collocation::evaluate::{Derivatives, Work};
@@ -112,7 +113,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     /// As [`error_estimate`](Self::error_estimate), what it would be if all defects that exceed `target`, by which they
     /// are measured, were no larger than that.
     pub(crate) fn foreseen_error(&self, measures: &[Measure], target: f64, stats: &mut Stats) -> f64 {
-        let left: Vec<Numbers> =
+        let left: ByRegion<Numbers> =
             self.system.grids.iter().zip(measures).map(|(grid, measure)| measure.left(grid, target)).collect();
         self.error(&left, stats).1
     }
@@ -187,7 +188,8 @@ fn judged<P: Problem + ?Sized>(
     limit: f64,
     stats: &mut Stats,
 ) -> Result<(Vec<Extension>, Vec<Defects>), SolveError> {
-    let (mut extensions, mut defects) = (Vec::new(), Vec::new());
+    let count = system.grids.len();
+    let (mut extensions, mut defects) = (Vec::with_capacity(count), Vec::with_capacity(count));
     for (region, stages) in converged.work.regions.iter().enumerate() {
         let extended = Extended { system, region, x: &converged.x, stages };
         let (extension, defect) = extended.judged(scales, limit, stats).map_err(undefined(&system.grids))?;
@@ -203,7 +205,7 @@ pub(crate) struct Error {
     pub correction: Correction,
     /// What the defects of the integrals themselves add to the error of each, region by region: a row an integral, in
     /// working order over each interval.
-    pub integrals: Vec<Rows>,
+    pub integrals: ByRegion<Rows>,
 }
 
 impl Error {
@@ -216,8 +218,8 @@ impl Error {
         left: &[Numbers],
         stats: &mut Stats,
     ) -> Self {
-        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary: work.g.to_vec() };
-        let mut integrals = Vec::new();
+        let mut rhs = Rhs { boundary: work.g.clone(), ..Rhs::default() };
+        let mut integrals = ByRegion::default();
         for (region, defects) in defects.iter().enumerate() {
             let extended = Extended { system, region, x, stages: &work.regions[region] };
             let (grid, plan) = (&system.grids[region], &system.plan.regions[region]);
@@ -251,7 +253,8 @@ impl Error {
                 parts[first..].fill(0.0);
             }
             let parts = Rows::new(parts, len);
-            rhs.integrals.push(plan.active.iter().map(|&k| parts.row(k).iter().sum()).collect());
+            let sums = plan.active.iter().map(|&k| parts.row(k).iter().sum());
+            rhs.integrals.push(Numbers::collected(plan.active.len(), sums));
             integrals.push(parts);
         }
         stats.linear_solves += 1;

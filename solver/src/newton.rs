@@ -207,7 +207,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             let dx = self.correction();
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
             self.first = self.first.or(Some(largest));
-            self.announce(&dx, before.as_ref().map_or(1.0, |before| before.0))?;
+            self.announce(largest, before.as_ref().map_or(1.0, |before| before.0))?;
             if largest <= self.limits.tolerance {
                 let x = self.system.stepped(&x, &self.factorisation.scales, 1.0, &dx);
                 return self.finish(Last { x, evaluated: false, size: largest }, None);
@@ -220,7 +220,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 return self.stagnate(x, &dx, error);
             }
             let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
-            match self.damped_step(&x, &dx, size, damping)? {
+            match self.damped_step(&x, &dx, (size, largest), damping)? {
                 Step::Done(last) if self.is_small(&last) => return self.finish(last, None),
                 Step::Done(last) => (x, before, taken) = (last.x, None, None),
                 Step::Stuck(error) => return self.stagnate(x, &dx, error),
@@ -322,10 +322,17 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
     }
 
-    fn damped_step(&mut self, x: &Iterate, dx: &Correction, size: f64, first: f64) -> Result<Step, Failure> {
+    /// As much of a correction as is progress, at first as much as `first` says. Of the correction its norm and its
+    /// largest component are given.
+    fn damped_step(
+        &mut self,
+        x: &Iterate,
+        dx: &Correction,
+        (size, largest): (f64, f64),
+        first: f64,
+    ) -> Result<Step, Failure> {
         let mut damping = if self.limits.insistent { first } else { 1.0 };
         let mut reduced = false;
-        let largest = self.system.largest(dx);
         let smallest = if largest <= STAGNANT { 0.01 } else { self.limits.smallest_damping };
         loop {
             if damping < smallest {
@@ -365,8 +372,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 continue;
             }
             let possible = if estimate.is_finite() { estimate.min(1.0) } else { 1.0 };
-            if damping == 1.0 && self.system.largest(&simplified) <= self.limits.tolerance {
-                return Ok(Step::Done(self.last(trial, &simplified)));
+            if damping == 1.0 {
+                let left = self.system.largest(&simplified);
+                if left <= self.limits.tolerance {
+                    return Ok(Step::Done(self.last(trial, &simplified, left)));
+                }
             }
             if possible >= 4.0 * damping && !reduced {
                 damping = possible;
@@ -384,9 +394,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             && self.system.boundary_residuals(&self.work, scales).all(|residual| residual == 0.0)
     }
 
-    /// After the last correction, whose residual is held.
-    fn last(&self, x: Iterate, correction: &Correction) -> Last {
-        let (Limits { tolerance, .. }, size) = (self.limits, self.system.largest(correction));
+    /// After the last correction, whose residual is held; `size`: its largest component.
+    fn last(&self, x: Iterate, correction: &Correction, size: f64) -> Last {
+        let Limits { tolerance, .. } = self.limits;
         if tolerance >= NEAR_ROUNDING && size <= NEGLIGIBLE * tolerance {
             return Last { x, evaluated: true, size };
         }
@@ -431,8 +441,9 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 return Ok(Simplified::Ended(x));
             }
             self.stats.simplified_corrections += 1;
-            if self.system.largest(&next) <= self.limits.tolerance {
-                return Ok(Simplified::Converged(self.last(trial, &next)));
+            let left = self.system.largest(&next);
+            if left <= self.limits.tolerance {
+                return Ok(Simplified::Converged(self.last(trial, &next, left)));
             }
             if rate > SIMPLIFIED_CONTRACTION {
                 return Ok(Simplified::Ended(trial));
@@ -475,8 +486,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         }
     }
 
-    fn announce(&mut self, dx: &Correction, damping: f64) -> Result<(), Failure> {
-        let correction = self.system.largest(dx);
+    /// Says how large the largest component of a correction is, and what the last one was damped by.
+    fn announce(&mut self, correction: f64, damping: f64) -> Result<(), Failure> {
         let event =
             Event::Newton { iteration: self.iteration, intervals: intervals(&self.system.grids), correction, damping };
         self.budget.notify(self.observer, &event, self.stats).map_err(Failure::Interrupted)

@@ -241,10 +241,10 @@ mod tests {
     use super::*;
 
     fn measured(relative: Vec<f64>, wish: &Wish) -> Measure {
-        let (rounding, state) = (vec![0.0; relative.len()], vec![0; relative.len()]);
+        let (rounding, state) = (Numbers::zeros(relative.len()), vec![0; relative.len()]);
         // Whatever is too large moves the solution by more than the tolerance.
-        let contribution = vec![1.0; relative.len()];
-        let defects = Defects { relative, contribution, rounding, state, ..Defects::default() };
+        let contribution = vec![1.0; relative.len()].into();
+        let defects = Defects { relative: relative.into(), contribution, rounding, state, ..Defects::default() };
         measure(&defects, wish.tolerance, Rounding::Counted)
     }
 
@@ -285,9 +285,9 @@ mod tests {
     #[test]
     fn rounding_excuses_a_defect_up_to_a_limit_and_no_further() {
         let defects = |relative: f64| Defects {
-            relative: vec![relative],
-            contribution: vec![1.0],
-            rounding: vec![1e-9],
+            relative: vec![relative].into(),
+            contribution: vec![1.0].into(),
+            rounding: vec![1e-9].into(),
             state: vec![0],
             ..Defects::default()
         };

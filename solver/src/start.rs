@@ -1,6 +1,7 @@
 //! Where Newton's iteration starts: a guess, or a solution carried to other meshes.
 
 use crate::basis::Basis;
+use crate::by_region::ByRegion;
 use crate::collocation::Iterate;
 use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
@@ -32,7 +33,7 @@ pub(crate) fn transfer<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<
 pub(crate) fn carried<P: Problem + ?Sized>(solved: &Solved<'_, P>, meshes: Vec<Vec<f64>>, tableau: &Tableau) -> Start {
     let Converged { x, work, .. } = &solved.converged;
     let grids: Vec<Grid> = meshes.into_iter().map(Grid::new).collect();
-    let (mut y, mut inner) = (Vec::with_capacity(grids.len()), Vec::new());
+    let (mut y, mut inner) = (ByRegion::default(), ByRegion::default());
     for (region, new) in grids.iter().enumerate() {
         let old = Packed {
             grid: &solved.system.grids[region],

@@ -141,8 +141,6 @@ impl<'a> Assembly<'a> {
         let states = plan.state_entries.iter();
         let constants = plan.constant_entries.iter();
         let constant_scale = |column: usize| scales.constants[system.plan.unknowns[plan.columns[column]]];
-        let (n, p) = (plan.n, plan.columns.len());
-        let (rows, width, count) = (n + plan.active.len(), 2 * n + p, system.tableau.stages());
         Self {
             plan,
             tableau: system.tableau,
@@ -160,12 +158,25 @@ impl<'a> Assembly<'a> {
                     factor: constant_scale(column) / row_scale(row),
                 })
                 .collect(),
-            slopes: Lanes::unset(count * rows * width),
-            arguments: Lanes::unset(n * width),
-            sum: Lanes::unset(rows * width),
-            unknowns: Lanes::unset(system.tableau.unknown_stages() * n),
-            values: Lanes::unset(if count == simpson::STAGES { plan.state_entries.len() } else { 0 }),
+            slopes: Lanes::default(),
+            arguments: Lanes::default(),
+            sum: Lanes::default(),
+            unknowns: Lanes::default(),
+            values: Lanes::default(),
             chained: stages.chained.iter().map(|&(u, v)| (u, v, d[v] / d[u])).collect(),
+        }
+    }
+
+    /// Room for sums along the way, which only equations need whose sizes are not all known when compiled.
+    fn make_room(&mut self) {
+        if self.slopes.is_empty() {
+            let (plan, stages, n) = (self.plan, self.tableau.stages(), self.plan.n);
+            let (rows, width) = (n + plan.active.len(), 2 * n + plan.columns.len());
+            self.slopes = Lanes::unset(stages * rows * width);
+            self.arguments = Lanes::unset(n * width);
+            self.sum = Lanes::unset(rows * width);
+            self.unknowns = Lanes::unset(self.tableau.unknown_stages() * n);
+            self.values = Lanes::unset(if stages == simpson::STAGES { plan.state_entries.len() } else { 0 });
         }
     }
 
@@ -280,6 +291,7 @@ impl<'a> Assembly<'a> {
         if self.tableau.coupled && (Pairs { assembly: self, t, inner: inner.reborrowed(), block }).vectorised() {
             return;
         }
+        self.make_room();
         let (h, all) = (Lane(self.h[t]), n + k);
         let known = if self.tableau.coupled { 2 } else { self.tableau.stages() };
         for stage in 0..known {

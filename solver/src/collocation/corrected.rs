@@ -143,7 +143,10 @@ impl Job for Interpolate<'_> {
         let (alpha, beta) = (alpha.as_chunks_mut::<W>().0, beta.as_chunks_mut::<W>().0);
         for (at, (alpha, beta)) in alpha.iter_mut().zip(beta).enumerate() {
             let (i, t) = (at / cubic.steps, at % cubic.steps);
-            let [low, high] = [0, 1].map(|k| cubic.length(t) * views[2 + k].f(i, t) - cubic.weigh(&bases[k], i, t));
+            let piece = cubic.piece(i, t);
+            let (low, high) = (views[2].f(i, t), views[3].f(i, t));
+            let low = cubic.length(t) * low - piece.weigh(&bases[0]);
+            let high = cubic.length(t) * high - piece.weigh(&bases[1]);
             *alpha = (high - low).map(|odd| 0.5 * odd / bases[1].alpha).0;
             *beta = (high + low).map(|even| 0.5 * even / bases[1].beta).0;
         }

@@ -112,10 +112,11 @@ impl Coupling {
         unknowns: &mut [Lane],
         x: &mut [Lane],
     ) {
-        let (m, weights) = (COUPLED * q, self.weights);
+        let (m, weights, x) = (COUPLED * q, self.weights, &mut x[..COUPLED * n]);
         if q == n {
             return qr::solve(m, factored, x);
         }
+        let (slopes, unknowns) = (&slopes[..COUPLED * n * all], &mut unknowns[..m]);
         let rows = &self.roles.unknowns[..q];
         for i in 0..COUPLED {
             for (r, &row) in rows.iter().enumerate() {
@@ -233,6 +234,7 @@ impl Inward<'_> {
         let steps = self.inner.chunks_exact_mut(COUPLED * n).zip(self.rhs.chunks_exact_mut(n));
         for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
             let Parts { qr, slopes, .. } = coupling.parts(data);
+            let slopes = &slopes[..COUPLED * n * all];
             coupling.solve((q, n, all), (qr, slopes), &mut unknowns, z);
             for (&z, slopes) in z.iter().zip(slopes.chunks_exact(all)) {
                 for i in 0..n {
@@ -400,7 +402,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 
     /// `x.inner += factor * scale * inner`.
-    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Vec<f64>], factor: f64, inner: &[Lanes]) {
+    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Numbers], factor: f64, inner: &[Lanes]) {
         for ((values, changes), d) in x.inner.iter_mut().zip(inner).zip(scales) {
             let m = self.tableau.unknown_stages() * d.len();
             let steps = changes.len() / m;

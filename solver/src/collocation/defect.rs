@@ -26,11 +26,11 @@ pub(crate) struct Defects {
     /// magnitude, ℓ the region's length, F the larger of |f| and of the size of f's terms, `Σ |∂f/∂y| |y|`, at the
     /// nodes: where large terms nearly cancel, they cannot be met better than they are known. On rough meshes of order
     /// 8 that of the collocation polynomial.
-    pub relative: Vec<f64>,
+    pub relative: Numbers,
     /// What the interval's defect can move a state by, relative to its typical magnitude: `h |S' - f| / Y`.
-    pub contribution: Vec<f64>,
+    pub contribution: Numbers,
     /// What rounding alone may make of the relative defect: the slope is a difference of values over an interval.
-    pub rounding: Vec<f64>,
+    pub rounding: Numbers,
     /// State of the largest relative defect.
     pub state: Vec<usize>,
     /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
@@ -100,9 +100,9 @@ impl Job for Count<'_> {
         let terms = tally.terms.as_chunks::<W>().0.chunks_exact(steps);
         for (i, (((relative, absolute), terms), &scale)) in relative.zip(absolute).zip(terms).zip(scales).enumerate() {
             for t in 0..steps {
-                let (h, terms) = (pieces.length(t), Lane(terms[t]));
+                let (h, terms, piece) = (pieces.length(t), Lane(terms[t]), pieces.piece(i, t));
                 for (place, (basis, weight)) in places.iter().enumerate() {
-                    let (f, rise) = (sampled.slope(i, place, t), pieces.weigh(basis, i, t));
+                    let (f, rise) = (sampled.slope(i, place, t), piece.weigh(basis));
                     if let Some(lacking) = lacking.get_mut((place * scales.len() + i) * steps + t) {
                         *lacking = (h * f - rise).0;
                     }
@@ -252,16 +252,15 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 contribution[p] = contribution[p].max(contributions[p]);
             }
         }
-        let room = || Vec::with_capacity(count);
-        let (mut largest, mut contributed, mut floors, mut states) =
-            (room(), room(), room(), Vec::with_capacity(count));
-        grid.each(count, |p| {
-            largest.push((most[p] / weight).sqrt());
-            contributed.push((contribution[p] / weight).sqrt());
-            floors.push(rounding[p]);
-            states.push(state[p]);
-        });
-        Defects { relative: largest, contribution: contributed, rounding: floors, state: states, ..Defects::default() }
+        let mut states = Vec::with_capacity(count);
+        grid.each(count, |p| states.push(state[p]));
+        Defects {
+            relative: grid.in_order(count, |p| (most[p] / weight).sqrt()),
+            contribution: grid.in_order(count, |p| (contribution[p] / weight).sqrt()),
+            rounding: grid.in_order(count, |p| rounding[p]),
+            state: states,
+            ..Defects::default()
+        }
     }
 
     /// What rounding of the node values may make of the relative defects: the largest over states, one an interval. It

@@ -181,14 +181,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
             stages.inner[index] = batch;
             outcome?;
         }
-        self.interval_residuals(region, &x.y[region], stages);
-        if self.tableau.coupled {
-            self.stage_residuals(region, x, stages);
-            if derivatives != Derivatives::None {
-                let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
-                let found = second_order(&self.layout.regions[region], &self.plan.regions[region], batches);
-                stages.roles = Arc::new(Roles::new(self.plan.regions[region].n, &found));
-            }
+        self.residuals(region, x, stages);
+        if self.tableau.coupled && derivatives != Derivatives::None {
+            let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
+            let found = second_order(&self.layout.regions[region], &self.plan.regions[region], batches);
+            stages.roles = Arc::new(Roles::new(self.plan.regions[region].n, &found));
         }
         Ok(())
     }
@@ -203,18 +200,30 @@ impl<P: Problem + ?Sized> System<'_, P> {
         }
     }
 
-    /// `Y - (1 - v) y_0 - v y_1 - h Σ x K` of all inner stages.
-    fn stage_residuals(&self, region: usize, x: &Iterate, stages: &mut Stages) {
-        let (grid, mut psi) = (&self.grids[region], std::mem::take(&mut stages.psi));
-        vectorised(StageResiduals {
-            tableau: self.tableau,
-            views: stages.views(grid.steps),
-            h: grid.h.as_chunks::<W>().0,
-            y: x.y[region].as_chunks::<W>().0,
-            inner: x.inner[region].as_chunks::<W>().0,
-            out: psi.as_chunks_mut::<W>().0,
-        });
-        stages.psi = psi;
+    /// `y_1 - y_0 - h Σ b K` of all intervals, and where inner stages are unknowns `Y - (1 - v) y_0 - v y_1 - h Σ x K`
+    /// of these.
+    fn residuals(&self, region: usize, x: &Iterate, stages: &mut Stages) {
+        let (grid, y) = (&self.grids[region], &x.y[region]);
+        let (mut phi, mut psi) = (std::mem::take(&mut stages.phi), std::mem::take(&mut stages.psi));
+        let views = stages.views(grid.steps);
+        let whole = Advance { y, h: &grid.h, factors: [-1.0, 1.0], sign: -1.0, place: (0, 1), out: &mut phi };
+        advance(&views, self.tableau.b, whole);
+        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
+        for &(u, v) in &stages.chained {
+            let ends = [&y[u * nodes..][..intervals], &y[u * nodes + W..][..intervals]];
+            self.integrate_twice((u, v), stages, &mut phi[u * intervals..][..intervals], ends, &grid.h);
+        }
+        if self.tableau.coupled {
+            vectorised(StageResiduals {
+                tableau: self.tableau,
+                views,
+                h: grid.h.as_chunks::<W>().0,
+                y: y.as_chunks::<W>().0,
+                inner: x.inner[region].as_chunks::<W>().0,
+                out: psi.as_chunks_mut::<W>().0,
+            });
+        }
+        (stages.phi, stages.psi) = (phi, psi);
     }
 
     /// See [`Stages::chained`].
@@ -237,20 +246,6 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let (grid, v) = (&self.grids[region], self.tableau.v[stage]);
         let whole = Advance { y, h: &grid.h, factors: [1.0 - v, v], sign: 1.0, place, out };
         advance(&stages.views(grid.steps), self.tableau.x[stage], whole);
-    }
-
-    /// `y_1 - y_0 - h Σ b K`.
-    fn interval_residuals(&self, region: usize, y: &[f64], stages: &mut Stages) {
-        let grid = &self.grids[region];
-        let mut phi = std::mem::take(&mut stages.phi);
-        let whole = Advance { y, h: &grid.h, factors: [-1.0, 1.0], sign: -1.0, place: (0, 1), out: &mut phi };
-        advance(&stages.views(grid.steps), self.tableau.b, whole);
-        let (nodes, intervals) = (grid.node_stride(), grid.interval_stride());
-        for &(u, v) in &stages.chained {
-            let ends = [&y[u * nodes..][..intervals], &y[u * nodes + W..][..intervals]];
-            self.integrate_twice((u, v), stages, &mut phi[u * intervals..][..intervals], ends, &grid.h);
-        }
-        stages.phi = phi;
     }
 
     /// See [`ODD`](crate::tableau::ODD).
@@ -420,10 +415,12 @@ impl Job for StageResiduals<'_> {
             weights.copy_from_slice(tableau.x[stage + 2]);
             for (i, out) in out.chunks_exact_mut(steps).enumerate() {
                 let (y, inner) = (&y[i * (steps + 1)..][..steps + 1], &inner[(stage * n + i) * steps..][..steps]);
+                let mut slopes: [&[[f64; W]]; MOST_STAGES] = [&[]; MOST_STAGES];
+                slopes.iter_mut().zip(&views).for_each(|(slopes, view)| *slopes = view.row(i, steps));
                 for t in 0..steps {
                     let mut sum = Lane::ZERO;
-                    for (view, weight) in views.iter().zip(weights) {
-                        sum += view.f(i, t).times(weight);
+                    for (slopes, weight) in slopes.iter().zip(weights) {
+                        sum += Lane(slopes[t]).times(weight);
                     }
                     let ends = Lane(y[t]).times(1.0 - v) + Lane(y[t + 1]).times(v);
                     out[t] = (Lane(inner[t]) - (ends + Lane(h[t]) * sum)).0;
@@ -479,11 +476,14 @@ impl<const S: usize> Job for Sum<'_, S> {
         for (i, out) in out.chunks_exact_mut(places * steps).enumerate() {
             let out = &mut out[place * steps..][..steps];
             let y = &y[i * (steps + 1)..][..steps + 1];
-            let slopes = self.used.map(|(stage, weight)| (self.views[stage].row(i, steps), weight));
+            let mut slopes: [&[[f64; W]]; S] = [&[]; S];
+            for (slopes, (stage, _)) in slopes.iter_mut().zip(&self.used) {
+                *slopes = self.views[*stage].row(i, steps);
+            }
             for t in 0..steps {
                 let mut sum = Lane::ZERO;
-                for (slope, weight) in &slopes {
-                    sum += Lane(slope[t]).times(*weight);
+                for (slopes, (_, weight)) in slopes.iter().zip(&self.used) {
+                    sum += Lane(slopes[t]).times(*weight);
                 }
                 let ends = Lane(y[t]).times(factors[0]) + Lane(y[t + 1]).times(factors[1]);
                 out[t] = (ends + Lane(h[t]).times(sign) * sum).0;

@@ -7,9 +7,10 @@ use super::coupled::{Coupling, Inward, Outward, scaled};
 use super::evaluate::Work;
 use super::plan::RegionPlan;
 use super::{Correction, Scales, System};
+use crate::by_region::ByRegion;
 use crate::linear::chain::{Block, Chain};
 use crate::linear::dense::Lu;
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
@@ -30,16 +31,16 @@ pub(crate) struct RegionFactor {
 }
 
 /// Right-hand sides in dimensionless equations.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Rhs {
     /// Interval equations, `steps * n` a region, before [`RegionFactor::row_scale`].
-    pub regions: Vec<Lanes>,
+    pub regions: ByRegion<Lanes>,
     /// Stage equations, where the inner stages' states are unknowns: `steps * m` a region. Empty where they are met.
-    pub inner: Vec<Lanes>,
+    pub inner: ByRegion<Lanes>,
     /// What the integrals change by beside what the states and unknowns do to them, per region, active ones.
-    pub integrals: Vec<Vec<f64>>,
+    pub integrals: ByRegion<Numbers>,
     /// Boundary equations.
-    pub boundary: Vec<f64>,
+    pub boundary: Numbers,
 }
 
 /// A factored Newton matrix. Holds no reference to the problem; solves any number of right-hand sides.
@@ -69,7 +70,7 @@ impl Factorisation {
             }
         });
         Self {
-            scales: Scales { states: Vec::new(), constants: Vec::new() },
+            scales: Scales { states: ByRegion::default(), constants: Vec::new() },
             regions: regions.collect(),
             border: Lu::default(),
             dense: Vec::new(),
@@ -216,14 +217,14 @@ impl Factorisation {
         let rhs = Rhs {
             regions: regions.collect(),
             inner: self.stage_rhs(work),
-            integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),
-            boundary: work.g.iter().map(|g| -g).collect(),
+            integrals: system.plan.regions.iter().map(|plan| Numbers::zeros(plan.active.len())).collect(),
+            boundary: Numbers::collected(work.g.len(), work.g.iter().map(|g| -g)),
         };
         self.solve(system, rhs)
     }
 
     /// Minus the residuals of the stage equations in `work`; empty if there are none.
-    fn stage_rhs(&self, work: &Work) -> Vec<Lanes> {
+    fn stage_rhs(&self, work: &Work) -> ByRegion<Lanes> {
         let coupled = self.regions.iter().zip(&work.regions).zip(&self.scales.states);
         let coupled = coupled.filter(|((factor, _), _)| factor.coupling.m > 0);
         coupled.map(|((factor, stages), d)| scaled(&stages.psi, d, factor.coupling.m, -1.0)).collect()
@@ -231,7 +232,7 @@ impl Factorisation {
 
     /// The change of the inner stages' states that cancels the residuals of the stage equations in `work`, the nodes
     /// given.
-    pub(crate) fn stage_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> Vec<Lanes> {
+    pub(crate) fn stage_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>, work: &Work) -> ByRegion<Lanes> {
         let mut inner = self.stage_rhs(work);
         for ((inner, factor), (grid, plan)) in
             inner.iter_mut().zip(&self.regions).zip(system.grids.iter().zip(&system.plan.regions))
@@ -249,29 +250,31 @@ impl Factorisation {
         {
             Inward { factor, inner, rhs: lanes, functionals }.vectorised();
         }
-        let mut dense = Vec::with_capacity(self.border.size());
-        let mut tops = Vec::with_capacity(self.regions.len());
+        let (mut dense, mut row) = (Numbers::unset(self.border.size()), 0);
+        let mut tops: ByRegion<Numbers> = ByRegion::default();
         for (factor, (lanes, functionals)) in
             self.regions.iter().zip(rhs.regions.iter_mut().zip(rhs.integrals.iter_mut()))
         {
             let top = Forward { factor, rhs: lanes, functionals }.vectorised();
-            dense.extend_from_slice(&top[top.len() - factor.lanes.sizes().n..]);
+            let reduced = &top[top.len() - factor.lanes.sizes().n..];
+            dense[row..row + reduced.len()].copy_from_slice(reduced);
+            row += reduced.len();
             tops.push(top);
         }
         for &(equation, region, k, value) in &self.integral_entries {
             rhs.boundary[equation] -= value * rhs.integrals[region][k];
         }
-        dense.extend_from_slice(&rhs.boundary);
+        dense[row..].copy_from_slice(&rhs.boundary);
         self.border.solve(&mut dense);
-        self.interiors(system, &rhs.regions, &tops, dense, rhs.inner)
+        self.interiors(system, &rhs.regions, &tops, &dense, rhs.inner)
     }
 
     /// The direction that a singular matrix does not see, its largest end or unknown 1.
     pub(crate) fn null_correction<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Correction {
         let grids = system.grids.iter().zip(&system.plan.regions);
-        let rhs: Vec<Lanes> = grids.map(|(grid, plan)| Lanes::zeros(grid.steps * plan.n)).collect();
-        let tops: Vec<Vec<f64>> = system.plan.regions.iter().map(|plan| vec![0.0; W * plan.n]).collect();
-        self.interiors(system, &rhs, &tops, self.null_vector(), Vec::new())
+        let rhs: ByRegion<Lanes> = grids.map(|(grid, plan)| Lanes::zeros(grid.steps * plan.n)).collect();
+        let tops: ByRegion<Numbers> = system.plan.regions.iter().map(|plan| Numbers::zeros(W * plan.n)).collect();
+        self.interiors(system, &rhs, &tops, &self.null_vector(), ByRegion::default())
     }
 
     /// All nodes, from the ends and unknowns and from what elimination has left of the right-hand sides.
@@ -279,21 +282,21 @@ impl Factorisation {
         &self,
         system: &System<'_, P>,
         rhs: &[Lanes],
-        tops: &[Vec<f64>],
-        mut dense: Vec<f64>,
-        mut inner: Vec<Lanes>,
+        tops: &[Numbers],
+        dense: &[f64],
+        mut inner: ByRegion<Lanes>,
     ) -> Correction {
         if inner.is_empty() && system.tableau.coupled {
             let sizes = self.regions.iter().zip(&system.grids);
             inner = sizes.map(|(factor, grid)| Lanes::zeros(grid.steps * factor.coupling.m)).collect();
         }
-        let c = dense.split_off(2 * system.plan.states());
-        let mut u = Vec::with_capacity(system.grids.len());
+        let (all_ends, c) = dense.split_at(2 * system.plan.states());
+        let mut u = ByRegion::default();
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let grid = &system.grids[region];
             let mut nodes = Lanes::unset((grid.steps + 1) * plan.n);
-            let constants: Vec<f64> = plan.columns.iter().map(|&column| c[column]).collect();
-            let ends = &dense[plan.first_end..plan.first_end + 2 * plan.n];
+            let constants = Numbers::collected(plan.columns.len(), plan.columns.iter().map(|&column| c[column]));
+            let ends = &all_ends[plan.first_end..plan.first_end + 2 * plan.n];
             let (first, last) = ends.split_at(plan.n);
             let backward = Backward {
                 factor: &self.regions[region],
@@ -311,7 +314,7 @@ impl Factorisation {
             }
             u.push(nodes);
         }
-        Correction { u, inner, c }
+        Correction { u, inner, c: c.to_vec() }
     }
 }
 
@@ -337,11 +340,15 @@ fn repeat_last(grid: &super::grid::Grid, last: &[f64], nodes: &mut [Lane]) {
 }
 
 /// Typical magnitudes of all ends.
-pub(crate) fn input_scales(scales: &Scales) -> Vec<f64> {
-    let mut out = Vec::with_capacity(scales.states.iter().map(|d| 2 * d.len()).sum());
+pub(crate) fn input_scales(scales: &Scales) -> Numbers {
+    let mut out = Numbers::unset(scales.states.iter().map(|d| 2 * d.len()).sum());
+    let mut rest = &mut out[..];
     for d in &scales.states {
-        out.extend_from_slice(d);
-        out.extend_from_slice(d);
+        let (first, last);
+        (first, rest) = rest.split_at_mut(d.len());
+        (last, rest) = rest.split_at_mut(d.len());
+        first.copy_from_slice(d);
+        last.copy_from_slice(d);
     }
     out
 }

@@ -16,20 +16,20 @@ pub(crate) struct Grid {
     /// Intervals in each stretch.
     pub steps: usize,
     /// Node positions in working order, `(steps + 1) * W`.
-    pub s: Vec<f64>,
+    pub s: Numbers,
     /// Interval lengths in working order, `steps * W`.
-    pub h: Vec<f64>,
+    pub h: Numbers,
     /// `1 / (N + 1)` where a node stands first in working order, 0 where it is repeated.
-    pub weight: Vec<f64>,
+    pub weight: Numbers,
 }
 
 impl Grid {
     /// `mesh`: at least two increasing nodes.
     pub(crate) fn new(mesh: Vec<f64>) -> Self {
         let steps = (mesh.len() - 1).div_ceil(W);
-        let mut grid = Self { steps, s: Vec::new(), h: Vec::new(), weight: Vec::new(), mesh };
+        let (s, h, weight) = (Numbers::default(), Numbers::default(), Numbers::zeros((steps + 1) * W));
+        let mut grid = Self { steps, s, h, weight, mesh };
         grid.s = grid.pack(&grid.mesh);
-        grid.weight = vec![0.0; grid.node_stride()];
         let weight = 1.0 / grid.mesh.len() as f64;
         // Padding is at the end of a stretch.
         let nodes = grid.mesh.len();
@@ -98,25 +98,39 @@ impl Grid {
     }
 
     /// One component at the nodes, into working order.
-    pub(crate) fn pack(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn pack(&self, values: &[f64]) -> Numbers {
         (0..self.node_stride()).map(|p| values[self.index(p)]).collect()
     }
 
     /// Components at the nodes, out of working order.
     pub(crate) fn unpack(&self, values: &[f64]) -> Rows {
-        self.in_order(values, self.node_stride(), self.mesh.len())
+        self.rows_in_order(values, self.node_stride(), self.mesh.len())
     }
 
     /// Components of the intervals, out of working order.
     pub(crate) fn unpack_intervals(&self, values: &[f64]) -> Rows {
-        self.in_order(values, self.interval_stride(), self.intervals())
+        self.rows_in_order(values, self.interval_stride(), self.intervals())
+    }
+
+    /// A number for each of the first `count` intervals, by their working positions, in the mesh's order.
+    pub(crate) fn in_order(&self, count: usize, of: impl Fn(usize) -> f64) -> Numbers {
+        let (mut out, mut j) = (Numbers::unset(count), 0);
+        self.each(count, |p| {
+            out[j] = of(p);
+            j += 1;
+        });
+        out
     }
 
     /// `count` values of each component, `stride` in working order.
-    fn in_order(&self, values: &[f64], stride: usize, count: usize) -> Rows {
+    fn rows_in_order(&self, values: &[f64], stride: usize, count: usize) -> Rows {
         let mut out = Vec::with_capacity(values.len() / stride * count);
         for values in values.chunks_exact(stride) {
-            self.each(count, |p| out.push(values[p]));
+            let lanes = values.as_chunks::<W>().0;
+            for l in 0..W {
+                let left = count.saturating_sub(l * self.steps).min(self.steps);
+                out.extend(lanes[..left].iter().map(|lane| lane[l]));
+            }
             if count > W * self.steps {
                 out.push(values[self.last()]);
             }

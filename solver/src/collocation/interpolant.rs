@@ -49,7 +49,45 @@ pub(super) struct Pieces<'a> {
     higher: [&'a [[f64; W]]; 2],
 }
 
+/// The same, of one component on interval `t` of every stretch.
+pub(super) struct Piece {
+    /// Values and slopes at both nodes.
+    y: [Lane; 2],
+    f: [Lane; 2],
+    /// h.
+    length: Lane,
+    /// α and β, and γ and δ, where there are any.
+    lower: Option<[Lane; 2]>,
+    higher: Option<[Lane; 2]>,
+}
+
+impl Piece {
+    /// The weighted sum of a basis, without `y_0`.
+    #[inline(always)]
+    pub(super) fn weigh(&self, basis: &Basis) -> Lane {
+        let ([y0, y1], [f0, f1]) = (self.y, self.f);
+        let slopes = self.length * (f0.times(basis.left) + f1.times(basis.right));
+        let mut sum = (y1 - y0).times(basis.rise) + slopes;
+        if let Some([alpha, beta]) = self.lower {
+            sum = sum + alpha.times(basis.alpha) + beta.times(basis.beta);
+        }
+        if let Some([gamma, delta]) = self.higher {
+            sum = sum + gamma.times(basis.gamma) + delta.times(basis.delta);
+        }
+        sum
+    }
+}
+
 impl Pieces<'_> {
+    /// All that is known of component `i`.
+    #[inline(always)]
+    pub(super) fn piece(&self, i: usize, t: usize) -> Piece {
+        let at = i * self.steps + t;
+        let pair = |[first, second]: [&[[f64; W]]; 2]| Some([Lane(*first.get(at)?), Lane(*second.get(at)?)]);
+        let (lower, higher) = (pair(self.lower), pair(self.higher));
+        Piece { y: self.values(i, t), f: self.slopes(i, t), length: self.length(t), lower, higher }
+    }
+
     /// h.
     #[inline(always)]
     pub(super) fn length(&self, t: usize) -> Lane {
@@ -82,16 +120,7 @@ impl Pieces<'_> {
     /// The weighted sum of a basis, without `y_0`, of component `i`.
     #[inline(always)]
     pub(super) fn weigh(&self, basis: &Basis, i: usize, t: usize) -> Lane {
-        let ([y0, y1], [f0, f1]) = (self.values(i, t), self.slopes(i, t));
-        let slopes = self.length(t) * (f0.times(basis.left) + f1.times(basis.right));
-        let (mut sum, at) = ((y1 - y0).times(basis.rise) + slopes, i * self.steps + t);
-        if let [Some(alpha), Some(beta)] = self.lower.map(|values| values.get(at)) {
-            sum = sum + Lane(*alpha).times(basis.alpha) + Lane(*beta).times(basis.beta);
-        }
-        if let [Some(gamma), Some(delta)] = self.higher.map(|values| values.get(at)) {
-            sum = sum + Lane(*gamma).times(basis.gamma) + Lane(*delta).times(basis.delta);
-        }
-        sum
+        self.piece(i, t).weigh(basis)
     }
 }
 
@@ -151,10 +180,11 @@ impl Job for Places<'_> {
             }
         }
         for (i, y) in y.as_chunks_mut::<W>().0.chunks_exact_mut(bases.len() * steps).enumerate() {
-            for ((_, basis), y) in bases.iter().zip(y.chunks_exact_mut(steps)) {
-                for (t, y) in y.iter_mut().enumerate() {
+            for t in 0..steps {
+                let piece = pieces.piece(i, t);
+                for ((_, basis), y) in bases.iter().zip(y.chunks_exact_mut(steps)) {
                     // y_0 is by far the largest, and comes last: what is rounded then is rounded once.
-                    *y = (pieces.values(i, t)[0] + pieces.weigh(basis, i, t)).0;
+                    y[t] = (piece.y[0] + piece.weigh(basis)).0;
                 }
             }
         }
@@ -199,7 +229,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let (mut extension, cubic) = (self.flat(), self.pieces(None));
         let stages = self.stages.views(cubic.steps);
         by_components(&mut extension.alpha, cubic.steps, |i, t| {
-            let ([y0, y1], [f0, f1, f3, f4]) = (cubic.values(i, t), [0, 1, 2, 3].map(|stage| stages[stage].f(i, t)));
+            let ([y0, y1], [f0, f1]) = (cubic.values(i, t), cubic.slopes(i, t));
+            let (f3, f4) = (stages[2].f(i, t), stages[3].f(i, t));
             let rise = cubic.length(t) * ((f0 - f1).map(|f| f / 24.0) + (f3 - f4).map(|f| f / 6.0));
             ((y1 - y0).times(0.5) + rise - cubic.weigh(&value, i, t)).map(|lacking| lacking / value.alpha)
         });

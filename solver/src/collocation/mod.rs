@@ -16,6 +16,7 @@ pub(crate) mod roles;
 pub(crate) mod stages;
 pub(crate) mod transpose;
 
+use crate::by_region::ByRegion;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{largest, largest_number};
@@ -40,10 +41,10 @@ pub(crate) struct System<'p, P: Problem + ?Sized> {
 #[derive(Debug, Clone)]
 pub(crate) struct Iterate {
     /// Per region, `n * node_stride`.
-    pub y: Vec<Numbers>,
+    pub y: ByRegion<Numbers>,
     /// Where the inner stages' states are unknowns: per region, stage by stage, component by component,
     /// `m * interval_stride`. Else empty; also if nothing is known of them yet, see [`System::complete`].
-    pub inner: Vec<Numbers>,
+    pub inner: ByRegion<Numbers>,
     /// All constants of the layout.
     pub constants: Vec<f64>,
 }
@@ -52,7 +53,7 @@ pub(crate) struct Iterate {
 #[derive(Debug, Clone)]
 pub(crate) struct Scales {
     /// Per region, per state.
-    pub states: Vec<Vec<f64>>,
+    pub states: ByRegion<Numbers>,
     /// All constants of the layout.
     pub constants: Vec<f64>,
 }
@@ -61,9 +62,9 @@ pub(crate) struct Scales {
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     /// Per region, `(steps + 1) * n` vectors of lanes.
-    pub u: Vec<Lanes>,
+    pub u: ByRegion<Lanes>,
     /// Where the inner stages' states are unknowns: per region, interval by interval, `m` vectors of lanes. Else empty.
-    pub inner: Vec<Lanes>,
+    pub inner: ByRegion<Lanes>,
     /// One for each unknown constant.
     pub c: Vec<f64>,
 }
@@ -74,7 +75,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let states = self.magnitudes.states.iter().zip(&x.y).map(|(magnitudes, y)| {
             let stride = y.len() / magnitudes.len();
             let found = y.chunks_exact(stride).map(largest_number);
-            magnitudes.iter().zip(found).map(|(magnitude, found)| magnitude.of(found)).collect()
+            Numbers::collected(
+                magnitudes.len(),
+                magnitudes.iter().zip(found).map(|(magnitude, found)| magnitude.of(found)),
+            )
         });
         let constants = self.magnitudes.constants.iter().zip(&x.constants);
         Scales { states: states.collect(), constants: constants.map(|(magnitude, c)| magnitude.of(c.abs())).collect() }

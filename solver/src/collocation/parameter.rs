@@ -5,7 +5,7 @@ use super::evaluate::Work;
 use super::factor::{RegionFactor, Rhs};
 use super::stages::{Stage, Stages};
 use super::{Scales, System};
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::elementwise;
 use crate::problem::{Problem, Region};
@@ -15,8 +15,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     /// solution is the tangent of the solution along that direction. `work` must hold derivatives with respect to
     /// all constants.
     pub(crate) fn parameter_rhs(&self, work: &Work, scales: &Scales, direction: &[f64]) -> Rhs {
-        let boundary = vec![0.0; work.g.len()];
-        let mut rhs = Rhs { regions: Vec::new(), inner: Vec::new(), integrals: Vec::new(), boundary };
+        let mut rhs = Rhs { boundary: Numbers::zeros(work.g.len()), ..Rhs::default() };
         for (index, stages) in work.regions.iter().enumerate() {
             let (lanes, integrals) = self.region_rhs(index, stages, scales, direction);
             if self.tableau.coupled {
@@ -34,7 +33,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         rhs
     }
 
-    fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Lanes, Vec<f64>) {
+    fn region_rhs(&self, index: usize, stages: &Stages, scales: &Scales, direction: &[f64]) -> (Lanes, Numbers) {
         let (plan, grid) = (&self.plan.regions[index], &self.grids[index]);
         let (n, len) = (plan.n, grid.interval_stride());
         let sums = self.weighted_rates(index, stages, None, &[], direction);

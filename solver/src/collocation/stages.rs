@@ -72,7 +72,20 @@ impl Stages {
 
     /// All of them in vectors, `steps` a row; where the method has fewer, the rest repeat the first.
     pub(crate) fn views(&self, steps: usize) -> [View<'_>; MOST_STAGES] {
-        std::array::from_fn(|stage| View::of(self.stage(stage, steps * W)))
+        let nodes = |first: usize| View::of(&self.nodes, (steps + 1) * W, first);
+        let mut views = [nodes(0); MOST_STAGES];
+        views[1] = nodes(W);
+        let mut inner = views[2..].iter_mut();
+        for batch in &self.inner {
+            let (mut first, stride) = (0, batch.s.len());
+            while first < stride
+                && let Some(view) = inner.next()
+            {
+                *view = View::of(batch, stride, first);
+                first += steps * W;
+            }
+        }
+        views
     }
 }
 
@@ -87,7 +100,8 @@ pub(crate) struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    fn of(Stage { batch, stride, first }: Stage<'a>) -> Self {
+    #[inline]
+    fn of(batch: &'a Batch, stride: usize, first: usize) -> Self {
         let lanes = |values: &'a Numbers| values.get(first..).unwrap_or_default().as_chunks::<W>().0;
         Self { f: lanes(&batch.f), dy: lanes(&batch.dy), dc: lanes(&batch.dc), stride: stride / W }
     }

@@ -9,6 +9,7 @@ use super::interpolant::{Extended, Extension};
 use super::plan::Plan;
 use super::transpose::Weights;
 use super::{Correction, Iterate, System};
+use crate::by_region::ByRegion;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, W};
 use crate::magnitude::Magnitudes;
@@ -147,7 +148,7 @@ fn setup<'a>(
             (0..region.states.len())
                 .flat_map(|_| {
                     let values: Vec<f64> = grid.mesh.iter().map(|_| random.next()).collect();
-                    grid.pack(&values)
+                    grid.pack(&values).to_vec()
                 })
                 .collect()
         })
@@ -156,13 +157,13 @@ fn setup<'a>(
     let system =
         System { problem, layout, plan: Arc::new(plan), tableau, magnitudes: Magnitudes::stated(layout), grids };
     let work = system.work();
-    Setup { system, x: Iterate { y, inner: Vec::new(), constants }, work }
+    Setup { system, x: Iterate { y, inner: ByRegion::default(), constants }, work }
 }
 
 /// With inner stages, where their states are unknowns, that follow from nodes and constants.
 fn met(setup: &mut Setup<'_>, x: &Iterate) -> Iterate {
     let Setup { system, work, .. } = setup;
-    let (mut x, mut stats) = (Iterate { inner: Vec::new(), ..x.clone() }, Stats::default());
+    let (mut x, mut stats) = (Iterate { inner: ByRegion::default(), ..x.clone() }, Stats::default());
     if system.tableau.coupled {
         system.complete(&mut x, &mut stats);
         system.evaluate(&x, Derivatives::None, work, &mut stats).unwrap();
@@ -204,7 +205,7 @@ fn direction(system: &System<'_, Differentiated<Mixed>>, v: &[f64]) -> Correctio
                 .collect()
         })
         .collect();
-    Correction { u, inner: Vec::new(), c: rest.to_vec() }
+    Correction { u, inner: ByRegion::default(), c: rest.to_vec() }
 }
 
 fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64> {
@@ -295,7 +296,7 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
     let mut random = Random(seed ^ 0xabcd);
     let mut values = |len: usize| -> Vec<f64> { (0..len).map(|_| random.next()).collect() };
     let rhs = Rhs {
-        inner: Vec::new(),
+        inner: ByRegion::default(),
         regions: system
             .grids
             .iter()
@@ -312,8 +313,8 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
                     .collect()
             })
             .collect(),
-        integrals: system.plan.regions.iter().map(|plan| values(plan.active.len())).collect(),
-        boundary: values(system.layout.equations.len()),
+        integrals: system.plan.regions.iter().map(|plan| values(plan.active.len()).into()).collect(),
+        boundary: values(system.layout.equations.len()).into(),
     };
     let mut weights = Weights {
         unknowns: Correction {
@@ -324,10 +325,10 @@ fn check_transpose(setup: &Setup<'_>, factorisation: &Factorisation, seed: u64) 
                 .zip(&system.grids)
                 .map(|(plan, grid)| Lanes::zeros((grid.steps + 1) * plan.n))
                 .collect(),
-            inner: Vec::new(),
+            inner: ByRegion::default(),
             c: values(system.plan.unknowns.len()),
         },
-        integrals: system.plan.regions.iter().map(|plan| vec![0.0; plan.active.len()]).collect(),
+        integrals: system.plan.regions.iter().map(|plan| Numbers::zeros(plan.active.len())).collect(),
     };
     for ((grid, plan), u) in system.grids.iter().zip(&system.plan.regions).zip(&mut weights.unknowns.u) {
         for j in 0..grid.mesh.len() {

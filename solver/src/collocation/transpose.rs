@@ -2,7 +2,8 @@
 
 use super::factor::{Factorisation, RegionFactor, Rhs};
 use super::{Correction, System};
-use crate::linear::memory::Lanes;
+use crate::by_region::ByRegion;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::{RowsJob, vectorised_rows};
@@ -15,7 +16,7 @@ pub(crate) struct Weights {
     /// end.
     pub unknowns: Correction,
     /// On the changes of active integrals, per region.
-    pub integrals: Vec<Vec<f64>>,
+    pub integrals: ByRegion<Numbers>,
 }
 
 struct Backward<'a> {
@@ -106,7 +107,7 @@ impl Factorisation {
     pub(crate) fn solve_transposed<P: Problem + ?Sized>(&self, system: &System<'_, P>, mut w: Weights) -> Rhs {
         let mut dense = Vec::new();
         let mut c = w.unknowns.c.clone();
-        let (mut lanes, mut tops) = (Vec::new(), Vec::new());
+        let (mut lanes, mut tops) = (ByRegion::default(), Vec::new());
         for (region, plan) in system.plan.regions.iter().enumerate() {
             let factor = &self.regions[region];
             let mut rhs = Lanes::zeros(system.grids[region].steps * plan.n);
@@ -139,7 +140,7 @@ impl Factorisation {
             let functionals = &w.integrals[region];
             Forward { factor: &self.regions[region], rhs: &mut lanes[region], top, functionals }.vectorised();
         }
-        Rhs { regions: lanes, inner: Vec::new(), integrals: w.integrals, boundary }
+        Rhs { regions: lanes, inner: ByRegion::default(), integrals: w.integrals, boundary: boundary.into() }
     }
 }
 

@@ -112,7 +112,7 @@ impl<T: Kept> Array<T> {
         Self(copied)
     }
 
-    /// So many values.
+    /// These values, so many of them or a few more.
     pub(crate) fn collected(len: usize, values: impl Iterator<Item = T>) -> Self {
         let mut all = Self::room(len);
         all.clear();
@@ -122,16 +122,21 @@ impl<T: Kept> Array<T> {
 }
 
 impl<T: Kept> Drop for Array<T> {
+    #[inline]
     fn drop(&mut self) {
         if self.0.capacity() > 0 {
-            let values = std::mem::take(&mut self.0);
-            let _ = T::shelf().try_with(|shelf| {
-                if let Ok(mut shelf) = shelf.try_borrow_mut() {
-                    shelf.give(values);
-                }
-            });
+            give_back(std::mem::take(&mut self.0));
         }
     }
+}
+
+#[inline(never)]
+fn give_back<T: Kept>(values: Vec<T>) {
+    let _ = T::shelf().try_with(|shelf| {
+        if let Ok(mut shelf) = shelf.try_borrow_mut() {
+            shelf.give(values);
+        }
+    });
 }
 
 impl<T: Kept> Default for Array<T> {
@@ -188,7 +193,8 @@ impl<'a, T: Kept> IntoIterator for &'a mut Array<T> {
 
 impl<T: Kept> FromIterator<T> for Array<T> {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
-        Self(values.into_iter().collect())
+        let values = values.into_iter();
+        Self::collected(values.size_hint().0, values)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{LEAST_TARGET, MANY, PATIENCE, PROGRESS, Run};
 use crate::accuracy::Shortfall;
+use crate::by_region::ByRegion;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
 use crate::error::{NewtonError, SolveError};
@@ -67,7 +68,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         match (&rescue.origin, rescue.attempts.split_first()) {
             (Some(origin), Some((&(order, insistent), attempts))) if !hopeless => {
                 let mut start = origin.clone();
-                start.x.inner.clear();
+                start.x.inner = ByRegion::default();
                 (rescue.halvings, rescue.insistent, rescue.attempts) = (0, insistent, attempts);
                 self.order = order;
                 Ok(Next::On(start))

@@ -114,15 +114,24 @@ impl<'a, const Q: usize> Equations<'a, Q> {
     fn new<const N: usize>(assembly: &Assembly<'_>, coupling: &'a Coupling, pairs: roles::Pairs<Q>, t: usize) -> Self {
         let (h, d) = (Lane(assembly.h[t]), assembly.magnitudes);
         let roles::Pairs { unknowns, integrals } = pairs;
-        let rise = std::array::from_fn(|r| h.times(d[unknowns[r]] / d[integrals[r]]));
-        let slopes = std::array::from_fn(|stage| {
+        let mut rise = [Lane::ZERO; Q];
+        for (r, rise) in rise.iter_mut().enumerate() {
+            *rise = h.times(d[unknowns[r]] / d[integrals[r]]);
+        }
+        let none = Slopes { by_integrals: [[Lane::ZERO; Q]; Q], by_unknowns: [[Lane::ZERO; Q]; Q] };
+        let mut slopes = [none; COUPLED + 2];
+        for (slopes, view) in slopes.iter_mut().zip(&assembly.views) {
             let mut jacobian = [[Lane::ZERO; N]; N];
             for entry in &assembly.states {
-                jacobian[entry.row][entry.column] += assembly.views[stage].dy(entry.from, t).times(entry.factor) * h;
+                jacobian[entry.row][entry.column] += view.dy(entry.from, t).times(entry.factor) * h;
             }
-            let by = |columns: [usize; Q]| unknowns.map(|row| columns.map(|column| jacobian[row][column]));
-            Slopes { by_integrals: by(integrals), by_unknowns: by(unknowns) }
-        });
+            for (r, &row) in unknowns.iter().enumerate() {
+                for c in 0..Q {
+                    slopes.by_integrals[r][c] = jacobian[row][integrals[c]];
+                    slopes.by_unknowns[r][c] = jacobian[row][unknowns[c]];
+                }
+            }
+        }
         Self { tableau: assembly.tableau, weights: &coupling.weights, pairs, rise, slopes }
     }
 

@@ -15,6 +15,7 @@ impl Assembly<'_> {
     /// Writes interval `t` of every stretch. `N` states.
     #[inline(always)]
     pub(super) fn linearise_simpson<const N: usize>(&mut self, t: usize, block: &mut Block<&mut [Lane]>) {
+        self.make_room();
         let mut values = std::mem::take(&mut self.values);
         for (value, entry) in values.iter_mut().zip(&self.states) {
             *value = self.by_state(entry, INNER, t);

@@ -65,11 +65,15 @@ impl Correct<'_> {
     #[inline(always)]
     fn wanted(&self, i: usize, t: usize) -> [Lane; POINTS] {
         let (n, steps) = (self.scales.len(), self.h.len());
-        let lacking: [Lane; POINTS] = std::array::from_fn(|l| Lane(self.lacking[(l * n + i) * steps + t]));
-        self.weights.of_slopes.map(|weights| {
-            let sum = lacking.iter().zip(weights).fold(Lane::ZERO, |sum, (slope, weight)| sum + slope.times(weight));
-            sum.times(1.0 / self.scales[i])
-        })
+        let (mut out, factor) = ([Lane::ZERO; POINTS], 1.0 / self.scales[i]);
+        for l in 0..POINTS {
+            let lacking = Lane(self.lacking[(l * n + i) * steps + t]);
+            for (out, weights) in out.iter_mut().zip(&self.weights.of_slopes) {
+                *out += lacking.times(weights[l]);
+            }
+        }
+        out.iter_mut().for_each(|out| *out = out.times(factor));
+        out
     }
 
     /// Finds E at the points, interval by interval: `q` unknowns a point, `n` states.
@@ -77,7 +81,9 @@ impl Correct<'_> {
     fn solve(mut self, q: usize, n: usize) {
         let (m, steps) = (POINTS * q, self.h.len());
         let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
-        let (mut data, mut e, mut unknowns) = (Lanes::unset(qr::room(m)), Lanes::unset(POINTS * n), Lanes::unset(m));
+        let mut room = Lanes::unset(qr::room(m) + POINTS * n + m);
+        let (data, rest) = room.split_at_mut(qr::room(m));
+        let (e, unknowns) = rest.split_at_mut(POINTS * n);
         for t in 0..steps {
             let h = Lane(self.h[t]);
             for i in 0..n {
@@ -85,14 +91,14 @@ impl Correct<'_> {
                     e[k * n + i] = wanted;
                 }
             }
-            self.assemble((q, n), t, h, qr::matrix(m, &mut data), &mut e);
-            qr::factor(m, &mut data);
+            self.assemble((q, n), t, h, qr::matrix(m, data), e);
+            qr::factor(m, data);
             for k in 0..POINTS {
                 for (r, &row) in roles.unknowns.iter().enumerate() {
                     unknowns[k * q + r] = e[k * n + row];
                 }
             }
-            qr::solve(m, &data, &mut unknowns);
+            qr::solve(m, data, unknowns);
             for k in 0..POINTS {
                 for (r, &row) in roles.unknowns.iter().enumerate() {
                     e[k * n + row] = unknowns[k * q + r];
@@ -108,7 +114,9 @@ impl Correct<'_> {
                 }
             }
             for (i, &scale) in self.scales.iter().enumerate() {
-                self.add(i * steps + t, [0, 1, 2, 3].map(|k| e[k * n + i].times(scale)));
+                let mut bump = [Lane::ZERO; POINTS];
+                bump.iter_mut().zip(e[i..].chunks(n)).for_each(|(bump, e)| *bump = e[0].times(scale));
+                self.add(i * steps + t, bump);
             }
         }
     }
@@ -125,7 +133,8 @@ impl Correct<'_> {
         for (entry, &(row, state)) in self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < n) {
             let Role::Unknown(r) = roles.of[row] else { continue };
             let factor = h.times(self.scales[state] / self.scales[row]);
-            let derivatives = self.derivatives(entry, t).map(|derivative| derivative * factor);
+            let mut derivatives = self.derivatives(entry, t);
+            derivatives.iter_mut().for_each(|derivative| *derivative = *derivative * factor);
             match roles.of[state] {
                 Role::Unknown(column) => {
                     for (l, &value) in derivatives.iter().enumerate() {
@@ -157,8 +166,11 @@ impl Correct<'_> {
         let square = OFFSETS.map(|t| t * t);
         // a + c τ² and b + d τ² at both offsets, and from them a, b, c, d.
         let bump = OFFSETS.map(|t| Basis::value(0.5 + t).alpha);
-        let even = [0, 1].map(|k| (e[k + 2] + e[k]).map(|sum| 0.5 * sum / bump[k]));
-        let odd = [0, 1].map(|k| (e[k + 2] - e[k]).map(|difference| 0.5 * difference / (bump[k] * OFFSETS[k])));
+        let (mut even, mut odd) = ([Lane::ZERO; 2], [Lane::ZERO; 2]);
+        for k in 0..2 {
+            even[k] = (e[k + 2] + e[k]).map(|sum| 0.5 * sum / bump[k]);
+            odd[k] = (e[k + 2] - e[k]).map(|difference| 0.5 * difference / (bump[k] * OFFSETS[k]));
+        }
         let bend = |at: [Lane; 2]| (at[1] - at[0]).map(|rise| rise / (square[1] - square[0]));
         let (even_bend, odd_bend) = (bend(even), bend(odd));
         let [alpha, beta, gamma, delta] = &mut self.bump;

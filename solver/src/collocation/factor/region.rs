@@ -4,7 +4,7 @@ use super::RegionFactor;
 use crate::collocation::assemble::{Assembly, Inner};
 use crate::collocation::coupled::Coupling;
 use crate::linear::chain::{Block, Intervals, Reduced};
-use crate::linear::memory::Lanes;
+use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::reflect::Rows;
 use crate::linear::scalar::{Lane, W};
 use crate::linear::simd::{RowsJob, vectorised_rows};
@@ -63,23 +63,23 @@ pub(super) struct Forward<'a> {
 }
 
 impl Forward<'_> {
-    pub(super) fn vectorised(self) -> Vec<f64> {
+    pub(super) fn vectorised(self) -> Numbers {
         vectorised_rows(self.factor.lanes.sizes().n, self)
     }
 }
 
 impl RowsJob for Forward<'_> {
     /// What the region contributes to the dense system: `n` values; and the stretches' right-hand sides.
-    type Output = Vec<f64>;
+    type Output = Numbers;
 
     #[inline(always)]
-    fn run<R: Rows>(self, rows: R) -> Vec<f64> {
+    fn run<R: Rows>(self, rows: R) -> Numbers {
         forward_region(rows, self)
     }
 }
 
 #[inline(always)]
-fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
+fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Numbers {
     let n = rows.n();
     for (rhs, scale) in job.rhs.iter_mut().zip(&job.factor.row_scale) {
         *rhs = *rhs * *scale;
@@ -90,7 +90,7 @@ fn forward_region<R: Rows>(rows: R, job: Forward<'_>) -> Vec<f64> {
         *sum += lane.0.iter().sum::<f64>();
     }
     let last = &job.rhs[job.rhs.len() - n..];
-    let mut top = vec![0.0; W * n];
+    let mut top = Numbers::unset(W * n);
     for (i, lane) in last.iter().enumerate() {
         for l in 0..W {
             top[l * n + i] = lane.0[l];
@@ -128,7 +128,7 @@ impl RowsJob for Backward<'_> {
 #[inline(always)]
 fn backward_region<R: Rows>(rows: R, job: Backward<'_>) {
     let n = rows.n();
-    let mut interfaces = vec![0.0; (W + 1) * n];
+    let mut interfaces = Numbers::unset((W + 1) * n);
     interfaces[..n].copy_from_slice(job.first);
     interfaces[W * n..].copy_from_slice(job.last);
     job.factor.top.backward(rows, job.top, job.constants, &mut interfaces);

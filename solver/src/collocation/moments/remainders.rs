@@ -28,8 +28,6 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             views: self.stages.views(self.steps()),
             pattern: &self.system.layout.regions[self.region].state_pattern,
             scales,
-            room: [(); 2].map(|()| Lanes::unset(self.n())),
-            weighed: &mut Lanes::unset(tableau.stages() * self.n()),
             integrated: integrated.as_chunks_mut::<W>().0,
         });
     }
@@ -44,10 +42,6 @@ struct AddRemainders<'a> {
     pattern: &'a [(usize, usize)],
     /// Typical magnitudes of the states.
     scales: &'a [f64],
-    /// One value a state.
-    room: [Lanes; 2],
-    /// One value a stage and state.
-    weighed: &'a mut [Lane],
     integrated: &'a mut [[f64; W]],
 }
 
@@ -61,21 +55,24 @@ impl Job for AddRemainders<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(mut self) {
+    fn run(self) {
         let (n, steps) = (self.scales.len(), self.sampled.pieces.steps);
+        // Two values a state, and one a stage and state.
+        let mut room = Lanes::unset((2 + self.remainders.len()) * n);
+        let (sizes, weighed) = room.split_at_mut(2 * n);
         for t in 0..steps {
-            let part = self.size(t).map(|size| 1.0 / (1.0 + (size / LARGE) * (size / LARGE)));
+            let part = self.size(t, sizes).map(|size| 1.0 / (1.0 + (size / LARGE) * (size / LARGE)));
             let factor = part * self.sampled.pieces.length(t);
             for i in 0..n {
                 let component = self.sampled.component(i, t);
                 for (stage, remainder) in self.remainders.iter().enumerate() {
-                    self.weighed[stage * n + i] = factor * component.difference(remainder);
+                    weighed[stage * n + i] = factor * component.difference(remainder);
                 }
             }
             for (entry, &(row, state)) in self.pattern.iter().enumerate() {
                 let out = &mut self.integrated[row * steps + t];
                 let mut sum = Lane(*out);
-                for (view, weighed) in self.views.iter().zip(self.weighed.chunks_exact(n)) {
+                for (view, weighed) in self.views.iter().zip(weighed.chunks_exact(n)) {
                     sum += view.dy(entry, t) * weighed[state];
                 }
                 *out = sum.0;
@@ -85,10 +82,11 @@ impl Job for AddRemainders<'_> {
 }
 
 impl AddRemainders<'_> {
-    /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch.
+    /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch. `room`: two values a
+    /// state.
     #[inline(always)]
-    fn size(&mut self, t: usize) -> Lane {
-        let (h, [once, twice]) = (self.sampled.pieces.length(t), &mut self.room);
+    fn size(&self, t: usize, room: &mut [Lane]) -> Lane {
+        let (h, (once, twice)) = (self.sampled.pieces.length(t), room.split_at_mut(self.scales.len()));
         once.fill(Lane::ZERO);
         twice.fill(Lane::ZERO);
         let entries = || self.pattern.iter().enumerate().filter(|(_, (row, _))| *row < self.scales.len());
