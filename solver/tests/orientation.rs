@@ -221,6 +221,12 @@ fn loads_of_buckling_do_not_hang_on_the_mesh_of_the_guess() {
     for (found, wanted) in settled.iter().zip([1.0, 4.0, 9.0, 16.0, 25.0]) {
         assert!((found / wanted - 1.0).abs() < options.solve.tolerance, "{found} for {wanted}");
     }
-    let of_mesh = loads(&BranchOptions { settle_branch_points: false, ..options });
+    let of_mesh = loads(&BranchOptions { settle_branch_points: false, ..options.clone() });
     assert!((of_mesh[4] - 25.0).abs() > 0.1, "{of_mesh:?}");
+    // In the first step, too.
+    let guess = Guess::uniform(problem.layout(), 10, &[24.5], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (24.0, 30.0), first_step: 0.2, ..options };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    let found = branch.branch_points().next().map(|point| point.parameter);
+    assert!(found.is_some_and(|found| (found / 25.0 - 1.0).abs() < options.solve.tolerance), "{found:?}");
 }

@@ -33,7 +33,7 @@ pub struct Direction {
 pub(crate) struct Reference {
     pub solution: Solution,
     pub direction: Direction,
-    /// Of the problem that arclength extends; unknown at the start, where that is not solved.
+    /// Of the problem that arclength extends; unknown where that was not solved.
     pub determinant: Determinant,
     samples: RefCell<Samples>,
 }

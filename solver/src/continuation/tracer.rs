@@ -224,7 +224,20 @@ impl<'a, 'e> Tracer<'a, 'e> {
         self.stats += *linearisation.stats();
         let tangent = linearisation.sensitivity(self.parameter);
         let sign = if self.options.upwards { 1.0 } else { -1.0 };
-        Ok(self.reference(solution, &tangent, sign, Determinant::UNKNOWN).0)
+        let first = self.reference(solution, &tangent, sign, Determinant::UNKNOWN).0;
+        if !self.options.branch_points {
+            return Ok(first);
+        }
+        // A branch point in the first step is seen by the determinant at its start.
+        let from = Near { point: &first, at: 0.0, speed: 1.0 };
+        match self.advance_from(&first, 0.0, (from, None), Care::Glance) {
+            Ok(seen) => {
+                let Reference { solution, direction, .. } = first;
+                Ok(Reference::new(solution, direction, seen.point.determinant))
+            }
+            Err(cause) if cause.is_interruption() => Err(cause),
+            Err(_) => Ok(first),
+        }
     }
 
     /// A point, and how fast it moves along its direction as the tangent does.

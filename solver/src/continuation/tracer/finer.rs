@@ -6,6 +6,7 @@
 
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
+use crate::orientation::Determinant;
 use crate::start::{self, Start};
 
 /// Times that all intervals are halved at most.
@@ -23,6 +24,7 @@ const BESIDE: f64 = 1e-4;
 /// The determinant at one place beside a branch point.
 struct Look {
     at: f64,
+    /// Relative to that of the first look on the same mesh.
     value: f64,
     advanced: Advanced,
 }
@@ -89,11 +91,13 @@ impl Tracer<'_, '_> {
         guess.constants.push(place + beside);
         let halved = start::halved(&Start::from(&guess));
         let first = self.advance_with(here, halved, Care::Glance)?;
-        let mut last = Look::new(here, place + beside, first);
+        // Determinants on different meshes differ by any factor.
+        let unit = first.point.determinant;
+        let mut last = Look::new(&unit, place + beside, first);
         let (mut zero, mut next) = (place, place - beside);
         for _ in 0..LOOKS {
             let advanced = self.advance_from(here, next, (last.advanced.near(last.at), None), Care::Glance)?;
-            let look = Look::new(here, next, advanced);
+            let look = Look::new(&unit, next, advanced);
             let before = zero;
             zero = look.at - look.value * (look.at - last.at) / (look.value - last.value);
             if !zero.is_finite() || (zero - place).abs() > step {
@@ -110,7 +114,7 @@ impl Tracer<'_, '_> {
 }
 
 impl Look {
-    fn new(here: &Reference, at: f64, advanced: Advanced) -> Self {
-        Self { at, value: advanced.point.determinant.relative(&here.determinant), advanced }
+    fn new(unit: &Determinant, at: f64, advanced: Advanced) -> Self {
+        Self { at, value: advanced.point.determinant.relative(unit), advanced }
     }
 }
