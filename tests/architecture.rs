@@ -164,8 +164,8 @@ fn generated_names() -> BTreeSet<&'static str> {
     names
 }
 
-/// Whether a text is an output's name, or a pattern that becomes one: `efficiency.{which}`. Only outputs have names with
-/// a dot, so that such a text names nothing else wherever it stands.
+/// Whether a text is an output's name, or a pattern that becomes one: `efficiency.{which}`. Only outputs have names
+/// with a dot, so that such a text names nothing else wherever it stands.
 fn names_an_output(text: &str) -> bool {
     let open = |part: &str| part.starts_with('{') && part.ends_with('}');
     let Some((group, member)) = text.split_once('.') else { return false };

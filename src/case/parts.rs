@@ -379,16 +379,16 @@ impl Reading<'_> {
     fn helix(&mut self, by: Key) -> Option<Helix> {
         let radius = self.need(by, Key::HelixRadius);
         let from = self.angle_from();
-        if self.case.has(Key::HelixAngle) && self.case.has(Key::HelixOpenings) && !self.case.has(Key::HelixAngles) {
-            let reason = "openings belong to a list of angles, and a helix of one angle has none";
-            let error = self.case.conflict(Key::HelixAngle, Key::HelixOpenings, reason);
-            self.errors.push(error);
-            return None;
-        }
         let made = match (self.case.quantity(Key::HelixAngle), self.case.has(Key::HelixAngles)) {
             (Some(_), true) => {
                 let error =
                     self.case.conflict(Key::HelixAngle, Key::HelixAngles, "a helix has one angle or a list of them");
+                self.errors.push(error);
+                return None;
+            }
+            (Some(_), false) if self.case.has(Key::HelixOpenings) => {
+                let reason = "openings belong to a list of angles, and a helix of one angle has none";
+                let error = self.case.conflict(Key::HelixAngle, Key::HelixOpenings, reason);
                 self.errors.push(error);
                 return None;
             }

@@ -4,7 +4,7 @@ use super::case::CaseArguments;
 use super::envelope;
 use super::output;
 use super::solve::tolerance;
-use super::stop::Stop;
+use super::stop::{Stop, solver_words};
 use clap::{Args, ValueEnum};
 use sheave::case::{Case, Key, Resolved};
 use sheave::drive::SolveOptions;
@@ -143,9 +143,7 @@ pub(super) fn quantity(option: &str, text: &str, dimension: Dimension, example: 
 pub(super) fn stop(error: EquilibriumError) -> Stop {
     if let EquilibriumError::Failure { failure, .. } = &error {
         tracing::info!("in full: {failure}");
-        if let Some(words) = failure.solver() {
-            tracing::info!("the solver says: {words}");
-        }
+        solver_words(failure);
     }
     let reason = match error.hint() {
         Some(hint) => format!("{error}\n{hint}"),

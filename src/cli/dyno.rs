@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use sheave::bench::dyno::{
     Fault, LogFile, Names, Options, Record, Reduced, SteadyPoint, calibration, figures, points_csv, records, reduce,
-    runs, spectrum_figures, step_file,
+    runs, spectrum_figures,
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, PageTable, page};
@@ -172,11 +172,9 @@ impl Arguments {
         let bar = progress(&logs);
         let mut found = reduce(&self.paths, &options, self.spectrum, |bytes| bar.inc(bytes))?;
         bar.finish_and_clear();
-        let steps =
-            |file: &LogFile| file.0.file_name().is_some_and(|name| step_file(&name.to_string_lossy()).is_some());
         let given = [("--primary", &self.primary), ("--secondary", &self.secondary), ("--torque", &self.torque)];
         let named: Vec<&str> = given.iter().filter(|(_, name)| name.is_some()).map(|(option, _)| *option).collect();
-        if !named.is_empty() && logs.iter().flat_map(|record| &record.files).all(steps) {
+        if !named.is_empty() && logs.iter().flat_map(|record| &record.files).all(|(_, kind)| kind.is_some()) {
             let options = named.join(" and ");
             warnings.push(format!("{options} tells columns of logs with a header; these files have none"));
         }

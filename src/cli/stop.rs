@@ -124,11 +124,16 @@ impl From<StudyError> for Stop {
     }
 }
 
+/// What the solver met, for whoever asks with `-v`.
+pub fn solver_words(failure: &Failure) {
+    if let Some(words) = failure.solver() {
+        tracing::info!("the solver says: {words}");
+    }
+}
+
 impl From<&Failure> for Stop {
     fn from(failure: &Failure) -> Self {
-        if let Some(words) = failure.solver() {
-            tracing::info!("the solver says: {words}");
-        }
+        solver_words(failure);
         if failure.is_cancelled() {
             Self::Cancelled
         } else if failure.is_bad_input() {

@@ -44,8 +44,8 @@ pub enum EquilibriumError {
     },
     /// A speed at which the engine would have to turn far faster than its torque is known.
     #[error(
-        "with the secondary at {:.0} rpm the engine would have to turn at some {:.0} rpm even at the ratio of {ratio:.2} \
-         at which the sheaves stand highest, and its torque is known up to {:.0} rpm",
+        "with the secondary at {:.0} rpm the engine would have to turn at some {:.0} rpm even at the ratio of \
+         {ratio:.2} at which the sheaves stand highest, and its torque is known up to {:.0} rpm",
         rpm(*secondary_speed), rpm(ratio * secondary_speed), rpm(*last_speed)
     )]
     BeyondEngine {
@@ -130,8 +130,8 @@ impl EquilibriumError {
 fn told(failure: &Failure) -> String {
     match failure {
         Failure::Unreached { trouble, torque, slack_tension, .. } => format!(
-            "no equilibrium was found: {trouble}; the last state on the way has a primary torque of {torque:.2} N·m and \
-             a slack tension of {slack_tension:.2} N"
+            "no equilibrium was found: {trouble}; the last state on the way has a primary torque of {torque:.2} N·m \
+             and a slack tension of {slack_tension:.2} N"
         ),
         other => other.to_string(),
     }

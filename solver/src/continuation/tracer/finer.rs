@@ -4,6 +4,7 @@
 //! Along a trivial solution, which asks for no mesh, a buckling load would be as exact as the mesh of the guess makes
 //! it. Where the determinant vanishes is therefore sought on halved intervals, too, until the parameter there settles.
 
+use super::places::{DISTANCE, SETTLED};
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
 use crate::orientation::Determinant;
@@ -16,10 +17,6 @@ const HALVINGS: usize = 6;
 const SHRINKS: f64 = 8.0;
 /// Looks for one place at most.
 const LOOKS: usize = 10;
-/// The place counts as found when it changes by no more than this part of the step. The matrix is singular there: it is
-/// looked at from so far beside it.
-const FOUND: f64 = 1e-8;
-const BESIDE: f64 = 1e-4;
 
 /// The determinant at one place beside a branch point.
 struct Look {
@@ -86,7 +83,7 @@ impl Tracer<'_, '_> {
         step: f64,
         (place, point): (f64, &Reference),
     ) -> Result<Option<(f64, Look)>, SolveError> {
-        let beside = BESIDE * step;
+        let beside = DISTANCE * step;
         let mut guess = point.moved(beside);
         guess.constants.push(place + beside);
         let halved = start::halved(&Start::from(&guess));
@@ -103,7 +100,7 @@ impl Tracer<'_, '_> {
             if !zero.is_finite() || (zero - place).abs() > step {
                 break;
             }
-            if (zero - before).abs() <= FOUND * step {
+            if (zero - before).abs() <= SETTLED * step {
                 return Ok(Some((zero, look)));
             }
             next = zero + beside;

@@ -18,10 +18,10 @@ const LOOKS: usize = 40;
 /// At a branch point the matrix is singular, and beside it nearly so, where Newton's iteration ends in rounding. It is
 /// looked at from so far, in parts of the step: to one side and the other, and farther off if need be,
 const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
-const DISTANCE: f64 = 1e-4;
+pub(super) const DISTANCE: f64 = 1e-4;
 /// until its place changes by no more than this, or would change by no more than [`LOCATION`] if the change shrank once
 /// more as it has: it shrinks faster. The next change would be smaller by as much as the distance is.
-const SETTLED: f64 = 1e-8;
+pub(super) const SETTLED: f64 = 1e-8;
 /// After a change of place by so little, in parts of the step, the next look is expected to be the last; those before
 /// are glances.
 const NEARLY: f64 = 1e-3;
