@@ -1,5 +1,7 @@
 //! The belt loop as a boundary value problem: the generated kernels joined under the solver's trait.
 
+use std::cell::RefCell;
+
 use generated::{BoundaryKernel, OutputKernel, RegionKernel, RegionOut};
 use solver::{Layout, Points, Problem, Region, Scope, Solution};
 
@@ -178,11 +180,15 @@ impl BeltProblem {
 
     /// Derived fields of a region at some points: `fields * points.stride` values, in the order of the kernel's list.
     pub fn fields(&self, region: RegionId, at: &Points<'_>, constants: &[f64]) -> Vec<f64> {
-        let bound = &self.regions[region.index()];
-        let mut fields = vec![0.0; bound.kernel.fields.len() * at.stride];
-        let mut out = RegionOut { f: &mut [], dy: &mut [], dc: &mut [], fields: &mut fields };
-        (bound.kernel.fields_fn)(at.len, at.stride, at.s, at.y, &bound.local(constants), &mut out);
+        let mut fields = vec![0.0; self.kernel(region).fields.len() * at.stride];
+        self.write_fields(region, at, constants, &mut fields);
         fields
+    }
+
+    fn write_fields(&self, region: RegionId, at: &Points<'_>, constants: &[f64], fields: &mut [f64]) {
+        let bound = &self.regions[region.index()];
+        let mut out = RegionOut { f: &mut [], dy: &mut [], dc: &mut [], fields };
+        (bound.kernel.fields_fn)(at.len, at.stride, at.s, at.y, &bound.local(constants), &mut out);
     }
 
     /// One derived field of a region where its states are given: all places of the first state, then those of the next.
@@ -191,9 +197,33 @@ impl BeltProblem {
         let kernel = self.kernel(region);
         let (row, len) = (kernel.field(field)?, states.len().checked_div(kernel.states.len())?);
         // A belt is the same everywhere along it: no field depends on the place but by the states.
-        let at = Points { len, stride: len, s: &vec![0.0; len], y: states };
-        self.fields(region, &at, constants).get(row * len..(row + 1) * len).map(<[f64]>::to_vec)
+        with_room((1 + kernel.fields.len()) * len, |room| {
+            let (s, fields) = room.split_at_mut(len);
+            s.fill(0.0);
+            self.write_fields(region, &Points { len, stride: len, s, y: states }, constants, fields);
+            fields.get(row * len..(row + 1) * len).map(<[f64]>::to_vec)
+        })
     }
+}
+
+thread_local! {
+    /// For [`with_room`].
+    static ROOM: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+}
+
+/// More numbers than this are not kept for the next.
+const MOST_ROOM: usize = 1 << 18;
+
+/// Hands so many numbers to `work`, whatever they are: kernels give more than is asked of them, many times a solve, and
+/// to clear what they write into would take as long as the writing.
+fn with_room<T>(len: usize, work: impl FnOnce(&mut [f64]) -> T) -> T {
+    let mut room = ROOM.take();
+    room.resize(room.len().max(len), 0.0);
+    let done = work(&mut room[..len]);
+    if room.len() <= MOST_ROOM {
+        ROOM.set(room);
+    }
+    done
 }
 
 /// Names, sizes, sparsity and typical magnitudes.
@@ -318,10 +348,11 @@ impl Problem for BeltProblem {
             let mut out = RegionOut { f, dy, dc, fields: &mut [] };
             return function(at.len, at.stride, at.s, at.y, &local, &mut out);
         }
-        let mut own = vec![0.0; kernel_entries * at.stride];
-        let mut out = RegionOut { f, dy, dc: &mut own, fields: &mut [] };
-        function(at.len, at.stride, at.s, at.y, &local, &mut out);
-        bound.gather(entries, at.stride, &own, dc);
+        with_room(kernel_entries * at.stride, |own| {
+            let mut out = RegionOut { f, dy, dc: &mut *own, fields: &mut [] };
+            function(at.len, at.stride, at.s, at.y, &local, &mut out);
+            bound.gather(entries, at.stride, own, dc);
+        });
     }
 
     fn boundary(&self, ends: &[f64], integrals: &[f64], constants: &[f64], g: &mut [f64]) {

@@ -129,7 +129,7 @@ impl Quantity {
 }
 
 /// The least (`sign` 1) or the largest (−1) of a quantity along a region, sought between samples around the extreme
-/// one: `s` and `values` are the first of them.
+/// one: `s` and `values` are the first of them. One that stays at an end of the region through a round is there.
 fn extremum(
     solved: &Solved,
     region: RegionId,
@@ -147,7 +147,11 @@ fn extremum(
         let (Some(&from), Some(&to)) = (s.get(at.saturating_sub(1)), s.get((at + 1).min(s.len() - 1))) else { break };
         let inner: Vec<f64> = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64).collect();
         let (next, value) = least(&quantity.at(solved, region, &inner)?);
+        let at_an_end = (at == 0 && next == 0) || (at + 1 == s.len() && next == PARTS);
         (at, best) = (next, best.min(value));
+        if at_an_end {
+            break;
+        }
         s = Cow::Owned(inner);
     }
     Ok(sign * best)

@@ -103,7 +103,8 @@ impl Row {
             },
         };
         if let Some((name, members)) = members {
-            row.flatten(name, members);
+            let before = row.columns.len();
+            row.flatten(&mut name.to_owned(), members, before);
         }
         row.put(FAILURE.into(), failure.map_or(Cell::Empty, |reason| Cell::Text(reason.into())));
         row
@@ -118,28 +119,36 @@ impl Row {
         }
     }
 
-    /// Adds the scalars of a value under `name` with dots; a name that is there already keeps its first value.
-    fn flatten(&mut self, name: &str, value: Value) {
+    /// Adds the scalars of a value under `name` with dots; `name` is the same afterwards. A name that is there already
+    /// keeps its first value: it can only be among the first `before`, for the members of an object differ.
+    fn flatten(&mut self, name: &mut String, value: Value, before: usize) {
         match value {
             Value::Object(members) => {
-                let dot = if name.is_empty() { "" } else { "." };
+                let len = name.len();
                 for (member, value) in members {
-                    self.flatten(&format!("{name}{dot}{member}"), value);
+                    if len > 0 {
+                        name.push('.');
+                    }
+                    name.push_str(&member);
+                    self.flatten(name, value, before);
+                    name.truncate(len);
                 }
             }
             Value::Array(_) => {}
             _ if name.is_empty() => {}
-            _ if name == CLOCK => self.push(name.into(), Value::Null),
-            value => self.push(name.into(), value),
+            value => {
+                let value = if name == CLOCK { Value::Null } else { value };
+                if let Some(cell) = Cell::from_json(value)
+                    && !self.columns.iter().take(before).any(|column| column == name)
+                {
+                    self.columns.push(name.clone());
+                    self.cells.push(cell);
+                }
+            }
         }
     }
 
-    fn push(&mut self, name: String, value: Value) {
-        if let Some(cell) = Cell::from_json(value) {
-            self.put(name, cell);
-        }
-    }
-
+    /// Adds a cell; a name that is there already keeps its first value.
     fn put(&mut self, name: String, cell: Cell) {
         if !self.columns.contains(&name) {
             self.columns.push(name);
