@@ -32,6 +32,7 @@
 //!
 //! - [`bvp`]: a problem stated by two closures, in a few lines.
 //! - [`problem`]: what a boundary value problem is, and how one is stated in batches; [`model`]: by its formulas alone.
+//! - [`dae`]: algebraic equations beside the differential ones.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
 //! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the
@@ -54,6 +55,7 @@ mod collocation;
 mod condensation;
 mod conditioning;
 pub mod continuation;
+pub mod dae;
 pub mod error;
 mod guess;
 mod layers;

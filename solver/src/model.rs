@@ -52,15 +52,23 @@ const NARROW: usize = 2;
 /// that are not a number where they exist: `powf` at 0 for exponents below 3, and `tanh` from 355 on;
 /// [`power`](Self::power) and [`hyperbolic_tangent`](Self::hyperbolic_tangent) stand in for them.
 pub trait Scalar: DualNum<Primitive = f64> + Copy {
-    /// `self` to a constant power, with its first derivatives.
+    /// `self` to a constant power, with its derivatives; at 0 with the first alone.
     #[must_use]
     fn power(self, exponent: f64) -> Self {
+        if Self::NDERIV > 1 && self.re() != 0.0 {
+            return self.powf(exponent);
+        }
         chained(self, power(self.re(), exponent))
     }
 
-    /// Hyperbolic tangent, with its first derivatives.
+    /// Hyperbolic tangent, with its derivatives.
     #[must_use]
     fn hyperbolic_tangent(self) -> Self {
+        /// From here on it is 1 to the last digit, and its slope less than that.
+        const SATURATED: f64 = 20.0;
+        if Self::NDERIV > 1 && self.re().abs() < SATURATED {
+            return self.tanh();
+        }
         let value = libm::tanh(self.re());
         chained(self, [value, 1.0 - value * value])
     }

@@ -225,6 +225,16 @@ pub enum LayoutError {
         /// Column of the entry.
         column: usize,
     },
+    /// More algebraic equations than states.
+    #[error("region {region}: {algebraic} of its {states} states are to be algebraic")]
+    Algebraic {
+        /// Region.
+        region: String,
+        /// Algebraic states.
+        algebraic: usize,
+        /// States.
+        states: usize,
+    },
     /// More entries of default unknowns than entries.
     #[error("region {region}: more entries of default unknowns than entries in the constants' pattern")]
     DefaultEntries {
