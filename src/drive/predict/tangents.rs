@@ -2,7 +2,7 @@
 
 use solver::{Guess, Linearisation, RegionGuess, RegionSolution, Solution, SolveError, Tangent, TangentRegion};
 
-use super::moved::{drift, kinks};
+use super::moved::{beyond_threshold, drift, drift_to, kinks, zeros};
 use super::nodes::Nodes;
 use super::path::{Measure, PathPiece, Waypoint, states_at, sum};
 use super::scale::Scale;
@@ -93,7 +93,7 @@ impl<'a> Curve<'a> {
 
     /// This path, seen from places that move with the kinks of friction.
     fn moving(mut self) -> Self {
-        let Some(bend) = &mut self.bend else { return self };
+        let Some(bend) = &mut self.bend else { return self.moving_ahead() };
         let back = bend.length;
         for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
             let index = region.index();
@@ -112,6 +112,42 @@ impl<'a> Curve<'a> {
             }
         }
         self
+    }
+
+    /// The same where nothing is known of the way here: kinks move as the tangent says.
+    fn moving_ahead(mut self) -> Self {
+        for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
+            let index = region.index();
+            let (Some(now), Some(drift)) = (self.from.regions().get(index), self.drift_ahead(region)) else { continue };
+            follow(now, &drift, 1.0, self.ahead.regions.get_mut(index));
+            self.drifts[index] = drift;
+        }
+        self
+    }
+
+    /// How far the nodes of a contact move with the kinks in one step ahead: a kink moves by the rate at which the
+    /// sliding speed there outgrows the slip threshold, over the slope of the speed along the contact. What the tangent
+    /// has of the speed on both sides is extrapolated to no other place: it bends there.
+    fn drift_ahead(&self, region: RegionId) -> Option<Vec<f64>> {
+        let part = self.from.regions().get(region.index())?;
+        let rates = &self.ahead.regions.get(region.index())?.states;
+        let beyond = |h: f64| {
+            let states: Vec<f64> = (0..part.states()).flat_map(|i| sum(part.state(i), h, &rates[i])).collect();
+            beyond_threshold(self.belt, region, &states, &sum(&self.here.0, h, &self.ahead.constants))
+        };
+        let (before, now, after) = (beyond(-DIFFERENCE)?, beyond(0.0)?, beyond(DIFFERENCE)?);
+        let rate = |node: usize| (after[node] - before[node]) / (2.0 * DIFFERENCE);
+        let mesh = part.mesh();
+        let kinks = zeros(mesh, &now);
+        let moved = |&kink: &f64| {
+            let right = mesh.partition_point(|node| *node <= kink).clamp(1, mesh.len() - 1);
+            let left = right - 1;
+            let length = mesh[right] - mesh[left];
+            let share = (kink - mesh[left]) / length;
+            kink - length * (rate(left) + share * (rate(right) - rate(left))) / (now[right] - now[left])
+        };
+        let next: Vec<f64> = kinks.iter().map(moved).collect();
+        drift_to(mesh, &kinks, &next)
     }
 
     /// Where the nodes of a region are so many steps ahead.
