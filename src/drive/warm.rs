@@ -24,9 +24,11 @@ const MAX_STEPS: usize = 3;
 const MAX_MESHES: usize = 12;
 const MAX_INTERVALS: usize = 2000;
 
-/// Miss of a prediction over the tolerance from which on a coarse solution is sought first. Steps of 1 to 25 % in slack
-/// tension, torque, ratio or friction of the base case, from one solution or from two, to tolerances of 1e-4 to 1e-8:
-/// with this, each takes the less work of both ways or nearly so (`docs/performance.md`).
+/// Miss of a prediction over the tolerance from which on a coarse solution is sought first: of one from a solution
+/// alone, measured by the square of the step, and of one that knows how the path bends, by its cube. Steps of 1 to 25 %
+/// in slack tension, torque, ratio or friction of the base case, to tolerances of 1e-4 to 1e-8: with these, each takes
+/// the less work of both ways or nearly so (`docs/performance.md`).
+const FAR_ALONE: f64 = 1.2e4;
 const FAR: f64 = 300.0;
 /// Tolerance above which there is nothing to gain by it.
 const FINE: f64 = 3e-6;
@@ -232,6 +234,6 @@ fn advance(
 /// the step, or by its cube where the solution before tells how the path bends.
 fn is_far(path: &PathPiece<'_>, tolerance: f64) -> bool {
     let step = libm::log(factor(&path.from.position, path.to, path.unknowns, 1));
-    let miss = if path.before.is_empty() { step * step } else { step * step * step };
-    tolerance <= FINE && miss > FAR * tolerance
+    let miss = if path.before.is_empty() { step * step / FAR_ALONE } else { step * step * step / FAR };
+    tolerance <= FINE && miss > tolerance
 }
