@@ -93,52 +93,42 @@ impl<'a> Curve<'a> {
 
     /// This path, seen from places that move with the kinks of friction.
     fn moving(mut self) -> Self {
-        let Some(bend) = &mut self.bend else { return self.moving_ahead() };
-        let back = bend.length;
         for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
             let index = region.index();
-            let (Some(then), Some(now)) = (bend.before.regions().get(index), self.from.regions().get(index)) else {
-                continue;
-            };
-            let kinks =
-                |part: &RegionSolution, solution: &Solution| kinks(self.belt, region, part, solution.constants());
-            let (Some(kinks_then), Some(kinks_now)) = (kinks(then, bend.before), kinks(now, self.from)) else {
-                continue;
-            };
-            if let Some(drift) = drift(now.mesh(), &kinks_then, &kinks_now, back) {
-                follow(now, &drift, 1.0, self.ahead.regions.get_mut(index));
-                follow(now, &drift, -back, bend.back.regions.get_mut(index));
-                self.drifts[index] = drift;
-            }
-        }
-        self
-    }
-
-    /// The same where nothing is known of the way here: kinks move as the tangent says.
-    fn moving_ahead(mut self) -> Self {
-        for region in RegionId::ALL.into_iter().filter(|region| region.is_contact()) {
-            let index = region.index();
-            let (Some(now), Some(drift)) = (self.from.regions().get(index), self.drift_ahead(region)) else { continue };
+            let (Some(now), Some(drift)) = (self.from.regions().get(index), self.drift(region)) else { continue };
             follow(now, &drift, 1.0, self.ahead.regions.get_mut(index));
+            if let Some(bend) = &mut self.bend {
+                follow(now, &drift, -bend.length, bend.back.regions.get_mut(index));
+            }
             self.drifts[index] = drift;
         }
         self
     }
 
-    /// How far the nodes of a contact move with the kinks in one step ahead: a kink moves by the rate at which the
-    /// sliding speed there outgrows the slip threshold, over the slope of the speed along the contact. What the tangent
-    /// has of the speed on both sides is extrapolated to no other place: it bends there.
-    fn drift_ahead(&self, region: RegionId) -> Option<Vec<f64>> {
+    /// How far the nodes of a contact move in one step ahead: as they have since the solution before, else as the
+    /// tangent says. Kinks that follow the tangent and bend as their way from the solution before does are no better:
+    /// from two solutions, to 1e-3 and 1e-4, steps take 0.9 to 1.7 times the work with them.
+    fn drift(&self, region: RegionId) -> Option<Vec<f64>> {
+        let Some(bend) = &self.bend else { return self.drift_by_tangent(region) };
+        let (then, now) = (bend.before.regions().get(region.index())?, self.from.regions().get(region.index())?);
+        let kinks = |part: &RegionSolution, solution: &Solution| kinks(self.belt, region, part, solution.constants());
+        drift(now.mesh(), &kinks(then, bend.before)?, &kinks(now, self.from)?, bend.length)
+    }
+
+    /// As [`drift`](Self::drift), by the tangent: a kink moves by the rate at which the sliding speed there outgrows
+    /// the slip threshold, over the slope of the speed along the contact. What the tangent has of the speed is not
+    /// extrapolated to other places: it bends at the kink.
+    fn drift_by_tangent(&self, region: RegionId) -> Option<Vec<f64>> {
         let part = self.from.regions().get(region.index())?;
         let rates = &self.ahead.regions.get(region.index())?.states;
         let beyond = |h: f64| {
-            let states: Vec<f64> = (0..part.states()).flat_map(|i| sum(part.state(i), h, &rates[i])).collect();
-            beyond_threshold(self.belt, region, &states, &sum(&self.here.0, h, &self.ahead.constants))
+            let states = rates.iter().enumerate().flat_map(|(state, rate)| sum(part.state(state), h, rate));
+            let constants = sum(&self.here.0, h, &self.ahead.constants);
+            beyond_threshold(self.belt, region, &states.collect::<Vec<f64>>(), &constants)
         };
         let (before, now, after) = (beyond(-DIFFERENCE)?, beyond(0.0)?, beyond(DIFFERENCE)?);
         let rate = |node: usize| (after[node] - before[node]) / (2.0 * DIFFERENCE);
         let mesh = part.mesh();
-        let kinks = zeros(mesh, &now);
         let moved = |&kink: &f64| {
             let right = mesh.partition_point(|node| *node <= kink).clamp(1, mesh.len() - 1);
             let left = right - 1;
@@ -146,6 +136,7 @@ impl<'a> Curve<'a> {
             let share = (kink - mesh[left]) / length;
             kink - length * (rate(left) + share * (rate(right) - rate(left))) / (now[right] - now[left])
         };
+        let kinks = zeros(mesh, &now);
         let next: Vec<f64> = kinks.iter().map(moved).collect();
         drift_to(mesh, &kinks, &next)
     }
@@ -261,5 +252,59 @@ impl Tight {
         let value = |drive: &Constants| scale.to(drive[constant]);
         let [before, after] = &self.around;
         value(&self.end) - value(&self.begin) - (value(after) - value(before)) / (2.0 * DIFFERENCE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use crate::case::{Case, Resolved};
+    use crate::drive::question::Question;
+    use crate::drive::{SolveOptions, solve, solve_from};
+
+    fn case(edition: &str, tension: f64) -> Resolved {
+        let mut case = Case::default();
+        case.set("edition", edition).unwrap();
+        case.set("operating_point.slack_tension", &tension.to_string()).unwrap();
+        case.resolve().unwrap()
+    }
+
+    /// How far the nearest of some places is.
+    fn nearest(places: &[f64], place: f64) -> f64 {
+        places.iter().map(|other| (other - place).abs()).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn from_one_solution_kinks_move_to_where_they_are_found() {
+        let options = SolveOptions { tolerance: 1e-4, ..SolveOptions::default() };
+        let unknowns: Vec<usize> = (0..Constant::UNKNOWN).collect();
+        for edition in ["published", "thesis", "consistent"] {
+            let last = solve(&case(edition, 100.0), &options).unwrap();
+            let from = Waypoint::of(&last, &Question::of(&case(edition, 100.0))).unwrap();
+            for tension in [90.0, 110.0] {
+                let to = Position::asked(&Question::of(&case(edition, tension)));
+                let path = PathPiece { before: &[], from: &from, to: &to, unknowns: &unknowns, bends: true };
+                let guess = predicted(&last.belt, &path, 1e-4).unwrap();
+                let next = solve(&case(edition, tension), &options).unwrap();
+                for region in [RegionId::Primary, RegionId::Secondary] {
+                    let of = |solution: &Solution| {
+                        kinks(&last.belt, region, &solution.regions()[region.index()], solution.constants()).unwrap()
+                    };
+                    let (now, found) = (of(&last.solution), of(&next.solution));
+                    assert_eq!(now.len(), found.len(), "{edition}, {tension} N");
+                    let RegionGuess { mesh, states } = &guess.regions[region.index()];
+                    let beyond = beyond_threshold(&last.belt, region, &states.concat(), &guess.constants).unwrap();
+                    let expected = zeros(mesh, &beyond);
+                    for (now, found) in now.iter().zip(&found) {
+                        let (miss, way) = (nearest(&expected, *found), (found - now).abs());
+                        assert!(miss < 0.25 * way + 1e-3, "{edition}, {tension} N: {now} {found} {expected:?}");
+                    }
+                }
+                let warm = solve_from(&last, &case(edition, tension), &options).unwrap();
+                assert!(warm.stats.newton_iterations <= 6 && warm.continuation_steps == 1, "{:?}", warm.stats);
+            }
+        }
     }
 }
