@@ -46,8 +46,8 @@
 //!
 //! - **Boundary conditions** are as many as there are y and unknown constants. Those on z are said by g; a condition on
 //!   z at an end is one on y there.
-//! - **g along the way** is not zero to the last digit: it is an error like any other, and is held to the tolerance with
-//!   the solution. [`Reduced::remainder`] measures it.
+//! - **g along the way** is not zero to the last digit: it is an error like any other, and is held to the tolerance
+//!   with the solution. [`Reduced::remainder`] measures it.
 //! - **Of a higher index**, or where ∂g/∂z is singular on the way, z' is not finite: the solver's error names z and the
 //!   place.
 //! - **Which root**: where g has several roots z, the guess chooses.
@@ -67,8 +67,8 @@ pub trait Dae {
     /// How many states of a region are z: the last so many. Asked for once.
     fn algebraic(&self, region: usize) -> usize;
 
-    /// `f`, one entry for each y; then `g`, one for each z, in whatever order; then the integrands. `y` holds all states
-    /// at `s`.
+    /// `f`, one entry for each y; then `g`, one for each z, in whatever order; then the integrands. `y` holds all
+    /// states at `s`.
     fn rhs<S: Scalar>(&self, region: usize, s: S, y: &[S], c: &[S], f: &mut [S]);
 
     /// Boundary residuals: `g` has one entry for each equation of the layout.

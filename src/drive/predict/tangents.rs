@@ -123,16 +123,13 @@ impl<'a> Curve<'a> {
     /// the slip threshold, over the slope of the speed along the contact. What the tangent has of the speed is not
     /// extrapolated to other places: it bends at the kink.
     fn drift_by_tangent(&self, region: RegionId) -> Option<Vec<f64>> {
-        let part = self.from.regions().get(region.index())?;
-        let rates = &self.ahead.regions.get(region.index())?.states;
+        let mesh = self.from.regions().get(region.index())?.mesh();
         let beyond = |h: f64| {
-            let states = rates.iter().enumerate().flat_map(|(state, rate)| sum(part.state(state), h, rate));
-            let constants = sum(&self.here.0, h, &self.ahead.constants);
-            beyond_threshold(self.belt, region, &states.collect::<Vec<f64>>(), &constants)
+            let (states, constants) = self.along(&self.ahead, region, h)?;
+            beyond_threshold(self.belt, region, &states.concat(), &constants)
         };
         let (before, now, after) = (beyond(-DIFFERENCE)?, beyond(0.0)?, beyond(DIFFERENCE)?);
         let rate = |node: usize| (after[node] - before[node]) / (2.0 * DIFFERENCE);
-        let mesh = part.mesh();
         let moved = |&kink: &f64| {
             let right = mesh.partition_point(|node| *node <= kink).clamp(1, mesh.len() - 1);
             let left = right - 1;
@@ -202,21 +199,27 @@ impl<'a> Curve<'a> {
         Constant::ALL.into_iter().map(constant).chain(self.to.targets.iter().copied()).collect()
     }
 
+    /// The states of a region at its nodes, and all constants, so many times a tangent away.
+    fn along(&self, tangent: &Tangent, region: RegionId, h: f64) -> Option<(Vec<Vec<f64>>, Vec<f64>)> {
+        let part = self.from.regions().get(region.index())?;
+        let rates = tangent.regions.get(region.index())?.states.iter().enumerate();
+        let states = rates.map(|(state, rate)| sum(part.state(state), h, rate)).collect();
+        Some((states, sum(&self.here.0, h, &tangent.constants)))
+    }
+
     /// Has a contact of the guess slide as predicted.
     fn adhere(&self, region: RegionId, guess: &mut Guess) -> Option<()> {
         let index = region.index();
         let part = self.from.regions().get(index)?;
-        let states = RegionGuess::from(part).states;
         let rate = |tangent: &Tangent| {
-            let rates = &tangent.regions.get(index)?.states;
             let moved = |h: f64| {
-                let states: Vec<Vec<f64>> = states.iter().zip(rates).map(|(y, rate)| sum(y, h, rate)).collect();
-                speeds(self.belt, region, &sum(&self.here.0, h, &tangent.constants), &states)
+                let (states, constants) = self.along(tangent, region, h)?;
+                speeds(self.belt, region, &constants, &states)
             };
             let (a, b) = (moved(-DIFFERENCE)?, moved(DIFFERENCE)?);
             Some(a.iter().zip(&b).map(|(a, b)| (b - a) / (2.0 * DIFFERENCE)).collect::<Vec<f64>>())
         };
-        let now = speeds(self.belt, region, &self.here.0, &states)?;
+        let now = speeds(self.belt, region, &self.here.0, &RegionGuess::from(part).states)?;
         let bend = self.bend.as_ref();
         let then = bend.and_then(|bend| speeds(self.belt, region, &bend.constants.0, &self.then(index, part.mesh())?));
         let back = bend.and_then(|bend| rate(&bend.back));
