@@ -41,7 +41,8 @@ impl Condensation {
         let mut x = guess.iterate(&grids);
         let plan = Arc::new(Plan::complete(layout));
         let magnitudes = Magnitudes::stated(layout);
-        let mut system = System { problem, layout, plan, tableau: solution.order().tableau(), magnitudes, grids };
+        let mut system =
+            System { problem, layout, plan, linear: false, tableau: solution.order().tableau(), magnitudes, grids };
         let (mut work, mut stats) = (system.work(), Stats::default());
         system.complete(&mut x, &mut stats);
         system.evaluate(&x, Derivatives::All, &mut work, &mut stats).map_err(undefined(&system.grids))?;

@@ -73,6 +73,11 @@ pub trait Dae {
 
     /// Boundary residuals: `g` has one entry for each equation of the layout.
     fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]);
+
+    /// See [`Problem::is_linear`](crate::Problem::is_linear); of f and g.
+    fn is_linear(&self, _unknowns: &[usize]) -> bool {
+        false
+    }
 }
 
 /// A [`Dae`] made a [`Model`]: a differential equation for each z, and a boundary equation for each g, behind those of
@@ -218,6 +223,10 @@ impl<D: Dae> Model for Reduced<D> {
             (here, rest) = rest.split_at_mut(n - d);
             here.copy_from_slice(&f[d..n]);
         }
+    }
+
+    fn is_linear(&self, unknowns: &[usize]) -> bool {
+        self.dae.is_linear(unknowns)
     }
 }
 

@@ -2,8 +2,8 @@
 
 mod newton;
 
-pub(crate) use newton::shown;
 pub use newton::{Component, NewtonError, NonFinite};
+pub(crate) use newton::{quantity, shown};
 
 use crate::accuracy::Shortfall;
 use crate::problem::LayoutError;
@@ -132,6 +132,24 @@ pub enum SolveError {
         /// What stood in the way of a smaller error.
         because: Shortfall,
     },
+    /// The right-hand side is not linear, although [`Problem::is_linear`](crate::Problem::is_linear) says so; or its
+    /// derivatives are wrong.
+    #[error(
+        "the problem says that it is linear, but {quantity} in region {region} at {} is {found:.6e} where its derivatives \
+         lead to {expected:.6e}", shown(*.position)
+    )]
+    NotLinear {
+        /// Whose value it is: the right-hand side of a state, or an integrand.
+        quantity: String,
+        /// Region.
+        region: String,
+        /// Where.
+        position: f64,
+        /// As evaluated.
+        found: f64,
+        /// As the values elsewhere and the derivatives have it.
+        expected: f64,
+    },
     /// The work that the call was allowed is spent: [`Options::work_limit`](crate::Options::work_limit).
     #[error("the right-hand side was evaluated at {points} points: more than the work limit of {limit}")]
     WorkLimit {
@@ -194,6 +212,10 @@ impl SolveError {
             Self::WorkLimit { .. } => {
                 "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge \
                  may have no solution."
+            }
+            Self::NotLinear { .. } => {
+                "Do not say that it is linear if it has products, powers or other functions of states and unknown \
+                 constants; if it has none, correct its derivatives."
             }
             Self::Cancelled => "Nothing: the caller asked for it.",
         }

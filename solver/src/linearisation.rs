@@ -118,7 +118,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         let x = at.iterate(&grids);
         let plan = Arc::new(Plan::new(layout, unknowns));
         let magnitudes = Magnitudes::stated(layout);
-        let system = System { problem, layout, plan, tableau: order.tableau(), magnitudes, grids };
+        let system = System { problem, layout, plan, linear: false, tableau: order.tableau(), magnitudes, grids };
         Ok((system, x))
     }
 

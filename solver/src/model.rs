@@ -97,6 +97,11 @@ pub trait Model {
 
     /// Boundary residuals: `g` has one entry for each equation of the layout.
     fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]);
+
+    /// See [`Problem::is_linear`].
+    fn is_linear(&self, _unknowns: &[usize]) -> bool {
+        false
+    }
 }
 
 /// A [`Model`] made a [`Problem`], its derivatives exact to rounding.
@@ -311,6 +316,10 @@ impl<M: Model> Differentiated<M> {
 impl<M: Model> Problem for Differentiated<M> {
     fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    fn is_linear(&self, unknowns: &[usize]) -> bool {
+        self.model.is_linear(unknowns)
     }
 
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {

@@ -219,6 +219,10 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
                 let error = self.limit_reached(&dx);
                 return self.stagnate(x, &dx, error);
             }
+            if let Some(x) = self.arrived(&x, &dx) {
+                self.contraction = Some(0.0);
+                return Ok(self.ended(x, None));
+            }
             let damping = before.as_ref().map_or(1.0, |before| self.predict(before, &dx, size));
             match self.damped_step(&x, &dx, (size, largest), damping)? {
                 Step::Done(last) if self.is_small(&last) => return self.finish(last, None),
@@ -320,6 +324,20 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let change = self.system.distance(simplified, 1.0, dx);
         let estimate = last_size * self.system.norm(simplified) / (change * size) * damping;
         if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
+    }
+
+    /// Where the first correction leads to, if the problem is linear: to the solution, unless boundary equations are not
+    /// met there, or the guess was so much larger that its rounding counts.
+    fn arrived(&mut self, x: &Iterate, dx: &Correction) -> Option<Iterate> {
+        if !self.system.linear || self.iteration > 1 || self.limits.tolerance < NEAR_ROUNDING {
+            return None;
+        }
+        let x = self.system.stepped(x, &self.factorisation.scales, 1.0, dx);
+        self.system.evaluate_values(&x, &mut self.work, self.stats).ok()?;
+        let last = Last { x, evaluated: true, size: 0.0 };
+        // The magnitudes of the solution first: boundary residuals are relative to them.
+        let arrived = self.is_small(&last) && self.outgrown.is_none();
+        (arrived && self.boundary_residual() <= self.limits.boundary).then_some(last.x)
     }
 
     /// As much of a correction as is progress, at first as much as `first` says. Of the correction its norm and its
@@ -459,8 +477,13 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             self.evaluate(&x, Derivatives::None).map_err(NewtonError::NonFinite)?;
         }
         let x = if stagnated.is_none() { self.closed(x)? } else { x };
+        Ok(self.ended(x, stagnated))
+    }
+
+    /// With all that is held, which is that of `x`.
+    fn ended(self, x: Iterate, stagnated: Option<NewtonError>) -> Converged {
         let contraction = self.contraction.unwrap_or(0.0);
-        Ok(Converged {
+        Converged {
             x,
             work: self.work,
             factorisation: self.factorisation,
@@ -471,7 +494,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             iterations: self.iteration,
             full_steps: self.full_steps && self.escapes == 0,
             stagnated,
-        })
+        }
     }
 
     /// Ends the iteration at `x` for want of a better iterate.

@@ -289,6 +289,16 @@ pub trait Problem {
     /// Names, sizes and sparsity. Must not change between calls.
     fn layout(&self) -> &Layout;
 
+    /// Whether right-hand side and integrands are linear in the states and, together with them, in the constants whose
+    /// indices are given: the unknown ones of a solve. Boundary equations need not be.
+    ///
+    /// What a correction makes of a linear right-hand side follows from its derivatives, which must be exact, so that
+    /// it is evaluated less often. Defects are still those of the right-hand side itself: a problem that is not what it
+    /// says ends in [`SolveError::NotLinear`](crate::SolveError::NotLinear) unless the difference meets the tolerance.
+    fn is_linear(&self, _unknowns: &[usize]) -> bool {
+        false
+    }
+
     /// Right-hand side, then integrands: `f[row * stride + j]`, `(n + k) * stride` values.
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]);
 
@@ -318,6 +328,10 @@ pub trait Problem {
 impl<P: Problem + ?Sized> Problem for &P {
     fn layout(&self) -> &Layout {
         (**self).layout()
+    }
+
+    fn is_linear(&self, unknowns: &[usize]) -> bool {
+        (**self).is_linear(unknowns)
     }
 
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {

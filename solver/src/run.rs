@@ -8,6 +8,7 @@ use crate::accuracy::Shortfall;
 use crate::budget::Budget;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
+use crate::collocation::linear::is_linear;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
 use crate::error::SolveError;
@@ -37,6 +38,9 @@ const PATIENCE: usize = 3;
 /// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its
 /// own cost.
 const MANY: usize = 200;
+/// A problem that says that it is linear is believed on so many meshes; if the defects are too large on that, too, it is
+/// seen whether it is.
+const CHECKED: usize = 3;
 /// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;
 
@@ -63,8 +67,12 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
-    /// Whether the problem is linear, as an iteration of this solve has shown.
+    /// Whether the problem says that it is linear: see [`Problem::is_linear`].
+    said_linear: bool,
+    /// Whether the problem is linear, as it says or as an iteration of this solve has shown.
     linear: bool,
+    /// Meshes on which it has been taken for linear.
+    meshes_as_said: usize,
     /// That of the options, but while a start for it is sought with another.
     order: Order,
     /// Why the last solve ended if not for a small estimated error.
@@ -79,6 +87,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         observer: &'o mut dyn Observer,
         budget: &'o Budget,
     ) -> Self {
+        let said_linear = is_linear(problem, problem.layout(), &plan);
         Self {
             problem,
             layout: problem.layout(),
@@ -95,7 +104,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             from_afar: false,
             check: BranchCheck::Kept,
             orientation: None,
-            linear: false,
+            said_linear,
+            linear: said_linear,
+            meshes_as_said: 0,
             order: options.order,
             shortfall: Shortfall::Uncontrolled,
         }
@@ -105,7 +116,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     pub(crate) fn refine(&mut self, mut start: Start) -> Result<Solved<'a, P>, SolveError> {
         let mut progress = Progress::new(self.options, self.layout.regions.len());
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
-        (self.check, self.orientation, self.linear) = (BranchCheck::Kept, None, false);
+        (self.check, self.orientation, self.linear) = (BranchCheck::Kept, None, self.said_linear);
         let mut meshes = 0;
         loop {
             let found = self.solve_on(start, &mut progress)?;
@@ -259,7 +270,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let system = self.system(grids);
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
-        let far = if progress.first { self.far(&system.grids) } else { None };
+        let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
         let limits = Limits { far, ..self.limits(progress.rescue.insistent) };
         let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
@@ -313,6 +324,10 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
+        self.meshes_as_said += usize::from(self.said_linear);
+        if self.meshes_as_said == CHECKED && !(defect <= self.options.tolerance) {
+            solved.system.check_linear(&solved.converged.x, &solved.converged.work, &mut self.stats)?;
+        }
         if !self.options.other_orders && self.order == self.options.order {
             progress.rescue.origin = None;
         }
@@ -334,7 +349,15 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
         let (plan, tableau) = (self.plan.clone(), self.tableau());
         let magnitudes = Magnitudes::new(self.layout, self.options);
-        System { problem: self.problem, layout: self.layout, plan, tableau, magnitudes, grids }
+        System {
+            problem: self.problem,
+            layout: self.layout,
+            plan,
+            linear: self.said_linear,
+            tableau,
+            magnitudes,
+            grids,
+        }
     }
 
     fn limits(&self, insistent: bool) -> Limits {

@@ -7,6 +7,9 @@ use super::number::{Number, WIDTH};
 ///
 /// Derivatives are written by columns: those of all rows with respect to the first input, then to the next.
 pub trait Formulas {
+    /// Whether derivatives are exact but for rounding, so that [`Bvp::linear`](super::Bvp::linear) can rely on them.
+    const EXACT: bool = true;
+
     /// `f(x, y, p)`.
     fn rhs(&self, x: f64, y: &[f64], p: &[f64], f: &mut [f64]);
 
@@ -122,6 +125,8 @@ where
     F: Fn(f64, &[f64], &[f64], &mut [f64]),
     B: Fn(&[f64], &[f64], &[f64], &mut [f64]),
 {
+    const EXACT: bool = false;
+
     fn rhs(&self, x: f64, y: &[f64], p: &[f64], f: &mut [f64]) {
         (self.f)(x, y, p, f);
     }

@@ -49,6 +49,7 @@ pub struct Bvp<M> {
     /// As it was stated, with the parameters' values.
     guess: Option<Guess>,
     singular: Option<SingularTerm>,
+    linear: bool,
 }
 
 impl<F, B> Bvp<Exact<F, B>>
@@ -78,7 +79,7 @@ impl<M: Formulas> Bvp<M> {
     /// With formulas that bring their own derivatives.
     pub fn with(states: &[&str], interval: (f64, f64), formulas: M) -> Self {
         let (layout, parameters, unknowns) = (layout(states, interval, &[], 0), Vec::new(), Vec::new());
-        Self { formulas, layout, parameters, unknowns, guess: None, singular: None }
+        Self { formulas, layout, parameters, unknowns, guess: None, singular: None, linear: false }
     }
 
     /// One more parameter, of a given value.
@@ -135,6 +136,32 @@ impl<M: Formulas> Bvp<M> {
     pub fn singular_term(mut self, matrix: &[&[f64]]) -> Result<Self, SingularTermError> {
         self.singular = Some(SingularTerm::new(self.layout.regions[0].states.len(), matrix)?);
         Ok(self)
+    }
+
+    /// Says that `f` is linear in the states and, together with them, in the unknown parameters: it is evaluated less
+    /// often then, see [`Problem::is_linear`]. Where derivatives are differences, nothing is gained by it.
+    ///
+    /// `ε u'' = u' - 1`, `u(0) = u(1) = 0`:
+    ///
+    /// ```
+    /// use solver::{Options, bvp::Bvp};
+    ///
+    /// let eps = 0.01;
+    /// let layer = Bvp::new(
+    ///     &["u", "slope"],
+    ///     (0.0, 1.0),
+    ///     |_, y, _, f| (f[0], f[1]) = (y[1], (y[1] - 1.0) / eps),
+    ///     |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    /// )
+    /// .linear();
+    /// let solution = layer.solve(&Options::default())?;
+    /// assert!((solution.regions()[0].eval(0.5)[0] - 0.5).abs() < 1e-6);
+    /// # Ok::<(), solver::SolveError>(())
+    /// ```
+    #[must_use]
+    pub fn linear(mut self) -> Self {
+        self.linear = M::EXACT;
+        self
     }
 
     /// The guess `y(x)`, on so many equal intervals. Without one all states are guessed to be zero.
@@ -269,6 +296,10 @@ impl<M: Formulas> Bvp<M> {
 impl<M: Formulas> Problem for Bvp<M> {
     fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    fn is_linear(&self, unknowns: &[usize]) -> bool {
+        self.linear && unknowns.iter().all(|unknown| self.unknowns.contains(unknown))
     }
 
     fn rhs(&self, _region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {

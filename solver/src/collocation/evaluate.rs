@@ -1,5 +1,6 @@
 //! The residual of the collocation equations, and the derivatives at all stages.
 
+use super::linear::Held;
 use super::roles::Roles;
 use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
 use super::{Iterate, Scales, System};
@@ -45,6 +46,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 s: Numbers::unset(points),
                 y: Numbers::unset(plan.n * points),
                 f: Numbers::unset(plan.rows * stride),
+                held: None,
                 dy: Numbers::unset(plan.state_nonzeros * stride),
                 dc: Numbers::unset(plan.constant_nonzeros * stride),
             };
@@ -82,9 +84,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stats: &mut Stats,
     ) -> Result<(), NonFinite> {
         for region in 0..self.grids.len() {
-            self.evaluate_region(region, x, derivatives, &mut work.regions[region], stats)?;
-            self.integrate(region, work);
-            self.copy_ends(region, x, &mut work.ends);
+            self.evaluate_region(region, x, derivatives, work, stats)?;
+            self.residuals(region, x, &mut work.regions[region]);
         }
         if derivatives == Derivatives::None {
             return self.evaluate_boundary(x, work);
@@ -95,6 +96,17 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Some(at) => Err(NonFinite::boundary_derivative(self.layout, at)),
             None => self.check_boundary(g),
         }
+    }
+
+    /// As [`evaluate`](Self::evaluate), without derivatives and without the residuals of intervals and stages.
+    ///
+    /// # Errors
+    /// As [`evaluate`](Self::evaluate).
+    pub(crate) fn evaluate_values(&self, x: &Iterate, work: &mut Work, stats: &mut Stats) -> Result<(), NonFinite> {
+        for region in 0..self.grids.len() {
+            self.evaluate_region(region, x, Derivatives::None, work, stats)?;
+        }
+        self.evaluate_boundary(x, work)
     }
 
     /// Whether the residuals of all intervals and stages are no larger than rounding makes them.
@@ -153,9 +165,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         region: usize,
         x: &Iterate,
         derivatives: Derivatives,
-        stages: &mut Stages,
+        work: &mut Work,
         stats: &mut Stats,
     ) -> Result<(), NonFinite> {
+        let stages = &mut work.regions[region];
         self.call_nodes(region, x, derivatives, stages, stats)?;
         if self.tableau.has_odd_parts() && derivatives != Derivatives::None {
             stages.chained = self.chained(region, &x.y[region], &stages.nodes);
@@ -181,12 +194,13 @@ impl<P: Problem + ?Sized> System<'_, P> {
             stages.inner[index] = batch;
             outcome?;
         }
-        self.residuals(region, x, stages);
         if self.tableau.coupled && derivatives != Derivatives::None {
             let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
             let found = second_order(&self.layout.regions[region], &self.plan.regions[region], batches);
             stages.roles = Arc::new(Roles::new(self.plan.regions[region].n, &found));
         }
+        self.integrate(region, work);
+        self.copy_ends(region, x, &mut work.ends);
         Ok(())
     }
 
@@ -331,6 +345,10 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stats: &mut Stats,
     ) -> Result<(), NonFinite> {
         let scope = match derivatives {
+            Derivatives::None if batch.held.is_some() => {
+                self.follow(region, &at, constants, batch);
+                return self.check_values(region, &at, &batch.f);
+            }
             Derivatives::None => {
                 stats.rhs_points += at.len;
                 self.problem.rhs(region, &at, constants, &mut batch.f);
@@ -340,10 +358,14 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Derivatives::All => Scope::All,
         };
         stats.jacobian_points += at.len;
+        batch.held = None;
         self.problem.rhs_jacobian(region, &at, constants, scope, &mut batch.f, &mut batch.dy, &mut batch.dc);
         self.check_values(region, &at, &batch.f)?;
         if !finite(&batch.dy) {
             return Err(NonFinite::derivative(self.layout, region, &at, &batch.dy));
+        }
+        if self.linear {
+            batch.held = Some(Held::at(at.y, constants));
         }
         Ok(())
     }

@@ -9,6 +9,7 @@ pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
 pub(crate) mod interpolant;
+pub(crate) mod linear;
 mod moments;
 pub(crate) mod parameter;
 pub(crate) mod plan;
@@ -32,6 +33,8 @@ pub(crate) struct System<'p, P: Problem + ?Sized> {
     pub problem: &'p P,
     pub layout: &'p Layout,
     pub plan: Arc<Plan>,
+    /// Whether values of the right-hand side may be taken from its derivatives: see [`Problem::is_linear`].
+    pub linear: bool,
     pub tableau: &'static Tableau,
     pub magnitudes: Magnitudes,
     pub grids: Vec<Grid>,

@@ -1,5 +1,6 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
+use super::linear::Held;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use crate::linear::memory::Numbers;
@@ -19,6 +20,8 @@ pub(crate) struct Batch {
     pub f: Numbers,
     pub dy: Numbers,
     pub dc: Numbers,
+    /// What f is that of, where the problem is linear and its derivatives are known: what it is elsewhere follows.
+    pub held: Option<Held>,
 }
 
 /// Values of one region at all its stages.

@@ -154,8 +154,15 @@ fn setup<'a>(
         })
         .collect();
     let constants = (0..layout.constants.len()).map(|_| random.next()).collect();
-    let system =
-        System { problem, layout, plan: Arc::new(plan), tableau, magnitudes: Magnitudes::stated(layout), grids };
+    let system = System {
+        problem,
+        layout,
+        plan: Arc::new(plan),
+        linear: false,
+        tableau,
+        magnitudes: Magnitudes::stated(layout),
+        grids,
+    };
     let work = system.work();
     Setup { system, x: Iterate { y, inner: ByRegion::default(), constants }, work }
 }

@@ -1,7 +1,7 @@
 //! Why Newton's iteration failed: values that are not finite, matrices that determine too little, corrections too
 //! large.
 
-use crate::problem::{Layout, Points};
+use crate::problem::{Layout, Points, Region};
 use std::fmt;
 use thiserror::Error;
 
@@ -37,34 +37,31 @@ pub(crate) fn shown(position: f64) -> f64 {
     format!("{position:.7e}").parse().unwrap_or(position)
 }
 
+/// What a row of the kernel is.
+pub(crate) fn quantity(region: &Region, row: usize) -> String {
+    match row.checked_sub(region.states.len()) {
+        None => format!("the right-hand side of {}", region.states[row].name),
+        Some(integral) => format!("the integrand of {}", region.integrals[integral]),
+    }
+}
+
 impl NonFinite {
     pub(crate) fn value(layout: &Layout, region: usize, at: &Points<'_>, f: &[f64]) -> Self {
         let (row, point, value) = locate(at, f);
         let region = &layout.regions[region];
-        let n = region.states.len();
-        let quantity = if row < n {
-            format!("the right-hand side of {}", region.states[row].name)
-        } else {
-            format!("the integrand of {}", region.integrals[row - n])
-        };
-        Self::at_point(region, quantity, at, point, value)
+        Self::at_point(region, quantity(region, row), at, point, value)
     }
 
     pub(crate) fn derivative(layout: &Layout, region: usize, at: &Points<'_>, dy: &[f64]) -> Self {
         let (entry, point, value) = locate(at, dy);
         let region = &layout.regions[region];
         let (row, state) = region.state_pattern[entry];
-        let n = region.states.len();
-        let of = if row < n {
-            format!("the right-hand side of {}", region.states[row].name)
-        } else {
-            format!("the integrand of {}", region.integrals[row - n])
-        };
-        let quantity = format!("the derivative of {of} with respect to {}", region.states[state].name);
+        let (of, state) = (quantity(region, row), &region.states[state].name);
+        let quantity = format!("the derivative of {of} with respect to {state}");
         Self::at_point(region, quantity, at, point, value)
     }
 
-    fn at_point(region: &crate::problem::Region, quantity: String, at: &Points<'_>, point: usize, value: f64) -> Self {
+    fn at_point(region: &Region, quantity: String, at: &Points<'_>, point: usize, value: f64) -> Self {
         let states = region.states.iter().enumerate();
         Self {
             quantity,

@@ -24,11 +24,16 @@ const CLASSES: usize = 14;
 /// Bytes that a thread keeps at most.
 const MOST: usize = 1 << 23;
 
-/// What arrays are of: numbers, for which any bits are a value.
-pub(crate) trait Kept: Scalar + 'static {}
+/// What arrays are of.
+///
+/// # Safety
+/// Any bits must be a value, and none be aligned to more than a line.
+pub(crate) unsafe trait Kept: Scalar + 'static {}
 
-impl Kept for f64 {}
-impl Kept for Lane {}
+// SAFETY: numbers are.
+unsafe impl Kept for f64 {}
+// SAFETY: some numbers are.
+unsafe impl Kept for Lane {}
 
 /// Blocks of memory that have been given back, all bytes of which have been set once.
 struct Shelf {
@@ -323,7 +328,7 @@ mod tests {
         }
         let copies = all.clone();
         drop(all);
-        let others: Vec<Lanes> = (0..200).map(|len| Lanes::zeros(len)).collect();
+        let others: Vec<Lanes> = (0..200).map(Lanes::zeros).collect();
         for (i, array) in copies.iter().enumerate() {
             assert!(array.len() == i && array.iter().all(|&x| x == i as f64));
         }

@@ -47,7 +47,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     }
 
     /// The largest residual of the boundary equations, relative to the terms of its equation.
-    fn boundary_residual(&self) -> f64 {
+    pub(super) fn boundary_residual(&self) -> f64 {
         let scales = self.outgrown.as_ref().unwrap_or(&self.factorisation.scales);
         self.system.boundary_residuals(&self.work, scales).fold(0.0, f64::max)
     }

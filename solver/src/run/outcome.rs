@@ -17,9 +17,16 @@ use crate::progress::{Found, measured};
 use crate::refine::{Measure, Rounding};
 use crate::solution::{RegionSolution, Solution};
 use crate::start::Start;
+use crate::stats::Stats;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     pub(super) fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
+        let Converged { x, work, .. } = &solved.converged;
+        if self.said_linear
+            && let Err(error) = solved.system.check_linear(x, work, &mut Stats::default())
+        {
+            return error;
+        }
         let (names, grid) = (&self.layout.regions[region], &solved.system.grids[region]);
         let state = solved.defects[region].state.get(measure.worst).and_then(|&state| names.states.get(state));
         SolveError::MeshLimit {

@@ -1,0 +1,365 @@
+//! Problems that say that they are linear: the same solutions from fewer evaluations, and no others.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+#[path = "../benches/peers/cases.rs"]
+mod cases;
+
+use cases::{CASES, Case};
+use solver::bvp::{Bvp, Formulas};
+use solver::dae::{Dae, Reduced};
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{Guess, Layout, LayoutError, Options, Order, Region, Solution, SolveError, solve};
+
+const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+
+/// States are each u and then its u'.
+struct System(&'static Case);
+
+impl Formulas for System {
+    fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
+        let mut values = [0.0; 2];
+        self.0.values(x, y, &mut values);
+        for i in 0..self.0.equations() {
+            (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
+        }
+    }
+    fn rhs_derivatives(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64], columns: &mut [f64]) {
+        let (count, mut values, mut rows) = (self.0.equations(), [0.0; 2], [0.0; 8]);
+        self.0.derivatives(x, y, &mut values, &mut rows);
+        columns.fill(0.0);
+        for i in 0..count {
+            (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
+            columns[(2 * i + 1) * 2 * count + 2 * i] = 1.0;
+            for j in 0..2 * count {
+                columns[j * 2 * count + 2 * i + 1] = rows[i * 2 * count + j];
+            }
+        }
+    }
+    fn boundary(&self, a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]) {
+        let ((left, right), count) = (self.0.interval, self.0.equations());
+        for i in 0..count {
+            (g[i], g[count + i]) = (a[2 * i] - self.0.exact(left)[i], b[2 * i] - self.0.exact(right)[i]);
+        }
+    }
+    fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
+        self.boundary(a, b, p, g);
+        let count = self.0.equations();
+        columns.fill(0.0);
+        for i in 0..count {
+            columns[2 * i * g.len() + i] = 1.0;
+            columns[(2 * count + 2 * i) * g.len() + count + i] = 1.0;
+        }
+    }
+}
+
+fn stated(case: &'static Case, intervals: usize) -> Bvp<System> {
+    let names: &[&str] = if case.equations() == 1 { &["u", "u'"] } else { &["u1", "u1'", "u2", "u2'"] };
+    Bvp::with(names, case.interval, System(case)).guess(intervals, |_, y| y.fill(0.0))
+}
+
+/// The largest difference of the u of two solutions, at the nodes of the first, to the largest u or 1.
+fn distance(a: &Solution, b: &Solution, states: impl Iterator<Item = usize> + Clone) -> f64 {
+    let (a, b) = (&a.regions()[0], &b.regions()[0]);
+    let of = |i: usize| {
+        let largest = a.state(i).iter().fold(1.0, |max: f64, u| max.max(u.abs()));
+        let differences = a.mesh().iter().zip(a.state(i)).map(|(&x, u)| (b.eval(x)[i] - u).abs());
+        differences.fold(0.0, f64::max) / largest
+    };
+    states.map(of).fold(0.0, f64::max)
+}
+
+/// The largest error of u at the nodes, to the largest u or 1.
+fn error(case: &Case, solution: &Solution) -> f64 {
+    let line = &solution.regions()[0];
+    let (mut largest, mut error): (f64, f64) = (1.0, 0.0);
+    for i in 0..case.equations() {
+        for (&x, &u) in line.mesh().iter().zip(line.state(2 * i)) {
+            let exact = case.exact(x)[i];
+            (largest, error) = (largest.max(exact.abs()), error.max((u - exact).abs()));
+        }
+    }
+    error / largest
+}
+
+#[test]
+fn linear_problems_are_solved_as_well_from_fewer_evaluations() {
+    let (mut values, mut derivatives) = ([0, 0], [0, 0]);
+    for case in CASES.iter().filter(|case| case.linear) {
+        for order in ORDERS {
+            for (tolerance, intervals) in [(1e-3, 4), (1e-3, 16), (1e-6, 8), (1e-9, 10), (1e-11, 16)] {
+                for defect_correction in [false, true] {
+                    let options = Options { order, tolerance, defect_correction, ..Options::default() };
+                    let what = format!("{}, {order:?}, {tolerance:e} from {intervals}", case.name);
+                    let plain = stated(case, intervals).solve(&options);
+                    let said = stated(case, intervals).linear().solve(&options);
+                    let (Ok(plain), Ok(said)) = (&plain, &said) else {
+                        // What rounding does not let be solved need not fail in the same place.
+                        assert!(tolerance < 1e-10, "{what}: {plain:?}, {said:?}");
+                        continue;
+                    };
+                    let within = 10.0 * tolerance;
+                    assert!(error(case, said) <= within, "{what}: {:e}", error(case, said));
+                    let apart = distance(said, plain, (0..case.equations()).map(|i| 2 * i));
+                    assert!(apart <= within, "{what}: {apart:e}");
+                    let (a, b) = (plain.stats(), said.stats());
+                    assert!(tolerance < 1e-8 || b.newton_iterations <= 2 * b.meshes, "{what}");
+                    values = [values[0] + a.rhs_points, values[1] + b.rhs_points];
+                    if tolerance > 1e-8 {
+                        derivatives = [derivatives[0] + a.jacobian_points, derivatives[1] + b.jacobian_points];
+                    }
+                }
+            }
+        }
+    }
+    assert!(3 * values[1] < 2 * values[0], "{values:?}");
+    // Meshes are the same, but where rounding hides from an iteration that a problem is linear: there, meshes that may
+    // grow more freely do not always pay (problem 10 at order 6).
+    assert!(8 * derivatives[1] < 9 * derivatives[0], "{derivatives:?}");
+}
+
+/// Bratu's problem, which is not linear.
+fn bratu(lambda: f64) -> Bvp<impl Formulas> {
+    let f = move |_: f64, y: &[solver::bvp::Number], _: &[solver::bvp::Number], f: &mut [solver::bvp::Number]| {
+        (f[0], f[1]) = (y[1], -lambda * y[0].exp());
+    };
+    Bvp::new(&["u", "slope"], (0.0, 1.0), f, |a, b, _, g| (g[0], g[1]) = (a[0], b[0]))
+}
+
+#[test]
+fn what_is_not_linear_is_not_solved_as_if_it_were() {
+    let mut told = 0;
+    for order in ORDERS {
+        for (intervals, max_intervals) in [(4, 1000), (10, 20), (10, 10)] {
+            for (lambda, tolerance) in [(1.0, 1e-6), (1.0, 1e-9), (3.5, 1e-3), (3.5, 1e-6)] {
+                let options = Options { order, max_intervals, tolerance, ..Options::default() };
+                let guess = |_: f64, y: &mut [f64]| y.fill(0.0);
+                match bratu(lambda).guess(intervals, guess).linear().solve(&options) {
+                    // As one mesh follows on the other, corrections do, too: the defects say that they have been enough.
+                    Ok(solution) => {
+                        let exact = bratu(lambda).solve(&Options { tolerance: 1e-10, ..Options::default() }).unwrap();
+                        let apart = distance(&exact, &solution, 0..2);
+                        assert!(apart <= 10.0 * tolerance, "{order:?}, {lambda}, {tolerance:e}: {apart:e}");
+                    }
+                    Err(SolveError::NotLinear { quantity, region, position, found, expected }) => {
+                        let names = (quantity.as_str(), region.as_str());
+                        assert_eq!(names, ("the right-hand side of slope", "interval"));
+                        assert!((0.0..=1.0).contains(&position) && (found - expected).abs() > 1e-7);
+                        told += 1;
+                    }
+                    Err(SolveError::MeshLimit { .. }) if max_intervals < 100 => {}
+                    Err(error) => panic!("{order:?}, {lambda}, {intervals}: {error}"),
+                }
+            }
+        }
+    }
+    assert!(told >= 12, "{told}");
+    let error = bratu(3.5).linear().solve(&Options { tolerance: 1e-9, ..Options::default() }).unwrap_err();
+    assert!(error.to_string().starts_with("the problem says that it is linear, but the right-hand side of slope in"));
+    assert!(error.advice().contains("correct its derivatives") && error.is_final());
+}
+
+/// `u'' = 4 u + x` with a derivative that is wrong.
+struct Wrong;
+
+impl Formulas for Wrong {
+    fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
+        (f[0], f[1]) = (y[1], 4.0 * y[0] + x);
+    }
+    fn rhs_derivatives(&self, x: f64, y: &[f64], p: &[f64], f: &mut [f64], columns: &mut [f64]) {
+        self.rhs(x, y, p, f);
+        columns.copy_from_slice(&[0.0, 40.0, 1.0, 0.0]);
+    }
+    fn boundary(&self, a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]) {
+        (g[0], g[1]) = (a[0], b[0] - 1.0);
+    }
+    fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
+        self.boundary(a, b, p, g);
+        columns.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    }
+}
+
+#[test]
+fn wrong_derivatives_of_a_linear_problem_are_told() {
+    for order in ORDERS {
+        let options = Options { order, ..Options::default() };
+        // The iteration finds its way all the same, by residuals that are evaluated.
+        let right = Bvp::with(&["u", "slope"], (0.0, 1.0), Wrong).solve(&options).unwrap();
+        let exact = |x: f64| 1.25 * (2.0 * x).sinh() / 2.0_f64.sinh() - 0.25 * x;
+        assert!((right.regions()[0].eval(0.5)[0] - exact(0.5)).abs() < 1e-5);
+        let error = Bvp::with(&["u", "slope"], (0.0, 1.0), Wrong).linear().solve(&options).unwrap_err();
+        assert!(matches!(error, SolveError::NotLinear { .. }), "{error}");
+    }
+}
+
+#[test]
+fn differences_are_not_relied_on() {
+    let f = |x: f64, y: &[f64], _: &[f64], f: &mut [f64]| (f[0], f[1]) = (y[1], 4.0 * y[0] + x);
+    let bc = |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| (g[0], g[1]) = (a[0], b[0] - 1.0);
+    let stated = Bvp::by_differences(&["u", "slope"], (0.0, 1.0), f, bc);
+    let options = Options { tolerance: 1e-9, ..Options::default() };
+    let (plain, said) = (stated.solve(&options).unwrap(), stated.clone().linear().solve(&options).unwrap());
+    assert_eq!(plain.stats(), said.stats());
+}
+
+#[test]
+fn unknown_parameters_may_be_among_what_it_is_linear_in() {
+    for order in ORDERS {
+        // u'' = p + sin x, with u = u' = 0 at 0 and u(1) = 2: u = p x²/2 + x - sin x.
+        let problem = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |x, y, p, f| (f[0], f[1]) = (y[1], p[0] + x.sin()),
+            |a, b, _, g| (g[0], g[1], g[2]) = (a[0], a[1], b[0] - 2.0),
+        )
+        .unknown("p", 0.0);
+        let options = Options { order, tolerance: 1e-9, ..Options::default() };
+        let (plain, said) = (problem.solve(&options).unwrap(), problem.clone().linear().solve(&options).unwrap());
+        let p = 2.0 * (1.0 + 1.0_f64.sin());
+        assert!((said.constants()[0] - p).abs() < 4e-9, "{:?}", said.constants());
+        assert!(said.stats().rhs_points < plain.stats().rhs_points);
+        // A product of the two is not linear, until the parameter is given.
+        let product = |unknown: bool| {
+            let bc = move |a: &[solver::bvp::Number], b: &[solver::bvp::Number], _: &_, g: &mut [_]| {
+                (g[0], g[1]) = (a[0], b[0] - 1.0);
+                if unknown {
+                    g[2] = a[1] - 1.2;
+                }
+            };
+            let stated = Bvp::new(&["u", "slope"], (0.0, 1.0), |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0]), bc);
+            let named = if unknown { stated.unknown("p", 0.5) } else { stated.given("p", 0.5) };
+            named.guess(10, |x, y| (y[0], y[1]) = (x, 1.0)).linear().solve(&options)
+        };
+        assert!(product(false).is_ok());
+        match product(true) {
+            Err(error) => assert!(matches!(error, SolveError::NotLinear { .. }), "{error}"),
+            Ok(solution) => {
+                let root = solution.constants()[0].sqrt();
+                assert!((root / root.sin() - 1.2).abs() < 1e-7, "{root}");
+            }
+        }
+    }
+}
+
+#[test]
+fn boundary_equations_may_be_nonlinear() {
+    for order in ORDERS {
+        // u'' = u with u(0)³ = 8, u(1) = 2 exp(1): u = 2 exp(x).
+        let problem = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |_, y, _, f| (f[0], f[1]) = (y[1], y[0]),
+            |a, b, _, g| (g[0], g[1]) = (a[0].powi(3) - 8.0, b[0] - 2.0 * 1.0_f64.exp()),
+        )
+        .guess(8, |_, y| y.fill(1.0))
+        .linear();
+        let options = Options { order, tolerance: 1e-9, ..Options::default() };
+        let solution = problem.solve(&options).unwrap();
+        assert!((solution.regions()[0].eval(0.0)[0] - 2.0).abs() < 1e-9);
+        assert!(solution.max_boundary_residual() <= 1e-9);
+    }
+}
+
+#[test]
+fn a_solution_for_a_guess_is_left_as_it_is() {
+    for (order, case) in ORDERS.into_iter().zip(CASES) {
+        let options = Options { order, tolerance: 1e-7, ..Options::default() };
+        let problem = stated(case, 8).linear();
+        let solution = problem.solve(&options).unwrap();
+        let again = solve(&problem, &Guess::from(&solution), &[], &options).unwrap();
+        assert_eq!(again.regions()[0].mesh(), solution.regions()[0].mesh());
+        assert_eq!(again.stats().newton_iterations, 1, "{order:?}");
+    }
+}
+
+#[test]
+fn guesses_that_are_far_too_large_do_no_harm() {
+    let case = &CASES[0];
+    for order in ORDERS {
+        for size in [1.0, 1e4, 1e8, 1e12] {
+            let options = Options { order, tolerance: 1e-7, ..Options::default() };
+            let solution = stated(case, 10).guess(10, |x, y| y.fill(size * (1.0 + x))).linear().solve(&options);
+            let error = error(case, &solution.unwrap());
+            assert!(error < 1e-6, "{order:?}, {size:e}: {error:e}");
+        }
+    }
+}
+
+/// Two rods that meet, `k u'' = -1` with conductivities k of 1 and of 4, and a mean of the first one's u.
+struct Rods;
+
+impl Model for Rods {
+    fn layout(&self) -> Layout {
+        let rod = |name: &str, interval| Region::dense(name, interval, &["u", "flow"], &["heat"], 1);
+        let equations = ["mean", "heat", "flow", "end", "other end"];
+        Layout::dense(vec![rod("first", (0.0, 1.0)), rod("second", (1.0, 2.0))], &["offset"], &equations)
+    }
+    fn rhs<S: Scalar>(&self, region: usize, _: S, y: &[S], _: &[S], f: &mut [S]) {
+        let k = [1.0, 4.0][region];
+        (f[0], f[1], f[2]) = (y[1] / k, S::from(-1.0), y[0]);
+    }
+    fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+        (g[0], g[1], g[2]) = (integrals[0] - 1.0, ends[2] - ends[4], ends[3] - ends[5]);
+        (g[3], g[4]) = (ends[0] - c[0], ends[6] - c[0] * 2.0);
+    }
+    fn is_linear(&self, _: &[usize]) -> bool {
+        true
+    }
+}
+
+#[test]
+fn models_of_several_regions_and_integrals_may_say_so() {
+    struct Silent;
+    impl Model for Silent {
+        fn layout(&self) -> Layout {
+            Rods.layout()
+        }
+        fn rhs<S: Scalar>(&self, region: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+            Rods.rhs(region, s, y, c, f);
+        }
+        fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+            Rods.boundary(ends, integrals, c, g);
+        }
+    }
+    for order in ORDERS {
+        let options = Options { order, tolerance: 1e-9, ..Options::default() };
+        let (said, silent) = (Differentiated::new(Rods).unwrap(), Differentiated::new(Silent).unwrap());
+        let guess = Guess::uniform(&Rods.layout(), 6, &[0.0], |_, _, y| y.fill(0.0));
+        let said = solve(&said, &guess, &[0], &options).unwrap();
+        let silent = solve(&silent, &guess, &[0], &options).unwrap();
+        assert!((said.constants()[0] - silent.constants()[0]).abs() < 1e-12);
+        assert!((said.regions()[0].integrals()[0] - 1.0).abs() < 1e-12);
+        assert!(said.stats().rhs_points < silent.stats().rhs_points);
+    }
+}
+
+/// `y' = z`, `0 = z + y - x`, y(0) = 0: y = x - 1 + exp(-x).
+struct Lag;
+
+impl Dae for Lag {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("time", (0.0, 2.0), &["y", "z"], &[], 0)], &[], &["start"])
+    }
+    fn algebraic(&self, _: usize) -> usize {
+        1
+    }
+    fn rhs<S: Scalar>(&self, _: usize, x: S, y: &[S], _: &[S], f: &mut [S]) {
+        (f[0], f[1]) = (y[1], y[1] + y[0] - x);
+    }
+    fn boundary<S: Scalar>(&self, ends: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        g[0] = ends[0];
+    }
+    fn is_linear(&self, _: &[usize]) -> bool {
+        true
+    }
+}
+
+#[test]
+fn differential_algebraic_problems_may_say_so() -> Result<(), LayoutError> {
+    let problem = Differentiated::new(Reduced::new(Lag)?)?;
+    let guess = Guess::uniform(&Reduced::new(Lag)?.layout(), 6, &[], |_, _, y| y.fill(0.0));
+    let solution = solve(&problem, &guess, &[], &Options { tolerance: 1e-9, ..Options::default() }).unwrap();
+    assert!((solution.regions()[0].eval(2.0)[0] - (1.0 + (-2.0_f64).exp())).abs() < 1e-9);
+    assert_eq!(solution.stats().newton_iterations, solution.stats().meshes);
+    Ok(())
+}
