@@ -145,10 +145,14 @@ impl RegionSolution {
     /// States at many places, state by state: value `i * s.len() + j` is that of state `i` at `s[j]`. As
     /// [`eval_into`](Self::eval_into) for each place, to the same bits, and many times as fast where places increase.
     pub fn eval_many(&self, s: &[f64]) -> Vec<f64> {
-        let places = self.places(s);
-        let mut values = vec![0.0; self.states() * s.len()];
-        for (i, values) in values.chunks_exact_mut(s.len().max(1)).enumerate() {
-            self.component(i).write(&places, values);
+        self.at_places(&self.places(s))
+    }
+
+    /// The same.
+    pub(crate) fn at_places(&self, places: &[Place]) -> Vec<f64> {
+        let mut values = vec![0.0; self.states() * places.len()];
+        for (i, values) in values.chunks_exact_mut(places.len().max(1)).enumerate() {
+            self.component(i).write(places, values);
         }
         values
     }
@@ -175,19 +179,13 @@ impl RegionSolution {
     }
 
     /// Intervals, their lengths, and the weights of what stands there, for places in any order.
-    fn places(&self, s: &[f64]) -> Vec<Place> {
+    pub(crate) fn places(&self, s: &[f64]) -> Vec<Place> {
         let mut nodes = self.nodes_before();
         let place = |&s: &f64| {
             let (interval, h, sigma) = self.place(nodes(s), s);
-            Place { interval, h, basis: Basis::value(sigma) }
+            Place { interval, h, sigma, basis: Basis::value(sigma) }
         };
         s.iter().map(place).collect()
-    }
-
-    /// The intervals of places in any order.
-    pub(crate) fn intervals_of(&self, s: &[f64]) -> Vec<usize> {
-        let mut nodes = self.nodes_before();
-        s.iter().map(|&s| self.place(nodes(s), s).0).collect()
     }
 
     /// Nodes at or before a place: counted on from those of the last, unless this one lies before it.
@@ -229,10 +227,12 @@ struct Component<'a> {
 }
 
 /// A place in its interval.
-struct Place {
-    interval: usize,
+pub(crate) struct Place {
+    pub interval: usize,
     /// The interval's length.
     h: f64,
+    /// From 0 at the interval's start to 1 at its end.
+    pub sigma: f64,
     basis: Basis,
 }
 
@@ -262,6 +262,13 @@ impl Component<'_> {
     /// Writes its values at some places.
     fn write(&self, places: &[Place], values: &mut [f64]) {
         let Some(first) = places.first() else { return };
+        if places.len() > self.y.len() {
+            let pieces: Vec<Piece> = (0..self.y.len() - 1).map(|j| self.piece(j)).collect();
+            for (value, place) in values.iter_mut().zip(places) {
+                *value = pieces[place.interval].at(&place.basis, place.h);
+            }
+            return;
+        }
         let (mut interval, mut piece) = (first.interval, self.piece(first.interval));
         for (value, place) in values.iter_mut().zip(places) {
             if place.interval != interval {

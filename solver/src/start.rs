@@ -141,14 +141,14 @@ impl Packed<'_> {
 }
 
 /// A guess on the meshes of a solution that is near: where inner stages are unknowns, they are those of the solution,
-/// moved as the nodes beside them are.
-pub(crate) fn near(solution: &Solution, guess: &Guess) -> Start {
+/// `known` or as it is there, moved as the nodes beside them are.
+pub(crate) fn near(solution: &Solution, known: &ByRegion<Numbers>, guess: &Guess) -> Start {
     let (mut start, tableau) = (Start::from(guess), solution.order().tableau());
     if tableau.coupled {
         let old = Guess::from(solution).iterate(&start.grids);
         for (index, (grid, region)) in start.grids.iter().zip(solution.regions()).enumerate() {
             let moved: Vec<f64> = start.x.y[index].iter().zip(&old.y[index]).map(|(new, old)| new - old).collect();
-            let mut inner = region.sampled_inside(grid, tableau);
+            let mut inner = known.get(index).cloned().unwrap_or_else(|| region.sampled_inside(grid, tableau));
             let moves = interpolated(tableau, grid, &moved, None);
             inner.iter_mut().zip(&moves).for_each(|(inner, moved)| *inner += moved);
             start.x.inner.push(inner);

@@ -11,7 +11,9 @@
 //! method's quadrature makes of the integral is the distance, by definition: no mesh is refined for it, and that τ is
 //! linear between the nodes is no error.
 
+use crate::by_region::ByRegion;
 use crate::guess::{Guess, RegionGuess};
+use crate::linear::memory::Numbers;
 use crate::orientation::Determinant;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
 use crate::solution::Solution;
@@ -35,6 +37,9 @@ pub(crate) struct Reference {
     pub direction: Direction,
     /// Of the problem that arclength extends; unknown where that was not solved.
     pub determinant: Determinant,
+    /// The solution at the inner stages of its mesh, as an [`Iterate`](crate::collocation::Iterate) has it; empty where
+    /// it is not known.
+    pub inner: ByRegion<Numbers>,
     samples: RefCell<Samples>,
 }
 
@@ -57,7 +62,7 @@ struct Sampled {
 
 impl Reference {
     pub(crate) fn new(solution: Solution, direction: Direction, determinant: Determinant) -> Self {
-        Self { solution, direction, determinant, samples: RefCell::default() }
+        Self { solution, direction, determinant, inner: ByRegion::default(), samples: RefCell::default() }
     }
 
     /// `ȳ` and the weighted `τ` of one region at a batch of points, the weights of the states being `of_states`.
@@ -67,16 +72,15 @@ impl Reference {
             return known.clone();
         }
         let solution = &self.solution.regions()[region];
-        let mesh = solution.mesh();
-        let places = solution.intervals_of(s);
+        let places = solution.places(s);
         let mut weights = Vec::with_capacity(of_states.len() * s.len());
         for (weight, values) in of_states.iter().zip(&self.direction.states[region]) {
-            weights.extend(s.iter().zip(&places).map(|(s, &j)| {
-                let part = ((s - mesh[j]) / (mesh[j + 1] - mesh[j])).clamp(0.0, 1.0);
-                weight * (values[j] + part * (values[j + 1] - values[j]))
+            weights.extend(places.iter().map(|place| {
+                let (left, right) = (values[place.interval], values[place.interval + 1]);
+                weight * (left + place.sigma.clamp(0.0, 1.0) * (right - left))
             }));
         }
-        let new = Rc::new(Sampled { region, s: s.to_vec(), y: solution.eval_many(s), weights });
+        let new = Rc::new(Sampled { region, s: s.to_vec(), y: solution.at_places(&places), weights });
         if samples.len() >= KEPT {
             samples.clear();
         }

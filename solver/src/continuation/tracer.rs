@@ -219,25 +219,38 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let options = Options { defect_correction: false, ..self.options.solve.clone() };
         let solution = solve_within(self.problem, start, self.unknowns, &options, self.observer, self.budget)?;
         self.stats += *solution.stats();
+        let sign = if self.options.upwards { 1.0 } else { -1.0 };
+        if self.options.branch_points {
+            match self.seen(&solution, sign) {
+                Ok(mut seen) => {
+                    seen.solution = solution;
+                    return Ok(seen);
+                }
+                Err(cause) if cause.is_interruption() => return Err(cause),
+                Err(_) => {}
+            }
+        }
         let linearisation = Linearisation::new(self.problem, &solution)?;
         self.budget.charge(linearisation.stats());
         self.stats += *linearisation.stats();
         let tangent = linearisation.sensitivity(self.parameter);
-        let sign = if self.options.upwards { 1.0 } else { -1.0 };
-        let first = self.reference(solution, &tangent, sign, Determinant::UNKNOWN).0;
-        if !self.options.branch_points {
-            return Ok(first);
-        }
-        // A branch point in the first step is seen by the determinant at its start.
-        let from = Near { point: &first, at: 0.0, speed: 1.0 };
-        match self.advance_from(&first, 0.0, (from, None), Care::Glance) {
-            Ok(seen) => {
-                let Reference { solution, direction, .. } = first;
-                Ok(Reference::new(solution, direction, seen.point.determinant))
-            }
-            Err(cause) if cause.is_interruption() => Err(cause),
-            Err(_) => Ok(first),
-        }
+        Ok(self.reference(solution, &tangent, sign, Determinant::UNKNOWN).0)
+    }
+
+    /// A solution with the direction in which the branch leaves it, towards greater values of the parameter for a
+    /// positive sign, and the determinant there, by which a branch point in the first step is seen: those of the
+    /// equations that take their distance along the parameter alone.
+    fn seen(&mut self, solution: &Solution, sign: f64) -> Result<Reference, SolveError> {
+        let states = solution.regions().iter().enumerate().map(|(index, region)| {
+            let count = self.problem.layout().regions[index].states.len();
+            vec![vec![0.0; region.mesh().len()]; count]
+        });
+        let mut direction = Direction { states: states.collect(), constants: vec![0.0; solution.constants().len()] };
+        direction.constants[self.parameter] = sign;
+        let mut along = Reference::new(solution.clone(), direction, Determinant::UNKNOWN);
+        normalise(self.problem.layout(), &mut along);
+        let from = Near { point: &along, at: 0.0, speed: 1.0 };
+        Ok(self.advance_from(&along, 0.0, (from, None), Care::Glance)?.point)
     }
 
     /// A point, and how fast it moves along its direction as the tangent does.
@@ -276,7 +289,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let between = other.and_then(|other| near.between(&other, step));
         let mut guess = between.unwrap_or_else(|| near.point.moved(near.speed * (step - near.at)));
         guess.constants.push(step);
-        self.advance_with(here, start::near(&near.point.solution, &guess), care)
+        self.advance_with(here, start::near(&near.point.solution, &near.point.inner, &guess), care)
     }
 
     /// As [`advance`](Self::advance), from what is expected there; its last constant is the distance.
@@ -296,6 +309,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         drop(run);
         let budget = self.budget;
         let found = outcome.and_then(|(solution, system, converged)| {
+            let inner = converged.x.inner.clone();
             let linearisation = match converged.at_once {
                 true => Linearisation::held(system, converged),
                 false => Linearisation::at(system, converged.x, Stats::default())?,
@@ -303,12 +317,13 @@ impl<'a, 'e> Tracer<'a, 'e> {
             budget.charge(linearisation.stats());
             stats += *linearisation.stats();
             let determinant = linearisation.factorisation.determinant();
-            Ok((solution, linearisation.sensitivity(arclength.step()), determinant))
+            Ok((solution, linearisation.sensitivity(arclength.step()), determinant, inner))
         });
         self.stats += stats;
-        let (solution, tangent, determinant) = found?;
+        let (solution, tangent, determinant, inner) = found?;
         let solution = solution.restricted(self.problem.layout(), self.unknowns);
-        let (point, speed) = self.reference(solution, &tangent, 1.0, determinant);
+        let (mut point, speed) = self.reference(solution, &tangent, 1.0, determinant);
+        point.inner = inner;
         Ok(Advanced { point, judged: care != Care::Glance, speed, contraction, check })
     }
 

@@ -165,7 +165,7 @@ impl Tracer<'_, '_> {
     pub(super) fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
         let plan = Plan::new(self.problem.layout(), self.unknowns);
         let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
-        let start = start::near(&point.solution, &point.moved(by));
+        let start = start::near(&point.solution, &point.inner, &point.moved(by));
         let moved = run.as_it_stands(start)?;
         self.stats += run.stats;
         drop(run);
