@@ -19,6 +19,7 @@ use crate::collocation::factor::Factorisation;
 use crate::collocation::grid::intervals;
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
+use crate::linear::simd::largest_number;
 use crate::observer::{Event, Observer};
 use crate::problem::Problem;
 use crate::stats::Stats;
@@ -192,6 +193,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let mut before: Option<(f64, f64, Correction)> = None;
         let mut taken: Option<Taken> = None;
         let mut incomplete = self.system.interpolate(&mut x, self.stats);
+        // A guess of zero is no solution of a linear problem whose nodes are to be left where they are.
+        incomplete &= !self.system.linear || x.y.iter().any(|y| largest_number(y) > 0.0);
         loop {
             if let Err(error) = self.linearise(&x) {
                 x = self.escape(&x, &mut taken, error)?;

@@ -23,7 +23,7 @@ use crate::basis::Basis;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, largest, vectorised};
+use crate::linear::simd::{Job, largest, largest_number, vectorised};
 use crate::mesh;
 use crate::problem::{Points, Problem};
 use crate::stats::Stats;
@@ -326,12 +326,15 @@ const BELIEVED: f64 = 0.3;
 
 impl<P: Problem + ?Sized> System<'_, P> {
     /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes.
-    /// Whether it was so.
+    /// Whether it was so. (Between zeros those are zero, whatever the slopes are.)
     pub(crate) fn interpolate(&self, x: &mut Iterate, stats: &mut Stats) -> bool {
         let missing = self.tableau.coupled && x.inner.is_empty();
         if missing {
             let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
                 let len = grid.node_stride();
+                if largest_number(y) == 0.0 {
+                    return Numbers::zeros(self.tableau.unknown_stages() * y.len() / len * grid.interval_stride());
+                }
                 if self.linear {
                     // Whatever is guessed, the first correction leads to the solution.
                     return interpolated(self.tableau, grid, y, None);
