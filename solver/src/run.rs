@@ -8,7 +8,7 @@ use crate::accuracy::Shortfall;
 use crate::budget::Budget;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
-use crate::collocation::linear::is_linear;
+use crate::collocation::linear::has_all_derivatives;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
 use crate::error::SolveError;
@@ -38,9 +38,12 @@ const PATIENCE: usize = 3;
 /// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its
 /// own cost.
 const MANY: usize = 200;
-/// A problem that says that it is linear is believed on so many meshes; if the defects are too large on that, too, it is
-/// seen whether it is.
+/// A problem that says that it is linear, or seems so, is believed on so many meshes; if the defects are too large on
+/// that, too, it is seen whether it is.
 const CHECKED: usize = 3;
+/// Of a problem that only seems linear, little enough is left by a first step to be of no account at tolerances from
+/// here on.
+const LINEAR_ENOUGH: f64 = 1e-8;
 /// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;
 
@@ -71,8 +74,10 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     said_linear: bool,
     /// Whether the problem is linear, as it says or as an iteration of this solve has shown.
     linear: bool,
-    /// Meshes on which it has been taken for linear.
-    meshes_as_said: usize,
+    /// Whether what a linear right-hand side is may be taken from its derivatives.
+    follow: bool,
+    /// Meshes on which it has been.
+    meshes_followed: usize,
     /// That of the options, but while a start for it is sought with another.
     order: Order,
     /// Why the last solve ended if not for a small estimated error.
@@ -87,7 +92,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         observer: &'o mut dyn Observer,
         budget: &'o Budget,
     ) -> Self {
-        let said_linear = is_linear(problem, problem.layout(), &plan);
+        let follow = has_all_derivatives(problem.layout(), &plan);
+        let said_linear = follow && problem.is_linear(&plan.unknowns);
         Self {
             problem,
             layout: problem.layout(),
@@ -106,7 +112,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             orientation: None,
             said_linear,
             linear: said_linear,
-            meshes_as_said: 0,
+            follow,
+            meshes_followed: 0,
             order: options.order,
             shortfall: Shortfall::Uncontrolled,
         }
@@ -324,9 +331,14 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
-        self.meshes_as_said += usize::from(self.said_linear);
-        if self.meshes_as_said == CHECKED && !(defect <= self.options.tolerance) {
-            solved.system.check_linear(&solved.converged.x, &solved.converged.work, &mut self.stats)?;
+        self.meshes_followed += usize::from(solved.system.linear);
+        if solved.system.linear && self.meshes_followed == CHECKED && !(defect <= self.options.tolerance) {
+            let checked = solved.system.check_linear(&solved.converged.x, &solved.converged.work, &mut self.stats);
+            match checked {
+                Err(error) if self.said_linear => return Err(error),
+                Err(_) => (self.linear, self.follow) = (false, false),
+                Ok(()) => {}
+            }
         }
         if !self.options.other_orders && self.order == self.options.order {
             progress.rescue.origin = None;
@@ -349,11 +361,12 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
         let (plan, tableau) = (self.plan.clone(), self.tableau());
         let magnitudes = Magnitudes::new(self.layout, self.options);
+        let enough = self.said_linear || self.options.tolerance >= LINEAR_ENOUGH;
         System {
             problem: self.problem,
             layout: self.layout,
             plan,
-            linear: self.said_linear,
+            linear: self.linear && self.follow && enough,
             tableau,
             magnitudes,
             grids,

@@ -363,3 +363,71 @@ fn differential_algebraic_problems_may_say_so() -> Result<(), LayoutError> {
     assert_eq!(solution.stats().newton_iterations, solution.stats().meshes);
     Ok(())
 }
+
+/// `u'' = u + 2e4 u³ bump(x)`, `u(0) = u(1) = 1`: nonlinear where few meshes look at first.
+fn hidden() -> Bvp<impl Formulas> {
+    let f = |x: f64, y: &[solver::bvp::Number], _: &[solver::bvp::Number], f: &mut [solver::bvp::Number]| {
+        let bump = 2e4 * (-((x - 0.37) / 0.004).powi(2)).exp();
+        (f[0], f[1]) = (y[1], y[0] + y[0].powi(3) * bump);
+    };
+    Bvp::new(&["u", "slope"], (0.0, 1.0), f, |a, b, _, g| (g[0], g[1]) = (a[0] - 1.0, b[0] - 1.0))
+}
+
+#[test]
+fn what_seemed_linear_on_the_first_mesh_need_not_be() {
+    let fine = Options { order: Order::Six, tolerance: 1e-10, ..Options::default() };
+    let reference = hidden().guess(100, |_, y| y.fill(1.0)).solve(&fine).unwrap();
+    assert!(reference.history()[0].newton_iterations > 1, "{:?}", reference.history());
+    for order in ORDERS {
+        for tolerance in [1e-4, 1e-6, 1e-9] {
+            let options = Options { order, tolerance, ..Options::default() };
+            let solution = hidden().guess(4, |_, y| y.fill(0.0)).solve(&options).unwrap();
+            // So it seems at this order.
+            assert!(order != Order::Six || solution.history()[0].newton_iterations == 1, "{:?}", solution.history());
+            let apart = distance(&solution, &reference, 0..2);
+            assert!(apart <= 10.0 * tolerance, "{order:?}, {tolerance:e}: {apart:e}, {:?}", solution.history());
+            // Meshes do not make up for what an iteration is there for.
+            let finest = solution.history().iter().map(|mesh| mesh.intervals[0]).max();
+            assert!(finest <= Some(500), "{order:?}, {tolerance:e}: {finest:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_nearly_linear_is_solved_to_any_tolerance() {
+    for size in [1e-12, 1e-10, 1e-8, 1e-6] {
+        let f = move |_: f64, y: &[solver::bvp::Number], _: &[solver::bvp::Number], f: &mut [solver::bvp::Number]| {
+            (f[0], f[1]) = (y[1], y[0] + y[0].powi(3) * size);
+        };
+        let bc = |a: &[solver::bvp::Number], b: &[solver::bvp::Number], _: &[solver::bvp::Number], g: &mut [_]| {
+            (g[0], g[1]) = (a[0] - 1.0, b[0] - 1.0);
+        };
+        let problem = Bvp::new(&["u", "slope"], (0.0, 20.0), f, bc);
+        let reference =
+            problem.solve(&Options { order: Order::Eight, tolerance: 1e-12, ..Options::default() }).unwrap();
+        for order in ORDERS {
+            for tolerance in [1e-6, 1e-8, 1e-10] {
+                let options = Options { order, tolerance, ..Options::default() };
+                let apart = distance(&problem.solve(&options).unwrap(), &reference, 0..2);
+                assert!(apart <= 10.0 * tolerance, "{size:e}, {order:?}, {tolerance:e}: {apart:e}");
+            }
+        }
+    }
+}
+
+/// Of a problem that does not say so, later meshes show by what they are evaluated that it has been seen.
+#[test]
+fn what_an_iteration_shows_to_be_linear_is_evaluated_less_on_the_next_mesh() {
+    let stated = |said: bool| {
+        let case = &CASES[0];
+        let problem = stated(case, 4);
+        let options = Options { order: Order::Six, tolerance: 1e-6, ..Options::default() };
+        let solution = if said { problem.linear() } else { problem }.solve(&options).unwrap();
+        (*solution.stats(), solution.history().iter().map(|mesh| mesh.intervals[0]).collect::<Vec<_>>())
+    };
+    let ((silent, meshes), (said, same)) = (stated(false), stated(true));
+    assert!(meshes.len() > 2 && meshes == same, "{meshes:?}, {same:?}");
+    // Nodes and three stages of the first mesh, in vectors of four.
+    let first = meshes[0].next_multiple_of(4);
+    assert_eq!(silent.rhs_points - said.rhs_points, 4 * first + 4);
+}

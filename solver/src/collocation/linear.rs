@@ -28,14 +28,14 @@ impl Held {
     }
 }
 
-/// Whether a problem says that it is linear, and all of its derivatives that matter are asked for.
-pub(crate) fn is_linear<P: Problem + ?Sized>(problem: &P, layout: &Layout, plan: &Plan) -> bool {
-    // Of an integral that no boundary equation depends on, those by constants may not be.
+/// Whether all derivatives that matter are asked for, should a problem be linear. Of an integral that no boundary
+/// equation depends on, those by constants may not be.
+pub(crate) fn has_all_derivatives(layout: &Layout, plan: &Plan) -> bool {
     let known = |(region, part): (&Region, &RegionPlan)| {
         let others = &region.constant_pattern[region.default_entries..];
         part.scope == Scope::All || !others.iter().any(|(_, constant)| plan.unknowns.contains(constant))
     };
-    problem.is_linear(&plan.unknowns) && layout.regions.iter().zip(&plan.regions).all(known)
+    layout.regions.iter().zip(&plan.regions).all(known)
 }
 
 impl<P: Problem + ?Sized> System<'_, P> {
