@@ -135,8 +135,8 @@ pub enum SolveError {
     /// The right-hand side is not linear, although [`Problem::is_linear`](crate::Problem::is_linear) says so; or its
     /// derivatives are wrong.
     #[error(
-        "the problem says that it is linear, but {quantity} in region {region} at {} is {found:.6e} where its derivatives \
-         lead to {expected:.6e}", shown(*.position)
+        "the problem says that it is linear, but {quantity} in region {region} at {} is {found:.6e} where its \
+         derivatives lead to {expected:.6e}", shown(*.position)
     )]
     NotLinear {
         /// Whose value it is: the right-hand side of a state, or an integrand.

@@ -329,8 +329,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         if estimate.is_finite() { estimate.min(1.0).max(self.limits.smallest_damping) } else { 1.0 }
     }
 
-    /// Where the first correction leads to, if the problem is linear: to the solution, unless boundary equations are not
-    /// met there, or the guess was so much larger that its rounding counts.
+    /// Where the first correction leads to, if the problem is linear: to the solution, unless boundary equations are
+    /// not met there, or the guess was so much larger that its rounding counts.
     fn arrived(&mut self, x: &Iterate, dx: &Correction) -> Option<Iterate> {
         if !self.system.linear || self.iteration > 1 || self.limits.tolerance < NEAR_ROUNDING {
             return None;

@@ -135,7 +135,7 @@ fn what_is_not_linear_is_not_solved_as_if_it_were() {
                 let options = Options { order, max_intervals, tolerance, ..Options::default() };
                 let guess = |_: f64, y: &mut [f64]| y.fill(0.0);
                 match bratu(lambda).guess(intervals, guess).linear().solve(&options) {
-                    // As one mesh follows on the other, corrections do, too: the defects say that they have been enough.
+                    // As one mesh follows on the other, corrections do: the defects say that they have been enough.
                     Ok(solution) => {
                         let exact = bratu(lambda).solve(&Options { tolerance: 1e-10, ..Options::default() }).unwrap();
                         let apart = distance(&exact, &solution, 0..2);

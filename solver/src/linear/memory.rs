@@ -238,8 +238,8 @@ impl<T: Kept> Deref for Array<T> {
 
     #[inline]
     fn deref(&self) -> &[T] {
-        // SAFETY: the block has room for so many values, aligned to more than they are; its bytes are set, and any are a
-        // value. No block is needed for none.
+        // SAFETY: the block has room for so many values, aligned to more than they are; its bytes are set, and any are
+        // a value. No block is needed for none.
         unsafe { std::slice::from_raw_parts(self.block.at.cast().as_ptr(), self.len) }
     }
 }
