@@ -95,7 +95,9 @@ fn rows(demo: &'static Demo, auto: &Auto) -> String {
             _ => String::new(),
         };
         let [here, peer] = [cell(here.as_ref()), cell(peer.as_ref())];
-        let row = format!("| `{}` | {accuracy:.0e} | {here} | {peer} | {ratio} |", demo.name);
+        // No line ends within a number.
+        let row =
+            format!("| `{}` | {accuracy:.0e} | {here} | {peer} | {ratio} |", demo.name).replace("e-", "e\u{2011}");
         eprintln!("{row}");
         let _ = writeln!(out, "{row}");
     }
