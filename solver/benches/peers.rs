@@ -22,6 +22,8 @@ mod cases;
 mod codes;
 #[path = "peers/fortran.rs"]
 mod fortran;
+#[path = "peers/system.rs"]
+mod system;
 
 use cases::{CASES, Case};
 use codes::{Code, Configuration, Run};

@@ -4,58 +4,20 @@
 
 #[path = "../benches/peers/cases.rs"]
 mod cases;
+#[path = "../benches/peers/system.rs"]
+mod system;
 
 use cases::{CASES, Case};
 use solver::bvp::{Bvp, Formulas};
 use solver::dae::{Dae, Reduced};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, LayoutError, Options, Order, Region, Solution, SolveError, solve};
+use system::{System, ends};
 
 const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
 
-/// States are each u and then its u'.
-struct System(&'static Case);
-
-impl Formulas for System {
-    fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
-        let mut values = [0.0; 2];
-        self.0.values(x, y, &mut values);
-        for i in 0..self.0.equations() {
-            (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
-        }
-    }
-    fn rhs_derivatives(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64], columns: &mut [f64]) {
-        let (count, mut values, mut rows) = (self.0.equations(), [0.0; 2], [0.0; 8]);
-        self.0.derivatives(x, y, &mut values, &mut rows);
-        columns.fill(0.0);
-        for i in 0..count {
-            (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
-            columns[(2 * i + 1) * 2 * count + 2 * i] = 1.0;
-            for j in 0..2 * count {
-                columns[j * 2 * count + 2 * i + 1] = rows[i * 2 * count + j];
-            }
-        }
-    }
-    fn boundary(&self, a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]) {
-        let ((left, right), count) = (self.0.interval, self.0.equations());
-        for i in 0..count {
-            (g[i], g[count + i]) = (a[2 * i] - self.0.exact(left)[i], b[2 * i] - self.0.exact(right)[i]);
-        }
-    }
-    fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
-        self.boundary(a, b, p, g);
-        let count = self.0.equations();
-        columns.fill(0.0);
-        for i in 0..count {
-            columns[2 * i * g.len() + i] = 1.0;
-            columns[(2 * count + 2 * i) * g.len() + count + i] = 1.0;
-        }
-    }
-}
-
 fn stated(case: &'static Case, intervals: usize) -> Bvp<System> {
-    let names: &[&str] = if case.equations() == 1 { &["u", "u'"] } else { &["u1", "u1'", "u2", "u2'"] };
-    Bvp::with(names, case.interval, System(case)).guess(intervals, |_, y| y.fill(0.0))
+    system::stated(case, ends(case), intervals)
 }
 
 /// The largest difference of the u of two solutions, at the nodes of the first, to the largest u or 1.
