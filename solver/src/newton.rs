@@ -193,7 +193,8 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let mut before: Option<(f64, f64, Correction)> = None;
         let mut taken: Option<Taken> = None;
         let mut incomplete = self.system.interpolate(&mut x, self.stats);
-        // A guess of zero is no solution of a linear problem whose nodes are to be left where they are.
+        // Stages are settled first to tell a guess that is a solution at its nodes. Zero is hardly ever one, and where
+        // it is, one correction says so of a linear problem.
         incomplete &= !self.system.linear || x.y.iter().any(|y| largest_number(y) > 0.0);
         loop {
             if let Err(error) = self.linearise(&x) {

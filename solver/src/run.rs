@@ -8,7 +8,7 @@ use crate::accuracy::Shortfall;
 use crate::budget::Budget;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
-use crate::collocation::linear::has_all_derivatives;
+use crate::collocation::linear_problem::has_all_derivatives;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
 use crate::error::SolveError;
@@ -74,9 +74,9 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     said_linear: bool,
     /// Whether the problem is linear, as it says or as an iteration of this solve has shown.
     linear: bool,
-    /// Whether what a linear right-hand side is may be taken from its derivatives.
+    /// Whether what a linear right-hand side is may be taken from its derivatives, to this tolerance.
     follow: bool,
-    /// Meshes on which it has been.
+    /// Meshes of this solve on which it has been.
     meshes_followed: usize,
     /// That of the options, but while a start for it is sought with another.
     order: Order,
@@ -92,8 +92,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         observer: &'o mut dyn Observer,
         budget: &'o Budget,
     ) -> Self {
-        let follow = has_all_derivatives(problem.layout(), &plan);
-        let said_linear = follow && problem.is_linear(&plan.unknowns);
+        let derivatives = has_all_derivatives(problem.layout(), &plan);
+        let said_linear = derivatives && problem.is_linear(&plan.unknowns);
+        let follow = derivatives && (said_linear || options.tolerance >= LINEAR_ENOUGH);
         Self {
             problem,
             layout: problem.layout(),
@@ -124,6 +125,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let mut progress = Progress::new(self.options, self.layout.regions.len());
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
         (self.check, self.orientation, self.linear) = (BranchCheck::Kept, None, self.said_linear);
+        self.meshes_followed = 0;
         let mut meshes = 0;
         loop {
             let found = self.solve_on(start, &mut progress)?;
@@ -331,14 +333,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.history.push(record);
         let event = Event::Mesh { intervals: intervals(&solved.system.grids), defect };
         self.budget.notify(self.observer, &event, &self.stats)?;
-        self.meshes_followed += usize::from(solved.system.linear);
-        if solved.system.linear && self.meshes_followed == CHECKED && !(defect <= self.options.tolerance) {
-            let checked = solved.system.check_linear(&solved.converged.x, &solved.converged.work, &mut self.stats);
-            match checked {
-                Err(error) if self.said_linear => return Err(error),
-                Err(_) => (self.linear, self.follow) = (false, false),
-                Ok(()) => {}
-            }
+        if solved.system.linear {
+            self.believe(&solved, defect)?;
         }
         if !self.options.other_orders && self.order == self.options.order {
             progress.rescue.origin = None;
@@ -354,6 +350,24 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         Ok(Found::Solved(Box::new(solved)))
     }
 
+    /// Whether what has been taken from derivatives on this mesh, too, was so: asked where defects are too large on the
+    /// last of [`CHECKED`] meshes. What only seemed linear is taken for nonlinear from there on.
+    ///
+    /// # Errors
+    /// [`SolveError::NotLinear`], if the problem says that it is linear, and is not.
+    fn believe(&mut self, solved: &Solved<'a, P>, defect: f64) -> Result<(), SolveError> {
+        self.meshes_followed += 1;
+        if self.meshes_followed != CHECKED || defect <= self.options.tolerance {
+            return Ok(());
+        }
+        match solved.system.check_linear(&solved.converged.x, &solved.converged.work, &mut self.stats) {
+            Err(error) if self.said_linear => return Err(error),
+            Err(_) => (self.linear, self.follow) = (false, false),
+            Ok(()) => {}
+        }
+        Ok(())
+    }
+
     fn tableau(&self) -> &'static Tableau {
         self.order.tableau()
     }
@@ -361,16 +375,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn system(&self, grids: Vec<Grid>) -> System<'a, P> {
         let (plan, tableau) = (self.plan.clone(), self.tableau());
         let magnitudes = Magnitudes::new(self.layout, self.options);
-        let enough = self.said_linear || self.options.tolerance >= LINEAR_ENOUGH;
-        System {
-            problem: self.problem,
-            layout: self.layout,
-            plan,
-            linear: self.linear && self.follow && enough,
-            tableau,
-            magnitudes,
-            grids,
-        }
+        let linear = self.linear && self.follow;
+        System { problem: self.problem, layout: self.layout, plan, linear, tableau, magnitudes, grids }
     }
 
     fn limits(&self, insistent: bool) -> Limits {

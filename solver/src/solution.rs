@@ -262,6 +262,7 @@ impl Component<'_> {
     /// Writes its values at some places.
     fn write(&self, places: &[Place], values: &mut [f64]) {
         let Some(first) = places.first() else { return };
+        // Of many places in any order, what a piece is made of is put together once.
         if places.len() > self.y.len() {
             let pieces: Vec<Piece> = (0..self.y.len() - 1).map(|j| self.piece(j)).collect();
             for (value, place) in values.iter_mut().zip(places) {

@@ -1,6 +1,6 @@
 //! The residual of the collocation equations, and the derivatives at all stages.
 
-use super::linear::Held;
+use super::linear_problem::Held;
 use super::roles::Roles;
 use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
 use super::{Iterate, Scales, System};

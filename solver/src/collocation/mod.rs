@@ -9,7 +9,7 @@ pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
 pub(crate) mod interpolant;
-pub(crate) mod linear;
+pub(crate) mod linear_problem;
 mod moments;
 pub(crate) mod parameter;
 pub(crate) mod plan;

@@ -1,6 +1,6 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
-use super::linear::Held;
+use super::linear_problem::Held;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use crate::linear::memory::Numbers;

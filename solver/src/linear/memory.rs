@@ -189,11 +189,11 @@ impl<T: Kept> Array<T> {
     /// These values, so many of them or a few more.
     #[inline]
     pub(crate) fn collected(len: usize, values: impl Iterator<Item = T>) -> Self {
-        let mut all = Self::room(len.max(1));
+        let mut all = Self::room(len);
         let mut count = 0;
         for value in values {
             if count == all.len {
-                let mut longer = Self::room(2 * count);
+                let mut longer = Self::room((2 * count).max(1));
                 longer[..count].copy_from_slice(&all);
                 all = longer;
             }

@@ -1,5 +1,5 @@
-//! Right-hand sides that are linear, as the problem says: what they are where an iterate is taken to follows from their
-//! derivatives.
+//! Right-hand sides that are linear, as the problem says or an iteration has shown: what they are where an iterate is
+//! taken to follows from their derivatives.
 
 use super::evaluate::Work;
 use super::plan::{Plan, RegionPlan};
