@@ -8,13 +8,19 @@
 //! λ = -c (s - s*) its width is c^(-1/2). See U. M. Ascher, R. M. M. Mattheij and R. D. Russell, "Numerical Solution of
 //! Boundary Value Problems for Ordinary Differential Equations", SIAM 1995, sections 10.1 and 10.4.
 //!
-//! Whether the solution has a layer there only its boundary values and sources decide, which are not looked at: the
-//! intervals that are made for it cost little, and where they are not needed they go again.
+//! Whether the solution has a layer there only its boundary values and sources decide, which are not looked at.
+//!
+//! Where a layer has faded to nothing is not where intervals may be long. Collocation at Lobatto's points makes of a mode
+//! that changes by e^-z over an interval a diagonal Padé approximation R(z) of that, and |R| is 1 where z is large: what
+//! is left of the layer where the intervals become longer than it is wide is carried on through the whole region, and
+//! its slope is z times as large. Beyond the layer itself there are therefore intervals of the length for which |R| is
+//! small, as many as it takes, before they grow; later meshes keep them.
 
 use crate::collocation::System;
 use crate::collocation::evaluate::Work;
 use crate::linear::scalar::W;
 use crate::mesh::{distinct, equidistribute, needed};
+use crate::options::Order;
 use crate::problem::Problem;
 use nalgebra::{DMatrix, Schur};
 
@@ -28,15 +34,107 @@ const STEPS: usize = 1000;
 /// How much longer intervals are, per distance from a layer.
 const GRADATION: f64 = 0.4;
 /// Ratio of the lengths of neighbouring intervals on which wanted lengths are constant.
-const RATIO: f64 = 1.5;
+const RATIO: f64 = 1.25;
 /// Thinner layers are taken to be as wide as this, relative to the region's length.
 const THINNEST: f64 = 1e-10;
 
+/// What is left of a layer where intervals begin to grow, times its slope.
+const LEFT: f64 = 1e-3;
+/// How many times the width of a layer it takes at most, on such intervals, to fade by e.
+const SLOWNESS: f64 = 1.5;
+/// Layers are not resolved for tolerances below this, before anything is known of the solution beside them.
+const TIGHTEST: f64 = 1e-6;
+/// Defect in a layer, beyond order 4, of intervals that are as long as it is wide.
+const ROUGHLY: f64 = 1e-3;
+
 /// Where a solution may vary within a distance that the mesh does not resolve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Layer {
+pub(crate) struct Layer {
     place: f64,
     width: f64,
+    /// Longest interval within its extent.
+    longest: f64,
+    /// Distance from its place beyond which intervals may grow.
+    extent: f64,
+}
+
+impl Layer {
+    /// Longest interval at this distance from its place.
+    fn longest(&self, distance: f64) -> f64 {
+        self.longest + GRADATION * (distance - self.extent).max(0.0)
+    }
+}
+
+/// Longest interval at `s` beside layers.
+pub(crate) fn longest(layers: &[Layer], s: f64) -> f64 {
+    layers.iter().map(|layer| layer.longest((s - layer.place).abs())).fold(f64::INFINITY, f64::min)
+}
+
+/// What makes layers in a region of this length.
+#[derive(Debug, Clone, Copy)]
+struct Making {
+    order: Order,
+    length: f64,
+}
+
+impl Making {
+    /// The width that a layer is taken to have, and the power of e by which it is to fade within its extent.
+    fn faded(&self, width: f64) -> (f64, f64) {
+        let width = width.max(THINNEST * self.length);
+        (width, libm::log(self.length / (LEFT * width)).max(0.0))
+    }
+
+    /// Of a mode that decays from an end at a rate of 1/`width`. Its extent is that within which it fades in the
+    /// discretisation, which is not as quick as it at order 4, and quicker at order 8.
+    fn at_end(&self, place: f64, width: f64) -> Layer {
+        // Where |R(z)| is small, and how many times the width it takes to fade by e.
+        let (z, slowness) = match self.order {
+            Order::Four => (3.0, SLOWNESS),
+            Order::Six => (4.5, SLOWNESS),
+            Order::Eight => (7.0, 0.5),
+        };
+        let (width, powers) = self.faded(width);
+        Layer { place, width, longest: z * width, extent: slowness * powers * width }
+    }
+
+    /// Of modes that meet, and decay as e^(-(s/width)²/2).
+    fn at_turn(&self, place: f64, width: f64) -> Layer {
+        let (width, powers) = self.faded(width);
+        Layer { place, width, longest: width, extent: SLOWNESS * (2.0 * powers).sqrt() * width }
+    }
+}
+
+/// How fine a mesh is to be within layers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fineness {
+    order: Order,
+    /// Length of the shortest intervals, relative to the width of a layer.
+    shortest: f64,
+    /// Over so many widths the lengths that a layer needs grow by e.
+    growing: f64,
+}
+
+impl Fineness {
+    /// To see that there is a layer.
+    pub(crate) fn rough(order: Order) -> Self {
+        Self { order, shortest: 1.0, growing: order.tableau().defect_order }
+    }
+
+    /// To resolve one, so that defects are `target`: where an iteration cannot fail on such a mesh, it may be the last.
+    pub(crate) fn for_defects(order: Order, target: f64) -> Self {
+        let rough = Self::rough(order);
+        if order == Order::Four {
+            return rough;
+        }
+        let shortest = libm::pow(target.max(TIGHTEST) / ROUGHLY, 1.0 / rough.growing).min(1.0);
+        Self { shortest, ..rough }
+    }
+
+    /// Longest interval at this distance from the place of a layer.
+    fn longest(&self, layer: &Layer, distance: f64) -> f64 {
+        let needed = self.shortest * layer.width * libm::exp(distance / (self.growing * layer.width));
+        layer.longest(distance).min(needed)
+    }
 }
 
 /// The fast modes at a node.
@@ -81,15 +179,16 @@ impl Modes {
     }
 }
 
-/// A mesh on which the layers that a region may have are resolved roughly, at the ends and at turning points, and which
-/// is as fine as the present one elsewhere. None if there may be no layers thinner than the intervals, or if the mesh
-/// would have more than `most` intervals.
+/// A mesh on which the layers that a region may have are resolved, at the ends and at turning points, and which is as
+/// fine as the present one elsewhere; and the layers. None if there may be no layers thinner than the intervals, or if
+/// the mesh would have more than `most` intervals.
 pub(crate) fn graded<P: Problem + ?Sized>(
     system: &System<'_, P>,
     region: usize,
     work: &Work,
     most: usize,
-) -> Option<Vec<f64>> {
+    fineness: Fineness,
+) -> Option<(Vec<f64>, Vec<Layer>)> {
     let (grid, n) = (&system.grids[region], system.plan.regions[region].n);
     let pattern = &system.layout.regions[region].state_pattern;
     let (dy, stride, mesh) = (&work.regions[region].nodes.dy, grid.node_stride(), &grid.mesh);
@@ -106,16 +205,16 @@ pub(crate) fn graded<P: Problem + ?Sized>(
     };
     let pieces = last.min(MOST_NODES - 1);
     let modes: Option<Vec<(f64, Modes)>> = (0..=pieces).map(|k| modes_at(k * last / pieces)).collect();
-    let layers = layers(&modes?);
-    let new = (!layers.is_empty()).then(|| resolving(mesh, &layers, most)).flatten()?;
-    (new.len() > mesh.len()).then_some(new)
+    let layers = layers(&modes?, Making { order: fineness.order, length: mesh[last] - mesh[0] });
+    let new = (!layers.is_empty()).then(|| resolving(mesh, &layers, most, fineness)).flatten()?;
+    (new.len() > mesh.len()).then_some((new, layers))
 }
 
 /// From the modes at places in increasing order, the region's ends among them.
-fn layers(modes: &[(f64, Modes)]) -> Vec<Layer> {
+fn layers(modes: &[(f64, Modes)], making: Making) -> Vec<Layer> {
     let (Some(&(start, first)), Some(&(end, last))) = (modes.first(), modes.last()) else { return Vec::new() };
-    let at_start = (first.decaying > 0).then(|| Layer { place: start, width: 1.0 / first.decay });
-    let at_end = (last.growing > 0).then(|| Layer { place: end, width: 1.0 / last.growth });
+    let at_start = (first.decaying > 0).then(|| making.at_end(start, 1.0 / first.decay));
+    let at_end = (last.growing > 0).then(|| making.at_end(end, 1.0 / last.growth));
     let mut out: Vec<Layer> = at_start.into_iter().chain(at_end).collect();
     // The last place at which no fast mode has slowed down: at a turning point itself they are slow.
     let mut before = (start, first);
@@ -123,7 +222,7 @@ fn layers(modes: &[(f64, Modes)]) -> Vec<Layer> {
         let (from, last) = before;
         if modes.growing < last.growing && modes.decaying > last.decaying {
             let (change, distance) = (last.growth + modes.decay, place - from);
-            out.push(Layer { place: from + distance * (last.growth / change), width: (distance / change).sqrt() });
+            out.push(making.at_turn(from + distance * (last.growth / change), (distance / change).sqrt()));
         }
         if modes.fast() >= last.fast() {
             before = (place, modes);
@@ -132,14 +231,13 @@ fn layers(modes: &[(f64, Modes)]) -> Vec<Layer> {
     out
 }
 
-/// Intervals no longer than those of the mesh, nor than the width of a layer and a part of the distance from it. None
-/// if they would be more than `most`.
-fn resolving(mesh: &[f64], layers: &[Layer], most: usize) -> Option<Vec<f64>> {
+/// Intervals no longer than those of the mesh, nor than layers ask for. None if they would be more than `most`.
+fn resolving(mesh: &[f64], layers: &[Layer], most: usize, fineness: Fineness) -> Option<Vec<f64>> {
     let (a, b) = (mesh[0], mesh[mesh.len() - 1]);
-    let width = |layer: &Layer| layer.width.max(THINNEST * (b - a));
     let mut nodes = mesh.to_vec();
     for layer in layers {
-        let (mut length, mut distance) = (width(layer), width(layer));
+        let mut length = fineness.shortest * layer.width;
+        let mut distance = length;
         while distance < b - a {
             let sides = [layer.place - distance, layer.place + distance];
             nodes.extend(sides.into_iter().filter(|&s| a < s && s < b));
@@ -155,7 +253,7 @@ fn resolving(mesh: &[f64], layers: &[Layer], most: usize) -> Option<Vec<f64>> {
         while old + 1 < mesh.len() && mesh[old] < middle {
             old += 1;
         }
-        let near = layers.iter().map(|layer| width(layer) + GRADATION * (middle - layer.place).abs());
+        let near = layers.iter().map(|layer| fineness.longest(layer, (middle - layer.place).abs()));
         near.fold(mesh[old] - mesh[old - 1], f64::min)
     });
     let wanted: Vec<f64> = wanted.collect();
@@ -195,23 +293,62 @@ mod tests {
         assert_eq!(Modes::of(3, &[f64::NAN; 9], 1.0), None);
     }
 
+    const MAKING: Making = Making { order: Order::Four, length: 1.0 };
+
     #[test]
     fn layers_are_at_ends_that_modes_decay_from_and_at_turning_points() {
-        let along = |rate: &dyn Fn(f64) -> f64| -> Vec<Layer> {
+        let along = |rate: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
             let mesh = uniform((0.0, 1.0), 8);
-            layers(&mesh.iter().map(|&s| (s, of_rate(rate(s), 0.125))).collect::<Vec<_>>())
+            let found = layers(&mesh.iter().map(|&s| (s, of_rate(rate(s), 0.125))).collect::<Vec<_>>(), MAKING);
+            found.iter().map(|layer| (layer.place, layer.width)).collect()
         };
-        assert_eq!(along(&|_| -100.0), [Layer { place: 0.0, width: 0.01 }]);
-        assert_eq!(along(&|_| 100.0), [Layer { place: 1.0, width: 0.01 }]);
+        assert_eq!(along(&|_| -100.0), [(0.0, 0.01)]);
+        assert_eq!(along(&|_| 100.0), [(1.0, 0.01)]);
         assert_eq!(along(&|_| 10.0), []);
         // Modes that grow before 0.3, and decay behind it; slow at the node beside it; then the other way round.
         for turn in [0.3, 0.25] {
             let found = along(&|s| -1e4 * (s - turn));
-            let [Layer { place, width }] = found[..] else { panic!("{found:?}") };
+            let [(place, width)] = found[..] else { panic!("{found:?}") };
             assert!((place - turn).abs() < 1e-12 && (width - 0.01).abs() < 1e-12, "{found:?}");
-            let found = along(&|s| 1e4 * (s - turn));
-            let places: Vec<f64> = found.iter().map(|layer| layer.place).collect();
+            let places: Vec<f64> = along(&|s| 1e4 * (s - turn)).iter().map(|(place, _)| *place).collect();
             assert_eq!(places, [0.0, 1.0]);
+        }
+    }
+
+    /// The diagonal Padé approximation of e^-z that collocation at Lobatto's points makes of a mode.
+    fn damping(order: Order, z: f64) -> f64 {
+        let terms: &[f64] = match order {
+            Order::Four => &[1.0, 1.0 / 2.0, 1.0 / 12.0],
+            Order::Six => &[1.0, 1.0 / 2.0, 1.0 / 10.0, 1.0 / 120.0],
+            Order::Eight => &[1.0, 1.0 / 2.0, 3.0 / 28.0, 1.0 / 84.0, 1.0 / 1680.0],
+        };
+        let sum = |z: f64| terms.iter().rev().fold(0.0, |sum, term| sum * z + term);
+        (sum(-z) / sum(z)).abs()
+    }
+
+    /// Over the intervals of a mesh that is made for it, a mode fades at every order, however thin its layer is.
+    #[test]
+    fn what_is_left_of_a_layer_fades_before_intervals_are_long() {
+        for order in [Order::Four, Order::Six, Order::Eight] {
+            for width in [1e-3, 1e-5, 1e-7] {
+                let layer = Making { order, length: 1.0 }.at_end(0.0, width);
+                let mesh = uniform((0.0, 1.0), 8);
+                for fineness in [Fineness::rough(order), Fineness::for_defects(order, 1e-5)] {
+                    let new = resolving(&mesh, &[layer], 10_000, fineness).unwrap();
+                    let left: f64 = new.windows(2).map(|pair| damping(order, (pair[1] - pair[0]) / width)).product();
+                    assert!(left < 10.0 * LEFT * width, "{order:?} {width:e}: {left:e} {new:?}");
+                    assert!(new.len() < 80, "{order:?} {width:e}: {}", new.len());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn tighter_defects_ask_for_shorter_intervals_down_to_a_limit() {
+        for order in [Order::Six, Order::Eight] {
+            let of = |target| Fineness::for_defects(order, target).shortest;
+            assert!(of(1e-2) == 1.0 && of(1e-4) < 0.8 && of(1e-6) < 0.6 * of(1e-4).sqrt(), "{order:?} {}", of(1e-6));
+            assert_eq!(of(1e-9), of(1e-6));
         }
     }
 
@@ -222,19 +359,20 @@ mod tests {
             digits in 0.0..14.0_f64,
             intervals in 1_usize..40,
         ) {
-            let layer = Layer { place, width: 10.0_f64.powf(-digits) };
+            let layer = MAKING.at_turn(place, 10.0_f64.powf(-digits));
+            let fineness = Fineness::rough(MAKING.order);
             let mesh = uniform((0.0, 1.0), intervals);
-            let Some(new) = resolving(&mesh, &[layer], 10_000) else { panic!("refused") };
+            let Some(new) = resolving(&mesh, &[layer], 10_000, fineness) else { panic!("refused") };
             prop_assert!(new.windows(2).all(|pair| pair[0] < pair[1]));
             prop_assert_eq!((new[0], new[new.len() - 1]), (0.0, 1.0));
             prop_assert!(new.len() < intervals + 250, "{}", new.len());
             for pair in new.windows(2) {
                 let (length, distance) = (pair[1] - pair[0], (0.5 * (pair[0] + pair[1]) - place).abs());
                 prop_assert!(length <= 1.001 / intervals as f64, "{length}");
-                let most = 1.25 * layer.width.max(THINNEST) + distance;
+                let most = 1.25 * layer.width + distance;
                 prop_assert!(length <= most, "{length} at {distance} from {layer:?}");
             }
-            prop_assert_eq!(resolving(&mesh, &[layer], intervals.saturating_sub(1)), None);
+            prop_assert_eq!(resolving(&mesh, &[layer], intervals.saturating_sub(1), fineness), None);
         }
     }
 }

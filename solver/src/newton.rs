@@ -54,6 +54,9 @@ pub(crate) struct Limits {
     /// Whether every step must be progress. That can lead into a corner where the matrix is singular; a few steps that
     /// are none can lead out of it.
     pub insistent: bool,
+    /// Whether the meshes are made for layers, which a linear problem's matrix may be singular for: see
+    /// [`Newton::undetermined`].
+    pub layers: bool,
 }
 
 /// What shows that an iteration has begun far from the solution: one of these is exceeded, or a step has to be damped.
@@ -105,6 +108,12 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     escapes: usize,
     /// Whether no step has been damped.
     full_steps: bool,
+    /// Where the first correction of a linear problem leads to, if that is not yet a solution.
+    roughly: Option<Iterate>,
+    /// What the matrix of a linear problem leaves undetermined, as far as rounding lets it be seen: layers that a mesh
+    /// resolves where they are, and not beside them, hide boundary values from the other end. What corrections lead to
+    /// is no solution, and says where the mesh is to be finer; a problem that is singular itself stays so there.
+    undetermined: Option<NewtonError>,
 }
 
 /// The step that led to the present iterate.
@@ -183,6 +192,8 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         first: None,
         escapes: 0,
         full_steps: true,
+        roughly: None,
+        undetermined: None,
     };
     newton.run(start.clone())
 }
@@ -210,6 +221,12 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             }
             let dx = self.correction();
             let (size, largest) = (self.system.norm(&dx), self.system.largest(&dx));
+            if !largest.is_finite()
+                && let Some(error) = self.undetermined.take()
+            {
+                x = self.escape(&x, &mut taken, error)?;
+                continue;
+            }
             self.first = self.first.or(Some(largest));
             self.announce(largest, before.as_ref().map_or(1.0, |before| before.0))?;
             if largest <= self.limits.tolerance {
@@ -285,7 +302,15 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let scales = self.system.scales(x);
         self.factorisation.factor(self.system, &self.work, scales);
         self.stats.factorisations += 1;
-        self.factorisation.determined(self.system)
+        let determined = self.factorisation.determined(self.system);
+        let bearable = self.limits.layers && self.system.linear;
+        let bearable = bearable && matches!(&determined, Err(NewtonError::Singular { rank, .. }) if *rank > 0);
+        if !bearable {
+            self.undetermined = None;
+            return determined;
+        }
+        self.undetermined = determined.err();
+        Ok(())
     }
 
     /// Solves the stage equations first, where nothing is known of the states at inner stages and that does not change
@@ -341,7 +366,11 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         let last = Last { x, evaluated: true, size: 0.0 };
         // The magnitudes of the solution first: boundary residuals are relative to them.
         let arrived = self.is_small(&last) && self.outgrown.is_none();
-        (arrived && self.boundary_residual() <= self.limits.boundary).then_some(last.x)
+        if arrived && self.boundary_residual() <= self.limits.boundary {
+            return Some(last.x);
+        }
+        self.roughly = Some(last.x);
+        None
     }
 
     /// As much of a correction as is progress, at first as much as `first` says. Of the correction its norm and its
@@ -497,16 +526,19 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             at_once: self.iteration == 1 && self.contraction.is_none(),
             iterations: self.iteration,
             full_steps: self.full_steps && self.escapes == 0,
-            stagnated,
+            stagnated: stagnated.or(self.undetermined),
         }
     }
 
-    /// Ends the iteration at `x` for want of a better iterate.
-    fn stagnate(self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, Failure> {
+    /// Ends the iteration at `x` for want of a better iterate. Of a linear problem what the first correction led to is
+    /// as good as rounding allows on these meshes, and says where they are to be finer.
+    fn stagnate(mut self, x: Iterate, dx: &Correction, error: NewtonError) -> Result<Converged, Failure> {
         let size = self.system.largest(dx);
         if size <= self.limits.stagnation {
             self.finish(Last { x, evaluated: false, size }, None)
         } else if size <= STAGNANT {
+            self.finish(Last { x, evaluated: false, size }, Some(error))
+        } else if let Some(x) = self.roughly.take() {
             self.finish(Last { x, evaluated: false, size }, Some(error))
         } else {
             Err(error.into())

@@ -2,6 +2,7 @@
 
 use crate::collocation::grid::intervals;
 use crate::error::{NewtonError, SolveError};
+use crate::layers::Layer;
 use crate::measure::{Measures, Solved};
 use crate::options::{Options, Order};
 use crate::phase::Phase;
@@ -37,8 +38,9 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     pub(crate) shrunk: bool,
     /// The solution on the meshes that had more, while the tolerance is not met.
     before_shrinking: Option<Solved<'a, P>>,
-    /// Regions whose meshes have been made for the layers that they may have; once in a solve.
-    pub(crate) layers_sought: Vec<bool>,
+    /// By region the layers that it may have and that its meshes are made for; none where they have not been sought,
+    /// which is done once in a solve.
+    pub(crate) layers: Vec<Option<Vec<Layer>>>,
     /// What the defects were held to on the last meshes that were too coarse, and the largest there.
     last_defect: Option<(f64, f64)>,
     /// Meshes in a row on which the largest defect has hardly fallen.
@@ -76,7 +78,7 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
             fallback_doubled: false,
             shrunk: false,
             before_shrinking: None,
-            layers_sought: vec![false; regions],
+            layers: vec![None; regions],
             last_defect: None,
             creeping: 0,
         }

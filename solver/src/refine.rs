@@ -8,6 +8,7 @@
 
 use crate::collocation::defect::Defects;
 use crate::collocation::grid::Grid;
+use crate::layers::{Layer, longest};
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
 use crate::mesh::{distinct, equidistribute, grade, needed, split};
@@ -123,9 +124,9 @@ pub(crate) fn measure(defects: &Defects, tolerance: f64, rounding: Rounding) -> 
     Measure { largest: if excused { largest.max(integral) } else { largest }, worst, defects: controlled }
 }
 
-/// What is wanted of a mesh.
+/// What is wanted of a region's mesh.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Wish {
+pub(crate) struct Wish<'a> {
     /// Largest defect.
     pub tolerance: f64,
     /// Exponent of the interval length in the defect.
@@ -138,9 +139,11 @@ pub(crate) struct Wish {
     /// Whether the problem is linear as far as is known: then no iteration can fail to follow from one mesh to the
     /// next.
     pub linear: bool,
+    /// Layers that the solution may have, and that meshes have been made for.
+    pub layers: &'a [Layer],
 }
 
-impl Wish {
+impl Wish<'_> {
     /// Whether meshes may be chosen freely: see [`linear`](Self::linear).
     fn is_free(&self) -> bool {
         self.linear && self.order > LOW
@@ -153,7 +156,7 @@ impl Wish {
 }
 
 /// Decides on one region's mesh.
-pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
+pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish<'_>) -> Verdict {
     let &Wish { tolerance, order, max_intervals, split_few, shrink, .. } = wish;
     let intervals = mesh.len() - 1;
     if measure.largest <= tolerance {
@@ -185,7 +188,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
     let new = if few && (pieces.iter().sum::<usize>() <= max_intervals || intervals >= max_intervals) {
         split(mesh, &pieces)
     } else {
-        let (wanted, count) = lengths.unwrap_or_else(|| wanted(mesh, measure, wish));
+        let (mut wanted, count) = lengths.unwrap_or_else(|| wanted(mesh, measure, wish));
         let growth = match measure.largest > ASYMPTOTIC {
             false => GROWTH,
             true if wish.is_free() => GROWTH_LINEAR,
@@ -194,6 +197,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
         let most = (growth * intervals as f64).min(max_intervals as f64);
         let least = (0.5 * intervals as f64).max(FEWEST as f64);
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
+        // Where there may be no more intervals at all, those that others need are taken from wherever they are.
+        if target > most && most < max_intervals as f64 && measure.largest > ASYMPTOTIC {
+            divide_into_fewer(mesh, &mut wanted, most);
+        }
         let count = target.clamp(least.min(most), most) as usize;
         // So many are worked on side by side: filling up costs nothing.
         let full = if wish.is_free() { count.next_multiple_of(W).min(max_intervals) } else { count };
@@ -207,7 +214,7 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish) -> Verdict {
 }
 
 /// The lengths that intervals are wanted to have where they stand, and how many of them there will be.
-fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
+fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish<'_>) -> (Vec<f64>, f64) {
     let &Wish { tolerance, order, .. } = wish;
     let intervals = mesh.len() - 1;
     let length = mesh[intervals] - mesh[0];
@@ -224,14 +231,40 @@ fn wanted(mesh: &[f64], measure: &Measure, wish: &Wish) -> (Vec<f64>, f64) {
         (mesh[j + 1] - mesh[j]) * if excess > negligible { libm::pow(excess, -1.0 / order) } else { LONGER }
     };
     let mut wanted: Vec<f64> = (0..intervals).map(|j| length_of(j).min(length / FEWEST as f64)).collect();
+    if !wish.layers.is_empty() {
+        for (wanted, pair) in wanted.iter_mut().zip(mesh.windows(2)) {
+            *wanted = wanted.min(longest(wish.layers, 0.5 * (pair[0] + pair[1])));
+        }
+    }
     grade(mesh, &mut wanted);
     let count = needed(mesh, &wanted).ceil();
     (wanted, count)
 }
 
+/// Where more than `most` intervals are wanted, lengthens those that are to be divided into the most, so that the rest
+/// gets what it wants: what all have to give way by would be missing first where the mesh is fine enough already, as in
+/// layers, and what they spoil then is the solution everywhere.
+fn divide_into_fewer(mesh: &[f64], wanted: &mut [f64], most: f64) {
+    let length = |j: usize| mesh[j + 1] - mesh[j];
+    let mut pieces: Vec<f64> = wanted.iter().enumerate().map(|(j, wanted)| length(j) / wanted).collect();
+    pieces.sort_unstable_by(f64::total_cmp);
+    let (mut left, mut others) = (most, pieces.len());
+    for pieces in pieces {
+        if pieces * others as f64 >= left {
+            break;
+        }
+        (left, others) = (left - pieces, others - 1);
+    }
+    let pieces = left / others.max(1) as f64;
+    for (j, wanted) in wanted.iter_mut().enumerate() {
+        *wanted = wanted.max(length(j) / pieces);
+    }
+    grade(mesh, wanted);
+}
+
 /// Whether a mesh is needed as it is without counting: half of its intervals may not grow to more than twice their
 /// length, so that more than a quarter of their number is needed.
-fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
+fn surely_fits(measure: &Measure, wish: &Wish<'_>) -> bool {
     let least = libm::pow(0.5 * GROSSLY, -wish.order) * 1.01 * wish.safety() * wish.tolerance;
     2 * measure.defects.iter().filter(|&&defect| defect >= least).count() >= measure.defects.len()
 }
@@ -240,7 +273,7 @@ fn surely_fits(measure: &Measure, wish: &Wish) -> bool {
 mod tests {
     use super::*;
 
-    fn measured(relative: Vec<f64>, wish: &Wish) -> Measure {
+    fn measured(relative: Vec<f64>, wish: &Wish<'_>) -> Measure {
         let (rounding, state) = (Numbers::zeros(relative.len()), vec![0; relative.len()]);
         // Whatever is too large moves the solution by more than the tolerance.
         let contribution = vec![1.0; relative.len()].into();
@@ -248,8 +281,15 @@ mod tests {
         measure(&defects, wish.tolerance, Rounding::Counted)
     }
 
-    const WISH: Wish =
-        Wish { tolerance: 1e-6, order: 4.0, max_intervals: 12, split_few: true, shrink: false, linear: false };
+    const WISH: Wish<'_> = Wish {
+        tolerance: 1e-6,
+        order: 4.0,
+        max_intervals: 12,
+        split_few: true,
+        shrink: false,
+        linear: false,
+        layers: &[],
+    };
 
     #[test]
     fn a_mesh_that_would_be_too_large_is_made_as_large_as_may_be() {
@@ -280,6 +320,21 @@ mod tests {
         // Where nothing can be split, there is nothing to be had.
         let verdict = verdict(&[1.0, next], &measured(vec![1.0], &WISH), &WISH);
         assert_eq!(verdict, Verdict::Exhausted);
+    }
+
+    /// One interval of eight asks for a hundred times what the mesh may have: the others stay as short as they are.
+    #[test]
+    fn what_a_mesh_may_not_have_is_missing_where_most_is_wanted() {
+        let mesh: Vec<f64> = (0..=8).map(f64::from).collect();
+        let mut relative = vec![0.4e-6; 8];
+        relative[7] = 1e6;
+        let wish = Wish { split_few: false, max_intervals: 1_000, ..WISH };
+        let Verdict::Refine(new) = verdict(&mesh, &measured(relative, &wish), &wish) else { panic!("refused") };
+        assert_eq!(new.len() - 1, 16);
+        assert!(new[1..8].iter().filter(|&&s| s < 6.0).count() >= 5, "{new:?}");
+        let mut wanted = vec![1.0, 0.5, 0.01, 0.02];
+        divide_into_fewer(&[0.0, 1.0, 2.0, 3.0, 4.0], &mut wanted, 9.0);
+        assert!(wanted.iter().zip([1.0, 0.5, 1.0 / 3.0, 1.0 / 3.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{wanted:?}");
     }
 
     #[test]

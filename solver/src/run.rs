@@ -280,7 +280,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.stats.meshes += 1;
         let before = self.stats.newton_iterations;
         let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
-        let limits = Limits { far, ..self.limits(progress.rescue.insistent) };
+        let layers = progress.layers.iter().flatten().any(|layers| !layers.is_empty());
+        let limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
         let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
@@ -351,11 +352,15 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     }
 
     /// Whether what has been taken from derivatives on this mesh, too, was so: asked where defects are too large on the
-    /// last of [`CHECKED`] meshes. What only seemed linear is taken for nonlinear from there on.
+    /// last of [`CHECKED`] meshes on which the first correction led to a solution: where it does not, rounding is as
+    /// large as what is looked for. What only seemed linear is taken for nonlinear from there on.
     ///
     /// # Errors
     /// [`SolveError::NotLinear`], if the problem says that it is linear, and is not.
     fn believe(&mut self, solved: &Solved<'a, P>, defect: f64) -> Result<(), SolveError> {
+        if solved.converged.iterations > 1 {
+            return Ok(());
+        }
         self.meshes_followed += 1;
         if self.meshes_followed != CHECKED || defect <= self.options.tolerance {
             return Ok(());
@@ -388,6 +393,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             iterations: self.options.max_iterations,
             smallest_damping: self.options.smallest_damping,
             insistent,
+            layers: false,
         }
     }
 }

@@ -21,7 +21,7 @@ enum Kind {
     Empty,
     /// `u'' = -λ exp(u)` beyond the fold: no solution.
     Bratu,
-    /// `u'' = 1e8 (u - sign(s - 1/3))`: needs many intervals.
+    /// `u'' = 1e4 (u - sign(s - 1/3))`: needs many intervals where it jumps.
     Step,
     /// `u'' = 2500 u` with `u(1) = 1`: a layer at the right end.
     Layer,
@@ -40,7 +40,7 @@ impl Model for Kind {
             Self::Empty => y[0],
             Self::Layer => y[0] * 2500.0,
             Self::Bratu => -c[0] * y[0].exp(),
-            Self::Step => (y[0] - if s.re() < 1.0 / 3.0 { -1.0 } else { 1.0 }) * 1e8,
+            Self::Step => (y[0] - if s.re() < 1.0 / 3.0 { -1.0 } else { 1.0 }) * 1e4,
         };
     }
     fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {

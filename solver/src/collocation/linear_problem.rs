@@ -20,11 +20,23 @@ const SAME: f64 = 1e-6;
 pub(crate) struct Held {
     y: Numbers,
     constants: Numbers,
+    /// The largest value of each state on the way: what is left of it is exact but for the rounding of that.
+    largest: Numbers,
 }
 
 impl Held {
     pub(super) fn at(y: &[f64], constants: &[f64]) -> Self {
-        Self { y: Numbers::of(y), constants: Numbers::of(constants) }
+        Self { y: Numbers::of(y), constants: Numbers::of(constants), largest: Numbers::zeros(0) }
+    }
+
+    /// Notes how large the states are that are left for others; `stride` values each.
+    fn passed(&mut self, stride: usize) {
+        let states = self.y.chunks_exact(stride).map(largest_number);
+        if self.largest.is_empty() {
+            self.largest = Numbers::collected(self.y.len() / stride, states);
+        } else {
+            self.largest.iter_mut().zip(states).for_each(|(largest, state)| *largest = largest.max(state));
+        }
     }
 }
 
@@ -43,6 +55,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     pub(super) fn follow(&self, region: usize, at: &Points<'_>, constants: &[f64], batch: &mut Batch) {
         let Batch { f, dy, dc, held: Some(held), .. } = batch else { return };
         let Region { state_pattern: pattern, constant_pattern, .. } = &self.layout.regions[region];
+        held.passed(at.stride);
         vectorised(Follow { pattern, f, dy, before: &mut held.y, now: at.y, steps: at.stride / W });
         for (entry, &(row, constant)) in constant_pattern.iter().enumerate() {
             let change = constants[constant] - held.constants[constant];
@@ -85,8 +98,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
         self.problem.rhs(region, at, constants, &mut found);
         // The largest term of each row anywhere: where there are layers, that is what rounding is relative to.
         let mut terms: Vec<f64> = found.chunks_exact(stride).map(largest_number).collect();
+        let passed = batch.held.as_ref().map_or(&[][..], |held| &held.largest);
         for (dy, &(row, state)) in batch.dy.chunks_exact(stride).zip(&layout.state_pattern) {
-            terms[row] = terms[row].max(largest_number(dy) * largest_number(&at.y[state * stride..][..stride]));
+            let now = largest_number(&at.y[state * stride..][..stride]);
+            let largest = passed.get(state).map_or(now, |&passed| now.max(passed));
+            terms[row] = terms[row].max(largest_number(dy) * largest);
         }
         for (row, largest) in terms.into_iter().enumerate() {
             let values = found[row * stride..][..at.len].iter().zip(&batch.f[row * stride..]);

@@ -6,12 +6,12 @@ use crate::by_region::ByRegion;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
 use crate::error::{NewtonError, SolveError};
-use crate::layers::graded;
+use crate::layers::{Fineness, Layer, graded};
 use crate::measure::Solved;
 use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
 use crate::problem::Problem;
-use crate::progress::{Next, Progress, Rescue, measured};
+use crate::progress::{Next, Progress, measured};
 use crate::refine::{ASYMPTOTIC, Measure, Verdict, Wish, verdict};
 use crate::start::{Start, halved, on, transfer};
 
@@ -44,13 +44,13 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             }
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
-        let rescue = &mut progress.rescue;
         if progress.first
             && !hopeless
-            && let Some(start) = self.layered(&failed, rescue)
+            && let Some(start) = self.layered(&failed, progress)
         {
             return Ok(Next::On(start));
         }
+        let rescue = &mut progress.rescue;
         // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way.
         let undefined = self.options.other_orders && matches!(&error, NewtonError::NonFinite(_));
         let halvings = if undefined { 0 } else { self.options.rescues };
@@ -60,11 +60,12 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         }
         if !hopeless
             && let Some(origin) = rescue.origin.clone()
-            && let Some(start) = self.layered(&origin, rescue)
+            && let Some(start) = self.layered(&origin, progress)
         {
-            rescue.halvings = 0;
+            progress.rescue.halvings = 0;
             return Ok(Next::On(start));
         }
+        let rescue = &mut progress.rescue;
         match (&rescue.origin, rescue.attempts.split_first()) {
             (Some(origin), Some((&(order, insistent), attempts))) if !hopeless => {
                 let mut start = origin.clone();
@@ -78,9 +79,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     }
 
     /// A guess on meshes for the layers that there may be beside it; none if that are no others, or not known.
-    fn layered(&mut self, guess: &Start, rescue: &mut Rescue) -> Option<Start> {
+    fn layered(&mut self, guess: &Start, progress: &mut Progress<'a, P>) -> Option<Start> {
         let wanted = self.options.other_orders && self.options.rescues > 0;
-        if !wanted || std::mem::replace(&mut rescue.layers_sought, true) {
+        if !wanted || std::mem::replace(&mut progress.rescue.layers_sought, true) {
             return None;
         }
         let (system, mut x) = (self.system(guess.grids.clone()), guess.x.clone());
@@ -88,14 +89,19 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         system.complete(&mut x, &mut self.stats);
         system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).ok()?;
         let most = self.options.max_intervals;
-        let meshes = (0..system.grids.len()).map(|region| graded(&system, region, &work, most));
-        let meshes: Vec<Option<Vec<f64>>> = meshes.collect();
+        let rough = Fineness::rough(self.order);
+        let mut meshes = Vec::with_capacity(system.grids.len());
+        for (region, layers) in progress.layers.iter_mut().enumerate() {
+            let (mesh, found) = graded(&system, region, &work, most, rough).unzip();
+            *layers = found.or(layers.take());
+            meshes.push(mesh);
+        }
         if meshes.iter().all(Option::is_none) {
             return None;
         }
         let kept = |(mesh, grid): (Option<Vec<f64>>, &Grid)| mesh.unwrap_or_else(|| grid.mesh.clone());
         let start = on(guess, meshes.into_iter().zip(&system.grids).map(kept).collect());
-        rescue.origin = Some(start.clone());
+        progress.rescue.origin = Some(start.clone());
         Some(start)
     }
 
@@ -120,7 +126,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
                 Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
                 Verdict::Refine(mesh) => {
                     changed = true;
-                    self.graded(solved, region, &measures[region], progress).unwrap_or(mesh)
+                    self.graded(solved, region, &measures[region], target, progress).unwrap_or(mesh)
                 }
                 Verdict::Exhausted => {
                     refused = refused.or(Some(region));
@@ -172,19 +178,25 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Some(if excess > 1.0 && excess.is_finite() { (0.5 * target / excess).max(LEAST_TARGET) } else { target })
     }
 
-    /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer.
+    /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer. Where the problem
+    /// is linear it is to resolve them to `target`.
     fn graded(
         &self,
         solved: &Solved<'a, P>,
         region: usize,
         measure: &Measure,
+        target: f64,
         progress: &mut Progress<'a, P>,
     ) -> Option<Vec<f64>> {
-        if progress.layers_sought[region] || !measure.is_rough_throughout() {
+        if progress.layers[region].is_some() || !measure.is_rough_throughout() {
             return None;
         }
-        progress.layers_sought[region] = true;
-        graded(&solved.system, region, &solved.converged.work, self.options.max_intervals)
+        let linear = solved.converged.seems_linear();
+        let fineness = if linear { Fineness::for_defects(self.order, target) } else { Fineness::rough(self.order) };
+        let (work, most) = (&solved.converged.work, self.options.max_intervals);
+        let (mesh, layers) = graded(&solved.system, region, work, most, fineness).unzip();
+        progress.layers[region] = Some(layers.unwrap_or_default());
+        mesh
     }
 
     pub(super) fn verdicts(
@@ -201,9 +213,14 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             split_few: progress.split_few(),
             shrink: self.order != Order::Four && !progress.shrunk,
             linear: solved.converged.seems_linear(),
+            layers: &[],
         };
-        let regions = solved.system.grids.iter().zip(measures);
-        regions.map(|(grid, measure)| verdict(&grid.mesh, measure, &wish)).collect()
+        let regions = solved.system.grids.iter().zip(measures).zip(&progress.layers);
+        let of = |((grid, measure), layers): ((&Grid, &Measure), &'_ Option<Vec<Layer>>)| {
+            let wish = Wish { layers: layers.as_deref().unwrap_or_default(), ..wish };
+            verdict(&grid.mesh, measure, &wish)
+        };
+        regions.map(of).collect()
     }
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
