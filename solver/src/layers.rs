@@ -10,11 +10,11 @@
 //!
 //! Whether the solution has a layer there only its boundary values and sources decide, which are not looked at.
 //!
-//! Where a layer has faded to nothing is not where intervals may be long. Collocation at Lobatto's points makes of a mode
-//! that changes by e^-z over an interval a diagonal Padé approximation R(z) of that, and |R| is 1 where z is large: what
-//! is left of the layer where the intervals become longer than it is wide is carried on through the whole region, and
-//! its slope is z times as large. Beyond the layer itself there are therefore intervals of the length for which |R| is
-//! small, as many as it takes, before they grow; later meshes keep them.
+//! Where a layer has faded to nothing is not where intervals may be long. Collocation at Lobatto's points makes of a
+//! mode that changes by e^-z over an interval a diagonal Padé approximation R(z) of that, and |R| is 1 where z is
+//! large: what is left of the layer where the intervals become longer than it is wide is carried on through the whole
+//! region, and its slope is z times as large. Beyond the layer itself there are therefore intervals of the length for
+//! which |R| is small, as many as it takes, before they grow; later meshes keep them.
 
 use crate::collocation::System;
 use crate::collocation::evaluate::Work;

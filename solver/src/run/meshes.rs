@@ -178,8 +178,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Some(if excess > 1.0 && excess.is_finite() { (0.5 * target / excess).max(LEAST_TARGET) } else { target })
     }
 
-    /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer. Where the problem
-    /// is linear it is to resolve them to `target`.
+    /// A mesh for the layers that a region may have, unless defects tell where its mesh is to be finer. Where the
+    /// problem is linear it is to resolve them to `target`.
     fn graded(
         &self,
         solved: &Solved<'a, P>,
