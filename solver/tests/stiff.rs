@@ -118,9 +118,9 @@ fn the_second_mesh_is_fine_where_a_layer_may_be() {
     }
 }
 
-/// Layers of widths 3e-6 to 4e-7, at the orders that let modes fade slowly: intervals beside a layer stay short on later
-/// meshes, what asks for most does not take them, and meshes whose matrix is singular to rounding say where they are to
-/// be finer. Without that the sums are 314 to 12,415, and one of these is said not to be linear.
+/// Layers of widths 3e-6 to 4e-7, at the orders that let modes fade slowly: intervals beside a layer stay short on
+/// later meshes, what asks for most does not take them, and meshes whose matrix is singular to rounding say where they
+/// are to be finer. Without that the sums are 314 to 12,415, and one of these is said not to be linear.
 #[test]
 fn what_is_left_of_a_thin_layer_does_not_spoil_the_rest() {
     for (name, p, eps, order, most) in [
