@@ -74,6 +74,9 @@ pub(crate) fn longest(layers: &[Layer], s: f64) -> f64 {
 #[derive(Debug, Clone, Copy)]
 struct Making {
     order: Order,
+    /// Whether intervals stay short until layers have faded. Beyond order 4 only where the problem is linear: there
+    /// matrices are so nearly singular on such meshes that other iterations fail more often.
+    fading: bool,
     length: f64,
 }
 
@@ -94,13 +97,17 @@ impl Making {
             Order::Eight => (7.0, 0.5),
         };
         let (width, powers) = self.faded(width);
+        if !self.fading {
+            return Layer { place, width, longest: width, extent: 0.0 };
+        }
         Layer { place, width, longest: z * width, extent: slowness * powers * width }
     }
 
     /// Of modes that meet, and decay as e^(-(s/width)²/2).
     fn at_turn(&self, place: f64, width: f64) -> Layer {
         let (width, powers) = self.faded(width);
-        Layer { place, width, longest: width, extent: SLOWNESS * (2.0 * powers).sqrt() * width }
+        let extent = if self.fading { SLOWNESS * (2.0 * powers).sqrt() * width } else { 0.0 };
+        Layer { place, width, longest: width, extent }
     }
 }
 
@@ -108,6 +115,7 @@ impl Making {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fineness {
     order: Order,
+    linear: bool,
     /// Length of the shortest intervals, relative to the width of a layer.
     shortest: f64,
     /// Over so many widths the lengths that a layer needs grow by e.
@@ -117,12 +125,13 @@ pub(crate) struct Fineness {
 impl Fineness {
     /// To see that there is a layer.
     pub(crate) fn rough(order: Order) -> Self {
-        Self { order, shortest: 1.0, growing: order.tableau().defect_order }
+        Self { order, linear: false, shortest: 1.0, growing: order.tableau().defect_order }
     }
 
-    /// To resolve one, so that defects are `target`: where an iteration cannot fail on such a mesh, it may be the last.
+    /// To resolve one of a linear problem, so that defects are `target`: as no iteration can fail on such a mesh, it may
+    /// be the last.
     pub(crate) fn for_defects(order: Order, target: f64) -> Self {
-        let rough = Self::rough(order);
+        let rough = Self { linear: true, ..Self::rough(order) };
         if order == Order::Four {
             return rough;
         }
@@ -205,7 +214,9 @@ pub(crate) fn graded<P: Problem + ?Sized>(
     };
     let pieces = last.min(MOST_NODES - 1);
     let modes: Option<Vec<(f64, Modes)>> = (0..=pieces).map(|k| modes_at(k * last / pieces)).collect();
-    let layers = layers(&modes?, Making { order: fineness.order, length: mesh[last] - mesh[0] });
+    let Fineness { order, linear, .. } = fineness;
+    let making = Making { order, fading: linear || order == Order::Four, length: mesh[last] - mesh[0] };
+    let layers = layers(&modes?, making);
     let new = (!layers.is_empty()).then(|| resolving(mesh, &layers, most, fineness)).flatten()?;
     (new.len() > mesh.len()).then_some((new, layers))
 }
@@ -293,7 +304,7 @@ mod tests {
         assert_eq!(Modes::of(3, &[f64::NAN; 9], 1.0), None);
     }
 
-    const MAKING: Making = Making { order: Order::Four, length: 1.0 };
+    const MAKING: Making = Making { order: Order::Four, fading: true, length: 1.0 };
 
     #[test]
     fn layers_are_at_ends_that_modes_decay_from_and_at_turning_points() {
@@ -331,7 +342,7 @@ mod tests {
     fn what_is_left_of_a_layer_fades_before_intervals_are_long() {
         for order in [Order::Four, Order::Six, Order::Eight] {
             for width in [1e-3, 1e-5, 1e-7] {
-                let layer = Making { order, length: 1.0 }.at_end(0.0, width);
+                let layer = Making { order, fading: true, length: 1.0 }.at_end(0.0, width);
                 let mesh = uniform((0.0, 1.0), 8);
                 for fineness in [Fineness::rough(order), Fineness::for_defects(order, 1e-5)] {
                     let new = resolving(&mesh, &[layer], 10_000, fineness).unwrap();
