@@ -197,8 +197,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish<'_>) -> Verdi
         let most = (growth * intervals as f64).min(max_intervals as f64);
         let least = (0.5 * intervals as f64).max(FEWEST as f64);
         let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
-        // Where there may be no more intervals at all, those that others need are taken from wherever they are.
-        if target > most && most < max_intervals as f64 && measure.largest > ASYMPTOTIC {
+        // Where there may be no more intervals at all, those that others need are taken from wherever they are; and
+        // where there is no layer to be spoiled, for what kinks ask for is more than is to be had.
+        let spoiling = measure.largest > ASYMPTOTIC || !wish.layers.is_empty();
+        if target > most && most < max_intervals as f64 && spoiling {
             divide_into_fewer(mesh, &mut wanted, most);
         }
         let count = target.clamp(least.min(most), most) as usize;
