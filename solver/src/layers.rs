@@ -45,7 +45,7 @@ const SLOWNESS: f64 = 1.5;
 /// Layers are not resolved for tolerances below this, before anything is known of the solution beside them.
 const TIGHTEST: f64 = 1e-6;
 /// Defect in a layer, beyond order 4, of intervals that are as long as it is wide.
-const ROUGHLY: f64 = 1e-3;
+const DEFECT_AT_WIDTH: f64 = 1e-3;
 
 /// Where a solution may vary within a distance that the mesh does not resolve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,79 +70,83 @@ pub(crate) fn longest(layers: &[Layer], s: f64) -> f64 {
     layers.iter().map(|layer| layer.longest((s - layer.place).abs())).fold(f64::INFINITY, f64::min)
 }
 
-/// What makes layers in a region of this length.
-#[derive(Debug, Clone, Copy)]
-struct Making {
-    order: Order,
-    /// Whether intervals stay short until layers have faded. Beyond order 4 only where the problem is linear: there
-    /// matrices are so nearly singular on such meshes that other iterations fail more often.
-    fading: bool,
-    length: f64,
-}
-
-impl Making {
-    /// The width that a layer is taken to have, and the power of e by which it is to fade within its extent.
-    fn faded(&self, width: f64) -> (f64, f64) {
-        let width = width.max(THINNEST * self.length);
-        (width, libm::log(self.length / (LEFT * width)).max(0.0))
-    }
-
-    /// Of a mode that decays from an end at a rate of 1/`width`. Its extent is that within which it fades in the
-    /// discretisation, which is not as quick as it at order 4, and quicker at order 8.
-    fn at_end(&self, place: f64, width: f64) -> Layer {
-        // Where |R(z)| is small, and how many times the width it takes to fade by e.
-        let (z, slowness) = match self.order {
-            Order::Four => (3.0, SLOWNESS),
-            Order::Six => (4.5, SLOWNESS),
-            Order::Eight => (7.0, 0.5),
-        };
-        let (width, powers) = self.faded(width);
-        if !self.fading {
-            return Layer { place, width, longest: width, extent: 0.0 };
-        }
-        Layer { place, width, longest: z * width, extent: slowness * powers * width }
-    }
-
-    /// Of modes that meet, and decay as e^(-(s/width)²/2).
-    fn at_turn(&self, place: f64, width: f64) -> Layer {
-        let (width, powers) = self.faded(width);
-        let extent = if self.fading { SLOWNESS * (2.0 * powers).sqrt() * width } else { 0.0 };
-        Layer { place, width, longest: width, extent }
-    }
-}
-
-/// How fine a mesh is to be within layers.
+/// How fine a mesh is to be in layers and beside them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fineness {
     order: Order,
     linear: bool,
     /// Length of the shortest intervals, relative to the width of a layer.
     shortest: f64,
-    /// Over so many widths the lengths that a layer needs grow by e.
-    growing: f64,
 }
 
 impl Fineness {
     /// To see that there is a layer.
     pub(crate) fn rough(order: Order) -> Self {
-        Self { order, linear: false, shortest: 1.0, growing: order.tableau().defect_order }
+        Self { order, linear: false, shortest: 1.0 }
     }
 
-    /// To resolve one of a linear problem, so that defects are `target`: as no iteration can fail on such a mesh, it may
-    /// be the last.
+    /// To resolve one of a linear problem, so that defects are `target`: as no iteration can fail on such a mesh, it
+    /// may be the last.
     pub(crate) fn for_defects(order: Order, target: f64) -> Self {
         let rough = Self { linear: true, ..Self::rough(order) };
         if order == Order::Four {
             return rough;
         }
-        let shortest = libm::pow(target.max(TIGHTEST) / ROUGHLY, 1.0 / rough.growing).min(1.0);
+        let shortest = libm::pow(target.max(TIGHTEST) / DEFECT_AT_WIDTH, 1.0 / rough.growing()).min(1.0);
         Self { shortest, ..rough }
+    }
+
+    /// Over so many widths the lengths that a layer needs grow by e.
+    fn growing(&self) -> f64 {
+        self.order.tableau().defect_order
+    }
+
+    /// Whether intervals stay short until layers have faded. Beyond order 4 only where the problem is linear: there
+    /// matrices are so nearly singular on such meshes that other iterations fail more often.
+    fn is_fading(&self) -> bool {
+        self.linear || self.order == Order::Four
     }
 
     /// Longest interval at this distance from the place of a layer.
     fn longest(&self, layer: &Layer, distance: f64) -> f64 {
-        let needed = self.shortest * layer.width * libm::exp(distance / (self.growing * layer.width));
+        let needed = self.shortest * layer.width * libm::exp(distance / (self.growing() * layer.width));
         layer.longest(distance).min(needed)
+    }
+}
+
+/// What makes layers in a region of this length.
+#[derive(Debug, Clone, Copy)]
+struct Making {
+    fineness: Fineness,
+    length: f64,
+}
+
+impl Making {
+    /// Of a mode that decays from an end at a rate of 1/`width`. Its extent is that within which it fades in the
+    /// discretisation, which is not as quick as it at order 4, and quicker at order 8.
+    fn at_end(&self, place: f64, width: f64) -> Layer {
+        // Where |R(z)| is small, and how many times the width it takes to fade by e.
+        let (z, slowness) = match self.fineness.order {
+            Order::Four => (3.0, SLOWNESS),
+            Order::Six => (4.5, SLOWNESS),
+            Order::Eight => (7.0, 0.5),
+        };
+        self.layer(place, width, z, |powers| slowness * powers)
+    }
+
+    /// Of modes that meet, and decay as e^(-(s/width)²/2).
+    fn at_turn(&self, place: f64, width: f64) -> Layer {
+        self.layer(place, width, 1.0, |powers| SLOWNESS * (2.0 * powers).sqrt())
+    }
+
+    /// `longest` and what `extent` makes of the power of e by which it is to fade are relative to the layer's width.
+    fn layer(&self, place: f64, width: f64, longest: f64, extent: impl Fn(f64) -> f64) -> Layer {
+        let width = width.max(THINNEST * self.length);
+        if !self.fineness.is_fading() {
+            return Layer { place, width, longest: width, extent: 0.0 };
+        }
+        let powers = libm::log(self.length / (LEFT * width)).max(0.0);
+        Layer { place, width, longest: longest * width, extent: extent(powers) * width }
     }
 }
 
@@ -214,9 +218,7 @@ pub(crate) fn graded<P: Problem + ?Sized>(
     };
     let pieces = last.min(MOST_NODES - 1);
     let modes: Option<Vec<(f64, Modes)>> = (0..=pieces).map(|k| modes_at(k * last / pieces)).collect();
-    let Fineness { order, linear, .. } = fineness;
-    let making = Making { order, fading: linear || order == Order::Four, length: mesh[last] - mesh[0] };
-    let layers = layers(&modes?, making);
+    let layers = layers(&modes?, Making { fineness, length: mesh[last] - mesh[0] });
     let new = (!layers.is_empty()).then(|| resolving(mesh, &layers, most, fineness)).flatten()?;
     (new.len() > mesh.len()).then_some((new, layers))
 }
@@ -304,13 +306,18 @@ mod tests {
         assert_eq!(Modes::of(3, &[f64::NAN; 9], 1.0), None);
     }
 
-    const MAKING: Making = Making { order: Order::Four, fading: true, length: 1.0 };
+    fn making(fineness: Fineness) -> Making {
+        Making { fineness, length: 1.0 }
+    }
 
     #[test]
     fn layers_are_at_ends_that_modes_decay_from_and_at_turning_points() {
         let along = |rate: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
             let mesh = uniform((0.0, 1.0), 8);
-            let found = layers(&mesh.iter().map(|&s| (s, of_rate(rate(s), 0.125))).collect::<Vec<_>>(), MAKING);
+            let found = layers(
+                &mesh.iter().map(|&s| (s, of_rate(rate(s), 0.125))).collect::<Vec<_>>(),
+                making(Fineness::rough(Order::Four)),
+            );
             found.iter().map(|layer| (layer.place, layer.width)).collect()
         };
         assert_eq!(along(&|_| -100.0), [(0.0, 0.01)]);
@@ -342,9 +349,10 @@ mod tests {
     fn what_is_left_of_a_layer_fades_before_intervals_are_long() {
         for order in [Order::Four, Order::Six, Order::Eight] {
             for width in [1e-3, 1e-5, 1e-7] {
-                let layer = Making { order, fading: true, length: 1.0 }.at_end(0.0, width);
                 let mesh = uniform((0.0, 1.0), 8);
-                for fineness in [Fineness::rough(order), Fineness::for_defects(order, 1e-5)] {
+                let rough = Fineness { linear: true, ..Fineness::rough(order) };
+                for fineness in [rough, Fineness::for_defects(order, 1e-5)] {
+                    let layer = making(fineness).at_end(0.0, width);
                     let new = resolving(&mesh, &[layer], 10_000, fineness).unwrap();
                     let left: f64 = new.windows(2).map(|pair| damping(order, (pair[1] - pair[0]) / width)).product();
                     assert!(left < 10.0 * LEFT * width, "{order:?} {width:e}: {left:e} {new:?}");
@@ -370,8 +378,8 @@ mod tests {
             digits in 0.0..14.0_f64,
             intervals in 1_usize..40,
         ) {
-            let layer = MAKING.at_turn(place, 10.0_f64.powf(-digits));
-            let fineness = Fineness::rough(MAKING.order);
+            let fineness = Fineness::rough(Order::Four);
+            let layer = making(fineness).at_turn(place, 10.0_f64.powf(-digits));
             let mesh = uniform((0.0, 1.0), intervals);
             let Some(new) = resolving(&mesh, &[layer], 10_000, fineness) else { panic!("refused") };
             prop_assert!(new.windows(2).all(|pair| pair[0] < pair[1]));

@@ -6,7 +6,7 @@ use crate::by_region::ByRegion;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
 use crate::error::{NewtonError, SolveError};
-use crate::layers::{Fineness, Layer, graded};
+use crate::layers::{Fineness, graded};
 use crate::measure::Solved;
 use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
@@ -216,11 +216,10 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             layers: &[],
         };
         let regions = solved.system.grids.iter().zip(measures).zip(&progress.layers);
-        let of = |((grid, measure), layers): ((&Grid, &Measure), &'_ Option<Vec<Layer>>)| {
-            let wish = Wish { layers: layers.as_deref().unwrap_or_default(), ..wish };
-            verdict(&grid.mesh, measure, &wish)
-        };
-        regions.map(of).collect()
+        let of_region = regions.map(|((grid, measure), layers)| {
+            verdict(&grid.mesh, measure, &Wish { layers: layers.as_deref().unwrap_or_default(), ..wish })
+        });
+        of_region.collect()
     }
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
