@@ -4,7 +4,9 @@
 
 use solver::bvp::Bvp;
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{ComponentTolerance, Guess, Layout, Options, Order, Problem, Region, Solution, SolveError, Which, solve};
+use solver::{
+    ComponentTolerance, Control, Guess, Layout, Options, Order, Problem, Region, Solution, SolveError, Which, solve,
+};
 
 const SIZE: f64 = 1e-8;
 const WIDTH: f64 = 1e-2;
@@ -117,5 +119,32 @@ fn a_guess_that_is_far_too_large_lowers_no_accuracy() {
             let error = line.mesh().iter().zip(line.state(0)).map(|(x, u)| (u - exact(*x)).abs()).fold(0.0, f64::max);
             assert!(error <= 1.5e-6, "{order:?} {guess:e}: {error:e} on {} intervals", line.intervals());
         }
+    }
+}
+
+/// From zero, where nothing is large yet, as from anywhere: relative to the states of the solution, not of the guess.
+#[test]
+fn an_error_is_relative_to_the_solution_even_where_the_guess_is_zero() {
+    for (order, intervals) in [(Order::Four, 40), (Order::Six, 16), (Order::Eight, 12)] {
+        let swing = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |_, y, _, f| (f[0], f[1]) = (y[1], y[0] * -400.0),
+            |a, b, _, g| (g[0], g[1]) = (a[0] - 1e3, b[1] - 2e4),
+        );
+        let from_zero = swing.guess(intervals, |_, y| y.fill(0.0));
+        // Whatever is found on the first mesh is accepted.
+        let options = Options { order, tolerance: 1e-2, control: Control::Defect, ..Options::default() };
+        let solution = from_zero.solve(&options).unwrap();
+        assert_eq!(solution.history().len(), 1);
+        // u = 1000 cos 20 x + c sin 20 x with the slope given on the right.
+        let c = (2e4 + 2e4 * 20.0_f64.sin()) / (20.0 * 20.0_f64.cos());
+        let (line, mut error) = (&solution.regions()[0], 0.0_f64);
+        let size = line.state(0).iter().fold(0.0_f64, |size, u| size.max(u.abs()));
+        for (x, u) in line.mesh().iter().zip(line.state(0)) {
+            error = error.max((u - 1e3 * (20.0 * x).cos() - c * (20.0 * x).sin()).abs() / size);
+        }
+        let estimate = solution.error_estimate();
+        assert!(estimate < 2.0 * error && error < 2.0 * estimate, "{order:?}: {estimate:e} for {error:e}");
     }
 }

@@ -14,8 +14,8 @@ pub(crate) struct Converged {
     /// Residual at `x`; its derivatives belong to the last factored iterate.
     pub work: Work,
     pub factorisation: Factorisation,
-    /// Typical magnitudes at `x`, where those of the factorisation are far larger.
-    pub(super) outgrown: Option<Scales>,
+    /// Typical magnitudes at `x`, where those of the factorisation are far larger or far smaller.
+    pub(super) found: Option<Found>,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
     /// Whether the problem is linear for sure: so little was left of a first correction that was large, on these meshes
@@ -29,6 +29,14 @@ pub(crate) struct Converged {
     pub full_steps: bool,
     /// The iteration ended short of its tolerance, at a correction small enough to go on with.
     pub stagnated: Option<NewtonError>,
+}
+
+/// Typical magnitudes that differ by far from those that corrections are in.
+#[derive(Debug, Clone)]
+pub(super) struct Found {
+    pub scales: Scales,
+    /// Whether any is far smaller.
+    pub smaller: bool,
 }
 
 /// Where the first step of Newton's iteration leaves no more than this of its correction, the problem is taken for a
@@ -52,7 +60,7 @@ impl Converged {
             x,
             work,
             factorisation,
-            outgrown: None,
+            found: None,
             contraction: 0.0,
             linear: false,
             at_once: true,
@@ -72,19 +80,19 @@ impl Converged {
 
     /// Typical magnitudes at the solution, where those of the factorisation are far larger.
     pub(crate) fn outgrown(&self) -> Option<&Scales> {
-        self.outgrown.as_ref()
+        self.found.as_ref().filter(|found| found.smaller).map(|found| &found.scales)
     }
 
     /// Typical magnitudes, for what is said of the solution. Corrections are in those of the factorisation.
     pub(crate) fn scales(&self) -> &Scales {
-        self.outgrown.as_ref().unwrap_or(&self.factorisation.scales)
+        self.found.as_ref().map_or(&self.factorisation.scales, |found| &found.scales)
     }
 
     /// The largest component of what is given in the factorisation's magnitudes, in those of the solution.
     pub(crate) fn largest<P: Problem + ?Sized>(&self, system: &System<'_, P>, dx: &Correction) -> f64 {
-        let Some(found) = &self.outgrown else { return system.largest(dx) };
+        let Some(found) = &self.found else { return system.largest(dx) };
         let mut rescaled = dx.clone();
-        system.rescale(&mut rescaled, &self.factorisation.scales, found);
+        system.rescale(&mut rescaled, &self.factorisation.scales, &found.scales);
         system.largest(&rescaled)
     }
 }
