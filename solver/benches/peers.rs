@@ -22,11 +22,16 @@ mod cases;
 mod codes;
 #[path = "peers/fortran.rs"]
 mod fortran;
+#[path = "peers/open.rs"]
+mod open;
+#[path = "peers/reference.rs"]
+mod reference;
 #[path = "peers/system.rs"]
 mod system;
 
 use cases::{CASES, Case};
-use codes::{Code, Configuration, Run};
+use codes::{Code, Configuration, Run, Truth};
+use reference::Reference;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -43,9 +48,9 @@ struct Best {
     run: Run,
 }
 
-fn best(code: Code, case: &'static Case, accuracy: f64) -> Option<Best> {
+fn best(code: Code, case: &'static Case, truth: Truth<'_>, accuracy: f64) -> Option<Best> {
     let tried = code.configurations().into_iter().filter_map(|configuration| {
-        let run = code.solve(case, &configuration)?;
+        let run = code.solve(case, &configuration)?.judged(case, truth);
         (run.error <= accuracy).then_some(Best { configuration, run })
     });
     let mut fit: Vec<Best> = tried.collect();
@@ -54,7 +59,7 @@ fn best(code: Code, case: &'static Case, accuracy: f64) -> Option<Best> {
     fit.truncate(3);
     for best in &mut fit {
         for _ in 0..3 {
-            let again = code.solve(case, &best.configuration).map_or(f64::INFINITY, |run| run.seconds);
+            let again = code.solve(case, &best.configuration).map_or(f64::INFINITY, |found| found.seconds);
             best.run.seconds = best.run.seconds.min(again);
         }
     }
@@ -66,8 +71,8 @@ fn time(case: &'static Case, all: &mut [(Code, Option<Best>)]) {
     for _ in 0..ROUNDS {
         for (code, best) in all.iter_mut() {
             let Some(best) = best else { continue };
-            if let Some(run) = code.solve(case, &best.configuration) {
-                best.run.seconds = best.run.seconds.min(run.seconds);
+            if let Some(found) = code.solve(case, &best.configuration) {
+                best.run.seconds = best.run.seconds.min(found.seconds);
             }
         }
     }
@@ -102,6 +107,12 @@ struct Ratios {
 }
 
 impl Ratios {
+    fn add(&mut self, other: &Self) {
+        self.all.extend(&other.all);
+        self.failed += other.failed;
+        self.lost.extend(&other.lost);
+    }
+
     fn summary(&self) -> String {
         let mean = (self.all.iter().map(|(ratio, _)| ratio.ln()).sum::<f64>() / self.all.len() as f64).exp();
         let worst = self.all.iter().max_by(|a, b| a.0.total_cmp(&b.0));
@@ -120,37 +131,67 @@ impl Ratios {
     }
 }
 
-fn table(accuracy: f64, names: &[String]) -> String {
-    let mut out = format!(
-        "### Error at the nodes at most {accuracy:.0e}\n\n\
-         | problem | here, ms | order, tolerance | intervals (error) \
-         | COLNEW, ms | points, tolerance | intervals (error) \
-         | TWPBVPC, ms | tolerance | intervals (error) |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n"
-    );
-    let mut ratios = [("COLNEW", 1), ("TWPBVPC", 2)]
-        .map(|(name, at)| (Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() }, at));
-    for case in CASES.iter().filter(|case| names.is_empty() || names.iter().any(|name| case.name.contains(name))) {
-        let mut all = Code::ALL.map(|code| (code, best(code, case, accuracy)));
-        time(case, &mut all);
-        let [here, colnew, twpbvpc] = &all;
-        let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
-        // Primes: books set straight quotes as quotation marks.
-        let name = case.name.replace("''", "″").replace('\'', "′");
-        let name = if case.name.len() <= SHORT { unbroken(name) } else { name };
-        let _ = writeln!(out, "| {name} | {} |", cells.join(" | "));
-        eprintln!("{} | {}", case.name, cells.join(" | "));
-        for (ratios, at) in &mut ratios {
-            match (&here.1, &all[*at].1) {
-                (Some(here), Some(peer)) => ratios.all.push((here.run.seconds / peer.run.seconds, case.name)),
-                (_, None) => ratios.failed += 1,
-                (None, Some(_)) => ratios.lost.push(case.name),
-            }
+/// The two sets of problems.
+const SETS: [(&str, &[Case]); 2] = [("Known solutions", CASES), ("Computed solutions", open::CASES)];
+
+/// A problem, and what errors are measured against where its solution is not known.
+type Judged = (&'static Case, Option<Reference>);
+
+/// The problems of a set whose names have any of those wanted.
+fn judged(cases: &'static [Case], names: &[String]) -> Vec<Judged> {
+    let wanted = |case: &&Case| names.is_empty() || names.iter().any(|name| case.name.contains(name));
+    let cases = cases.iter().filter(wanted);
+    cases.map(|case| (case, case.exact(case.interval.0).is_none().then(|| Reference::of(case)))).collect()
+}
+
+fn section(accuracy: f64, sets: &[(&str, Vec<Judged>)]) -> String {
+    let mut out = format!("### Error at the nodes at most {accuracy:.0e}\n\n");
+    let ratios = || ["COLNEW", "TWPBVPC"].map(|name| Ratios { name, all: Vec::new(), failed: 0, lost: Vec::new() });
+    let mut together = ratios();
+    for (title, cases) in sets {
+        let mut ratios = ratios();
+        let _ = write!(
+            out,
+            "#### {title}\n\n\
+             | problem | here, ms | order, tolerance | intervals (error) \
+             | COLNEW, ms | points, tolerance | intervals (error) \
+             | TWPBVPC, ms | tolerance | intervals (error) |\n\
+             |---|---|---|---|---|---|---|---|---|---|\n"
+        );
+        for (case, reference) in cases {
+            let truth = reference.as_ref().map_or(Truth::Exact, Reference::truth);
+            out.push_str(&row(case, truth, accuracy, &mut ratios));
+        }
+        out.push('\n');
+        for (ratios, together) in ratios.iter().zip(&mut together) {
+            out.push_str(&ratios.summary());
+            together.add(ratios);
+        }
+        out.push('\n');
+    }
+    out.push_str("Both sets together:\n\n");
+    together.iter().for_each(|ratios| out.push_str(&ratios.summary()));
+    out
+}
+
+/// One problem's row of the table; its ratios are added to those of each peer.
+fn row(case: &'static Case, truth: Truth<'_>, accuracy: f64, ratios: &mut [Ratios; 2]) -> String {
+    let mut all = Code::ALL.map(|code| (code, best(code, case, truth, accuracy)));
+    time(case, &mut all);
+    let [here, colnew, twpbvpc] = &all;
+    let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
+    // Primes: books set straight quotes as quotation marks.
+    let name = case.name.replace("''", "″").replace('\'', "′");
+    let name = if case.name.len() <= SHORT { unbroken(name) } else { name };
+    eprintln!("{} | {}", case.name, cells.join(" | "));
+    for (ratios, (_, peer)) in ratios.iter_mut().zip([colnew, twpbvpc]) {
+        match (&here.1, peer) {
+            (Some(here), Some(peer)) => ratios.all.push((here.run.seconds / peer.run.seconds, case.name)),
+            (_, None) => ratios.failed += 1,
+            (None, Some(_)) => ratios.lost.push(case.name),
         }
     }
-    out.push('\n');
-    ratios.iter().for_each(|(ratios, _)| out.push_str(&ratios.summary()));
-    out
+    format!("| {name} | {} |\n", cells.join(" | "))
 }
 
 fn main() -> std::io::Result<()> {
@@ -161,7 +202,8 @@ fn main() -> std::io::Result<()> {
         return Ok(());
     };
     fortran::load(&folder).map_err(std::io::Error::other)?;
-    let tables = ACCURACIES.map(|accuracy| table(accuracy, &names)).join("\n");
+    let sets = SETS.map(|(title, cases)| (title, judged(cases, &names)));
+    let tables = ACCURACIES.map(|accuracy| section(accuracy, &sets)).join("\n");
     let text = format!("Measured on: {}.\n\n{tables}", processor());
     println!("{text}");
     if flags.iter().any(|flag| flag == "--write") { write(&text) } else { Ok(()) }

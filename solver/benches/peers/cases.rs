@@ -1,10 +1,10 @@
-//! Equations of second order with known solutions: J. R. Cash's collection
+//! What a case is, and equations of second order with known solutions: J. R. Cash's collection
 //! (https://archimede.uniba.it/~bvpsolvers/testsetbvpsolvers) by its numbers, and more: nonlinear ones, and pairs of
 //! equations with layers of two widths.
 
 use std::f64::consts::PI;
 
-/// `u'' = F(x, u, u')`, one equation or two, with u given at both ends.
+/// Equations of orders 1 to 4, with values given at both ends.
 pub struct Case {
     pub name: &'static str,
     pub interval: (f64, f64),
@@ -12,48 +12,127 @@ pub struct Case {
     pub equations: Equations,
 }
 
-/// The right-hand side with its derivatives, and the solution, whose values at the ends are the boundary conditions.
+/// The right-hand side with its derivatives.
 pub enum Equations {
-    /// F, ∂F/∂u, ∂F/∂u'.
+    /// `u'' = F(x, u, u')` by F, ∂F/∂u, ∂F/∂u', and the solution, whose values at the ends are the boundary conditions.
     One(fn(f64, f64, f64) -> [f64; 3], fn(f64) -> f64),
-    /// Of states u₁, u₁', u₂, u₂': both F, each with its derivatives with respect to the states.
+    /// Two of them, of states u₁, u₁', u₂, u₂': both F, each with its derivatives with respect to the states.
     Two(fn(f64, [f64; 4]) -> [[f64; 5]; 2], fn(f64) -> [f64; 2]),
+    /// As `One`, with the values of u at the ends, and a guess of u and u': the solution is not known.
+    Open(fn(f64, f64, f64) -> [f64; 3], [f64; 2], fn(f64) -> [f64; 2]),
+    /// Of any orders.
+    Many(&'static Many),
+}
+
+/// Equations of any orders, whose solution is not known. States: of each equation u, and its derivatives up to one less
+/// than its order.
+pub struct Many {
+    pub orders: &'static [usize],
+    /// The highest derivatives, and their derivatives with respect to the states, by rows.
+    pub derivatives: fn(f64, &[f64], &mut [f64], &mut [f64]),
+    /// What is given at the left end: states and their values,
+    pub left: &'static [(usize, f64)],
+    /// and at the right end.
+    pub right: &'static [(usize, f64)],
+    pub guess: fn(f64, &mut [f64]),
+}
+
+/// Most states.
+pub const STATES: usize = 8;
+
+/// What is given at one end.
+#[derive(Debug, Clone, Copy)]
+pub struct Condition {
+    pub on_the_right: bool,
+    pub state: usize,
+    pub value: f64,
 }
 
 impl Case {
+    /// The order of each equation.
+    pub fn orders(&self) -> &'static [usize] {
+        match self.equations {
+            Equations::One(..) | Equations::Open(..) => &[2],
+            Equations::Two(..) => &[2, 2],
+            Equations::Many(many) => many.orders,
+        }
+    }
+
     /// How many equations.
     pub fn equations(&self) -> usize {
+        self.orders().len()
+    }
+
+    pub fn states(&self) -> usize {
+        self.orders().iter().sum()
+    }
+
+    /// The first state of each equation: its u.
+    pub fn unknowns(&self) -> impl Iterator<Item = usize> + Clone {
+        self.orders().iter().scan(0, |next, order| {
+            let first = *next;
+            *next += order;
+            Some(first)
+        })
+    }
+
+    /// u at x, where it is known.
+    pub fn exact(&self, x: f64) -> Option<[f64; 2]> {
         match self.equations {
-            Equations::One(..) => 1,
-            Equations::Two(..) => 2,
+            Equations::One(_, exact) => Some([exact(x), 0.0]),
+            Equations::Two(_, exact) => Some(exact(x)),
+            Equations::Open(..) | Equations::Many(_) => None,
         }
     }
 
-    /// u at x.
-    pub fn exact(&self, x: f64) -> [f64; 2] {
+    /// Those at the left end first.
+    pub fn conditions(&self) -> Vec<Condition> {
+        let all = |left: &[(usize, f64)], right: &[(usize, f64)]| {
+            let at = |on_the_right| move |&(state, value): &(usize, f64)| Condition { on_the_right, state, value };
+            left.iter().map(at(false)).chain(right.iter().map(at(true))).collect()
+        };
+        let (left, right) = self.interval;
         match self.equations {
-            Equations::One(_, exact) => [exact(x), 0.0],
-            Equations::Two(_, exact) => exact(x),
+            Equations::One(_, exact) => all(&[(0, exact(left))], &[(0, exact(right))]),
+            Equations::Two(_, exact) => {
+                let ([a1, a2], [b1, b2]) = (exact(left), exact(right));
+                all(&[(0, a1), (2, a2)], &[(0, b1), (2, b2)])
+            }
+            Equations::Open(_, [a, b], _) => all(&[(0, a)], &[(0, b)]),
+            Equations::Many(many) => all(many.left, many.right),
         }
     }
 
-    /// `F` of states z, each u followed by its u'.
+    /// Of all states at x.
+    pub fn guess(&self, x: f64, z: &mut [f64]) {
+        match self.equations {
+            Equations::One(..) | Equations::Two(..) => z.fill(0.0),
+            Equations::Open(_, _, guess) => z.copy_from_slice(&guess(x)),
+            Equations::Many(many) => (many.guess)(x, z),
+        }
+    }
+
+    /// The highest derivatives at states z.
     #[inline]
     pub fn values(&self, x: f64, z: &[f64], out: &mut [f64]) {
         match self.equations {
-            Equations::One(f, _) => out[0] = f(x, z[0], z[1])[0],
+            Equations::One(f, _) | Equations::Open(f, ..) => out[0] = f(x, z[0], z[1])[0],
             Equations::Two(f, _) => {
                 let rows = f(x, [z[0], z[1], z[2], z[3]]);
                 (out[0], out[1]) = (rows[0][0], rows[1][0]);
             }
+            Equations::Many(many) => {
+                let mut rows = [0.0; STATES * STATES];
+                (many.derivatives)(x, z, out, &mut rows[..out.len() * z.len()]);
+            }
         }
     }
 
-    /// Derivative of F with respect to z, by rows; F itself into `values`.
+    /// Their derivatives with respect to z, by rows; they themselves into `values`.
     #[inline]
     pub fn derivatives(&self, x: f64, z: &[f64], values: &mut [f64], rows: &mut [f64]) {
         match self.equations {
-            Equations::One(f, _) => {
+            Equations::One(f, _) | Equations::Open(f, ..) => {
                 let [value, by_u, by_slope] = f(x, z[0], z[1]);
                 (values[0], rows[0], rows[1]) = (value, by_u, by_slope);
             }
@@ -63,6 +142,7 @@ impl Case {
                     rows[4 * i..4 * i + 4].copy_from_slice(&by);
                 }
             }
+            Equations::Many(many) => (many.derivatives)(x, z, values, rows),
         }
     }
 }
@@ -95,7 +175,7 @@ fn sin(x: f64) -> f64 {
     (PI * x).sin()
 }
 
-/// All of them.
+/// Those with known solutions.
 pub static CASES: &[Case] = &[
     Case {
         name: "1, ε = 1e-4",

@@ -1,14 +1,13 @@
 //! The three codes, each solving a case in one of its configurations.
 
-use crate::cases::{CASES, Case};
+use crate::cases::{Case, Condition, STATES};
 use crate::fortran::peers;
-use crate::system::{ends, stated, system_derivatives};
-use solver::{Options, Order};
+use crate::system::{stated, system_derivatives, system_values};
+use solver::{Options, Order, Solution};
 use std::cell::{Cell, RefCell};
 use std::ffi::c_int;
 use std::fmt;
 use std::slice::{from_raw_parts, from_raw_parts_mut};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,7 +76,7 @@ impl Code {
     }
 
     /// `None` if the code fails.
-    pub fn solve(self, case: &'static Case, configuration: &Configuration) -> Option<Run> {
+    pub fn solve(self, case: &'static Case, configuration: &Configuration) -> Option<Found> {
         match *configuration {
             Configuration::Here { order, tolerance, intervals, correction } => {
                 let options = Options { order, tolerance, defect_correction: correction, ..Options::default() };
@@ -89,69 +88,98 @@ impl Code {
     }
 }
 
-/// `values`: at each node, states u₁, u₁', ...
-fn run(case: &Case, seconds: f64, nodes: &[f64], values: &[f64]) -> Run {
-    let states = 2 * case.equations();
-    let (mut error, mut size) = ([0.0_f64; 2], [1.0_f64; 2]);
-    for (&x, z) in nodes.iter().zip(values.chunks_exact(states)) {
-        let exact = case.exact(x);
-        for i in 0..case.equations() {
-            error[i] = error[i].max((z[2 * i] - exact[i]).abs());
-            size[i] = size[i].max(exact[i].abs());
-        }
-    }
-    let error = (error[0] / size[0]).max(error[1] / size[1]);
-    let error = if values.iter().all(|u| u.is_finite()) { error } else { f64::INFINITY };
-    Run { seconds, error, intervals: nodes.len() - 1 }
+/// What errors are measured against.
+#[derive(Clone, Copy)]
+pub enum Truth<'a> {
+    /// The case's solution is known.
+    Exact,
+    /// It has been computed.
+    Computed(&'a Solution),
 }
 
-fn here(case: &'static Case, options: &Options, intervals: usize) -> Option<Run> {
+/// What a code found.
+pub struct Found {
+    pub seconds: f64,
+    nodes: Vec<f64>,
+    /// All states at each node.
+    values: Vec<f64>,
+}
+
+impl Found {
+    pub fn judged(&self, case: &Case, truth: Truth<'_>) -> Run {
+        let mut worst = 0.0_f64;
+        for (i, state) in case.unknowns().enumerate() {
+            let (mut error, mut size) = (0.0_f64, 1.0_f64);
+            for (&x, z) in self.nodes.iter().zip(self.values.chunks_exact(case.states())) {
+                let u = match truth {
+                    Truth::Exact => case.exact(x).unwrap()[i],
+                    Truth::Computed(solution) => solution.regions()[0].eval(x)[state],
+                };
+                (error, size) = (error.max((z[state] - u).abs()), size.max(u.abs()));
+            }
+            worst = worst.max(error / size);
+        }
+        let error = if self.values.iter().all(|u| u.is_finite()) { worst } else { f64::INFINITY };
+        Run { seconds: self.seconds, error, intervals: self.nodes.len() - 1 }
+    }
+}
+
+fn here(case: &'static Case, options: &Options, intervals: usize) -> Option<Found> {
     // The peers' are known beforehand too.
-    let ends = ends(case);
+    let conditions = case.conditions();
     let start = Instant::now();
-    let problem = stated(case, ends, intervals);
+    let problem = stated(case, conditions, intervals);
     // The peers are told as much.
     let problem = if case.linear { problem.linear() } else { problem };
     let solution = problem.solve(options).ok()?;
     let seconds = start.elapsed().as_secs_f64();
     let line = &solution.regions()[0];
-    let values = (0..line.mesh().len()).flat_map(|j| (0..2 * case.equations()).map(move |i| line.state(i)[j]));
-    Some(run(case, seconds, line.mesh(), &values.collect::<Vec<_>>()))
+    let values = (0..line.mesh().len()).flat_map(|j| (0..case.states()).map(move |i| line.state(i)[j]));
+    Some(Found { seconds, nodes: line.mesh().to_vec(), values: values.collect() })
 }
 
-/// The case that the callbacks below belong to, and its boundary values.
-static CURRENT: AtomicUsize = AtomicUsize::new(0);
-
+// The case that the callbacks below belong to, and what is given at its ends.
 thread_local! {
-    static ENDS: Cell<[f64; 4]> = const { Cell::new([0.0; 4]) };
+    static CURRENT: Cell<Option<&'static Case>> = const { Cell::new(None) };
+    static CONDITIONS: RefCell<Vec<Condition>> = const { RefCell::new(Vec::new()) };
 }
 
 fn current() -> &'static Case {
-    &CASES[CURRENT.load(Ordering::Relaxed)]
+    CURRENT.get().unwrap()
 }
 
 fn choose(case: &'static Case) {
-    let at = CASES.iter().position(|other| std::ptr::eq(other, case)).unwrap();
-    CURRENT.store(at, Ordering::Relaxed);
-    ENDS.set(ends(case));
+    CURRENT.set(Some(case));
+    CONDITIONS.replace(case.conditions());
 }
 
-/// F alone: COLNEW takes equations of second order.
-extern "C" fn second(_: *const c_int, x: *const f64, z: *const f64, f: *mut f64, _: *mut f64, _: *mut c_int) {
-    let (case, mut values) = (current(), [0.0; 2]);
+fn given(i: usize) -> Condition {
+    CONDITIONS.with_borrow(|conditions| conditions[i])
+}
+
+/// The highest derivatives alone: COLNEW takes equations as they are.
+extern "C" fn highest(_: *const c_int, x: *const f64, z: *const f64, f: *mut f64, _: *mut f64, _: *mut c_int) {
+    let case = current();
     // SAFETY: COLNEW hands over one x, all z and room for one value an equation.
     unsafe {
-        case.values(*x, from_raw_parts(z, 2 * case.equations()), &mut values);
-        from_raw_parts_mut(f, case.equations()).copy_from_slice(&values[..case.equations()]);
+        case.values(*x, from_raw_parts(z, case.states()), from_raw_parts_mut(f, case.equations()));
     }
 }
 
-extern "C" fn second_jacobian(_: *const c_int, x: *const f64, z: *const f64, df: *mut f64, _: *mut f64, _: *mut c_int) {
-    let (case, mut values, mut rows) = (current(), [0.0; 2], [0.0; 8]);
-    let (count, states) = (case.equations(), 2 * case.equations());
+extern "C" fn highest_jacobian(
+    _: *const c_int,
+    x: *const f64,
+    z: *const f64,
+    df: *mut f64,
+    _: *mut f64,
+    _: *mut c_int,
+) {
+    let (case, mut values, mut rows) = (current(), [0.0; STATES], [0.0; STATES * STATES]);
+    let (count, states) = (case.equations(), case.states());
     // SAFETY: as above, with room for all derivatives, by columns.
     unsafe {
-        case.derivatives(*x, from_raw_parts(z, states), &mut values, &mut rows);
+        let z = from_raw_parts(z, states);
+        case.derivatives(*x, z, &mut values[..count], &mut rows[..count * states]);
         let out = from_raw_parts_mut(df, count * states);
         (0..count).for_each(|i| (0..states).for_each(|j| out[j * count + i] = rows[i * states + j]));
     }
@@ -159,19 +187,14 @@ extern "C" fn second_jacobian(_: *const c_int, x: *const f64, z: *const f64, df:
 
 /// As a system of first order.
 extern "C" fn first(_: *const c_int, x: *const f64, z: *const f64, f: *mut f64, _: *mut f64, _: *mut c_int) {
-    let (case, mut values) = (current(), [0.0; 2]);
+    let case = current();
     // SAFETY: TWPBVPC hands over one x, all z and room for one value a state.
-    unsafe {
-        let z = from_raw_parts(z, 2 * case.equations());
-        case.values(*x, z, &mut values);
-        let out = from_raw_parts_mut(f, z.len());
-        (0..case.equations()).for_each(|i| (out[2 * i], out[2 * i + 1]) = (z[2 * i + 1], values[i]));
-    }
+    unsafe { system_values(case, *x, from_raw_parts(z, case.states()), from_raw_parts_mut(f, case.states())) };
 }
 
 extern "C" fn first_jacobian(_: *const c_int, x: *const f64, z: *const f64, df: *mut f64, _: *mut f64, _: *mut c_int) {
     let case = current();
-    let states = 2 * case.equations();
+    let states = case.states();
     // SAFETY: as above, with room for all derivatives, by columns.
     unsafe {
         let out = from_raw_parts_mut(df, states * states);
@@ -182,8 +205,8 @@ extern "C" fn first_jacobian(_: *const c_int, x: *const f64, z: *const f64, df: 
 extern "C" fn condition(i: *const c_int, _: *const c_int, z: *const f64, g: *mut f64, _: *mut f64, _: *mut c_int) {
     // SAFETY: one index, from 1, and all z.
     unsafe {
-        let at = (*i - 1) as usize;
-        *g = *z.add(2 * (at % current().equations())) - ENDS.get()[at];
+        let given = given((*i - 1) as usize);
+        *g = *z.add(given.state) - given.value;
     }
 }
 
@@ -195,22 +218,30 @@ extern "C" fn condition_jacobian(
     _: *mut f64,
     _: *mut c_int,
 ) {
-    let count = current().equations();
     // SAFETY: one index, from 1, and room for the derivatives by all z.
     unsafe {
-        let out = from_raw_parts_mut(dg, 2 * count);
+        let out = from_raw_parts_mut(dg, current().states());
         out.fill(0.0);
-        out[2 * ((*i - 1) as usize % count)] = 1.0;
+        out[given((*i - 1) as usize).state] = 1.0;
     }
 }
 
-extern "C" fn no_guess(_: *const f64, z: *mut f64, dm: *mut f64, _: *mut f64, _: *mut c_int) {
-    let count = current().equations();
-    // SAFETY: room for all z, and for one u'' an equation.
+/// The guess of all z, and of the highest derivatives.
+extern "C" fn guess(x: *const f64, z: *mut f64, dm: *mut f64, _: *mut f64, _: *mut c_int) {
+    let case = current();
+    // SAFETY: one x, room for all z, and for one value an equation.
     unsafe {
-        from_raw_parts_mut(z, 2 * count).fill(0.0);
-        from_raw_parts_mut(dm, count).fill(0.0);
+        let (z, dm) = (from_raw_parts_mut(z, case.states()), from_raw_parts_mut(dm, case.equations()));
+        case.guess(*x, z);
+        case.values(*x, z, dm);
     }
+}
+
+/// Whether the guess is zero, which the peers need not be given.
+fn is_from_zero(case: &Case) -> bool {
+    let (mut z, (a, b)) = ([0.0; STATES], case.interval);
+    case.guess(0.7 * a + 0.3 * b, &mut z[..case.states()]);
+    z.iter().all(|z| *z == 0.0)
 }
 
 /// Room for work, asked for once: what the peers' callers do outside the time that is taken.
@@ -226,43 +257,53 @@ thread_local! {
         reals: vec![0.0; 6_000_000],
         integers: vec![0; 400_000],
         mesh: vec![0.0; NODES],
-        values: vec![0.0; 4 * NODES],
+        values: vec![0.0; STATES * NODES],
     });
 }
 
 const NODES: usize = 20_000;
 
-fn colnew(case: &'static Case, points: c_int, tolerance: f64, intervals: c_int) -> Option<Run> {
+/// The u whose errors the peers hold to the tolerance, from 1, and the tolerance of each.
+fn held(case: &Case, tolerance: f64) -> (Vec<c_int>, Vec<f64>) {
+    (case.unknowns().map(|state| state as c_int + 1).collect(), vec![tolerance; case.equations()])
+}
+
+fn colnew(case: &'static Case, points: c_int, tolerance: f64, intervals: c_int) -> Option<Found> {
     choose(case);
     let (a, b) = case.interval;
     ROOM.with_borrow_mut(|room| {
         let (reals, integers) = (room.reals.len() as c_int, room.integers.len() as c_int);
         let nonlinear = c_int::from(!case.linear);
-        let count = case.equations();
-        let mut settings = [nonlinear, points, intervals, count as c_int, reals, integers, 1, 0, 0, 0, 0, 0, 0];
+        let (count, states, from_zero) = (case.equations(), case.states(), is_from_zero(case));
+        let orders: Vec<c_int> = case.orders().iter().map(|&order| order as c_int).collect();
+        let conditions = case.conditions();
+        let places: Vec<f64> = conditions.iter().map(|given| if given.on_the_right { b } else { a }).collect();
+        let (held, tolerances) = held(case, tolerance);
+        let guessed = c_int::from(!from_zero);
+        let mut settings = [nonlinear, points, intervals, count as c_int, reals, integers, 1, 0, guessed, 0, 0, 0, 0];
         let (mut flag, mut counts, mut rpar, mut ipar) = (0, [0; 16], [0.0; 1], [0; 1]);
         let start = Instant::now();
         // SAFETY: arguments as the head of the sources asks for, arrays of the lengths stated in them.
         unsafe {
             (peers().colnew)(
                 &(count as c_int),
-                [2, 2].as_ptr(),
+                orders.as_ptr(),
                 &a,
                 &b,
-                (if count == 1 { [a, b, 0.0, 0.0] } else { [a, a, b, b] }).as_ptr(),
+                places.as_ptr(),
                 settings.as_mut_ptr(),
                 // The tolerance is for u alone, as in TWPBVPC.
-                [1, 3].as_ptr(),
-                [tolerance; 2].as_ptr(),
+                held.as_ptr(),
+                tolerances.as_ptr(),
                 [0.0].as_ptr(),
                 room.integers.as_mut_ptr(),
                 room.reals.as_mut_ptr(),
                 &mut flag,
-                second,
-                second_jacobian,
+                highest,
+                highest_jacobian,
                 condition,
                 condition_jacobian,
-                no_guess,
+                guess,
                 rpar.as_mut_ptr(),
                 ipar.as_mut_ptr(),
                 counts.as_mut_ptr(),
@@ -274,22 +315,34 @@ fn colnew(case: &'static Case, points: c_int, tolerance: f64, intervals: c_int) 
         }
         let intervals = room.integers[0] as usize;
         let nodes = room.reals[..=intervals].to_vec();
-        let mut values = vec![0.0; 2 * count * nodes.len()];
-        for (&node, z) in nodes.iter().zip(values.chunks_exact_mut(2 * count)) {
+        let mut values = vec![0.0; states * nodes.len()];
+        for (&node, z) in nodes.iter().zip(values.chunks_exact_mut(states)) {
             let mut x = node;
             // SAFETY: the work arrays are those that COLNEW has filled.
             unsafe { (peers().appsln)(&mut x, z.as_mut_ptr(), room.reals.as_mut_ptr(), room.integers.as_mut_ptr()) };
         }
-        Some(run(case, seconds, &nodes, &values))
+        Some(Found { seconds, nodes, values })
     })
 }
 
-fn twpbvpc(case: &'static Case, conditioning: bool, tolerance: f64) -> Option<Run> {
+/// Nodes of the guess that TWPBVPC is given, where it is not zero: a function it does not take.
+const GUESSED: c_int = 12;
+
+fn twpbvpc(case: &'static Case, conditioning: bool, tolerance: f64) -> Option<Found> {
     choose(case);
     let (a, b) = case.interval;
     ROOM.with_borrow_mut(|room| {
-        let states = 2 * case.equations();
+        let (states, from_zero) = (case.states(), is_from_zero(case));
+        let left = case.conditions().iter().filter(|given| !given.on_the_right).count() as c_int;
+        let (held, tolerances) = held(case, tolerance);
         let (mut nodes, mut most, mut flag, mut meshes) = (0, 0, 0, 0);
+        if !from_zero {
+            nodes = GUESSED;
+            for (k, z) in room.values.chunks_exact_mut(states).take(GUESSED as usize).enumerate() {
+                room.mesh[k] = a + (b - a) * k as f64 / f64::from(GUESSED - 1);
+                case.guess(room.mesh[k], z);
+            }
+        }
         let (mut rpar, mut ipar, mut settings, mut series) = ([0.0; 1], [0; 1], [0; 6], [0; 200]);
         let mut condition_numbers = [0.0; 5];
         let [kappa1, gamma1, sigma, kappa, kappa2] = &mut condition_numbers;
@@ -299,17 +352,17 @@ fn twpbvpc(case: &'static Case, conditioning: bool, tolerance: f64) -> Option<Ru
         unsafe {
             (peers().twpbvpc)(
                 &(states as c_int),
-                &(states as c_int / 2),
+                &left,
                 &a,
                 &b,
                 &0,
                 [0.0].as_ptr(),
-                &(states as c_int / 2),
-                [1, 3].as_ptr(),
-                [tolerance; 2].as_ptr(),
+                &(held.len() as c_int),
+                held.as_ptr(),
+                tolerances.as_ptr(),
                 &c_int::from(case.linear),
-                &0,
-                &0,
+                &c_int::from(!from_zero),
+                &c_int::from(!from_zero),
                 &mut nodes,
                 &(NODES as c_int),
                 room.mesh.as_mut_ptr(),
@@ -341,7 +394,7 @@ fn twpbvpc(case: &'static Case, conditioning: bool, tolerance: f64) -> Option<Ru
                 &1,
                 [0.0].as_ptr(),
                 &(states as c_int),
-                [0.0; 4].as_ptr(),
+                [0.0; STATES].as_ptr(),
                 settings.as_mut_ptr(),
             );
         }
@@ -350,6 +403,6 @@ fn twpbvpc(case: &'static Case, conditioning: bool, tolerance: f64) -> Option<Ru
             return None;
         }
         let count = nodes as usize;
-        Some(run(case, seconds, &room.mesh[..count], &room.values[..states * count]))
+        Some(Found { seconds, nodes: room.mesh[..count].to_vec(), values: room.values[..states * count].to_vec() })
     })
 }

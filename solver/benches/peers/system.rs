@@ -1,52 +1,65 @@
-//! The cases as systems of first order: states are each u and then its u'.
+//! The cases as systems of first order.
 
-use super::cases::{Case, Equations};
+use super::cases::{Case, Condition, Equations, STATES};
 use solver::bvp::{Bvp, Formulas};
 
-/// u at the left end, then at the right one.
-pub fn ends(case: &Case) -> [f64; 4] {
-    let ([a1, a2], [b1, b2]) = (case.exact(case.interval.0), case.exact(case.interval.1));
-    if case.equations() == 1 { [a1, b1, 0.0, 0.0] } else { [a1, a2, b1, b2] }
-}
-
-/// A case with its values at the ends, as this crate takes it.
-pub struct System(&'static Case, [f64; 4]);
+/// A case with what is given at its ends, as this crate takes it.
+pub struct System(&'static Case, Vec<Condition>);
 
 impl Formulas for System {
     fn rhs(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64]) {
-        let mut values = [0.0; 2];
-        self.0.values(x, y, &mut values);
-        if let ([first, second], [_, slope]) = (&mut *f, y) {
-            return (*first, *second) = (*slope, values[0]);
-        }
-        for i in 0..self.0.equations() {
-            (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], values[i]);
-        }
+        system_values(self.0, x, y, f);
     }
     fn rhs_derivatives(&self, x: f64, y: &[f64], _: &[f64], f: &mut [f64], columns: &mut [f64]) {
         system_derivatives(self.0, x, y, columns, Some(f));
     }
     fn boundary(&self, a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]) {
-        let count = self.0.equations();
-        for i in 0..count {
-            (g[i], g[count + i]) = (a[2 * i] - self.1[i], b[2 * i] - self.1[count + i]);
+        for (g, condition) in g.iter_mut().zip(&self.1) {
+            *g = (if condition.on_the_right { b } else { a })[condition.state] - condition.value;
         }
     }
     fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
         self.boundary(a, b, p, g);
-        let count = self.0.equations();
         columns.fill(0.0);
-        for i in 0..count {
-            columns[2 * i * g.len() + i] = 1.0;
-            columns[(2 * count + 2 * i) * g.len() + count + i] = 1.0;
+        let states = a.len();
+        for (i, condition) in self.1.iter().enumerate() {
+            let of = if condition.on_the_right { states + condition.state } else { condition.state };
+            columns[of * states + i] = 1.0;
         }
+    }
+}
+
+/// The right-hand side of the system of first order.
+#[inline]
+pub fn system_values(case: &Case, x: f64, z: &[f64], f: &mut [f64]) {
+    if let (Equations::One(formula, _) | Equations::Open(formula, ..), [first, second], [u, slope]) =
+        (&case.equations, &mut *f, z)
+    {
+        return (*first, *second) = (*slope, formula(x, *u, *slope)[0]);
+    }
+    let mut values = [0.0; STATES];
+    case.values(x, z, &mut values[..case.equations()]);
+    slopes(case, z, &values, f);
+}
+
+/// What the system makes of the highest derivatives.
+#[inline]
+fn slopes(case: &Case, z: &[f64], values: &[f64], f: &mut [f64]) {
+    let mut last = 0;
+    for (order, value) in case.orders().iter().zip(values) {
+        for _ in 1..*order {
+            f[last] = z[last + 1];
+            last += 1;
+        }
+        f[last] = *value;
+        last += 1;
     }
 }
 
 /// Derivatives of the system of first order, by columns.
 #[inline]
 pub fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f: Option<&mut [f64]>) {
-    if let Equations::One(formula, _) = case.equations {
+    if let Equations::One(formula, _) | Equations::Open(formula, ..) = case.equations {
         let [value, by_u, by_slope] = formula(x, z[0], z[1]);
         columns[..4].copy_from_slice(&[0.0, by_u, 1.0, by_slope]);
         if let Some(f) = f {
@@ -54,25 +67,31 @@ pub fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f
         }
         return;
     }
-    let (count, states) = (case.equations(), 2 * case.equations());
-    let (mut values, mut rows) = ([0.0; 2], [0.0; 8]);
-    case.derivatives(x, z, &mut values, &mut rows);
+    let states = z.len();
+    let (mut values, mut rows) = ([0.0; STATES], [0.0; STATES * STATES]);
+    case.derivatives(x, z, &mut values[..case.equations()], &mut rows[..case.equations() * states]);
     columns.fill(0.0);
-    for i in 0..count {
-        columns[(2 * i + 1) * states + 2 * i] = 1.0;
-        for j in 0..states {
-            columns[j * states + 2 * i + 1] = rows[i * states + j];
+    let mut last = 0;
+    for (order, row) in case.orders().iter().zip(rows.chunks_exact(states)) {
+        for _ in 1..*order {
+            columns[(last + 1) * states + last] = 1.0;
+            last += 1;
         }
+        for (column, by) in columns.chunks_exact_mut(states).zip(row) {
+            column[last] = *by;
+        }
+        last += 1;
     }
     if let Some(f) = f {
-        for i in 0..count {
-            (f[2 * i], f[2 * i + 1]) = (z[2 * i + 1], values[i]);
-        }
+        slopes(case, z, &values, f);
     }
 }
 
-/// A case by the states' names, from a guess of zero on so many equal intervals.
-pub fn stated(case: &'static Case, ends: [f64; 4], intervals: usize) -> Bvp<System> {
-    let names: &[&str] = if case.equations() == 1 { &["u", "u'"] } else { &["u1", "u1'", "u2", "u2'"] };
-    Bvp::with(names, case.interval, System(case, ends)).guess(intervals, |_, y| y.fill(0.0))
+/// Names of the states.
+const NAMES: [&str; STATES] = ["z1", "z2", "z3", "z4", "z5", "z6", "z7", "z8"];
+
+/// A case, with what is given at its ends, from its guess on so many equal intervals.
+pub fn stated(case: &'static Case, conditions: Vec<Condition>, intervals: usize) -> Bvp<System> {
+    let names = &NAMES[..case.states()];
+    Bvp::with(names, case.interval, System(case, conditions)).guess(intervals, |x, y| case.guess(x, y))
 }
