@@ -62,17 +62,18 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
 
     /// The same with defects in the magnitudes of the solution, where those of the last factored iterate are far larger
     /// and no measure exceeds `enough`: on a rough mesh, what is found of them is no better than all else.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub(crate) fn in_its_magnitudes(mut self, enough: f64, stats: &mut Stats) -> Result<Self, SolveError> {
+    pub(crate) fn in_its_magnitudes(mut self, enough: f64) -> Self {
         let rough = |defects: &Defects| !(measure(defects, enough, Rounding::Counted).largest <= enough);
-        if let Some(found) = self.converged.outgrown()
-            && !self.defects.iter().any(rough)
+        let Self { system, converged, extensions, defects, .. } = &mut self;
+        if let Some(found) = converged.outgrown()
+            && !defects.iter().any(rough)
         {
-            (self.extensions, self.defects) = judged(&self.system, &self.converged, found, f64::INFINITY, stats)?;
+            let regions = extensions.iter().zip(defects).zip(&converged.work.regions).enumerate();
+            for (region, ((extension, defects), stages)) in regions {
+                Extended { system, region, x: &converged.x, stages }.rescale(extension, defects, found);
+            }
         }
-        Ok(self)
+        self
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
