@@ -22,7 +22,7 @@ use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, action, phase_after};
 use crate::problem::{Layout, Problem};
 use crate::progress::{Found, Next, Progress, measured};
-use crate::refine::{Rounding, Verdict};
+use crate::refine::{Measure, Rounding, Verdict};
 use crate::solution::MeshRecord;
 use crate::start::{Start, carried, transfer};
 use crate::stats::Stats;
@@ -188,9 +188,10 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         {
             return Finding::Inaccurate;
         }
-        let coarser = |verdict: &Verdict| matches!(verdict, Verdict::Coarsen(_));
-        let oversized =
-            self.coarsen && !known && self.verdicts(solved, &measures, progress.target, progress).iter().any(coarser);
+        let coarser = |(region, measure): (usize, &Measure)| {
+            matches!(self.verdict(solved, region, measure, progress.target, progress), Verdict::Coarsen(_))
+        };
+        let oversized = self.coarsen && !known && measures.iter().enumerate().any(coarser);
         if oversized { Finding::Oversized } else { Finding::Good }
     }
 
@@ -243,10 +244,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Action::Tighten => Ok(self.tightened(solved, progress)),
             Action::Coarsen => {
                 let measures = measured(&solved, progress.target, progress.rounding());
-                let verdicts = self.verdicts(&solved, &measures, progress.target, progress).into_iter();
-                let meshes = verdicts.zip(&solved.system.grids).map(|(verdict, grid)| match verdict {
-                    Verdict::Coarsen(mesh) => mesh,
-                    Verdict::Keep | Verdict::Refine(_) | Verdict::Exhausted => grid.mesh.clone(),
+                let meshes = measures.iter().enumerate().map(|(region, measure)| {
+                    match self.verdict(&solved, region, measure, progress.target, progress) {
+                        Verdict::Coarsen(mesh) => mesh,
+                        Verdict::Keep | Verdict::Refine(_) | Verdict::Exhausted => {
+                            solved.system.grids[region].mesh.clone()
+                        }
+                    }
                 });
                 let start = transfer(&solved, meshes.collect());
                 progress.fallback = Some(*solved);

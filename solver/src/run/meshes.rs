@@ -120,13 +120,19 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let tighter = target < self.options.tolerance;
         let (mut meshes, mut refused, mut changed) = (Vec::new(), None, false);
-        for (region, verdict) in self.verdicts(solved, measures, target, progress).into_iter().enumerate() {
+        for (region, measure) in measures.iter().enumerate() {
             let old = &solved.system.grids[region].mesh;
+            let failing = !(measure.largest <= target);
+            let graded = if failing { self.graded(solved, region, measure, target, progress) } else { None };
+            let verdict = match graded {
+                Some(mesh) => Verdict::Refine(mesh),
+                None => self.verdict(solved, region, measure, target, progress),
+            };
             meshes.push(match verdict {
                 Verdict::Keep | Verdict::Coarsen(_) => old.clone(),
                 Verdict::Refine(mesh) => {
                     changed = true;
-                    self.graded(solved, region, &measures[region], target, progress).unwrap_or(mesh)
+                    mesh
                 }
                 Verdict::Exhausted => {
                     refused = refused.or(Some(region));
@@ -199,13 +205,15 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         mesh
     }
 
-    pub(super) fn verdicts(
+    /// What the mesh of one region should become, by its defects, measured by `target`.
+    pub(super) fn verdict(
         &self,
         solved: &Solved<'a, P>,
-        measures: &[Measure],
+        region: usize,
+        measure: &Measure,
         target: f64,
         progress: &Progress<'a, P>,
-    ) -> Vec<Verdict> {
+    ) -> Verdict {
         let wish = Wish {
             tolerance: target,
             order: self.tableau().defect_order,
@@ -213,13 +221,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             split_few: progress.split_few(),
             shrink: self.order != Order::Four && !progress.shrunk,
             linear: solved.converged.seems_linear(),
-            layers: &[],
+            layers: progress.layers[region].as_deref().unwrap_or_default(),
         };
-        let regions = solved.system.grids.iter().zip(measures).zip(&progress.layers);
-        let of_region = regions.map(|((grid, measure), layers)| {
-            verdict(&grid.mesh, measure, &Wish { layers: layers.as_deref().unwrap_or_default(), ..wish })
-        });
-        of_region.collect()
+        verdict(&solved.system.grids[region].mesh, measure, &wish)
     }
 
     /// Holds the defects to less, in the measure in which the error exceeds the tolerance.
