@@ -7,14 +7,14 @@ use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::{Grid, intervals};
 use crate::collocation::interpolant::{Extended, Extension};
-use crate::collocation::{Correction, Iterate, Scales, System};
+use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::newton::Converged;
 use crate::problem::Problem;
-use crate::refine::{Measure, Rounding, measure};
+use crate::refine::{Measure, Rounding};
 use crate::rows::Rows;
 use crate::solution::RegionSolution;
 use crate::stats::Stats;
@@ -55,25 +55,9 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         limit: f64,
         stats: &mut Stats,
     ) -> Result<Self, SolveError> {
-        let (extensions, defects) = judged(&system, &converged, &converged.factorisation.scales, limit, stats)?;
+        let (extensions, defects) = judged(&system, &converged, limit, stats)?;
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
         Ok(Self { system, converged, extensions, defects, estimate, boundary, corrected: false, measures })
-    }
-
-    /// The same with defects in the magnitudes of the solution, where those of the last factored iterate are far larger
-    /// and no measure exceeds `enough`: on a rough mesh, what is found of them is no better than all else.
-    pub(crate) fn in_its_magnitudes(mut self, enough: f64) -> Self {
-        let rough = |defects: &Defects| !(measure(defects, enough, Rounding::Counted).largest <= enough);
-        let Self { system, converged, extensions, defects, .. } = &mut self;
-        if let Some(found) = converged.outgrown()
-            && !defects.iter().any(rough)
-        {
-            let regions = extensions.iter().zip(defects).zip(&converged.work.regions).enumerate();
-            for (region, ((extension, defects), stages)) in regions {
-                Extended { system, region, x: &converged.x, stages }.rescale(extension, defects, found);
-            }
-        }
-        self
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
@@ -181,15 +165,14 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 }
 
-/// The continuous extensions of all regions and their defects, in units of `scales`.
+/// The continuous extensions of all regions and their defects.
 fn judged<P: Problem + ?Sized>(
     system: &System<'_, P>,
     converged: &Converged,
-    scales: &Scales,
     limit: f64,
     stats: &mut Stats,
 ) -> Result<(Vec<Extension>, Vec<Defects>), SolveError> {
-    let count = system.grids.len();
+    let (count, scales) = (system.grids.len(), converged.scales());
     let (mut extensions, mut defects) = (Vec::with_capacity(count), Vec::with_capacity(count));
     for (region, stages) in converged.work.regions.iter().enumerate() {
         let extended = Extended { system, region, x: &converged.x, stages };

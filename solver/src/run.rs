@@ -325,9 +325,8 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.orientation = orientation.or(self.orientation);
         // What is known of a rough solution is where a nonlinear iteration starts on the next mesh.
         let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };
-        let enough = ROUGHLY.max(self.options.tolerance);
         let solved = match Solved::new(system, converged, limit, &mut self.stats) {
-            Ok(solved) => solved.in_its_magnitudes(enough),
+            Ok(solved) => solved,
             Err(error) => return Ok(Found::Undefined(error)),
         };
         let measures = measured(&solved, self.options.tolerance, Rounding::Counted);

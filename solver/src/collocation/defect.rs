@@ -216,52 +216,22 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         lacking: &mut [f64],
         stats: &mut Stats,
     ) -> Result<Sampled, NonFinite> {
-        let mut sigmas = [0.0; MOST_PLACES];
-        sigmas.iter_mut().zip(samples).for_each(|(sigma, sample)| *sigma = sample.0);
+        let (mut sigmas, mut places) = ([0.0; MOST_PLACES], [(Basis::slope(0.0), 0.0); MOST_PLACES]);
+        for ((sigma, place), sample) in sigmas.iter_mut().zip(&mut places).zip(samples) {
+            (*sigma, *place) = (sample.0, (Basis::slope(sample.0), sample.1));
+        }
         let sampled = self.sampled(extension, &sigmas[..samples.len()], stats)?;
-        self.count(extension, samples, &sampled, scales, tally, lacking);
-        Ok(sampled)
-    }
-
-    /// Adds samples that have been taken to a tally: see [`counted`](Self::counted).
-    fn count(
-        &self,
-        extension: Option<&Extension>,
-        samples: &[(f64, f64)],
-        sampled: &Sampled,
-        scales: &[f64],
-        tally: &mut Tally,
-        lacking: &mut [f64],
-    ) {
-        let mut places = [(Basis::slope(0.0), 0.0); MOST_PLACES];
-        places.iter_mut().zip(samples).for_each(|(place, sample)| *place = (Basis::slope(sample.0), sample.1));
         let (a, b) = self.system.layout.regions[self.region].interval;
         vectorised(Count {
             pieces: self.pieces(extension),
-            sampled,
+            sampled: &sampled,
             places: &places[..samples.len()],
             tally,
             scales,
             length: b - a,
             lacking,
         });
-    }
-
-    /// Measures defects in other magnitudes, by the samples that they are known from; not where those were left out.
-    pub(crate) fn rescale(&self, extension: &Extension, defects: &mut Defects, scales: &Scales) {
-        let (states, mut tally) = (&scales.states[self.region], self.tally());
-        let mut left = self.system.tableau.samples;
-        for sampled in &defects.samples {
-            let (part, rest) = left.split_at(sampled.places);
-            self.count(Some(extension), part, sampled, states, &mut tally, &mut []);
-            left = rest;
-        }
-        if !left.is_empty() {
-            return;
-        }
-        tally.weigh_by(1.0);
-        let (integrated, samples) = (std::mem::take(&mut defects.integrated), std::mem::take(&mut defects.samples));
-        *defects = Defects { integrated, samples, ..self.concluded(tally, states) };
+        Ok(sampled)
     }
 
     /// What the samples say, in the mesh's order.

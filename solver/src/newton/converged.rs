@@ -78,11 +78,6 @@ impl Converged {
         })
     }
 
-    /// Typical magnitudes at the solution, where those of the factorisation are far larger.
-    pub(crate) fn outgrown(&self) -> Option<&Scales> {
-        self.found.as_ref().filter(|found| found.smaller).map(|found| &found.scales)
-    }
-
     /// Typical magnitudes, for what is said of the solution. Corrections are in those of the factorisation.
     pub(crate) fn scales(&self) -> &Scales {
         self.found.as_ref().map_or(&self.factorisation.scales, |found| &found.scales)
