@@ -12,8 +12,8 @@
 //! of each code are tried: tolerances 1e-3 to 1e-11; orders 4, 6 and 8 from 4, 8 and 16 intervals here, with and
 //! without defect correction; 3 to 7 collocation points from 5, 10 and 20 intervals in COLNEW; with and without
 //! conditioning in TWPBVPC. The fastest that reaches the accuracy counts, and those three are then timed in turn, the
-//! least of nine rounds each. COLNEW solves equations of second order as they are, the others a system of twice as
-//! many.
+//! least of nine rounds each. COLNEW solves equations of orders up to 4 as they are, the others the system of first
+//! order. Solutions that are not known are computed first, and a peer must find the same.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a bench fails by panicking")]
 
 #[path = "peers/cases.rs"]
