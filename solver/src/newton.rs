@@ -10,7 +10,7 @@ mod converged;
 mod names;
 
 pub(crate) use converged::Converged;
-use converged::Found;
+use converged::OwnScales;
 use converged::{FAR, LINEAR};
 
 use crate::budget::Budget;
@@ -36,7 +36,7 @@ const NEGLIGIBLE: f64 = 1e-3;
 /// Corrections are measured in the magnitudes of the last factored iterate. Those of the iterate that they lead to may
 /// be far smaller, as after a step too far, or from a guess that is far too large, or far larger, as from a guess of
 /// zero: beyond this factor they count.
-const OUTGROWN: f64 = 2.0;
+const BY_FAR: f64 = 2.0;
 /// Below this tolerance rounding is near, and every correction is applied.
 const NEAR_ROUNDING: f64 = 1e-10;
 
@@ -101,7 +101,7 @@ struct Newton<'a, 'p, P: Problem + ?Sized> {
     work: Work,
     factorisation: Factorisation,
     /// See [`Converged`].
-    found: Option<Found>,
+    own: Option<OwnScales>,
     iteration: usize,
     contraction: Option<f64>,
     /// Largest component of the first correction.
@@ -188,7 +188,7 @@ pub(crate) fn solve<P: Problem + ?Sized>(
         budget,
         work: system.work(),
         factorisation: Factorisation::new(system),
-        found: None,
+        own: None,
         iteration: 0,
         contraction: None,
         first: None,
@@ -299,7 +299,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
     fn linearise(&mut self, x: &Iterate) -> Result<(), NewtonError> {
         self.iteration += 1;
         self.stats.newton_iterations += 1;
-        self.found = None;
+        self.own = None;
         self.evaluate(x, Derivatives::Planned).map_err(NewtonError::NonFinite)?;
         let scales = self.system.scales(x);
         self.factorisation.factor(self.system, &self.work, scales);
@@ -367,7 +367,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         self.system.evaluate_values(&x, &mut self.work, self.stats).ok()?;
         let last = Last { x, evaluated: true, size: 0.0 };
         // The magnitudes of the solution first: boundary residuals are relative to them.
-        let arrived = self.is_small(&last) && !self.found.as_ref().is_some_and(|found| found.smaller);
+        let arrived = self.is_small(&last) && !self.own.as_ref().is_some_and(|own| own.smaller);
         if arrived && self.boundary_residual() <= self.limits.boundary {
             return Some(last.x);
         }
@@ -456,16 +456,16 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
         Last { x: self.system.stepped(&x, &self.factorisation.scales, 1.0, correction), evaluated: false, size }
     }
 
-    /// Whether the last correction is small beside the iterate that it led to, too: see [`OUTGROWN`].
+    /// Whether the last correction is small beside the iterate that it led to, too: see [`BY_FAR`].
     fn is_small(&mut self, last: &Last) -> bool {
         let (held, found) = (&self.factorisation.scales, self.system.scales(&last.x));
         let states = held.states.iter().flatten().zip(found.states.iter().flatten());
         let ratios = states.chain(held.constants.iter().zip(&found.constants)).map(|(held, found)| held / found);
         let (least, largest) = ratios.fold((1.0, 1.0), |(least, most): (f64, f64), r| (least.min(r), most.max(r)));
-        if largest > OUTGROWN || least < 1.0 / OUTGROWN {
-            self.found = Some(Found { scales: found, smaller: largest > OUTGROWN });
+        if largest > BY_FAR || least < 1.0 / BY_FAR {
+            self.own = Some(OwnScales { scales: found, smaller: largest > BY_FAR });
         }
-        largest <= OUTGROWN || largest * last.size <= self.limits.tolerance
+        largest <= BY_FAR || largest * last.size <= self.limits.tolerance
     }
 
     /// Further corrections with the held matrix, as long as fewer are needed than a new matrix costs.
@@ -521,7 +521,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
             x,
             work: self.work,
             factorisation: self.factorisation,
-            found: self.found,
+            own: self.own,
             contraction,
             linear: contraction <= LINEAR && self.first.is_some_and(|first| first >= FAR),
             at_once: self.iteration == 1 && self.contraction.is_none(),

@@ -48,7 +48,7 @@ impl<P: Problem + ?Sized> Newton<'_, '_, P> {
 
     /// The largest residual of the boundary equations, relative to the terms of its equation.
     pub(super) fn boundary_residual(&self) -> f64 {
-        let scales = self.found.as_ref().map_or(&self.factorisation.scales, |found| &found.scales);
+        let scales = self.own.as_ref().map_or(&self.factorisation.scales, |own| &own.scales);
         self.system.boundary_residuals(&self.work, scales).fold(0.0, f64::max)
     }
 }

@@ -15,7 +15,7 @@ pub(crate) struct Converged {
     pub work: Work,
     pub factorisation: Factorisation,
     /// Typical magnitudes at `x`, where those of the factorisation are far larger or far smaller.
-    pub(super) found: Option<Found>,
+    pub(super) own: Option<OwnScales>,
     /// First observed contraction `‖Δx̄‖ / ‖Δx‖`; 0 if the first correction was already negligible.
     pub contraction: f64,
     /// Whether the problem is linear for sure: so little was left of a first correction that was large, on these meshes
@@ -31,9 +31,9 @@ pub(crate) struct Converged {
     pub stagnated: Option<NewtonError>,
 }
 
-/// Typical magnitudes that differ by far from those that corrections are in.
+/// Typical magnitudes of the iterate that an iteration led to, which differ by far from those that corrections are in.
 #[derive(Debug, Clone)]
-pub(super) struct Found {
+pub(super) struct OwnScales {
     pub scales: Scales,
     /// Whether any is far smaller.
     pub smaller: bool,
@@ -60,7 +60,7 @@ impl Converged {
             x,
             work,
             factorisation,
-            found: None,
+            own: None,
             contraction: 0.0,
             linear: false,
             at_once: true,
@@ -80,14 +80,14 @@ impl Converged {
 
     /// Typical magnitudes, for what is said of the solution. Corrections are in those of the factorisation.
     pub(crate) fn scales(&self) -> &Scales {
-        self.found.as_ref().map_or(&self.factorisation.scales, |found| &found.scales)
+        self.own.as_ref().map_or(&self.factorisation.scales, |own| &own.scales)
     }
 
     /// The largest component of what is given in the factorisation's magnitudes, in those of the solution.
     pub(crate) fn largest<P: Problem + ?Sized>(&self, system: &System<'_, P>, dx: &Correction) -> f64 {
-        let Some(found) = &self.found else { return system.largest(dx) };
+        let Some(own) = &self.own else { return system.largest(dx) };
         let mut rescaled = dx.clone();
-        system.rescale(&mut rescaled, &self.factorisation.scales, &found.scales);
+        system.rescale(&mut rescaled, &self.factorisation.scales, &own.scales);
         system.largest(&rescaled)
     }
 }
