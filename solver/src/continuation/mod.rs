@@ -1,7 +1,7 @@
 //! Following solutions through changes of the constants.
 //!
 //! - [`follow`]: along a given path, from its start to its end.
-//! - [`trace`]: a branch in one constant, through folds, with events.
+//! - [`trace`](fn@trace): a branch in one constant, through folds, with events.
 //! - [`trace_crossing`]: from a branch point onto the branch that crosses there.
 //! - [`solve_automatically`]: whatever way leads to a solution where Newton's iteration fails from the guess.
 //! - [`Checkpoint`]: where a continuation stands, for a later process.
