@@ -30,8 +30,8 @@ mod reference;
 mod system;
 
 use cases::{CASES, Case};
-use codes::{Code, Configuration, Run, Truth};
-use reference::Reference;
+use codes::{Code, Configuration, Run};
+use reference::Truth;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -48,7 +48,7 @@ struct Best {
     run: Run,
 }
 
-fn best(code: Code, case: &'static Case, truth: Truth<'_>, accuracy: f64) -> Option<Best> {
+fn best(code: Code, case: &'static Case, truth: &Truth, accuracy: f64) -> Option<Best> {
     let tried = code.configurations().into_iter().filter_map(|configuration| {
         let run = code.solve(case, &configuration)?.judged(case, truth);
         (run.error <= accuracy).then_some(Best { configuration, run })
@@ -134,14 +134,13 @@ impl Ratios {
 /// The two sets of problems.
 const SETS: [(&str, &[Case]); 2] = [("Known solutions", CASES), ("Computed solutions", open::CASES)];
 
-/// A problem, and what errors are measured against where its solution is not known.
-type Judged = (&'static Case, Option<Reference>);
+/// A problem, and what errors are measured against.
+type Judged = (&'static Case, Truth);
 
 /// The problems of a set whose names have any of those wanted.
 fn judged(cases: &'static [Case], names: &[String]) -> Vec<Judged> {
     let wanted = |case: &&Case| names.is_empty() || names.iter().any(|name| case.name.contains(name));
-    let cases = cases.iter().filter(wanted);
-    cases.map(|case| (case, case.exact(case.interval.0).is_none().then(|| Reference::of(case)))).collect()
+    cases.iter().filter(wanted).map(|case| (case, Truth::of(case))).collect()
 }
 
 fn section(accuracy: f64, sets: &[(&str, Vec<Judged>)]) -> String {
@@ -158,8 +157,7 @@ fn section(accuracy: f64, sets: &[(&str, Vec<Judged>)]) -> String {
              | TWPBVPC, ms | tolerance | intervals (error) |\n\
              |---|---|---|---|---|---|---|---|---|---|\n"
         );
-        for (case, reference) in cases {
-            let truth = reference.as_ref().map_or(Truth::Exact, Reference::truth);
+        for (case, truth) in cases {
             out.push_str(&row(case, truth, accuracy, &mut ratios));
         }
         out.push('\n');
@@ -175,7 +173,7 @@ fn section(accuracy: f64, sets: &[(&str, Vec<Judged>)]) -> String {
 }
 
 /// One problem's row of the table; its ratios are added to those of each peer.
-fn row(case: &'static Case, truth: Truth<'_>, accuracy: f64, ratios: &mut [Ratios; 2]) -> String {
+fn row(case: &'static Case, truth: &Truth, accuracy: f64, ratios: &mut [Ratios; 2]) -> String {
     let mut all = Code::ALL.map(|code| (code, best(code, case, truth, accuracy)));
     time(case, &mut all);
     let [here, colnew, twpbvpc] = &all;

@@ -18,18 +18,30 @@ pub enum Equations {
     One(fn(f64, f64, f64) -> [f64; 3], fn(f64) -> f64),
     /// Two of them, of states u₁, u₁', u₂, u₂': both F, each with its derivatives with respect to the states.
     Two(fn(f64, [f64; 4]) -> [[f64; 5]; 2], fn(f64) -> [f64; 2]),
-    /// As `One`, with the values of u at the ends, and a guess of u and u': the solution is not known.
-    Open(fn(f64, f64, f64) -> [f64; 3], [f64; 2], fn(f64) -> [f64; 2]),
+    /// As `One`, with the values of u at the ends, and a guess: the solution is not known.
+    Open(fn(f64, f64, f64) -> [f64; 3], [f64; 2], Guess),
     /// Of any orders.
     Many(&'static Many),
 }
+
+/// Of u and u'.
+#[derive(Debug, Clone, Copy)]
+pub enum Guess {
+    Zero,
+    /// The straight line between the values at the ends.
+    Line,
+    Constant(f64),
+}
+
+/// At x and states z, into values and into rows.
+pub type Derivatives = fn(f64, &[f64], &mut [f64], &mut [f64]);
 
 /// Equations of any orders, whose solution is not known. States: of each equation u, and its derivatives up to one less
 /// than its order.
 pub struct Many {
     pub orders: &'static [usize],
     /// The highest derivatives, and their derivatives with respect to the states, by rows.
-    pub derivatives: fn(f64, &[f64], &mut [f64], &mut [f64]),
+    pub derivatives: Derivatives,
     /// What is given at the left end: states and their values,
     pub left: &'static [(usize, f64)],
     /// and at the right end.
@@ -107,7 +119,15 @@ impl Case {
     pub fn guess(&self, x: f64, z: &mut [f64]) {
         match self.equations {
             Equations::One(..) | Equations::Two(..) => z.fill(0.0),
-            Equations::Open(_, _, guess) => z.copy_from_slice(&guess(x)),
+            Equations::Open(_, [left, right], guess) => {
+                let (a, b) = self.interval;
+                let slope = (right - left) / (b - a);
+                z.copy_from_slice(&match guess {
+                    Guess::Zero => [0.0; 2],
+                    Guess::Line => [left + slope * (x - a), slope],
+                    Guess::Constant(u) => [u, 0.0],
+                });
+            }
             Equations::Many(many) => (many.guess)(x, z),
         }
     }

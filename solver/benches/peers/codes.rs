@@ -2,8 +2,9 @@
 
 use crate::cases::{Case, Condition, STATES};
 use crate::fortran::peers;
+use crate::reference::Truth;
 use crate::system::{stated, system_derivatives, system_values};
-use solver::{Options, Order, Solution};
+use solver::{Options, Order};
 use std::cell::{Cell, RefCell};
 use std::ffi::c_int;
 use std::fmt;
@@ -88,15 +89,6 @@ impl Code {
     }
 }
 
-/// What errors are measured against.
-#[derive(Clone, Copy)]
-pub enum Truth<'a> {
-    /// The case's solution is known.
-    Exact,
-    /// It has been computed.
-    Computed(&'a Solution),
-}
-
 /// What a code found.
 pub struct Found {
     pub seconds: f64,
@@ -106,7 +98,7 @@ pub struct Found {
 }
 
 impl Found {
-    pub fn judged(&self, case: &Case, truth: Truth<'_>) -> Run {
+    pub fn judged(&self, case: &Case, truth: &Truth) -> Run {
         let mut worst = 0.0_f64;
         for (i, state) in case.unknowns().enumerate() {
             let (mut error, mut size) = (0.0_f64, 1.0_f64);

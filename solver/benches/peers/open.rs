@@ -3,21 +3,16 @@
 //! Russell, ACM Trans. Math. Softw. 7 (1981) 209-222), demos of AUTO, boundary layers of textbooks; equations of
 //! orders 1 to 4, up to eight states. What errors are measured against is computed: see `reference.rs`.
 
-use crate::cases::{Case, Equations, Many};
+use crate::cases::{Case, Derivatives, Equations, Guess, Many};
 use std::f64::consts::FRAC_PI_2;
 
-/// A guess of zero.
-fn zero(_: f64) -> [f64; 2] {
-    [0.0; 2]
-}
-
-/// `u'' = F(x, u, u')` with u at both ends, from a guess of u and u'.
+/// `u'' = F(x, u, u')` with u at both ends.
 const fn one(
     name: &'static str,
     interval: (f64, f64),
     f: fn(f64, f64, f64) -> [f64; 3],
     ends: [f64; 2],
-    guess: fn(f64) -> [f64; 2],
+    guess: Guess,
 ) -> Case {
     Case { name, interval, linear: false, equations: Equations::Open(f, ends, guess) }
 }
@@ -28,39 +23,39 @@ const fn many(name: &'static str, interval: (f64, f64), many: &'static Many) -> 
 
 /// All of them.
 pub static CASES: &[Case] = &[
-    one("19, ε = 1e-2", (0.0, 1.0), |x, u, v| cash19(x, u, v, 1e-2), [0.0, 0.0], zero),
-    one("19, ε = 1e-3", (0.0, 1.0), |x, u, v| cash19(x, u, v, 1e-3), [0.0, 0.0], zero),
-    one("22, ε = 0.025", (0.0, 1.0), |_, u, v| cash22(u, v, 0.025), [0.0, 0.5], zero),
-    one("22, ε = 1e-3", (0.0, 1.0), |_, u, v| cash22(u, v, 1e-3), [0.0, 0.5], zero),
-    one("23 (Troesch), μ = 5", (0.0, 1.0), |_, u, _| troesch(u, 5.0), [0.0, 1.0], zero),
-    one("23 (Troesch), μ = 9", (0.0, 1.0), |_, u, _| troesch(u, 9.0), [0.0, 1.0], zero),
-    one("24 (nozzle), ε = 0.05", (0.0, 1.0), |x, u, v| nozzle(x, u, v, 0.05), [0.9129, 0.375], nozzle_guess),
-    one("24 (nozzle), ε = 0.02", (0.0, 1.0), |x, u, v| nozzle(x, u, v, 0.02), [0.9129, 0.375], nozzle_guess),
-    one("25, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C25, |x| line(x, C25)),
-    one("25, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C25, |x| line(x, C25)),
-    one("26, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C26, |x| line(x, C26)),
-    one("26, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C26, |x| line(x, C26)),
-    one("27, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C27, |x| line(x, C27)),
-    one("27, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C27, |x| line(x, C27)),
-    one("28, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C28, |x| line(x, C28)),
-    one("28, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C28, |x| line(x, C28)),
-    one("29, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C29, |x| line(x, C29)),
-    one("29, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C29, |x| line(x, C29)),
-    one("30, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C30, |x| line(x, C30)),
-    one("30, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C30, |x| line(x, C30)),
-    many("31 (shell), ε = 0.1", (0.0, 1.0), &Many { derivatives: |_, z, f, d| shell(z, f, d, 0.1), ..SHELL }),
-    many("31 (shell), ε = 0.025", (0.0, 1.0), &Many { derivatives: |_, z, f, d| shell(z, f, d, 0.025), ..SHELL }),
-    many("32 (channel), R = 10", (0.0, 1.0), &Many { derivatives: |_, z, f, d| channel(z, f, d, 10.0), ..CHANNEL }),
-    many("32 (channel), R = 100", (0.0, 1.0), &Many { derivatives: |_, z, f, d| channel(z, f, d, 100.0), ..CHANNEL }),
-    many("32 (channel), R = 1000", (0.0, 1.0), &Many { derivatives: |_, z, f, d| channel(z, f, d, 1e3), ..CHANNEL }),
-    many("33 (discs), ε = 0.05", (0.0, 1.0), &Many { derivatives: |_, z, f, d| discs(z, f, d, 0.05), ..DISCS }),
-    many("33 (discs), ε = 0.01", (0.0, 1.0), &Many { derivatives: |_, z, f, d| discs(z, f, d, 0.01), ..DISCS }),
-    one("AUTO's spb, ε = 0.1", (0.0, 1.0), |_, u, v| spb(u, v, 0.1), [1.5, 1.2], |x| line(x, [1.5, 1.2])),
-    one("u'' = cosh u / sinh³ u", (0.0, 1.0), |_, u, _| hyperbolic(u), [HYPERBOLIC; 2], |_| [1.0, 0.0]),
-    one("Pendulum", (0.0, 6.0), |_, u, _| [-u.sin(), -u.cos(), 0.0], [1.0, 1.5], zero),
-    one("Painlevé I", (0.0, 10.0), |x, u, _| [u * u - x, 2.0 * u, 0.0], [0.0, ROOT], |x| [0.1 * ROOT * x, 0.1 * ROOT]),
-    one("ε u'' = u u', ε = 0.05", (0.0, 1.0), |_, u, v| burgers(u, v, 0.05), [1.0, -0.9], |x| line(x, [1.0, -0.9])),
-    one("van der Pol, forced", (0.0, 3.0), van_der_pol, [2.0, -1.0], |x| [2.0 - x, -1.0]),
+    one("19, ε = 1e-2", (0.0, 1.0), |x, u, v| cash19(x, u, v, 1e-2), [0.0, 0.0], Guess::Zero),
+    one("19, ε = 1e-3", (0.0, 1.0), |x, u, v| cash19(x, u, v, 1e-3), [0.0, 0.0], Guess::Zero),
+    one("22, ε = 0.025", (0.0, 1.0), |_, u, v| cash22(u, v, 0.025), [0.0, 0.5], Guess::Zero),
+    one("22, ε = 1e-3", (0.0, 1.0), |_, u, v| cash22(u, v, 1e-3), [0.0, 0.5], Guess::Zero),
+    one("23 (Troesch), μ = 5", (0.0, 1.0), |_, u, _| troesch(u, 5.0), [0.0, 1.0], Guess::Zero),
+    one("23 (Troesch), μ = 9", (0.0, 1.0), |_, u, _| troesch(u, 9.0), [0.0, 1.0], Guess::Zero),
+    one("24 (nozzle), ε = 0.05", (0.0, 1.0), |x, u, v| nozzle(x, u, v, 0.05), [0.9129, 0.375], Guess::Line),
+    one("24 (nozzle), ε = 0.02", (0.0, 1.0), |x, u, v| nozzle(x, u, v, 0.02), [0.9129, 0.375], Guess::Line),
+    one("25, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C25, Guess::Line),
+    one("25, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C25, Guess::Line),
+    one("26, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C26, Guess::Line),
+    one("26, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C26, Guess::Line),
+    one("27, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C27, Guess::Line),
+    one("27, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C27, Guess::Line),
+    one("28, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C28, Guess::Line),
+    one("28, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C28, Guess::Line),
+    one("29, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C29, Guess::Line),
+    one("29, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C29, Guess::Line),
+    one("30, ε = 0.1", (0.0, 1.0), |_, u, v| cole(u, v, 0.1), C30, Guess::Line),
+    one("30, ε = 0.01", (0.0, 1.0), |_, u, v| cole(u, v, 0.01), C30, Guess::Line),
+    many("31 (shell), ε = 0.1", (0.0, 1.0), &shell_by(|_, z, f, d| shell(z, f, d, 0.1))),
+    many("31 (shell), ε = 0.025", (0.0, 1.0), &shell_by(|_, z, f, d| shell(z, f, d, 0.025))),
+    many("32 (channel), R = 10", (0.0, 1.0), &channel_by(|_, z, f, d| channel(z, f, d, 10.0))),
+    many("32 (channel), R = 100", (0.0, 1.0), &channel_by(|_, z, f, d| channel(z, f, d, 100.0))),
+    many("32 (channel), R = 1000", (0.0, 1.0), &channel_by(|_, z, f, d| channel(z, f, d, 1e3))),
+    many("33 (discs), ε = 0.05", (0.0, 1.0), &discs_by(|_, z, f, d| discs(z, f, d, 0.05))),
+    many("33 (discs), ε = 0.01", (0.0, 1.0), &discs_by(|_, z, f, d| discs(z, f, d, 0.01))),
+    one("AUTO's spb, ε = 0.1", (0.0, 1.0), |_, u, v| spb(u, v, 0.1), [1.5, 1.2], Guess::Line),
+    one("u'' = cosh u / sinh³ u", (0.0, 1.0), |_, u, _| hyperbolic(u), [HYPERBOLIC; 2], Guess::Constant(1.0)),
+    one("Pendulum", (0.0, 6.0), |_, u, _| [-u.sin(), -u.cos(), 0.0], [1.0, 1.5], Guess::Zero),
+    one("Painlevé I", (0.0, 10.0), |x, u, _| [u * u - x, 2.0 * u, 0.0], [0.0, ROOT], Guess::Line),
+    one("ε u'' = u u', ε = 0.05", (0.0, 1.0), |_, u, v| burgers(u, v, 0.05), [1.0, -0.9], Guess::Line),
+    one("van der Pol, forced", (0.0, 3.0), van_der_pol, [2.0, -1.0], Guess::Line),
     many("Blasius", (0.0, 10.0), &BLASIUS),
     many("Falkner and Skan, β = 0.5", (0.0, 8.0), &FALKNER_SKAN),
     many("COLSYS 3 (disc), L = 60", (0.0, 1.0), &DISC),
@@ -73,14 +68,9 @@ pub static CASES: &[Case] = &[
         name: "u'' = 500 x u",
         interval: (-1.0, 1.0),
         linear: true,
-        equations: Equations::Open(|x, u, _| [500.0 * x * u, 500.0 * x, 0.0], [1.0, 1.0], zero),
+        equations: Equations::Open(|x, u, _| [500.0 * x * u, 500.0 * x, 0.0], [1.0, 1.0], Guess::Zero),
     },
 ];
-
-/// u and u' of the straight line between values at 0 and 1.
-fn line(x: f64, [a, b]: [f64; 2]) -> [f64; 2] {
-    [a + (b - a) * x, b - a]
-}
 
 fn cash19(x: f64, u: f64, v: f64, e: f64) -> [f64; 3] {
     let (source, drag) = (FRAC_PI_2 * (FRAC_PI_2 * x).sin() * (2.0 * u).exp(), u.exp());
@@ -105,10 +95,6 @@ fn nozzle(x: f64, u: f64, v: f64, e: f64) -> [f64; 3] {
         2.0 * v / (u * u * u * ea) + widening * (1.0 / (u * u) + 0.2),
         (slope - 1.0 / (u * u)) / ea,
     ]
-}
-
-fn nozzle_guess(x: f64) -> [f64; 2] {
-    line(x, [0.9129, 0.375])
 }
 
 /// `ε u'' = u (1 - u')` (P. A. Lagerstrom and J. D. Cole): its solutions have layers, corners or shocks by their ends.
@@ -146,13 +132,15 @@ fn van_der_pol(x: f64, u: f64, v: f64) -> [f64; 3] {
     [2.0 * (1.0 - u * u) * v - u + x.sin(), -4.0 * u * v - 1.0, 2.0 * (1.0 - u * u)]
 }
 
-const SHELL: Many = Many {
-    orders: &[1, 1, 1, 1],
-    derivatives: |_, _, _, _| {},
-    left: &[(0, 0.0), (2, 0.0)],
-    right: &[(0, 0.0), (2, 0.0)],
-    guess: |_, z| z.fill(0.0),
-};
+const fn shell_by(derivatives: Derivatives) -> Many {
+    Many {
+        orders: &[1, 1, 1, 1],
+        derivatives,
+        left: &[(0, 0.0), (2, 0.0)],
+        right: &[(0, 0.0), (2, 0.0)],
+        guess: |_, z| z.fill(0.0),
+    }
+}
 
 fn shell(z: &[f64], f: &mut [f64], rows: &mut [f64], e: f64) {
     let (y, angle, m, q) = (z[0], z[1], z[2], z[3]);
@@ -167,13 +155,15 @@ fn shell(z: &[f64], f: &mut [f64], rows: &mut [f64], e: f64) {
 }
 
 /// Flow through a channel with porous walls.
-const CHANNEL: Many = Many {
-    orders: &[4],
-    derivatives: |_, _, _, _| {},
-    left: &[(0, 0.0), (1, 0.0)],
-    right: &[(0, 1.0), (1, 0.0)],
-    guess: |_, z| z.fill(0.0),
-};
+const fn channel_by(derivatives: Derivatives) -> Many {
+    Many {
+        orders: &[4],
+        derivatives,
+        left: &[(0, 0.0), (1, 0.0)],
+        right: &[(0, 1.0), (1, 0.0)],
+        guess: |_, z| z.fill(0.0),
+    }
+}
 
 fn channel(z: &[f64], f: &mut [f64], rows: &mut [f64], reynolds: f64) {
     f[0] = reynolds * (z[1] * z[2] - z[0] * z[3]);
@@ -181,13 +171,15 @@ fn channel(z: &[f64], f: &mut [f64], rows: &mut [f64], reynolds: f64) {
 }
 
 /// Flow between rotating discs: g, g', f, f', f'', f'''.
-const DISCS: Many = Many {
-    orders: &[2, 4],
-    derivatives: |_, _, _, _| {},
-    left: &[(0, -1.0), (2, 0.0), (3, 0.0)],
-    right: &[(0, 1.0), (2, 0.0), (3, 0.0)],
-    guess: |x, z| z.copy_from_slice(&[2.0 * x - 1.0, 2.0, 0.0, 0.0, 0.0, 0.0]),
-};
+const fn discs_by(derivatives: Derivatives) -> Many {
+    Many {
+        orders: &[2, 4],
+        derivatives,
+        left: &[(0, -1.0), (2, 0.0), (3, 0.0)],
+        right: &[(0, 1.0), (2, 0.0), (3, 0.0)],
+        guess: |x, z| z.copy_from_slice(&[2.0 * x - 1.0, 2.0, 0.0, 0.0, 0.0, 0.0]),
+    }
+}
 
 fn discs(z: &[f64], f: &mut [f64], rows: &mut [f64], e: f64) {
     f.copy_from_slice(&[(z[0] * z[3] - z[2] * z[1]) / e, (-z[2] * z[5] - z[0] * z[1]) / e]);
