@@ -179,7 +179,7 @@ fn row(case: &'static Case, truth: &Truth, accuracy: f64, ratios: &mut [Ratios; 
     let [here, colnew, twpbvpc] = &all;
     let cells = [here, colnew, twpbvpc].map(|(_, best)| cell(best.as_ref()));
     // Primes: books set straight quotes as quotation marks.
-    let name = case.name.replace("''", "″").replace('\'', "′");
+    let name = case.name.replace("''", "″").replace('\'', "′").replace(" = ", "\u{a0}=\u{a0}");
     let name = if case.name.len() <= SHORT { unbroken(name) } else { name };
     eprintln!("{} | {}", case.name, cells.join(" | "));
     for (ratios, (_, peer)) in ratios.iter_mut().zip([colnew, twpbvpc]) {
