@@ -5,7 +5,8 @@
 //! derivatives at the nodes say more. A mode, an eigenvector of ∂f/∂y with the eigenvalue λ, that decays within a
 //! fraction of an interval may have a layer of width 1/|Re λ| at the left end, and one that grows at the right end. In
 //! between, where modes grow before a place and decay behind it (a turning point), they meet in a layer: with
-//! λ = -c (s - s*) its width is c^(-1/2). See U. M. Ascher, R. M. M. Mattheij and R. D. Russell, "Numerical Solution of
+//! λ = -c (s - s*) its width is c^(-1/2). So it is where an end is such a place: modes are slow there, and fast within
+//! the region, as they are for a problem that symmetry halves. See U. M. Ascher, R. M. M. Mattheij and R. D. Russell, "Numerical Solution of
 //! Boundary Value Problems for Ordinary Differential Equations", SIAM 1995, sections 10.1 and 10.4.
 //!
 //! Whether the solution has a layer there only its boundary values and sources decide, which are not looked at.
@@ -229,6 +230,18 @@ fn layers(modes: &[(f64, Modes)], making: Making) -> Vec<Layer> {
     let at_start = (first.decaying > 0).then(|| making.at_end(start, 1.0 / first.decay));
     let at_end = (last.growing > 0).then(|| making.at_end(end, 1.0 / last.growth));
     let mut out: Vec<Layer> = at_start.into_iter().chain(at_end).collect();
+    // An end that is a turning point itself: modes are slow there, and fast at the next place within.
+    let mut half = |end: f64, place: f64, rate: f64| out.push(making.at_turn(end, ((place - end).abs() / rate).sqrt()));
+    if let &[_, (place, next), ..] = modes
+        && next.decaying > first.decaying
+    {
+        half(start, place, next.decay);
+    }
+    if let &[.., (place, previous), _] = modes
+        && previous.growing > last.growing
+    {
+        half(end, place, previous.growth);
+    }
     // The last place at which no fast mode has slowed down: at a turning point itself they are slow.
     let mut before = (start, first);
     for &(place, modes) in modes {
@@ -330,6 +343,13 @@ mod tests {
             assert!((place - turn).abs() < 1e-12 && (width - 0.01).abs() < 1e-12, "{found:?}");
             let places: Vec<f64> = along(&|s| 1e4 * (s - turn)).iter().map(|(place, _)| *place).collect();
             assert_eq!(places, [0.0, 1.0]);
+        }
+        // Half of it, on either side of such a place.
+        for (end, sign) in [(0.0, -1.0), (1.0, 1.0)] {
+            let found = along(&|s| sign * 1e4 * (s - end).abs());
+            let [(place, width)] = found[..] else { panic!("{found:?}") };
+            assert!(place == end && (width - 0.01).abs() < 1e-12, "{found:?}");
+            assert_eq!(along(&|s| -sign * 1e4 * (s - end).abs()), [(1.0 - end, 1e-4)]);
         }
     }
 

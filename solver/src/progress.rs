@@ -33,6 +33,7 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     /// The solution that the present meshes were made from, while the tolerance is not met.
     coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
+    max_intervals: usize,
     /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
     /// again would do so again.
     pub(crate) shrunk: bool,
@@ -76,6 +77,7 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
             stalled: 0,
             coarser: None,
             fallback_doubled: false,
+            max_intervals: options.max_intervals,
             shrunk: false,
             before_shrinking: None,
             layers: vec![None; regions],
@@ -137,6 +139,19 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
         let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;
         self.fallback_doubled = true;
         Some(transfer(fallback, twice(fallback)))
+    }
+
+    /// The fallback on its own meshes doubled, once: where smaller defects in a few intervals at a time bring hardly
+    /// smaller errors, that does, unless what is left is due to rounding. Then, or if meshes may not have so many
+    /// intervals, the fallback itself.
+    pub(crate) fn doubled_or_done(&mut self, fallback: Solved<'a, P>) -> Next<'a, P> {
+        let fits = fallback.system.grids.iter().all(|grid| 2 * grid.intervals() <= self.max_intervals);
+        if self.fallback_doubled || !fits {
+            return Next::done(fallback);
+        }
+        let start = transfer(&fallback, twice(&fallback));
+        (self.fallback, self.fallback_doubled) = (Some(fallback), true);
+        Next::On(start)
     }
 }
 

@@ -132,7 +132,8 @@ pub(crate) struct Wish<'a> {
     /// Exponent of the interval length in the defect.
     pub order: f64,
     pub max_intervals: usize,
-    /// Whether intervals are split where they are if few are too long; if not, all are redistributed.
+    /// Whether intervals are split where they are if few are too long; if not, as that has not helped, all are
+    /// redistributed, and there are no fewer.
     pub split_few: bool,
     /// Whether intervals are redistributed, even if few are too long, where far fewer would do.
     pub shrink: bool,
@@ -196,7 +197,10 @@ pub(crate) fn verdict(mesh: &[f64], measure: &Measure, wish: &Wish<'_>) -> Verdi
         };
         let most = (growth * intervals as f64).min(max_intervals as f64);
         let least = (0.5 * intervals as f64).max(FEWEST as f64);
-        let target = if count >= 0.9 * intervals as f64 { count.max(1.1 * intervals as f64 + 1.0) } else { count };
+        // If splitting a few has not helped, defects within the asymptotic regime do not follow from lengths as they
+        // should, and fewer intervals need not do.
+        let more = count >= 0.9 * intervals as f64 || (!split_few && measure.largest <= ASYMPTOTIC);
+        let target = if more { count.max(1.1 * intervals as f64 + 1.0) } else { count };
         // Where there may be no more intervals at all, those that others need are taken from wherever they are; and
         // where there is no layer to be spoiled, for what kinks ask for is more than is to be had.
         let spoiling = measure.largest > ASYMPTOTIC || !wish.layers.is_empty();
@@ -308,6 +312,17 @@ mod tests {
         assert!(matches!(split, Verdict::Refine(new) if new.len() - 1 == 13));
         let full = Wish { max_intervals: 10, ..WISH };
         assert_eq!(verdict(&mesh, &measured(relative, &full), &full), Verdict::Exhausted);
+    }
+
+    /// One interval is too long, and splitting it has not helped: there are not fewer for what the others' defects say.
+    #[test]
+    fn where_splitting_a_few_has_not_helped_there_are_more_intervals() {
+        let mesh: Vec<f64> = (0..=16).map(f64::from).collect();
+        let wish = Wish { split_few: false, max_intervals: 1_000, ..WISH };
+        let mut relative = vec![1e-12; 16];
+        relative[3] = 5e-6;
+        let Verdict::Refine(new) = verdict(&mesh, &measured(relative, &wish), &wish) else { panic!("refused") };
+        assert!((18..=20).contains(&(new.len() - 1)), "{}", new.len() - 1);
     }
 
     #[test]

@@ -35,6 +35,9 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
+/// Defects that are to be smaller for the error's sake need not be where its estimate is below this fraction of the
+/// tolerance. Where in an interval a kink lies is by chance, and an estimate may be off by several times for it.
+const SURELY: f64 = 0.1;
 /// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its
 /// own cost.
 const MANY: usize = 200;
@@ -172,9 +175,17 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     /// What has been found on the present meshes.
     fn judge(&mut self, found: &Found<'a, P>, progress: &Progress<'a, P>) -> Finding {
         let Found::Solved(solved) = found else { return Finding::Failed };
-        let measures = measured(solved, progress.target, progress.rounding());
-        if measures.iter().any(|measure| !(measure.largest <= progress.target)) {
-            return Finding::Rough;
+        let meet = |target: f64| {
+            measured(solved, target, progress.rounding_at(target)).iter().all(|measure| measure.largest <= target)
+        };
+        if !meet(progress.target) {
+            // They are held to less than the tolerance for the error's sake, which may surely be small enough by now.
+            let tolerance = progress.tolerance;
+            let enough = progress.target < tolerance
+                && meet(tolerance)
+                && solved.converged.stagnated.is_none()
+                && solved.error_estimate(&mut self.stats) <= SURELY * tolerance;
+            return if enough { Finding::Good } else { Finding::Rough };
         }
         if solved.converged.stagnated.is_some() {
             return Finding::Unconverged;
@@ -188,6 +199,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         {
             return Finding::Inaccurate;
         }
+        let measures = measured(solved, progress.target, progress.rounding());
         let coarser = |(region, measure): (usize, &Measure)| {
             matches!(self.verdict(solved, region, measure, progress.target, progress), Verdict::Coarsen(_))
         };
@@ -229,7 +241,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                     && let Some(fallback) = progress.fallback.take()
                 {
                     self.shortfall = Shortfall::Rounding;
-                    return Ok(Next::done(fallback));
+                    return Ok(progress.doubled_or_done(fallback));
                 }
                 match self.aimed(&solved, &measures, progress) {
                     Ok(meshes) => {

@@ -52,6 +52,47 @@ fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     }
 }
 
+/// The same in three regions, which the solution passes smoothly.
+struct Three;
+
+impl Model for Three {
+    fn layout(&self) -> Layout {
+        let third = |name, from| Region::dense(name, (from, from + 2.0 / 3.0), &["u", "slope"], &[], 1);
+        let regions = vec![third("left", -1.0), third("middle", -1.0 / 3.0), third("right", 1.0 / 3.0)];
+        let equations = ["left", "right", "u at -1/3", "slope at -1/3", "u at 1/3", "slope at 1/3"];
+        Layout::dense(regions, &["eps"], &equations)
+    }
+    fn rhs<S: Scalar>(&self, region: usize, x: S, y: &[S], c: &[S], f: &mut [S]) {
+        Layers.rhs(region, x, y, c, f);
+    }
+    fn boundary<S: Scalar>(&self, z: &[S], _: &[S], c: &[S], g: &mut [S]) {
+        let end = (c[0].sqrt().recip() * -2.0).exp();
+        (g[0], g[1]) = (z[0] - end, z[10] - end);
+        (g[2], g[3]) = (z[4] - z[2], z[5] - z[3]);
+        (g[4], g[5]) = (z[8] - z[6], z[9] - z[7]);
+    }
+}
+
+/// Where splitting a few intervals more does not bring a smaller error, all are halved: without that three of these are
+/// refused, as if what is left were due to rounding.
+#[test]
+fn layers_are_resolved_in_several_regions_as_in_one() {
+    let problem = Differentiated::new(Three).unwrap();
+    let eps = 1e-6;
+    for intervals in [6, 7, 8] {
+        for tolerance in [1e-7, 5e-8, 1e-9] {
+            let guess = Guess::uniform(problem.layout(), intervals, &[eps], |_, _, y| y.fill(0.0));
+            let solution = solve(&problem, &guess, &[], &Options { tolerance, ..Options::default() }).unwrap();
+            let errors = solution.regions().iter().flat_map(|region| {
+                region.mesh().iter().zip(region.state(0)).map(|(&x, u)| (u - Layers::exact(x, eps)).abs())
+            });
+            let error = errors.fold(0.0, f64::max);
+            println!("{intervals} {tolerance:e}: {error:e}, {:?}", solution.stats());
+            assert!(error <= tolerance, "{intervals} {tolerance:e}: {error:e}");
+        }
+    }
+}
+
 /// At order 6 a layer that intervals are far too long for does not spoil the solution away from it where one state is
 /// the derivative of another: few intervals find it.
 #[test]
@@ -103,6 +144,8 @@ fn the_second_mesh_is_fine_where_a_layer_may_be() {
         ("left", (|_| -1.0) as fn(f64) -> f64, 0.0),
         ("right", |_| 1.0, 1.0),
         ("turning point", |x| -4.0 * (x - 0.4), 0.4),
+        ("turning point at the left end", |x| -4.0 * x, 0.0),
+        ("turning point at the right end", |x| 4.0 * (1.0 - x), 1.0),
     ] {
         for (order, eps, most) in [(Order::Four, 1e-3, 180), (Order::Six, 1e-4, 210), (Order::Eight, 1e-5, 300)] {
             let options = Options { order, tolerance: 1e-4, ..Options::default() };

@@ -243,10 +243,11 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             }
             return Next::On(start);
         }
-        match progress.fallback.take() {
-            Some(fallback) if !better => Next::done(fallback),
-            _ => Next::Done(solved),
-        }
+        let best = match progress.fallback.take() {
+            Some(fallback) if !better => fallback,
+            _ => *solved,
+        };
+        if progress.stalled < PATIENCE { Next::done(best) } else { progress.doubled_or_done(best) }
     }
 
     /// Meshes for the largest defects below the present ones that ask for others; none if rounding or the limits of the
