@@ -5,9 +5,10 @@
 //! derivatives at the nodes say more. A mode, an eigenvector of ∂f/∂y with the eigenvalue λ, that decays within a
 //! fraction of an interval may have a layer of width 1/|Re λ| at the left end, and one that grows at the right end. In
 //! between, where modes grow before a place and decay behind it (a turning point), they meet in a layer: with
-//! λ = -c (s - s*) its width is c^(-1/2). So it is where an end is such a place: modes are slow there, and fast within
-//! the region, as they are for a problem that symmetry halves. See U. M. Ascher, R. M. M. Mattheij and R. D. Russell, "Numerical Solution of
-//! Boundary Value Problems for Ordinary Differential Equations", SIAM 1995, sections 10.1 and 10.4.
+//! λ = -c (s - s*) its width is c^(-1/2). The same holds where an end is such a place, as of a problem that symmetry
+//! has halved: modes are slow there, and fast within the region. See U. M. Ascher, R. M. M. Mattheij and R. D. Russell,
+//! "Numerical Solution of Boundary Value Problems for Ordinary Differential Equations", SIAM 1995, sections 10.1 and
+//! 10.4.
 //!
 //! Whether the solution has a layer there only its boundary values and sources decide, which are not looked at.
 //!

@@ -35,8 +35,8 @@ const LEAST_TARGET: f64 = 8.0 * f64::EPSILON;
 const PROGRESS: f64 = 0.7;
 /// once in so many meshes, or what is left of it is due to rounding.
 const PATIENCE: usize = 3;
-/// Defects that are to be smaller for the error's sake need not be where its estimate is below this fraction of the
-/// tolerance. Where in an interval a kink lies is by chance, and an estimate may be off by several times for it.
+/// Defects that are to be smaller for the error's sake need not be if its estimate is below this fraction of the
+/// tolerance, and not at the tolerance itself: where right-hand sides have kinks, an estimate may be off several times.
 const SURELY: f64 = 0.1;
 /// Fewer intervals, all regions together, are no trouble: what saves a mesh or an iteration on them is not worth its
 /// own cost.
@@ -179,7 +179,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             measured(solved, target, progress.rounding_at(target)).iter().all(|measure| measure.largest <= target)
         };
         if !meet(progress.target) {
-            // They are held to less than the tolerance for the error's sake, which may surely be small enough by now.
+            // If they are held to less than the tolerance, that is for the error's sake.
             let tolerance = progress.tolerance;
             let enough = progress.target < tolerance
                 && meet(tolerance)
