@@ -17,7 +17,7 @@ use thiserror::Error;
 pub struct State {
     /// Name that messages use.
     pub name: String,
-    /// Typical magnitude; the solver scales by the larger of this and what it finds.
+    /// Typical magnitude, positive; the solver scales by the larger of this and what it finds.
     pub scale: Option<f64>,
 }
 
@@ -26,7 +26,7 @@ pub struct State {
 pub struct Constant {
     /// Name that messages use.
     pub name: String,
-    /// Typical magnitude; the solver scales by the larger of this and what it finds.
+    /// Typical magnitude, positive; the solver scales by the larger of this and what it finds.
     pub scale: Option<f64>,
 }
 
@@ -160,7 +160,7 @@ impl Layout {
         self.regions.iter().position(|region| region.name == name)
     }
 
-    /// Checks every index and interval, so that nothing later can run out of bounds.
+    /// Checks every index, interval and scale, so that nothing later can run out of bounds or overflow for them.
     ///
     /// # Errors
     /// The first inconsistency found.
@@ -170,6 +170,10 @@ impl Layout {
             let (a, b) = region.interval;
             if !(a.is_finite() && b.is_finite() && a < b) {
                 return Err(LayoutError::Interval { region: region.name.clone(), a, b });
+            }
+            let scaled = region.states.iter().map(|state| (&state.name, state.scale));
+            if let Some((name, scale)) = refused_scale(scaled) {
+                return Err(LayoutError::Scale { of: format!("{name} in region {}", region.name), scale });
             }
             if region.states.is_empty() {
                 return Err(LayoutError::NoStates { region: region.name.clone() });
@@ -186,6 +190,10 @@ impl Layout {
                 return Err(LayoutError::DefaultEntries { region: region.name.clone() });
             }
         }
+        let scaled = self.constants.iter().map(|constant| (&constant.name, constant.scale));
+        if let Some((name, scale)) = refused_scale(scaled) {
+            return Err(LayoutError::Scale { of: name.clone(), scale });
+        }
         let inputs = self.inputs();
         let outside = |&&(row, input): &&(usize, usize)| row >= self.equations.len() || input >= inputs;
         match self.boundary_pattern.iter().find(outside) {
@@ -193,6 +201,12 @@ impl Layout {
             None => Ok(()),
         }
     }
+}
+
+/// The first scale that is stated and is no positive number.
+fn refused_scale<'a>(stated: impl Iterator<Item = (&'a String, Option<f64>)>) -> Option<(&'a String, f64)> {
+    let mut scales = stated.filter_map(|(name, scale)| Some((name, scale?)));
+    scales.find(|(_, scale)| !(scale.is_finite() && *scale > 0.0))
 }
 
 /// A layout that contradicts itself.
@@ -214,6 +228,14 @@ pub enum LayoutError {
     NoStates {
         /// Region.
         region: String,
+    },
+    /// A typical magnitude is to be a positive number.
+    #[error("{of}: a scale of {scale} is given, and a positive number is expected")]
+    Scale {
+        /// The state, with its region, or the constant.
+        of: String,
+        /// What is given.
+        scale: f64,
     },
     /// An entry of a region's pattern lies outside the kernel's rows or columns.
     #[error("region {region}: pattern entry ({row}, {column}) lies outside the right-hand side's derivatives")]

@@ -5,7 +5,8 @@
 use solver::bvp::Bvp;
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    ComponentTolerance, Control, Guess, Layout, Options, Order, Problem, Region, Solution, SolveError, Which, solve,
+    ComponentTolerance, Constant, Control, Guess, Layout, Options, Order, Problem, Region, Solution, SolveError, Which,
+    solve,
 };
 
 const SIZE: f64 = 1e-8;
@@ -102,6 +103,25 @@ fn tolerances_that_make_no_sense_are_refused() {
 
 /// Errors are measured in the magnitudes of the solution, not in those of a guess that is far too large: `u'' = -25 u +
 /// g` with `u = sin 7x + x`.
+/// A scale is a magnitude: what is none is named, not found out by dividing by it.
+#[test]
+fn scales_that_are_no_magnitudes_are_refused() {
+    for scale in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let mut layout = Layer.layout();
+        layout.constants.push(Constant { name: "width".into(), scale: Some(1.0) });
+        assert_eq!(layout.check(), Ok(()));
+        let mut of_constant = layout.clone();
+        of_constant.constants[0].scale = Some(scale);
+        layout.regions[0].states[2].scale = Some(scale);
+        let told = |layout: &Layout| layout.check().unwrap_err().to_string();
+        assert_eq!(
+            told(&layout),
+            format!("v in region line: a scale of {scale} is given, and a positive number is expected")
+        );
+        assert!(told(&of_constant).starts_with("width: "), "{}", told(&of_constant));
+    }
+}
+
 #[test]
 fn a_guess_that_is_far_too_large_lowers_no_accuracy() {
     let exact = |x: f64| libm::sin(7.0 * x) + x;

@@ -226,6 +226,11 @@ fn with_room<T>(len: usize, work: impl FnOnce(&mut [f64]) -> T) -> T {
     done
 }
 
+/// A typical magnitude, from a value of the case; none if that is zero or not finite.
+pub(super) fn magnitude(value: f64) -> Option<f64> {
+    Some(value.abs()).filter(|magnitude| magnitude.is_finite() && *magnitude > 0.0)
+}
+
 /// Names, sizes, sparsity and typical magnitudes.
 fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Constants) -> Layout {
     let tension = constants[Constant::SlackTension];
@@ -250,7 +255,7 @@ fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Con
             .kernel
             .states
             .iter()
-            .map(|state| solver::State { name: state.name().to_owned(), scale: Some(scale(*state)) })
+            .map(|state| solver::State { name: state.name().to_owned(), scale: magnitude(scale(*state)) })
             .collect(),
         integrals: bound.kernel.integrals.iter().map(|integral| integral.name().to_owned()).collect(),
         state_pattern: bound.kernel.state_pattern.to_vec(),
@@ -263,7 +268,7 @@ fn layout(regions: &[BoundRegion; 4], boundary: &BoundaryKernel, constants: &Con
             .into_iter()
             .map(|constant| solver::Constant {
                 name: constant.name().to_owned(),
-                scale: Some(constants[constant].abs()).filter(|scale| *scale > 0.0),
+                scale: magnitude(constants[constant]),
             })
             .collect(),
         equations: boundary.equations.iter().map(|equation| equation.name.to_owned()).collect(),

@@ -8,7 +8,7 @@ use generated::{RegionConstant, RegionOut};
 use solver::{Layout, Points, Problem, Scope};
 
 use super::division::{Joint, Sliding, Structure};
-use crate::drive::belt::{BeltProblem, is_physical};
+use crate::drive::belt::{BeltProblem, is_physical, magnitude};
 use crate::drive::region::{BoundRegion, RegionId, Source};
 use crate::model::{Constant, Constants, Integral, State};
 
@@ -83,7 +83,7 @@ impl<'a> Kinked<'a> {
             region.default_entries = part.bound.default_entries;
             if part.sliding == Some(Sliding::Adhering) {
                 // There θ is v_thr/V at most.
-                region.states[self.inclination].scale = Some(constants[Constant::SlipThreshold] / rim);
+                region.states[self.inclination].scale = magnitude(constants[Constant::SlipThreshold] / rim);
             }
             region
         };
