@@ -101,8 +101,6 @@ fn tolerances_that_make_no_sense_are_refused() {
     }
 }
 
-/// Errors are measured in the magnitudes of the solution, not in those of a guess that is far too large: `u'' = -25 u +
-/// g` with `u = sin 7x + x`.
 /// A scale is a magnitude: what is none is named, not found out by dividing by it.
 #[test]
 fn scales_that_are_no_magnitudes_are_refused() {
@@ -122,6 +120,8 @@ fn scales_that_are_no_magnitudes_are_refused() {
     }
 }
 
+/// Errors are measured in the magnitudes of the solution, not in those of a guess that is far too large: `u'' = -25 u +
+/// g` with `u = sin 7x + x`.
 #[test]
 fn a_guess_that_is_far_too_large_lowers_no_accuracy() {
     let exact = |x: f64| libm::sin(7.0 * x) + x;
