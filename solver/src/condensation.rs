@@ -54,7 +54,7 @@ impl Condensation {
         if rank < size {
             // Its messages name the unknowns.
             system.plan = Arc::new(Plan::new(layout, solution.unknowns()));
-            let error = factorisation.singular(&system);
+            let error = factorisation.singular(&system, rank);
             return Err(SolveError::Newton { error, intervals: intervals(&system.grids) });
         }
         let rates = right.into_iter().enumerate().map(|(constant, column)| {

@@ -3,6 +3,7 @@
 mod afar;
 mod meshes;
 mod outcome;
+mod rest;
 
 use crate::accuracy::Shortfall;
 use crate::budget::Budget;
@@ -70,6 +71,9 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     pub coarsen: bool,
     /// Whether a guess on fine meshes that is far from the solution is first brought near it on coarse ones.
     pub from_afar: bool,
+    /// Whether a solution at rest that leaves constants undetermined is none: see [`rest`]. On a branch what is left
+    /// undetermined is another matter, and looked for.
+    pub needs_determined: bool,
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
@@ -112,6 +116,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             keep: true,
             coarsen: true,
             from_afar: false,
+            needs_determined: true,
             check: BranchCheck::Kept,
             orientation: None,
             said_linear,
@@ -308,6 +313,10 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             defects: vec![f64::INFINITY; system.grids.len()],
             newton_iterations: self.stats.newton_iterations - before,
         };
+        let outcome = outcome.and_then(|converged| match self.undetermined_at_rest(&system, &converged) {
+            Some(error) => Err(error.into()),
+            None => Ok(converged),
+        });
         let mut converged = match outcome {
             Ok(converged) => converged,
             Err(failure) => {

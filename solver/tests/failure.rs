@@ -202,6 +202,47 @@ fn a_constant_of_a_solution_that_vanishes_is_not_reported_found() {
     assert!((solution.constants()[0] - 2.0).abs() < 1e-12);
 }
 
+/// `u' = T (1 - 4 u + u² v)`, `v' = T (3 u - u² v)` (the Brusselator), with u(0) = 1 and the same at both ends: a
+/// periodic orbit, or u = 1 and v = 3 with any T.
+#[test]
+fn a_period_of_an_equilibrium_is_not_reported_found() {
+    let period = 7.156_919_92;
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        for (tolerance, rescues) in [(1e-3, 0), (1e-9, 0), (1e-3, 3), (1e-6, 3)] {
+            let problem = Bvp::new(
+                &["u", "v"],
+                (0.0, 1.0),
+                |_, y, p, f| {
+                    let reaction = y[0] * y[0] * y[1];
+                    (f[0], f[1]) = (p[0] * (1.0 - 4.0 * y[0] + reaction), p[0] * (3.0 * y[0] - reaction));
+                },
+                |a, b, _, g| (g[0], g[1], g[2]) = (a[0] - 1.0, b[0] - a[0], b[1] - a[1]),
+            );
+            let guess = |x: f64, y: &mut [f64]| {
+                let phase = std::f64::consts::TAU * x;
+                (y[0], y[1]) = (1.0 + 0.7 * phase.sin(), 3.0 + 0.7 * phase.cos());
+            };
+            let problem = problem.unknown("T", 6.3).guess(8, guess);
+            let options = Options { order, tolerance, rescues, ..Options::default() };
+            match problem.solve(&options) {
+                Err(error) => {
+                    let SolveError::Newton { error: NewtonError::Singular { null_vector, .. }, .. } = &error else {
+                        panic!("{order:?}, {tolerance:e}: {error}")
+                    };
+                    assert_eq!((rescues, null_vector[0].name.as_str()), (0, "constant T"), "{order:?}: {error}");
+                    assert!(error.advice().contains("amplitude"));
+                }
+                // Where the iteration is tried again from the guess, it finds the orbit, run through once or twice.
+                Ok(solution) => {
+                    let turns = solution.constants()[0] / period;
+                    assert!((turns - turns.round()).abs() < 2.0 * tolerance && turns.abs() > 0.5, "{order:?}: {turns}");
+                    assert!(rescues > 0 && solution.regions()[0].state(0).iter().any(|u| *u > 2.0), "{order:?}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn coefficients_that_overflow_are_called_so() {
     let bratu = || {

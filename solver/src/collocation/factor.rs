@@ -160,6 +160,11 @@ impl Factorisation {
         (self.border.rank(), self.border.size())
     }
 
+    /// The same, for singular values that count as zero where they are smaller than so many times the largest.
+    pub(crate) fn rank_to(&self, least: f64) -> (usize, usize) {
+        (self.border.rank_to(least), self.border.size())
+    }
+
     /// Sign of the determinant of the linearised problem; none if that is singular.
     ///
     /// With B the coefficients of an interval's right node, `[Q 0; A B]` becomes `[R F; 0 Q']` by n reflections, so

@@ -299,6 +299,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let plan = Plan::defining(problem.layout(), &self.extended);
         let mut run = Run::new(problem, plan, &self.path_options, self.observer, self.budget);
         run.coarsen = care == Care::Step;
+        run.needs_determined = false;
         let outcome = if care == Care::Glance {
             run.unjudged(start)
         } else {

@@ -182,7 +182,9 @@ impl NewtonError {
             }
             Self::Singular { .. } => {
                 "The boundary equations do not determine the components named. A phase or scale may be free (add a \
-                 condition), a condition may be stated twice, or the branch turns round here: trace it by arclength."
+                 condition), a condition may be stated twice, the iteration may have come to rest, where no period and \
+                 no eigenvalue is determined (guess a larger amplitude), or the branch turns round here: trace it by \
+                 arclength."
             }
             Self::Overflow => {
                 "The guess, or an iterate, is far too large for the equations, as an exponential of hundreds is: guess \

@@ -4,7 +4,6 @@ use crate::collocation::evaluate::Work;
 use crate::collocation::factor::Factorisation;
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::NewtonError;
-use crate::linear::simd::largest_number;
 use crate::problem::Problem;
 
 /// Where the iteration ended, with what it held.
@@ -70,11 +69,13 @@ impl Converged {
         }
     }
 
-    /// Whether all states of a region are zero to `tolerance`, in their typical magnitudes.
-    pub(crate) fn vanishes(&self, tolerance: f64) -> bool {
+    /// Whether all states of a region are the same everywhere to `tolerance`, in their typical magnitudes: zero, or an
+    /// equilibrium.
+    pub(crate) fn rests(&self, tolerance: f64) -> bool {
         self.x.y.iter().zip(&self.scales().states).any(|(y, scales)| {
-            let states = y.chunks_exact(y.len() / scales.len().max(1)).zip(scales);
-            !scales.is_empty() && states.into_iter().all(|(y, scale)| largest_number(y) <= tolerance * scale)
+            let mut states = y.chunks_exact(y.len() / scales.len().max(1)).zip(scales);
+            let rests = |(y, scale): (&[f64], &f64)| y.iter().all(|value| (value - y[0]).abs() <= tolerance * scale);
+            !scales.is_empty() && states.all(rests)
         })
     }
 

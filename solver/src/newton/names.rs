@@ -62,23 +62,38 @@ impl Factorisation {
     /// # Errors
     /// It is not finite, or leaves something undetermined.
     pub(crate) fn determined<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Result<(), NewtonError> {
-        let (rank, size) = self.rank();
+        self.of_full_rank(system, self.rank())
+    }
+
+    /// As [`determined`](Self::determined), of a matrix whose singular values are known to `least` times the largest.
+    pub(crate) fn determined_to<P: Problem + ?Sized>(
+        &self,
+        system: &System<'_, P>,
+        least: f64,
+    ) -> Result<(), NewtonError> {
+        self.of_full_rank(system, self.rank_to(least))
+    }
+
+    fn of_full_rank<P: Problem + ?Sized>(
+        &self,
+        system: &System<'_, P>,
+        (rank, size): (usize, usize),
+    ) -> Result<(), NewtonError> {
         if rank == size {
             return Ok(());
         }
         let finite = self.dense.iter().all(|value| value.is_finite());
-        Err(if finite { self.singular(system) } else { NewtonError::Overflow })
+        Err(if finite { self.singular(system, rank) } else { NewtonError::Overflow })
     }
 
-    /// What the rank-deficient matrix leaves undetermined, by name.
-    pub(crate) fn singular<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> NewtonError {
-        let (rank, size) = self.rank();
+    /// What the matrix, of lower rank than size, leaves undetermined, by name.
+    pub(crate) fn singular<P: Problem + ?Sized>(&self, system: &System<'_, P>, rank: usize) -> NewtonError {
         let equations = &system.layout.equations;
         let first = system.plan.states();
         let empty = (0..equations.len()).filter(|&row| self.row_is_empty(first + row));
         NewtonError::Singular {
             rank,
-            size,
+            size: self.border.size(),
             null_vector: system.border_components(&self.null_vector()),
             empty_equations: empty.map(|row| equations[row].clone()).collect(),
         }

@@ -4,7 +4,6 @@ use super::Run;
 use crate::accuracy::{Accuracy, Shortfall};
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
-use crate::collocation::factor::Factorisation;
 use crate::collocation::grid::intervals;
 use crate::collocation::interpolant::Extended;
 use crate::error::SolveError;
@@ -118,31 +117,11 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     /// estimate is not to be trusted so far.
     pub(crate) fn conclude(&mut self, mut solved: Solved<'_, P>) -> Result<Solution, SolveError> {
         let options = self.options;
-        self.determined(&solved)?;
         if options.defect_correction && solved.error_estimate(&mut self.stats) <= options.tolerance {
             let corrected = solved.correct(options.boundary_tolerance(), &mut self.stats);
             corrected.map_err(undefined(&solved.system.grids))?;
         }
         self.finish(&solved)
-    }
-
-    /// Whether a solution that vanishes determines the unknown constants. Where the iteration came from, it may have:
-    /// an eigenvalue and a period are what they are for solutions other than zero only.
-    ///
-    /// # Errors
-    /// [`NewtonError::Singular`](crate::NewtonError::Singular), with what is not determined.
-    fn determined(&mut self, solved: &Solved<'_, P>) -> Result<(), SolveError> {
-        let Solved { system, converged, .. } = solved;
-        if self.plan.unknowns.is_empty() || !converged.vanishes(self.options.tolerance) {
-            return Ok(());
-        }
-        let (mut work, mut factorisation) = (system.work(), Factorisation::new(system));
-        let evaluated = system.evaluate(&converged.x, Derivatives::Planned, &mut work, &mut self.stats);
-        evaluated.map_err(undefined(&system.grids))?;
-        factorisation.factor(system, &work, system.scales(&converged.x));
-        self.stats.factorisations += 1;
-        let failed = |error| SolveError::Newton { error, intervals: intervals(&system.grids) };
-        factorisation.determined(system).map_err(failed)
     }
 
     /// The solution, if its boundary residuals too meet their tolerance.

@@ -56,7 +56,7 @@ impl Lu {
         // Written so that a NaN too is suspicious.
         let sound = pivots.clone().all(|pivot| pivot > SUSPICIOUS * largest && pivot.is_finite());
         self.factors = Some(factors);
-        self.rank = if sound { n } else { self.numerical_rank() };
+        self.rank = if sound { n } else { self.rank_to(RANK) };
     }
 
     /// Singular values, decreasing, and if wanted the transposed right singular vectors; `None` for a matrix that is
@@ -69,11 +69,11 @@ impl Lu {
         SVD::try_new(DMatrix::from_row_slice(n, n, &self.scaled), false, vectors, f64::EPSILON, SWEEPS)
     }
 
-    /// Number of singular values that are not zero; 0 for a matrix that is not finite.
-    fn numerical_rank(&self) -> usize {
+    /// Number of singular values that are larger than `least` times the largest; 0 for a matrix that is not finite.
+    pub(crate) fn rank_to(&self, least: f64) -> usize {
         let Some(svd) = self.svd(false) else { return 0 };
         let largest = svd.singular_values.max();
-        svd.singular_values.iter().filter(|&&value| value > RANK * largest).count()
+        svd.singular_values.iter().filter(|&&value| value > least * largest).count()
     }
 
     /// Number of singular values that are not zero.
