@@ -67,6 +67,14 @@ pub enum SolveError {
         /// Constants of the layout.
         constants: usize,
     },
+    /// There is no region of this index.
+    #[error("there is no region {index}: the problem has {regions}, counted from 0")]
+    Region {
+        /// As given.
+        index: usize,
+        /// Regions of the layout.
+        regions: usize,
+    },
     /// An option makes no sense.
     #[error("option {name} = {value}: {expected}")]
     Option {
@@ -199,7 +207,9 @@ impl SolveError {
             Self::Steps { .. } => {
                 "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
             }
-            Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Option { .. } => "Correct the input.",
+            Self::Layout(_) | Self::Guess(_) | Self::Unknowns { .. } | Self::Region { .. } | Self::Option { .. } => {
+                "Correct the input."
+            }
             Self::Inaccurate { because: Shortfall::Rounding, .. } => {
                 "The problem amplifies rounding errors: ask for less, scale its equations, or state the solution in \
                  terms that are not small differences of large ones. To have the solution as it is, set \

@@ -36,7 +36,7 @@
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
 //! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the
-//!   whole solution, one by one; adjoints; conditioning.
+//!   whole solution, one by one; adjoints; conditioning. [`Multipliers`]: whether a periodic solution is stable.
 //!
 //! Method, references, and a guide for those who come from SciPy or bvp4c: `docs/guide.md`. How well it does on 48
 //! problems of the literature: `docs/testset.md`.
@@ -67,6 +67,7 @@ mod many;
 mod measure;
 pub mod mesh;
 pub mod model;
+mod multipliers;
 mod newton;
 mod observer;
 mod options;
@@ -104,6 +105,7 @@ pub use guess::{Guess, RegionGuess};
 pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
 #[cfg(feature = "rayon")]
 pub use many::solve_many;
+pub use multipliers::{Multiplier, Multipliers, Orbit};
 pub use observer::{Event, Observer, Silent};
 pub use options::{ComponentTolerance, Control, Options, Order, Which};
 pub use orientation::{BranchCheck, Orientation};

@@ -106,7 +106,7 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         Ok((found.unscaled(&direction, vec![0.0; found.x.constants.len()]), found.stats))
     }
 
-    fn system_at(
+    pub(crate) fn system_at(
         problem: &'p P,
         at: &Guess,
         unknowns: &[usize],

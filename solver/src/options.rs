@@ -225,7 +225,7 @@ impl Options {
     }
 
     pub(crate) fn check(&self) -> Result<(), SolveError> {
-        let positive = [
+        let of_all = [
             ("tolerance", self.tolerance),
             ("boundary_tolerance", self.boundary_tolerance()),
             ("newton_tolerance", self.newton_tolerance()),
@@ -236,11 +236,7 @@ impl Options {
             [("relative tolerance of a component", component.relative), ("its absolute tolerance", component.absolute)]
         });
         let stated = stated.into_iter().chain(components).filter_map(|(name, value)| Some((name, value?)));
-        for (name, value) in positive.into_iter().chain(stated) {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(SolveError::Option { name, value, expected: "a positive number" });
-            }
-        }
+        positive(of_all.into_iter().chain(stated))?;
         let limits = [
             ("max_iterations", self.max_iterations),
             ("max_meshes", self.max_meshes),
@@ -252,5 +248,14 @@ impl Options {
             }
         }
         Ok(())
+    }
+}
+
+/// # Errors
+/// The first that is not a positive number.
+pub(crate) fn positive(options: impl IntoIterator<Item = (&'static str, f64)>) -> Result<(), SolveError> {
+    match options.into_iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
+        Some((name, value)) => Err(SolveError::Option { name, value, expected: "a positive number" }),
+        None => Ok(()),
     }
 }

@@ -1,8 +1,7 @@
 //! A branch of solutions in one constant: what its points are, and how it is traced.
 
-use super::natural::positive;
 use crate::error::SolveError;
-use crate::options::Options;
+use crate::options::{Options, positive};
 use crate::orientation::BranchCheck;
 use crate::solution::Solution;
 use crate::stats::Stats;
@@ -59,7 +58,7 @@ impl Default for BranchOptions {
 
 impl BranchOptions {
     pub(super) fn check(&self, start: f64) -> Result<(), SolveError> {
-        positive(&[
+        positive([
             ("first_step", self.first_step),
             ("smallest_step", self.smallest_step),
             ("largest_step", self.largest_step),

@@ -15,7 +15,7 @@ use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::measure::{Solved, undefined};
 use crate::observer::{Event, Observer, Silent};
-use crate::options::{Control, Options};
+use crate::options::{Control, Options, positive};
 use crate::orientation::BranchCheck;
 use crate::problem::{Layout, Problem};
 use crate::run::Run;
@@ -75,7 +75,7 @@ impl PathOptions {
         if !(0.0..=1.0).contains(&from.position) {
             return Err(SolveError::Option { name: "position", value: from.position, expected: "from 0 to 1" });
         }
-        positive(&[
+        positive([
             ("step", from.step),
             ("first_step", self.first_step),
             ("smallest_step", self.smallest_step),
@@ -83,15 +83,6 @@ impl PathOptions {
             ("contraction", self.contraction),
             ("tolerance on the path", self.tolerance),
         ])
-    }
-}
-
-/// # Errors
-/// The first that is not a positive number.
-pub(crate) fn positive(options: &[(&'static str, f64)]) -> Result<(), SolveError> {
-    match options.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
-        Some(&(name, value)) => Err(SolveError::Option { name, value, expected: "a positive number" }),
-        None => Ok(()),
     }
 }
 

@@ -8,14 +8,13 @@ mod places;
 use super::arclength::{Arclength, Direction, Reference, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
 use super::checkpoint::Checkpoint;
-use super::natural::positive;
 use crate::budget::Budget;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
 use crate::guess::{Guess, RegionGuess};
 use crate::linearisation::{Linearisation, Tangent};
 use crate::observer::{Event, Observer};
-use crate::options::Options;
+use crate::options::{Options, positive};
 use crate::orientation::{BranchCheck, Determinant};
 use crate::problem::Problem;
 use crate::run::Run;
@@ -199,7 +198,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// The point of a checkpoint. It lies where it lay; a Newton iteration confirms it.
     pub(super) fn resumed(&mut self, from: &Checkpoint) -> Result<Reference, SolveError> {
         self.check(&from.guess)?;
-        positive(&[("step", from.step)])?;
+        positive([("step", from.step)])?;
         let direction = from.direction.clone().filter(|direction| direction.fits(&from.guess));
         let Some(direction) = direction else {
             return Err(SolveError::Option { name: "position", value: from.position, expected: "a point of a branch" });
