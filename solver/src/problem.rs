@@ -237,6 +237,20 @@ pub enum LayoutError {
         /// What is given.
         scale: f64,
     },
+    /// A function is to have a derivative that an equation is stated for.
+    #[error("{function}: an order of 0 is given, and at least 1 is expected")]
+    Order {
+        /// The function.
+        function: String,
+    },
+    /// What each value depends on is to be said of all of them.
+    #[error("what {given} values depend on is given, and that of {expected} is expected")]
+    Dependences {
+        /// As given.
+        given: usize,
+        /// Values that the right-hand side has.
+        expected: usize,
+    },
     /// An entry of a region's pattern lies outside the kernel's rows or columns.
     #[error("region {region}: pattern entry ({row}, {column}) lies outside the right-hand side's derivatives")]
     RegionPattern {

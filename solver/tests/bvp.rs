@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
-use solver::bvp::{Bvp, Formulas};
+use solver::bvp::{Bvp, Differenced, Exact, Formulas, Number};
 use solver::continuation::{BranchOptions, trace};
-use solver::{Linearisation, Options, Order, SolveError};
+use solver::{LayoutError, Linearisation, Options, Order, Solution, SolveError};
+use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
 /// Derivatives of Bratu's problem by hand.
@@ -114,4 +115,141 @@ fn many_states_and_parameters_have_all_their_derivatives() {
 fn an_interval_that_is_none_is_refused() {
     let wrong = Bvp::new(&["y"], (1.0, 0.0), |_, y, _, f| f[0] = y[0], |a, _, _, g| g[0] = a[0] - 1.0);
     assert!(matches!(wrong.solve(&Options::default()), Err(SolveError::Layout(_))));
+}
+
+/// `u'' = -u w`, `w''' = u - q w'`, q unknown, as they stand and as a system of first order.
+#[test]
+fn equations_of_higher_order_are_solved_as_their_system_is() {
+    let bc = |a: &[Number], b: &[Number], _: &[Number], g: &mut [Number]| {
+        g.copy_from_slice(&[a[0] - 1.0, b[0], a[2] - 0.5, b[2], a[3] - 1.0, b[3] + 1.2]);
+    };
+    let system = Bvp::new(
+        &["u", "u'", "w", "w'", "w''"],
+        (0.0, 1.0),
+        |_, z, p, f| f.copy_from_slice(&[z[1], -z[0] * z[2], z[3], z[4], z[0] - p[0] * z[3]]),
+        bc,
+    );
+    let highest = |_: f64, z: &[Number], p: &[Number], out: &mut [Number]| {
+        (out[0], out[1]) = (-z[0] * z[2], z[0] - p[0] * z[3]);
+    };
+    let functions = [("u", 2), ("w", 3)];
+    let stated = Bvp::of_higher_order(&functions, (0.0, 1.0), highest, bc).unwrap();
+    let grouped = stated.clone().sparse(&[&[0, 2], &[0, 3]]).unwrap().unknown("q", 1.0);
+    let (system, stated) = (system.unknown("q", 1.0), stated.unknown("q", 1.0));
+    let differenced = Differenced::new(
+        |_: f64, z: &[f64], p: &[f64], out: &mut [f64]| (out[0], out[1]) = (-z[0] * z[2], z[0] - p[0] * z[3]),
+        |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| {
+            g.copy_from_slice(&[a[0] - 1.0, b[0], a[2] - 0.5, b[2], a[3] - 1.0, b[3] + 1.2]);
+        },
+    );
+    let differenced = Bvp::of_higher_order_with(&functions, (0.0, 1.0), differenced).unwrap();
+    let differenced = differenced.sparse(&[&[0, 2], &[0, 3]]).unwrap().unknown("q", 1.0);
+    let guess = |x: f64, z: &mut [f64]| z.copy_from_slice(&[1.0 - x, -1.0, 0.5 + x - 1.5 * x * x, 1.0 - 3.0 * x, -3.0]);
+    let (system, stated) = (system.guess(10, guess), stated.guess(10, guess));
+    let (grouped, differenced) = (grouped.guess(10, guess), differenced.guess(10, guess));
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let options = Options { order, tolerance: 1e-8, ..Options::default() };
+        let first = system.solve(&options).unwrap();
+        let [second, third] = [stated.solve(&options).unwrap(), grouped.solve(&options).unwrap()];
+        for other in [&second, &third] {
+            assert_eq!((first.regions()[0].mesh(), first.constants()), (other.regions()[0].mesh(), other.constants()));
+            (0..5).for_each(|state| assert_eq!(first.regions()[0].state(state), other.regions()[0].state(state)));
+        }
+        let by_differences = differenced.solve(&options).unwrap();
+        assert!((by_differences.constants()[0] - first.constants()[0]).abs() < 1e-7);
+    }
+    let error = stated.guess(3, |_, y| y.fill(f64::NAN)).solve(&Options::default()).unwrap_err();
+    assert!(error.to_string().contains("u of region interval"), "{error}");
+    let error = Bvp::of_higher_order(&[("u", 2), ("w", 0)], (0.0, 1.0), highest, bc).err();
+    assert_eq!(error, Some(LayoutError::Order { function: "w".to_owned() }));
+}
+
+const PIECES: usize = 12;
+
+/// A row of pieces, each losing heat to its neighbours and, by its square, to what is around; a source in all of them.
+fn heat<T>(t: &[T], source: T, f: &mut [T])
+where
+    T: Copy + std::ops::Add<Output = T> + std::ops::Sub<Output = T> + std::ops::Mul<Output = T>,
+    T: std::ops::Mul<f64, Output = T>,
+{
+    for i in 0..PIECES {
+        let (before, after) = (t[i.max(1) - 1], t[(i + 1).min(PIECES - 1)]);
+        f[i] = (before - t[i] * 2.0 + after) * 3.0 - t[i] * t[i] + source * i as f64;
+    }
+}
+
+#[test]
+fn states_that_no_value_shares_are_differentiated_together() {
+    let names: Vec<String> = (0..PIECES).map(|i| format!("T{i}")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let neighbours: Vec<Vec<usize>> = (0..PIECES).map(|i| (i.max(1) - 1..(i + 2).min(PIECES)).collect()).collect();
+    let neighbours: Vec<&[usize]> = neighbours.iter().map(Vec::as_slice).collect();
+    let calls = Cell::new(0_usize);
+    let counted = || calls.set(calls.get() + 1);
+    let differenced = || {
+        let f = |_: f64, t: &[f64], p: &[f64], f: &mut [f64]| {
+            counted();
+            heat(t, p[0], f);
+        };
+        let bc = |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| {
+            (0..PIECES).for_each(|i| g[i] = a[i] - 1.0 + 0.05 * i as f64);
+            g[PIECES] = b[PIECES - 1] - 0.8;
+        };
+        Bvp::by_differences(&names, (0.0, 0.5), f, bc).unknown("source", 0.0)
+    };
+    let exact = || {
+        let f = |_: f64, t: &[Number], p: &[Number], f: &mut [Number]| {
+            counted();
+            heat(t, p[0], f);
+        };
+        let bc = |a: &[Number], b: &[Number], _: &[Number], g: &mut [Number]| {
+            (0..PIECES).for_each(|i| g[i] = a[i] - 1.0 + 0.05 * i as f64);
+            g[PIECES] = b[PIECES - 1] - 0.8;
+        };
+        Bvp::with(&names, (0.0, 0.5), Exact::new(f, bc)).unknown("source", 0.0)
+    };
+    let (by_groups, exact_by_groups) =
+        (differenced().sparse(&neighbours).unwrap(), exact().sparse(&neighbours).unwrap());
+    // At one point: the values, three groups and the parameter; in numbers of four derivatives all at once.
+    let y: Vec<f64> = (0..PIECES).map(|i| 0.1 * i as f64 - 0.3).collect();
+    let at_point = |formulas: &dyn Formulated| {
+        let (mut f, mut columns) = (vec![0.0; PIECES], vec![f64::NAN; PIECES * (PIECES + 1)]);
+        let before = calls.get();
+        formulas.derivatives(&y, &mut f, &mut columns);
+        (calls.get() - before, f, columns)
+    };
+    let (few, values, found) = at_point(by_groups.formulas());
+    let (once, values_exact, found_exact) = at_point(exact_by_groups.formulas());
+    let (all, values_dense, known) = at_point(exact().formulas());
+    assert_eq!((few, once, all), (5, 1, 4));
+    assert_eq!((&values, &values_exact, &found_exact), (&values_dense, &values_dense, &known));
+    assert!(found.iter().zip(&known).all(|(found, known)| (found - known).abs() < 1e-6));
+    // The same solutions, with fewer calls.
+    let options = Options { tolerance: 1e-7, ..Options::default() };
+    let counted = |solution: &dyn Fn() -> Result<Solution, SolveError>| {
+        let before = calls.get();
+        (solution().unwrap().constants()[0], calls.get() - before)
+    };
+    let (known, all) = counted(&|| differenced().solve(&options));
+    let (found, fewer) = counted(&|| by_groups.solve(&options));
+    assert!((found - known).abs() < 1e-6 && fewer < all / 2, "{found} for {known}, {fewer} calls for {all}");
+    assert_eq!(counted(&|| exact().solve(&options)).0, counted(&|| exact_by_groups.solve(&options)).0);
+    // What makes no sense is refused.
+    let missing = differenced().sparse(&neighbours[1..]).err();
+    assert_eq!(missing, Some(LayoutError::Dependences { given: PIECES - 1, expected: PIECES }));
+    let mut beyond = neighbours.clone();
+    beyond[3] = &[2, PIECES];
+    let error = differenced().sparse(&beyond).err().unwrap();
+    assert!(matches!(error, LayoutError::RegionPattern { row: 3, column: PIECES, .. }), "{error}");
+}
+
+/// Formulas of whatever kind.
+trait Formulated {
+    fn derivatives(&self, y: &[f64], f: &mut [f64], columns: &mut [f64]);
+}
+
+impl<M: Formulas> Formulated for M {
+    fn derivatives(&self, y: &[f64], f: &mut [f64], columns: &mut [f64]) {
+        self.rhs_derivatives(0.2, y, &[0.7], f, columns);
+    }
 }

@@ -1,6 +1,7 @@
 //! Closures, and where their derivatives come from.
 
 use super::buffer;
+use super::groups::{Evaluated, Groups};
 use super::number::{Number, WIDTH};
 
 /// Right-hand side `f(x, y, p)` and boundary residuals `g(y(a), y(b), p)`, with the derivatives of both.
@@ -26,16 +27,58 @@ pub trait Formulas {
 /// Closures of [`Number`]s: derivatives are exact.
 #[derive(Debug, Clone)]
 pub struct Exact<F, B> {
-    pub(super) f: F,
-    pub(super) bc: B,
+    f: F,
+    bc: B,
+    groups: Option<Groups>,
 }
 
 /// Closures of `f64`s: derivatives by forward differences, good for some eight digits, which Newton's iteration is
 /// content with.
 #[derive(Debug, Clone)]
 pub struct Differenced<F, B> {
-    pub(super) f: F,
-    pub(super) bc: B,
+    f: F,
+    bc: B,
+    groups: Option<Groups>,
+}
+
+impl<F, B> Exact<F, B> {
+    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
+    pub fn new(f: F, bc: B) -> Self {
+        Self { f, bc, groups: None }
+    }
+}
+
+impl<F, B> Differenced<F, B> {
+    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
+    pub fn new(f: F, bc: B) -> Self {
+        Self { f, bc, groups: None }
+    }
+}
+
+impl<F, B> Evaluated for Exact<F, B>
+where
+    Self: Formulas,
+{
+    fn values(&self, states: usize) -> usize {
+        states
+    }
+
+    fn grouped(self, groups: Groups) -> Self {
+        Self { groups: Some(groups), ..self }
+    }
+}
+
+impl<F, B> Evaluated for Differenced<F, B>
+where
+    Self: Formulas,
+{
+    fn values(&self, states: usize) -> usize {
+        states
+    }
+
+    fn grouped(self, groups: Groups) -> Self {
+        Self { groups: Some(groups), ..self }
+    }
 }
 
 impl<F, B> Formulas for Exact<F, B>
@@ -51,10 +94,14 @@ where
     }
 
     fn rhs_derivatives(&self, x: f64, y: &[f64], p: &[f64], f: &mut [f64], columns: &mut [f64]) {
-        differentiate(&[y, p], f, columns, |inputs, out| {
+        let evaluate = |inputs: &[Number], out: &mut [Number]| {
             let (y, p) = inputs.split_at(y.len());
             (self.f)(x, y, p, out);
-        });
+        };
+        match &self.groups {
+            Some(groups) => differentiate_groups(groups, [y, p], f, columns, evaluate),
+            None => differentiate(&[y, p], f, columns, evaluate),
+        }
     }
 
     fn boundary(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64]) {
@@ -120,6 +167,42 @@ fn differentiate<const PARTS: usize>(
     }
 }
 
+/// All states of a group in one direction, each parameter in one of its own.
+fn differentiate_groups(
+    groups: &Groups,
+    [y, p]: [&[f64]; 2],
+    out: &mut [f64],
+    columns: &mut [f64],
+    evaluate: impl Fn(&[Number], &mut [Number]),
+) {
+    let (n, rows) = (y.len(), out.len());
+    let directions = groups.of().iter().copied().chain(groups.count()..groups.count() + p.len());
+    let mut inputs = vec![Number::constant(0.0); n + p.len()];
+    let mut results = vec![Number::constant(0.0); rows];
+    columns.fill(0.0);
+    // Of no states and parameters, the values are wanted all the same.
+    for first in (0..(groups.count() + p.len()).max(1)).step_by(WIDTH) {
+        lift(&[y, p], &mut inputs);
+        for (number, direction) in inputs.iter_mut().zip(directions.clone()) {
+            if let Some(direction) = direction.checked_sub(first).filter(|direction| *direction < WIDTH) {
+                *number = Number::input(number.value(), direction);
+            }
+        }
+        results.fill(Number::constant(0.0));
+        evaluate(&inputs, &mut results);
+        for direction in first..first + WIDTH {
+            for &(row, state) in groups.entries(direction) {
+                columns[state * rows + row] = results[row].derivative(direction - first);
+            }
+            if let Some(parameter) = direction.checked_sub(groups.count()).filter(|parameter| *parameter < p.len()) {
+                let column = &mut columns[(n + parameter) * rows..][..rows];
+                column.iter_mut().zip(&results).for_each(|(out, number)| *out = number.derivative(direction - first));
+            }
+        }
+        out.iter_mut().zip(&results).for_each(|(out, number)| *out = number.value());
+    }
+}
+
 impl<F, B> Formulas for Differenced<F, B>
 where
     F: Fn(f64, &[f64], &[f64], &mut [f64]),
@@ -132,10 +215,14 @@ where
     }
 
     fn rhs_derivatives(&self, x: f64, y: &[f64], p: &[f64], f: &mut [f64], columns: &mut [f64]) {
-        difference(&[y, p], f, columns, |inputs, out| {
+        let evaluate = |inputs: &[f64], out: &mut [f64]| {
             let (y, p) = inputs.split_at(y.len());
             (self.f)(x, y, p, out);
-        });
+        };
+        match &self.groups {
+            Some(groups) => difference_groups(groups, [y, p], f, columns, evaluate),
+            None => difference(&[y, p], f, columns, evaluate),
+        }
     }
 
     fn boundary(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64]) {
@@ -159,11 +246,40 @@ fn difference(parts: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: 
     evaluate(inputs, out);
     for (input, column) in columns.chunks_exact_mut(out.len()).enumerate() {
         let value = inputs[input];
-        inputs[input] = value + f64::EPSILON.sqrt() * value.abs().max(1.0).copysign(value);
+        inputs[input] = stepped(value);
         let step = inputs[input] - value;
         evaluate(inputs, column);
         column.iter_mut().zip(out.iter()).for_each(|(moved, here)| *moved = (*moved - here) / step);
         inputs[input] = value;
+    }
+}
+
+fn stepped(value: f64) -> f64 {
+    value + f64::EPSILON.sqrt() * value.abs().max(1.0).copysign(value)
+}
+
+/// All states of a group at once, each parameter by itself.
+fn difference_groups(
+    groups: &Groups,
+    [y, p]: [&[f64]; 2],
+    out: &mut [f64],
+    columns: &mut [f64],
+    evaluate: impl Fn(&[f64], &mut [f64]),
+) {
+    let (n, rows) = (y.len(), out.len());
+    let (by_states, by_parameters) = columns.split_at_mut(n * rows);
+    let mut inputs = [y, p].concat();
+    difference(&[p], out, by_parameters, |p, out| evaluate(&[y, p].concat(), out));
+    by_states.fill(0.0);
+    let mut moved = vec![0.0; rows];
+    for group in 0..groups.count() {
+        let members = || groups.of().iter().enumerate().filter(|(_, of)| **of == group).map(|(state, _)| state);
+        members().for_each(|state| inputs[state] = stepped(y[state]));
+        evaluate(&inputs, &mut moved);
+        for &(row, state) in groups.entries(group) {
+            by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
+        }
+        members().for_each(|state| inputs[state] = y[state]);
     }
 }
 
@@ -186,7 +302,7 @@ mod tests {
                     *g = a[i] * b[n - 1 - i] - p[0];
                 }
             };
-            let exact = Exact { f, bc };
+            let exact = Exact::new(f, bc);
             let y: Vec<f64> = (0..n).map(|i| 0.5 + i as f64).collect();
             let b: Vec<f64> = y.iter().map(|y| 3.0 * y).collect();
             let (x, p, sum) = (1.5, [0.25], y.iter().sum::<f64>());

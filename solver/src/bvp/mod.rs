@@ -20,23 +20,29 @@
 //! [`Problem`] itself, so that all of the library is open to it: continuation, sensitivities, conditioning.
 
 mod formulas;
+mod groups;
+mod higher;
 mod number;
 mod singular;
 
 pub use formulas::{Differenced, Exact, Formulas};
+pub use groups::{Evaluated, Groups};
+pub use higher::HigherOrder;
 pub use number::Number;
 pub use singular::SingularTermError;
 
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::options::Options;
-use crate::problem::{Constant, Layout, Points, Problem, Region, Scope, State};
+use crate::problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
 use crate::solution::Solution;
 use crate::solve::solve;
 use singular::SingularTerm;
 
 /// Intervals of a guess of which no number is said.
 const INTERVALS: usize = 10;
+/// Name of the one region.
+const REGION: &str = "interval";
 
 /// `y' = f(x, y, p)` on an interval, with as many conditions `g(y(a), y(b), p) = 0` as states and unknown parameters.
 #[derive(Debug, Clone)]
@@ -59,7 +65,7 @@ where
 {
     /// States by name, the interval, `f(x, y, p, out)` and `g(y(a), y(b), p, out)`. Derivatives are exact.
     pub fn new(states: &[&str], interval: (f64, f64), f: F, bc: B) -> Self {
-        Self::with(states, interval, Exact { f, bc })
+        Self::with(states, interval, Exact::new(f, bc))
     }
 }
 
@@ -71,7 +77,51 @@ where
     /// As [`new`](Bvp::new), for closures of plain numbers, as where they call foreign code. Derivatives are forward
     /// differences.
     pub fn by_differences(states: &[&str], interval: (f64, f64), f: F, bc: B) -> Self {
-        Self::with(states, interval, Differenced { f, bc })
+        Self::with(states, interval, Differenced::new(f, bc))
+    }
+}
+
+impl<M: Evaluated> Bvp<M> {
+    /// Says which states each value that `f` writes depends on, by their indices, so that derivatives take fewer
+    /// evaluations: those by all states of which no value depends on two come from one. Of many states with few
+    /// neighbours each, as rods cut into pieces have, it is a few in place of as many as there are states.
+    ///
+    /// Derivatives that are not stated are taken to be zero: where that is wrong, Newton's iteration is slow or fails,
+    /// and a problem that says that it is [`linear`](Self::linear) is told that it is not.
+    ///
+    /// Heat in a row of ten pieces, along which it is carried, and lost from one to the next:
+    ///
+    /// ```
+    /// use solver::{Options, bvp::Bvp};
+    ///
+    /// let names: Vec<String> = (0..10).map(|i| format!("T{i}")).collect();
+    /// let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    /// let neighbours: Vec<Vec<usize>> = (0..10_usize).map(|i| (i.max(1) - 1..(i + 2).min(10)).collect()).collect();
+    /// let neighbours: Vec<&[usize]> = neighbours.iter().map(Vec::as_slice).collect();
+    /// let row = Bvp::by_differences(
+    ///     &names,
+    ///     (0.0, 1.0),
+    ///     |_, t, _, f| {
+    ///         for i in 0..10 {
+    ///             let (before, after) = (t[i.max(1) - 1], t[(i + 1).min(9)]);
+    ///             f[i] = before - 2.0 * t[i] + after;
+    ///         }
+    ///     },
+    ///     |a, _, _, g| (0..10).for_each(|i| g[i] = a[i] - i as f64),
+    /// )
+    /// .sparse(&neighbours)?;
+    /// let solution = row.solve(&Options::default())?;
+    /// assert!((solution.regions()[0].eval(1.0)[4] - 4.0).abs() < 1e-2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Not one list for each value that `f` writes, or a state that there is not.
+    pub fn sparse(mut self, states_of_each: &[&[usize]]) -> Result<Self, LayoutError> {
+        let states = self.layout.regions[0].states.len();
+        let groups = Groups::new(states, self.formulas.values(states), states_of_each)?;
+        self.formulas = self.formulas.grouped(groups);
+        Ok(self)
     }
 }
 
@@ -181,6 +231,11 @@ impl<M: Formulas> Bvp<M> {
         Guess::uniform(&self.layout, INTERVALS, &self.parameters, |_, _, y| y.fill(0.0))
     }
 
+    /// What it is stated by.
+    pub fn formulas(&self) -> &M {
+        &self.formulas
+    }
+
     /// Indices of the unknown parameters among all.
     pub fn unknowns(&self) -> &[usize] {
         &self.unknowns
@@ -220,7 +275,7 @@ fn layout(states: &[&str], interval: (f64, f64), parameters: &[&str], unknowns: 
         all
     };
     let region = Region {
-        name: "interval".to_owned(),
+        name: REGION.to_owned(),
         interval,
         states: states.iter().map(|&name| State { name: name.to_owned(), scale: None }).collect(),
         integrals: Vec::new(),
