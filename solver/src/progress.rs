@@ -1,5 +1,6 @@
 //! Where a solve stands between two meshes.
 
+use crate::accuracy::Shortfall;
 use crate::collocation::grid::intervals;
 use crate::error::{NewtonError, SolveError};
 use crate::layers::Layer;
@@ -136,22 +137,27 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
         if let Some(coarser) = self.before_shrinking.take().or(self.coarser.take()) {
             return Some(transfer(&coarser, twice(&coarser)));
         }
-        let fallback = self.fallback.as_ref().filter(|_| !self.fallback_doubled)?;
-        self.fallback_doubled = true;
-        Some(transfer(fallback, twice(fallback)))
+        let doubled = self.fallback_doubled;
+        let fallback = self.fallback.take_if(|_| !doubled)?;
+        Some(self.double(fallback))
     }
 
-    /// The fallback on its own meshes doubled, once: where smaller defects in a few intervals at a time bring hardly
-    /// smaller errors, that does, unless what is left is due to rounding. Then, or if meshes may not have so many
-    /// intervals, the fallback itself.
-    pub(crate) fn doubled_or_done(&mut self, fallback: Solved<'a, P>) -> Next<'a, P> {
+    /// A solution that is gone back to, on its own meshes doubled, once: where smaller defects in a few intervals at a
+    /// time bring hardly smaller errors, that does, unless what is left is due to rounding. Then, or if meshes may not
+    /// have so many intervals, the solution itself; and which of both stands in the way of a smaller error.
+    pub(crate) fn doubled_or_done(&mut self, fallback: Solved<'a, P>) -> (Next<'a, P>, Shortfall) {
         let fits = fallback.system.grids.iter().all(|grid| 2 * grid.intervals() <= self.max_intervals);
-        if self.fallback_doubled || !fits {
-            return Next::done(fallback);
+        match (self.fallback_doubled, fits) {
+            (true, _) => (Next::done(fallback), Shortfall::Rounding),
+            (false, false) => (Next::done(fallback), Shortfall::Mesh),
+            (false, true) => (Next::On(self.double(fallback)), Shortfall::Rounding),
         }
+    }
+
+    fn double(&mut self, fallback: Solved<'a, P>) -> Start {
         let start = transfer(&fallback, twice(&fallback));
         (self.fallback, self.fallback_doubled) = (Some(fallback), true);
-        Next::On(start)
+        start
     }
 }
 

@@ -245,8 +245,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 if progress.is_stuck()
                     && let Some(fallback) = progress.fallback.take()
                 {
-                    self.shortfall = Shortfall::Rounding;
-                    return Ok(progress.doubled_or_done(fallback));
+                    let next;
+                    (next, self.shortfall) = progress.doubled_or_done(fallback);
+                    return Ok(next);
                 }
                 match self.aimed(&solved, &measures, progress) {
                     Ok(meshes) => {

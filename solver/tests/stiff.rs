@@ -4,7 +4,7 @@
 
 use solver::bvp::{Bvp, Number};
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Accuracy, Guess, Layout, Options, Order, Problem, Region, SolveError, solve};
+use solver::{Accuracy, Guess, Layout, Options, Order, Problem, Region, Shortfall, Solution, SolveError, solve};
 use std::f64::consts::PI;
 
 /// Cash's T14: `ε u'' = u - (ε π² + 1) cos πx` on (-1, 1), two layers of width √ε.
@@ -14,6 +14,20 @@ impl Layers {
     fn exact(x: f64, e: f64) -> f64 {
         let layer = |distance: f64| (-distance / e.sqrt()).exp();
         (PI * x).cos() + layer(1.0 - x) + layer(1.0 + x)
+    }
+
+    /// u at the ends, less what it is to be there.
+    fn ends<S: Scalar>(left: S, right: S, eps: S, g: &mut [S]) {
+        let end = (eps.sqrt().recip() * -2.0).exp();
+        (g[0], g[1]) = (left - end, right - end);
+    }
+
+    /// The largest at all nodes.
+    fn error(solution: &Solution, eps: f64) -> f64 {
+        let errors = solution.regions().iter().flat_map(|region| {
+            region.mesh().iter().zip(region.state(0)).map(|(&x, u)| (u - Self::exact(x, eps)).abs())
+        });
+        errors.fold(0.0, f64::max)
     }
 }
 
@@ -26,8 +40,7 @@ impl Model for Layers {
         f[1] = (y[0] - (c[0] * (PI * PI) + 1.0) * (x * PI).cos()) / c[0];
     }
     fn boundary<S: Scalar>(&self, z: &[S], _: &[S], c: &[S], g: &mut [S]) {
-        let end = (c[0].sqrt().recip() * -2.0).exp();
-        (g[0], g[1]) = (z[0] - end, z[2] - end);
+        Self::ends(z[0], z[2], c[0], g);
     }
 }
 
@@ -42,9 +55,7 @@ fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
             let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
             let solution = solve(&problem, &guess, &[], &Options { order, tolerance, ..Options::default() }).unwrap();
             assert_eq!(solution.accuracy(), Accuracy::Met);
-            let line = &solution.regions()[0];
-            let error = line.mesh().iter().zip(line.state(0)).map(|(&x, u)| (u - Layers::exact(x, eps)).abs());
-            let error = error.fold(0.0, f64::max);
+            let error = Layers::error(&solution, eps);
             println!("{order:?} {tolerance:e}: {error:e}, {:?}", solution.stats());
             assert!(error <= tolerance, "{order:?} {tolerance:e}: {error:e}");
             assert!(solution.stats().meshes <= 30, "{order:?} {tolerance:e}: {:?}", solution.stats());
@@ -66,8 +77,7 @@ impl Model for Three {
         Layers.rhs(region, x, y, c, f);
     }
     fn boundary<S: Scalar>(&self, z: &[S], _: &[S], c: &[S], g: &mut [S]) {
-        let end = (c[0].sqrt().recip() * -2.0).exp();
-        (g[0], g[1]) = (z[0] - end, z[10] - end);
+        Layers::ends(z[0], z[10], c[0], g);
         (g[2], g[3]) = (z[4] - z[2], z[5] - z[3]);
         (g[4], g[5]) = (z[8] - z[6], z[9] - z[7]);
     }
@@ -83,14 +93,34 @@ fn layers_are_resolved_in_several_regions_as_in_one() {
         for tolerance in [1e-7, 5e-8, 1e-9] {
             let guess = Guess::uniform(problem.layout(), intervals, &[eps], |_, _, y| y.fill(0.0));
             let solution = solve(&problem, &guess, &[], &Options { tolerance, ..Options::default() }).unwrap();
-            let errors = solution.regions().iter().flat_map(|region| {
-                region.mesh().iter().zip(region.state(0)).map(|(&x, u)| (u - Layers::exact(x, eps)).abs())
-            });
-            let error = errors.fold(0.0, f64::max);
+            let error = Layers::error(&solution, eps);
             println!("{intervals} {tolerance:e}: {error:e}, {:?}", solution.stats());
             assert!(error <= tolerance, "{intervals} {tolerance:e}: {error:e}");
         }
     }
+}
+
+/// Where meshes may not have as many intervals as halving all of them takes, it is their limit that is in the way of a
+/// smaller error, and not rounding.
+#[test]
+fn what_a_meshs_limit_prevents_is_not_put_down_to_rounding() {
+    let problem = Differentiated::new(Three).unwrap();
+    let mut refused = 0;
+    for intervals in [6, 7, 8] {
+        for max_intervals in [200, 300, 400, 500, 600, 800] {
+            let guess = Guess::uniform(problem.layout(), intervals, &[1e-6], |_, _, y| y.fill(0.0));
+            for tolerance in [1e-7, 5e-8] {
+                match solve(&problem, &guess, &[], &Options { tolerance, max_intervals, ..Options::default() }) {
+                    Err(SolveError::Inaccurate { because, .. }) => {
+                        assert_eq!(because, Shortfall::Mesh, "{intervals}, {max_intervals}, {tolerance:e}");
+                        refused += 1;
+                    }
+                    solved => assert!(!matches!(solved, Err(SolveError::Newton { .. })), "{intervals}, {tolerance:e}"),
+                }
+            }
+        }
+    }
+    assert!(refused > 0);
 }
 
 /// At order 6 a layer that intervals are far too long for does not spoil the solution away from it where one state is
@@ -102,9 +132,7 @@ fn thin_layers_of_equations_of_second_order_are_found_with_few_intervals() {
     let guess = Guess::uniform(problem.layout(), 8, &[eps], |_, _, y| y.fill(0.0));
     let options = Options { order: Order::Six, tolerance: 1e-6, ..Options::default() };
     let solution = solve(&problem, &guess, &[], &options).unwrap();
-    let line = &solution.regions()[0];
-    let error = line.mesh().iter().zip(line.state(0)).map(|(&x, u)| (u - Layers::exact(x, eps)).abs());
-    let error = error.fold(0.0, f64::max);
+    let error = Layers::error(&solution, eps);
     let intervals: Vec<usize> = solution.history().iter().map(|mesh| mesh.intervals[0]).collect();
     println!("{error:e}, {intervals:?}");
     assert!(error <= 1e-6, "{error:e}");

@@ -247,7 +247,12 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             Some(fallback) if !better => fallback,
             _ => *solved,
         };
-        if progress.stalled < PATIENCE { Next::done(best) } else { progress.doubled_or_done(best) }
+        if progress.stalled < PATIENCE {
+            return Next::done(best);
+        }
+        let next;
+        (next, self.shortfall) = progress.doubled_or_done(best);
+        next
     }
 
     /// Meshes for the largest defects below the present ones that ask for others; none if rounding or the limits of the
