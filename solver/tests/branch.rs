@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use solver::bvp::Bvp;
 use solver::continuation::{
     BranchOptions, Checkpoint, Direction, How, PathOptions, PointKind, Ramp, Saved, Stiffness, follow, follow_observed,
     resume_follow, resume_trace, solve_automatically, trace, trace_observed,
@@ -397,5 +398,36 @@ fn where_no_parameter_is_named_the_guess_is_deformed_into_a_solution() {
     for (x, u) in x.iter().zip(u) {
         let (x, u) = (x.as_f64().unwrap(), u.as_f64().unwrap());
         assert!((found.solution.regions()[0].eval(x)[0] - u).abs() < 1e-5, "{x}");
+    }
+}
+
+/// `u'' + 2u'/x + λ e^u = 0` in the unit ball (Gelfand; D. D. Joseph and T. S. Lundgren, Arch. Rational Mech. Anal. 49
+/// (1973) 241-269): folds without end about λ = 2, ever closer in λ, as u(0) grows and a layer about the centre thins.
+/// From a fold long steps lead to parts of the branch that lie beyond the next ones: they are rejected.
+#[test]
+fn no_fold_of_many_is_passed_over_by_a_step_that_goes_astray() {
+    let known = [3.321_992, 1.664_156, 2.108_541, 1.967_466, 2.009_976, 1.996_962, 2.000_927, 1.999_717];
+    let term: [&[f64]; 2] = [&[0.0, 0.0], &[0.0, -2.0]];
+    for (order, tolerance, intervals, points) in
+        [(Order::Four, 1e-4, 20, 41), (Order::Six, 1e-6, 8, 41), (Order::Eight, 1e-6, 8, 41)]
+    {
+        let ball = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |_, y, p, f| (f[0], f[1]) = (y[1], -(y[0].exp() * p[0])),
+            |a, b, _, g| (g[0], g[1]) = (a[1], b[0]),
+        );
+        let ball = ball.given("lambda", 0.0).singular_term(&term).unwrap().guess(intervals, |_, y| y.fill(0.0));
+        let solve = Options { order, tolerance, ..Options::default() };
+        let options = BranchOptions { solve, range: (-0.1, 5.0), max_points: points, ..BranchOptions::default() };
+        let branch = trace(&ball, &ball.start(), 0, &[], &options, &[]).unwrap();
+        let folds: Vec<f64> = branch.folds().map(|point| point.parameter).collect();
+        assert!(folds.len() >= known.len(), "{order:?}: {folds:?}");
+        for (found, known) in folds.iter().zip(known) {
+            assert!((found - known).abs() < 20.0 * tolerance.max(1e-7), "{order:?}: {found} for {known}");
+        }
+        // Between folds u at the centre goes on growing.
+        let centre: Vec<f64> = branch.points.iter().map(|point| point.solution.regions()[0].state(0)[0]).collect();
+        assert!(centre.is_sorted(), "{order:?}: {centre:?}");
     }
 }

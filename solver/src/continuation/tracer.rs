@@ -79,6 +79,33 @@ struct Advanced {
     check: BranchCheck,
 }
 
+/// A step.
+struct Stepped {
+    next: Advanced,
+    /// Whether there is a branch point before its end.
+    crossed: bool,
+    /// What is special on the way, as far as the range goes: kind, distance, and the point, if it is not the end.
+    located: Vec<(PointKind, f64, Option<Reference>)>,
+}
+
+/// Why a step is to be shorter.
+enum Rejected {
+    /// It failed, or a special point of it could not be located.
+    Failed(SolveError),
+    /// What it led to is far from where it began.
+    Far,
+}
+
+impl From<SolveError> for Rejected {
+    fn from(cause: SolveError) -> Self {
+        Self::Failed(cause)
+    }
+}
+
+/// So often in a row a step is halved whose first correction has not contracted: beyond, contractions are of no use, as
+/// where right-hand sides have kinks.
+const SHORTENED: usize = 2;
+
 impl<'a, 'e> Tracer<'a, 'e> {
     pub(super) fn new(
         problem: &'a dyn Problem,
@@ -125,32 +152,31 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
         let mut previous: Option<(f64, Reference)> = None;
+        let mut shortened = 0;
         while self.points.len() < self.options.max_points {
-            let next = match self.advance(&here, step) {
-                Ok(found) => found,
-                Err(cause) if cause.is_interruption() => return Err(cause),
-                Err(cause) => {
+            let stepped = self.step(previous.as_ref(), &here, step, shortened < SHORTENED);
+            let Stepped { next, crossed, located } = match stepped {
+                Ok(stepped) => stepped,
+                Err(Rejected::Failed(cause)) if cause.is_interruption() => return Err(cause),
+                Err(rejected) => {
                     step *= 0.5;
-                    if step < self.options.smallest_step {
-                        return Err(cause);
+                    match rejected {
+                        Rejected::Failed(cause) if step < self.options.smallest_step => return Err(cause),
+                        Rejected::Failed(_) => {}
+                        Rejected::Far => shortened += 1,
                     }
                     self.announce(&Event::Rejected { lambda: here.value(self.parameter) })?;
                     continue;
                 }
             };
-            let crossings = self.crossings(&here, &next.point);
-            let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
+            shortened = 0;
             // The sense of the first step is given, so that a branch point is told from one that is crossed.
             let [before, after] = [&here, &next.point].map(|point| point.determinant.orientation);
             let turned = if crossed { next.check } else { next.check.across(before, after) };
             self.check = self.check.and(turned.placed(next.point.value(self.parameter)));
-            for crossing in crossings {
-                let (at, found) = self.locate(previous.as_ref(), &here, step, &next, &crossing)?;
-                match found {
-                    Some(found) => self.push(crossing.kind, arclength + at, &found),
-                    None => self.push(crossing.kind, arclength + at, &next.point),
-                }
-                if crossing.kind == PointKind::End {
+            for (kind, at, found) in located {
+                self.push(kind, arclength + at, found.as_ref().unwrap_or(&next.point));
+                if kind == PointKind::End {
                     return Ok(());
                 }
             }
@@ -169,6 +195,32 @@ impl<'a, 'e> Tracer<'a, 'e> {
             step = longer;
         }
         Ok(())
+    }
+
+    /// The point at a distance, and what is special between. Where `wary`, only one that the iteration has gone straight
+    /// to: a first correction that does not contract may lead to another part of the branch, or to another branch.
+    fn step(
+        &mut self,
+        previous: Option<&(f64, Reference)>,
+        here: &Reference,
+        step: f64,
+        wary: bool,
+    ) -> Result<Stepped, Rejected> {
+        let next = self.advance(here, step)?;
+        if wary && !(next.contraction < 1.0) && 0.5 * step >= self.options.smallest_step {
+            return Err(Rejected::Far);
+        }
+        let crossings = self.crossings(here, &next.point);
+        let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
+        let mut located = Vec::new();
+        for crossing in crossings {
+            let (at, found) = self.locate(previous, here, step, &next, &crossing)?;
+            located.push((crossing.kind, at, found));
+            if crossing.kind == PointKind::End {
+                break;
+            }
+        }
+        Ok(Stepped { next, crossed, located })
     }
 
     fn announce(&mut self, event: &Event) -> Result<(), SolveError> {
