@@ -278,5 +278,8 @@ fn indices_and_limits_that_make_no_sense_are_refused() {
     let branch = |options: BranchOptions| trace(&problem, &guess, 0, &[], &options, &[]).unwrap_err().cause;
     let options = BranchOptions { range: (0.0, 2.0), ..BranchOptions::default() };
     refused(&branch(BranchOptions { max_iterations: 0, ..options.clone() }), "max_iterations");
-    refused(&branch(BranchOptions { smallest_step: 1.0, largest_step: 0.1, ..options }), "smallest_step");
+    refused(&branch(BranchOptions { smallest_step: 1.0, largest_step: 0.1, ..options.clone() }), "smallest_step");
+    for value in [0.0, -1.0, f64::NAN] {
+        refused(&branch(BranchOptions { largest_contraction: value, ..options.clone() }), "largest_contraction");
+    }
 }

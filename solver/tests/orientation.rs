@@ -177,6 +177,18 @@ fn branch_points_in_the_middle_of_steps_are_located_by_few_solves() {
     assert!(branch.stats.factorisations <= branch.stats.newton_iterations + 2, "{:?}", branch.stats);
 }
 
+/// The last step leads beyond the range's end, and beyond a branch point behind it: the sign that has changed there is
+/// accounted for.
+#[test]
+fn a_branch_point_behind_the_end_of_the_range_is_no_turn() {
+    let problem = Differentiated::new(Eigenvalues).unwrap();
+    let guess = Guess::uniform(problem.layout(), 32, &[0.0], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.0, 0.99), largest_step: 0.1, ..BranchOptions::default() };
+    let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
+    assert_eq!((branch.check, branch.branch_points().count()), (BranchCheck::Kept, 0));
+    assert_eq!(branch.points.last().unwrap().kind, PointKind::End);
+}
+
 #[test]
 fn the_orientation_is_that_of_the_problem_itself() {
     // u'' = -(λ π)² u: v(1) = sin(λ π)/(λ π) for v(0) = 0, v'(0) = 1 changes sign at every whole λ.

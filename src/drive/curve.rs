@@ -94,6 +94,8 @@ pub fn trace(
         solve,
         upwards,
         contraction: CONTRACTION,
+        // Friction has kinks.
+        largest_contraction: f64::INFINITY,
         smallest_step: SMALLEST_STEP,
         largest_step: LARGEST_STEP,
         max_points: MAX_POINTS,

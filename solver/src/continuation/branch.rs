@@ -24,6 +24,10 @@ pub struct BranchOptions {
     pub largest_step: f64,
     /// The first contraction of Newton's iteration that steps aim at.
     pub contraction: f64,
+    /// A step whose first contraction is larger is halved, twice at most in a row: it may lead to another part
+    /// of the branch, or to another branch. Infinite where kinks of the right-hand side leave contractions without a
+    /// meaning.
+    pub largest_contraction: f64,
     /// Newton iterations on each mesh of a step.
     pub max_iterations: usize,
     /// Points, located ones included.
@@ -48,6 +52,7 @@ impl Default for BranchOptions {
             smallest_step: 1e-6,
             largest_step: 0.5,
             contraction: 0.1,
+            largest_contraction: 1.0,
             max_iterations: 12,
             max_points: 200,
             branch_points: true,
@@ -64,6 +69,10 @@ impl BranchOptions {
             ("largest_step", self.largest_step),
             ("contraction", self.contraction),
         ])?;
+        if !(self.largest_contraction > 0.0) {
+            let (name, value) = ("largest_contraction", self.largest_contraction);
+            return Err(SolveError::Option { name, value, expected: "a positive number, or infinity" });
+        }
         if self.smallest_step > self.largest_step {
             let expected = "no more than largest_step";
             return Err(SolveError::Option { name: "smallest_step", value: self.smallest_step, expected });

@@ -102,8 +102,8 @@ impl From<SolveError> for Rejected {
     }
 }
 
-/// So often in a row a step is halved whose first correction has not contracted: beyond, contractions are of no use, as
-/// where right-hand sides have kinks.
+/// So often in a row a step is halved whose first correction has not contracted: if it still does not, contractions tell
+/// nothing.
 const SHORTENED: usize = 2;
 
 impl<'a, 'e> Tracer<'a, 'e> {
@@ -198,7 +198,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
     }
 
     /// The point at a distance, and what is special between. Where `wary`, only one that the iteration has gone straight
-    /// to: a first correction that does not contract may lead to another part of the branch, or to another branch.
+    /// to: see [`BranchOptions::largest_contraction`].
     fn step(
         &mut self,
         previous: Option<&(f64, Reference)>,
@@ -207,7 +207,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
         wary: bool,
     ) -> Result<Stepped, Rejected> {
         let next = self.advance(here, step)?;
-        if wary && !(next.contraction < 1.0) && 0.5 * step >= self.options.smallest_step {
+        let straight = next.contraction <= self.options.largest_contraction;
+        if wary && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
         }
         let crossings = self.crossings(here, &next.point);
