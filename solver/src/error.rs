@@ -91,6 +91,15 @@ pub enum SolveError {
         /// Steps taken.
         steps: usize,
     },
+    /// Between two points of a branch nothing was found where it was expected, however near they are.
+    #[error(
+        "between two points of the branch, what was found where the parameter is {at} lies on another part of it, or \
+         on another branch"
+    )]
+    Astray {
+        /// Value of the parameter.
+        at: f64,
+    },
     /// Newton's iteration failed.
     #[error("on a mesh of {intervals} intervals: {error}")]
     Newton {
@@ -181,6 +190,7 @@ impl SolveError {
                 | Self::Boundary { .. }
                 | Self::Inaccurate { .. }
                 | Self::Steps { .. }
+                | Self::Astray { .. }
         )
     }
 
@@ -218,6 +228,9 @@ impl SolveError {
             Self::Inaccurate { .. } => {
                 "Allow more intervals and meshes, or use a higher order; an error estimate near 1 means that the \
                  solution may be spurious. To have the solution as it is, set accept_inaccurate."
+            }
+            Self::Astray { .. } => {
+                "Other solutions are close: take shorter steps (largest_step, smallest_step), or finer meshes."
             }
             Self::WorkLimit { .. } => {
                 "Allow more work, improve the guess, or continue from an easier parameter; what is slow to converge \

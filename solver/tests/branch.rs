@@ -9,9 +9,10 @@ use solver::continuation::{
 };
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Accuracy, Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess, Silent,
-    Solution, SolveError, solve,
+    Accuracy, BranchCheck, Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess,
+    Silent, Solution, SolveError, solve,
 };
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -429,5 +430,83 @@ fn no_fold_of_many_is_passed_over_by_a_step_that_goes_astray() {
         // Between folds u at the centre goes on growing.
         let centre: Vec<f64> = branch.points.iter().map(|point| point.solution.regions()[0].state(0)[0]).collect();
         assert!(centre.is_sorted(), "{order:?}: {centre:?}");
+    }
+}
+
+/// `u'' + λ (u - u³) + 0.01 = 0`, u = 0 at both ends: the pitchfork at π² has come apart, and the part that turns at
+/// λ = 10.07 passes close to the other one on its way to a branch point at 4π².
+#[test]
+fn a_step_that_crosses_to_a_near_branch_is_made_shorter() {
+    for (order, tolerance, intervals) in [
+        (Order::Four, 1e-4, 8),
+        (Order::Six, 1e-4, 8),
+        (Order::Eight, 1e-4, 8),
+        (Order::Eight, 1e-4, 20),
+        (Order::Eight, 1e-6, 20),
+    ] {
+        let beam = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |_, y, p, f| (f[0], f[1]) = (y[1], -(p[0] * (y[0] - y[0].powi(3))) - 0.01),
+            |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+        );
+        let beam = beam.given("lambda", 20.0).guess(intervals, |x, y| {
+            let (sine, cosine) = (PI * x).sin_cos();
+            (y[0], y[1]) = (-0.8 * sine, -0.8 * PI * cosine);
+        });
+        let solve = Options { order, tolerance, ..Options::default() };
+        let options = BranchOptions { solve, range: (2.0, 30.0), upwards: false, ..BranchOptions::default() };
+        let branch = trace(&beam, &beam.start(), 0, &[], &options, &[]).unwrap();
+        let folds: Vec<f64> = branch.folds().map(|point| point.parameter).collect();
+        assert!(folds.len() == 1 && (folds[0] - 10.0718).abs() < 2e-3, "{order:?}: {folds:?}");
+        assert_eq!(branch.branch_points().count(), 0, "{order:?}");
+        let end = branch.points.last().unwrap();
+        assert!((end.parameter - 30.0).abs() < 1e-6 && end.solution.regions()[0].eval(0.5)[0].abs() < 1e-2);
+    }
+}
+
+/// The Brusselator at rest, x = 2 and y = 2.3, in a reactor of length L with those values at its ends. Patterns of k half
+/// waves branch off where `(3.6 - 0.0016 s) (4 + 0.008 s) = 18.4` with `s = (kπ/L)²`.
+#[test]
+fn patterns_branch_off_where_linear_stability_says() {
+    let lengths = |k: f64| {
+        let root = (0.0224_f64.powi(2) - 4.0 * 1.28e-5 * 4.0).sqrt();
+        [0.0224 + root, 0.0224 - root].map(|sum| k * PI / (sum / 2.56e-5).sqrt())
+    };
+    let mut known: Vec<f64> = (1..=5).flat_map(|k| lengths(f64::from(k))).filter(|length| *length < 0.4).collect();
+    known.sort_by(f64::total_cmp);
+    let reactor = Bvp::new(
+        &["x", "x'", "y", "y'"],
+        (0.0, 1.0),
+        |_, z, p, f| {
+            let (reaction, square) = (z[0] * z[0] * z[2], p[0] * p[0]);
+            (f[0], f[1]) = (z[1], -(square * (2.0 - z[0] * 5.6 + reaction)) / 0.0016);
+            (f[2], f[3]) = (z[3], -(square * (z[0] * 4.6 - reaction)) / 0.008);
+        },
+        |a, b, _, g| g.copy_from_slice(&[a[0] - 2.0, b[0] - 2.0, a[2] - 2.3, b[2] - 2.3]),
+    );
+    let reactor = reactor.given("length", 0.05).guess(20, |_, z| z.copy_from_slice(&[2.0, 0.0, 2.3, 0.0]));
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let solve = Options { order, ..Options::default() };
+        let traced = |from: f64, step: f64| {
+            let mut start = reactor.start();
+            start.constants[0] = from;
+            let options = BranchOptions {
+                solve: solve.clone(),
+                range: (0.04, 0.4),
+                first_step: step,
+                largest_step: step,
+                ..BranchOptions::default()
+            };
+            let branch = trace(&reactor, &start, 0, &[], &options, &[]).unwrap();
+            assert_eq!(branch.check, BranchCheck::Kept);
+            branch.branch_points().map(|point| point.parameter).collect::<Vec<f64>>()
+        };
+        let found = traced(0.05, 0.01);
+        assert_eq!(found.len(), 6, "{order:?}: {found:?} for {known:?}");
+        assert!(found.iter().zip(&known).all(|(found, known)| (found - known).abs() < 2e-5), "{order:?}: {found:?}");
+        // One that is followed by the range's end within the same step.
+        let last = traced(0.385, 0.05);
+        assert!(last.len() == 1 && (last[0] - known[5]).abs() < 2e-5, "{order:?}: {last:?}");
     }
 }

@@ -267,7 +267,7 @@ fn state_weights(layout: &Layout, solution: &Solution) -> Vec<Vec<f64>> {
     weights.collect()
 }
 
-fn constant_squares(layout: &Layout, solution: &Solution) -> Vec<f64> {
+pub(super) fn constant_squares(layout: &Layout, solution: &Solution) -> Vec<f64> {
     let constants = layout.constants.iter().zip(solution.constants());
     constants.map(|(constant, c)| c.abs().max(constant.scale.unwrap_or(1.0)).powi(2)).collect()
 }

@@ -5,7 +5,7 @@ mod finer;
 mod location;
 mod places;
 
-use super::arclength::{Arclength, Direction, Reference, normalise};
+use super::arclength::{Arclength, Direction, Reference, constant_squares, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
 use super::checkpoint::Checkpoint;
 use crate::budget::Budget;
@@ -217,9 +217,13 @@ impl<'a, 'e> Tracer<'a, 'e> {
         for crossing in crossings {
             let (at, found) = self.locate(previous, here, step, &next, &crossing)?;
             located.push((crossing.kind, at, found));
-            if crossing.kind == PointKind::End {
-                break;
-            }
+        }
+        located.sort_by(|(_, a, _), (_, b, _)| a.total_cmp(b));
+        if let Some(end) = located.iter().position(|(kind, ..)| *kind == PointKind::End) {
+            located.truncate(end + 1);
+            // What is beyond the range may yet have been found at a lesser distance, where it turns.
+            let value = |found: &Option<Reference>| found.as_ref().unwrap_or(&next.point).value(self.parameter);
+            located.retain(|(kind, _, found)| *kind == PointKind::End || !self.is_outside(value(found)));
         }
         Ok(Stepped { next, crossed, located })
     }
@@ -380,6 +384,22 @@ impl<'a, 'e> Tracer<'a, 'e> {
         Ok(Advanced { point, judged: care != Care::Glance, speed, contraction, check })
     }
 
+    /// A point between two that are `step` apart, if its constants are no farther than that from what is expected.
+    fn between(&self, found: Advanced, expected: &[f64], step: f64) -> Result<Advanced, SolveError> {
+        let squares = constant_squares(self.problem.layout(), &found.point.solution);
+        let misses = found.point.solution.constants().iter().zip(expected).zip(squares);
+        let miss: f64 = misses.map(|((found, expected), square)| (found - expected).powi(2) / square).sum();
+        if miss <= step * step {
+            return Ok(found);
+        }
+        Err(SolveError::Astray { at: found.point.value(self.parameter) })
+    }
+
+    fn is_outside(&self, value: f64) -> bool {
+        let (low, high) = self.options.range;
+        !(low..=high).contains(&value)
+    }
+
     /// Zeros between two points, in the order in which they are passed.
     fn crossings(&self, a: &Reference, b: &Reference) -> Vec<Crossing> {
         let mut kinds = vec![PointKind::Fold];
@@ -387,9 +407,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             kinds.push(PointKind::BranchPoint);
         }
         kinds.extend((0..self.events.len()).map(PointKind::Event));
-        let (low, high) = self.options.range;
-        let outside = |value: f64| !(low..=high).contains(&value);
-        if outside(b.value(self.parameter)) {
+        if self.is_outside(b.value(self.parameter)) {
             kinds.push(PointKind::End);
         }
         let crossing = |kind| Crossing { kind, values: (self.watched(kind, a), self.watched(kind, b)) };

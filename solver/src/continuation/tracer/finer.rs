@@ -87,13 +87,17 @@ impl Tracer<'_, '_> {
         let mut guess = point.moved(beside);
         guess.constants.push(place + beside);
         let halved = start::halved(&Start::from(&guess));
+        let expected = point.solution.constants();
         let first = self.advance_with(here, halved, Care::Glance)?;
+        let first = self.between(first, expected, step)?;
         // Determinants on different meshes differ by any factor.
         let unit = first.point.determinant;
         let mut last = Look::new(&unit, place + beside, first);
         let (mut zero, mut next) = (place, place - beside);
         for _ in 0..LOOKS {
-            let advanced = self.advance_from(here, next, (last.advanced.near(last.at), None), Care::Glance)?;
+            let near = (last.advanced.near(last.at), None);
+            let advanced = self.advance_from(here, next, near, Care::Glance)?;
+            let advanced = self.between(advanced, expected, step)?;
             let look = Look::new(&unit, next, advanced);
             let before = zero;
             zero = look.at - look.value * (look.at - last.at) / (look.value - last.value);

@@ -22,25 +22,31 @@ pub(super) const DISTANCE: f64 = 1e-4;
 /// until its place changes by no more than this, or would change by no more than [`LOCATION`] if the change shrank once
 /// more as it has: it shrinks faster. The next change would be smaller by as much as the distance is.
 pub(super) const SETTLED: f64 = 1e-8;
+/// There the determinant is no more than this part of what it is at the ends of the step.
+const VANISHED: f64 = 0.05;
 /// After a change of place by so little, in parts of the step, the next look is expected to be the last; those before
 /// are glances.
 const NEARLY: f64 = 1e-3;
 
 impl Tracer<'_, '_> {
-    /// A place between two points; with care where a glance fails.
+    /// A place between two points that are `step` apart, not far from the line between them; with care where a glance
+    /// fails.
     fn look(
         &mut self,
-        here: &Reference,
+        (here, step, next): (&Reference, f64, &Reference),
         at: f64,
         near: (Near<'_>, Option<Near<'_>>),
         care: Care,
     ) -> Result<Advanced, SolveError> {
-        match self.advance_from(here, at, near, care) {
+        let outcome = match self.advance_from(here, at, near, care) {
             Err(cause) if care == Care::Glance && !cause.is_interruption() => {
                 self.advance_from(here, at, near, Care::Between)
             }
             outcome => outcome,
-        }
+        };
+        let constants = here.solution.constants().iter().zip(next.solution.constants());
+        let line: Vec<f64> = constants.map(|(a, b)| a + at / step * (b - a)).collect();
+        outcome.and_then(|found| self.between(found, &line, step))
     }
 
     /// Zero of the watched function, and the point there if it is not the next. Each is predicted from the nearest that
@@ -69,7 +75,7 @@ impl Tracer<'_, '_> {
         let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
         for _ in 0..LOOKS {
             let near = around(here, (step, next), &seen, at);
-            let found = self.advance_from(here, at, near, Care::Between)?;
+            let found = self.look((here, step, &next.point), at, near, Care::Between)?;
             let usable = search.add(self.known(kind, found.near(at), here));
             let done = self.watched(kind, &found.point).abs() <= small;
             seen.push((at, found));
@@ -103,7 +109,7 @@ impl Tracer<'_, '_> {
             for beside in BESIDE {
                 let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
                 let near = around(here, (step, next), &seen, at);
-                outcome = self.look(here, at, near, care).map(|found| (at, found));
+                outcome = self.look((here, step, &next.point), at, near, care).map(|found| (at, found));
                 match &outcome {
                     Err(cause) if !cause.is_interruption() => {}
                     _ => break,
@@ -126,6 +132,11 @@ impl Tracer<'_, '_> {
         }
         seen.retain(|(_, found)| found.judged);
         let (near, _) = around(here, (step, next), &seen, place);
+        // Between two pieces of the branch the determinant may change its sign without a zero.
+        let value = |point: &Reference| point.determinant.relative(&here.determinant).abs();
+        if value(near.point) > VANISHED * value(here).max(value(&next.point)) {
+            return Err(SolveError::Astray { at: near.point.value(self.parameter) });
+        }
         Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
     }
 
