@@ -1,7 +1,7 @@
 //! Closures, and where their derivatives come from.
 
 use super::buffer;
-use super::groups::{Evaluated, Groups};
+use super::groups::Groups;
 use super::number::{Number, WIDTH};
 
 /// Right-hand side `f(x, y, p)` and boundary residuals `g(y(a), y(b), p)`, with the derivatives of both.
@@ -41,45 +41,43 @@ pub struct Differenced<F, B> {
     groups: Option<Groups>,
 }
 
-impl<F, B> Exact<F, B> {
-    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
-    pub fn new(f: F, bc: B) -> Self {
-        Self { f, bc, groups: None }
-    }
+/// Formulas whose derivatives come from evaluations: from fewer of them where it is known what depends on what, see
+/// [`Bvp::sparse`](super::Bvp::sparse).
+pub trait Evaluated: Formulas {
+    /// How many values f writes, of so many states.
+    fn values(&self, states: usize) -> usize;
+
+    /// With states in groups.
+    #[must_use]
+    fn grouped(self, groups: Groups) -> Self;
 }
 
-impl<F, B> Differenced<F, B> {
-    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
-    pub fn new(f: F, bc: B) -> Self {
-        Self { f, bc, groups: None }
-    }
+/// What both kinds of closures share.
+macro_rules! of_closures {
+    ($($kind:ident),+) => {$(
+        impl<F, B> $kind<F, B> {
+            /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
+            pub fn new(f: F, bc: B) -> Self {
+                Self { f, bc, groups: None }
+            }
+        }
+
+        impl<F, B> Evaluated for $kind<F, B>
+        where
+            Self: Formulas,
+        {
+            fn values(&self, states: usize) -> usize {
+                states
+            }
+
+            fn grouped(self, groups: Groups) -> Self {
+                Self { groups: Some(groups), ..self }
+            }
+        }
+    )+};
 }
 
-impl<F, B> Evaluated for Exact<F, B>
-where
-    Self: Formulas,
-{
-    fn values(&self, states: usize) -> usize {
-        states
-    }
-
-    fn grouped(self, groups: Groups) -> Self {
-        Self { groups: Some(groups), ..self }
-    }
-}
-
-impl<F, B> Evaluated for Differenced<F, B>
-where
-    Self: Formulas,
-{
-    fn values(&self, states: usize) -> usize {
-        states
-    }
-
-    fn grouped(self, groups: Groups) -> Self {
-        Self { groups: Some(groups), ..self }
-    }
-}
+of_closures!(Exact, Differenced);
 
 impl<F, B> Formulas for Exact<F, B>
 where

@@ -1,6 +1,5 @@
 //! States whose derivatives are found together, because no value depends on two of them.
 
-use super::formulas::Formulas;
 use crate::problem::LayoutError;
 
 /// What each value of f depends on, and the states in groups of which each value depends on one at most: one evaluation
@@ -55,15 +54,4 @@ impl Groups {
     pub(super) fn entries(&self, group: usize) -> &[(usize, usize)] {
         self.entries.get(group).map_or(&[], Vec::as_slice)
     }
-}
-
-/// Formulas whose derivatives come from evaluations: from fewer of them where it is known what depends on what, see
-/// [`Bvp::sparse`](super::Bvp::sparse).
-pub trait Evaluated: Formulas {
-    /// How many values f writes, of so many states.
-    fn values(&self, states: usize) -> usize;
-
-    /// With states in groups.
-    #[must_use]
-    fn grouped(self, groups: Groups) -> Self;
 }

@@ -1,7 +1,7 @@
 //! Equations of higher order, stated as they stand.
 
-use super::formulas::{Exact, Formulas};
-use super::groups::{Evaluated, Groups};
+use super::formulas::{Evaluated, Exact, Formulas};
+use super::groups::Groups;
 use super::{Bvp, buffer};
 use crate::bvp::Number;
 use crate::problem::LayoutError;

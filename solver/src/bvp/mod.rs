@@ -25,8 +25,8 @@ mod higher;
 mod number;
 mod singular;
 
-pub use formulas::{Differenced, Exact, Formulas};
-pub use groups::{Evaluated, Groups};
+pub use formulas::{Differenced, Evaluated, Exact, Formulas};
+pub use groups::Groups;
 pub use higher::HigherOrder;
 pub use number::Number;
 pub use singular::SingularTermError;

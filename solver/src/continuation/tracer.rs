@@ -3,6 +3,7 @@
 mod crossing;
 mod finer;
 mod location;
+mod near;
 mod places;
 
 use super::arclength::{Arclength, Direction, Reference, constant_squares, normalise};
@@ -11,7 +12,7 @@ use super::checkpoint::Checkpoint;
 use crate::budget::Budget;
 use crate::collocation::plan::Plan;
 use crate::error::SolveError;
-use crate::guess::{Guess, RegionGuess};
+use crate::guess::Guess;
 use crate::linearisation::{Linearisation, Tangent};
 use crate::observer::{Event, Observer};
 use crate::options::{Options, positive};
@@ -22,6 +23,7 @@ use crate::solution::Solution;
 use crate::solve::{check, solve_within};
 use crate::start::{self, Start};
 use crate::stats::Stats;
+use near::Near;
 
 /// One tracing: what it was asked, and what it has found.
 pub(super) struct Tracer<'a, 'e> {
@@ -45,15 +47,6 @@ struct Crossing {
     kind: PointKind,
     /// Values at both points.
     values: (f64, f64),
-}
-
-/// Where a point is predicted from.
-#[derive(Clone, Copy)]
-struct Near<'r> {
-    point: &'r Reference,
-    /// Its distance.
-    at: f64,
-    speed: f64,
 }
 
 /// What is asked of a solution on the branch.
@@ -430,38 +423,6 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 (low - value).max(value - high)
             }
         }
-    }
-}
-
-impl Near<'_> {
-    /// The point at a place between two, by the cubic that has their values and directions; none if their meshes are
-    /// not the same.
-    fn between(&self, other: &Near<'_>, at: f64) -> Option<Guess> {
-        let length = other.at - self.at;
-        let sigma = (at - self.at) / length;
-        let (tau, square) = (1.0 - sigma, sigma * sigma);
-        let [rise, leaving, arriving] = [
-            square * (3.0 - 2.0 * sigma),
-            sigma * tau * tau * length * self.speed,
-            -square * tau * length * other.speed,
-        ];
-        let cubic =
-            |((a, from), (b, to)): ((&f64, &f64), (&f64, &f64))| a + rise * (b - a) + leaving * from + arriving * to;
-        let [one, two] = [self.point, other.point];
-        let mut regions = Vec::new();
-        for (index, (a, b)) in one.solution.regions().iter().zip(two.solution.regions()).enumerate() {
-            if a.mesh() != b.mesh() {
-                return None;
-            }
-            let mut region = RegionGuess::from(a);
-            let rates = one.direction.states[index].iter().zip(&two.direction.states[index]).enumerate();
-            for (values, (i, (from, to))) in region.states.iter_mut().zip(rates) {
-                *values = values.iter().zip(from).zip(b.state(i).iter().zip(to)).map(cubic).collect();
-            }
-            regions.push(region);
-        }
-        let [a, b] = [one, two].map(|point| point.solution.constants().iter().zip(&point.direction.constants));
-        Some(Guess { regions, constants: a.zip(b).map(cubic).collect() })
     }
 }
 
