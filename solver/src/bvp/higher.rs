@@ -2,12 +2,8 @@
 
 use super::formulas::{Evaluated, Exact, Formulas};
 use super::groups::Groups;
-use super::{Bvp, buffer};
-use crate::bvp::Number;
+use super::{Bvp, Number, ROOM, buffer};
 use crate::problem::LayoutError;
-
-/// Values of one point that need no memory of their own.
-const ROOM: usize = 64;
 
 /// Formulas whose right-hand side writes each function's highest derivative only: `f(x, z, p, out)` with z all
 /// functions and their lower derivatives, function by function, and one value in `out` for each function. That
