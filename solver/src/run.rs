@@ -304,7 +304,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
         let layers = progress.layers.iter().flatten().any(|layers| !layers.is_empty());
         let limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
-        let outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
+        let mut outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
             self.iterations = outcome.as_ref().map_or(0, |converged| converged.iterations);
@@ -314,10 +314,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             defects: vec![f64::INFINITY; system.grids.len()],
             newton_iterations: self.stats.newton_iterations - before,
         };
-        let outcome = outcome.and_then(|converged| match self.undetermined_at_rest(&system, &converged) {
-            Some(error) => Err(error.into()),
-            None => Ok(converged),
-        });
+        if let Ok(converged) = &outcome
+            && let Some(error) = self.undetermined_at_rest(&system, converged)
+        {
+            outcome = Err(error.into());
+        }
         let mut converged = match outcome {
             Ok(converged) => converged,
             Err(failure) => {
