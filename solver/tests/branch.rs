@@ -510,3 +510,47 @@ fn patterns_branch_off_where_linear_stability_says() {
         assert!(last.len() == 1 && (last[0] - known[5]).abs() < 2e-5, "{order:?}: {last:?}");
     }
 }
+
+/// The buckled strut `θ'' + P sin θ = 0`, θ' = 0 at both ends, up to ten times its buckling load: `P = 4 K(k)²` with
+/// `k = sin(θ(0)/2)`. Long steps begin on meshes on which the sign of the determinant is another.
+#[test]
+fn a_step_on_whose_meshes_the_orientation_changes_is_made_shorter() {
+    let mean = |mut a: f64, mut b: f64| {
+        (0..40).for_each(|_| (a, b) = (0.5 * (a + b), (a * b).sqrt()));
+        a
+    };
+    let load = |k: f64| (PI / mean(1.0, (1.0 - k * k).sqrt())).powi(2);
+    let (mut low, mut high) = (0.5, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if load(middle) < 100.0 { low = middle } else { high = middle }
+    }
+    let known = 2.0 * low.asin();
+    for (order, tolerance, intervals) in [
+        (Order::Four, 1e-4, 20),
+        (Order::Four, 1e-6, 8),
+        (Order::Four, 1e-6, 20),
+        (Order::Eight, 1e-4, 20),
+        (Order::Eight, 1e-6, 8),
+    ] {
+        let strut = Bvp::new(
+            &["angle", "curvature", "x", "y"],
+            (0.0, 1.0),
+            |_, z, p, f| {
+                (f[0], f[1]) = (z[1], -(p[0] * z[0].sin()));
+                (f[2], f[3]) = (z[0].cos(), z[0].sin());
+            },
+            |a, b, _, g| g.copy_from_slice(&[a[1], b[1], a[2], a[3]]),
+        );
+        let strut = strut.given("load", 10.5).guess(intervals, |s, z| {
+            let (sine, cosine) = (PI * s).sin_cos();
+            z.copy_from_slice(&[0.7 * cosine, -0.7 * PI * sine, 0.9 * s, 0.2]);
+        });
+        let solve = Options { order, tolerance, ..Options::default() };
+        let options = BranchOptions { solve, range: (9.0, 100.0), ..BranchOptions::default() };
+        let branch = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+        assert_eq!((branch.check, branch.branch_points().count()), (BranchCheck::Kept, 0), "{order:?} {tolerance:e}");
+        let found = branch.points.last().unwrap().solution.regions()[0].state(0)[0];
+        assert!((found - known).abs() < 5.0 * tolerance, "{order:?}: {found} for {known}");
+    }
+}

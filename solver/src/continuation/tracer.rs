@@ -200,8 +200,9 @@ impl<'a, 'e> Tracer<'a, 'e> {
         wary: bool,
     ) -> Result<Stepped, Rejected> {
         let next = self.advance(here, step)?;
-        let straight = next.contraction <= self.options.largest_contraction;
-        if wary && !straight && 0.5 * step >= self.options.smallest_step {
+        let largest = self.options.largest_contraction;
+        let straight = next.contraction <= largest && !matches!(next.check, BranchCheck::Turned { .. });
+        if wary && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
         }
         let crossings = self.crossings(here, &next.point);
