@@ -99,14 +99,23 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
     /// The direction that the equations determine least, at a solution where they may be singular: the right singular
     /// vector of the smallest singular value. Given constants stay.
     pub(crate) fn least_determined(problem: &'p P, solution: &Solution) -> Result<(Tangent, Stats), SolveError> {
-        let at = Guess::from(solution);
-        let (system, x) = Self::system_at(problem, &at, solution.unknowns(), solution.order())?;
-        let found = Self::perhaps_singular(system, x, Stats::default())?;
+        let found = Self::perhaps_singular_at(problem, &Guess::from(solution), solution.unknowns(), solution.order())?;
         let direction = found.factorisation.null_correction(&found.system);
         Ok((found.unscaled(&direction, vec![0.0; found.x.constants.len()]), found.stats))
     }
 
-    pub(crate) fn system_at(
+    /// As [`near`](Self::near), whatever the rank of the Newton matrix.
+    pub(crate) fn perhaps_singular_at(
+        problem: &'p P,
+        at: &Guess,
+        unknowns: &[usize],
+        order: Order,
+    ) -> Result<Self, SolveError> {
+        let (system, x) = Self::system_at(problem, at, unknowns, order)?;
+        Self::perhaps_singular(system, x, Stats::default())
+    }
+
+    fn system_at(
         problem: &'p P,
         at: &Guess,
         unknowns: &[usize],

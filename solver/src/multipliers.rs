@@ -1,12 +1,8 @@
 //! Floquet's multipliers: what a periodic solution's neighbours are multiplied by in each period.
 
-use crate::collocation::evaluate::Derivatives;
-use crate::collocation::factor::Factorisation;
-use crate::collocation::grid::intervals;
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linearisation::Linearisation;
-use crate::measure::undefined;
 use crate::mesh::split;
 use crate::options::positive;
 use crate::problem::Problem;
@@ -213,17 +209,12 @@ fn on_mesh<P: Problem + ?Sized>(
     region: usize,
     stats: &mut Stats,
 ) -> Result<Vec<Multiplier>, SolveError> {
-    let (system, mut x) = Linearisation::system_at(problem, at, solution.unknowns(), solution.order())?;
-    let mut work = system.work();
-    system.complete(&mut x, stats);
-    system.evaluate(&x, Derivatives::Planned, &mut work, stats).map_err(undefined(&system.grids))?;
-    let mut factorisation = Factorisation::new(&system);
-    factorisation.condense(&system, &work, system.scales(&x));
-    stats.factorisations += 1;
-    let n = system.plan.regions[region].n;
-    let end = factorisation.regions[region].top.end();
+    let found = Linearisation::perhaps_singular_at(problem, at, solution.unknowns(), solution.order())?;
+    *stats += *found.stats();
+    let n = found.system.plan.regions[region].n;
+    let end = found.factorisation.regions[region].top.end();
     let complex = |values: &[f64]| DMatrix::from_iterator(n, n, values[..n * n].iter().map(|v| Complex::new(*v, 0.0)));
-    let overflow = || SolveError::Newton { error: NewtonError::Overflow, intervals: intervals(&system.grids) };
+    let overflow = || SolveError::Newton { error: NewtonError::Overflow, intervals: at.intervals() };
     eigenvalues(&complex(end.a), &complex(end.b)).ok_or_else(overflow)
 }
 

@@ -245,9 +245,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 if progress.is_stuck()
                     && let Some(fallback) = progress.fallback.take()
                 {
-                    let next;
-                    (next, self.shortfall) = progress.doubled_or_done(fallback);
-                    return Ok(next);
+                    return Ok(self.doubled_or_done(fallback, progress));
                 }
                 match self.aimed(&solved, &measures, progress) {
                     Ok(meshes) => {

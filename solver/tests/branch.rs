@@ -465,8 +465,8 @@ fn a_step_that_crosses_to_a_near_branch_is_made_shorter() {
     }
 }
 
-/// The Brusselator at rest, x = 2 and y = 2.3, in a reactor of length L with those values at its ends. Patterns of k half
-/// waves branch off where `(3.6 - 0.0016 s) (4 + 0.008 s) = 18.4` with `s = (kπ/L)²`.
+/// The Brusselator at rest, x = 2 and y = 2.3, in a reactor of length L with those values at its ends. Patterns of k
+/// half waves branch off where `(3.6 - 0.0016 s) (4 + 0.008 s) = 18.4` with `s = (kπ/L)²`.
 #[test]
 fn patterns_branch_off_where_linear_stability_says() {
     let lengths = |k: f64| {

@@ -7,6 +7,7 @@ use solver::continuation::{BranchOptions, trace};
 use solver::{LayoutError, Linearisation, Options, Order, Solution, SolveError};
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
+use std::ops::{Add, Mul, Sub};
 
 /// Derivatives of Bratu's problem by hand.
 struct ByHand;
@@ -117,30 +118,30 @@ fn an_interval_that_is_none_is_refused() {
     assert!(matches!(wrong.solve(&Options::default()), Err(SolveError::Layout(_))));
 }
 
+/// u, w and w' given at both ends.
+fn clamped<T: Copy + Add<f64, Output = T> + Sub<f64, Output = T>>(a: &[T], b: &[T], _: &[T], g: &mut [T]) {
+    g.copy_from_slice(&[a[0] - 1.0, b[0], a[2] - 0.5, b[2], a[3] - 1.0, b[3] + 1.2]);
+}
+
 /// `u'' = -u w`, `w''' = u - q w'`, q unknown, as they stand and as a system of first order.
 #[test]
 fn equations_of_higher_order_are_solved_as_their_system_is() {
-    let bc = |a: &[Number], b: &[Number], _: &[Number], g: &mut [Number]| {
-        g.copy_from_slice(&[a[0] - 1.0, b[0], a[2] - 0.5, b[2], a[3] - 1.0, b[3] + 1.2]);
-    };
     let system = Bvp::new(
         &["u", "u'", "w", "w'", "w''"],
         (0.0, 1.0),
         |_, z, p, f| f.copy_from_slice(&[z[1], -z[0] * z[2], z[3], z[4], z[0] - p[0] * z[3]]),
-        bc,
+        clamped,
     );
     let highest = |_: f64, z: &[Number], p: &[Number], out: &mut [Number]| {
         (out[0], out[1]) = (-z[0] * z[2], z[0] - p[0] * z[3]);
     };
     let functions = [("u", 2), ("w", 3)];
-    let stated = Bvp::of_higher_order(&functions, (0.0, 1.0), highest, bc).unwrap();
+    let stated = Bvp::of_higher_order(&functions, (0.0, 1.0), highest, clamped).unwrap();
     let grouped = stated.clone().sparse(&[&[0, 2], &[0, 3]]).unwrap().unknown("q", 1.0);
     let (system, stated) = (system.unknown("q", 1.0), stated.unknown("q", 1.0));
     let differenced = Differenced::new(
         |_: f64, z: &[f64], p: &[f64], out: &mut [f64]| (out[0], out[1]) = (-z[0] * z[2], z[0] - p[0] * z[3]),
-        |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| {
-            g.copy_from_slice(&[a[0] - 1.0, b[0], a[2] - 0.5, b[2], a[3] - 1.0, b[3] + 1.2]);
-        },
+        clamped,
     );
     let differenced = Bvp::of_higher_order_with(&functions, (0.0, 1.0), differenced).unwrap();
     let differenced = differenced.sparse(&[&[0, 2], &[0, 3]]).unwrap().unknown("q", 1.0);
@@ -160,7 +161,7 @@ fn equations_of_higher_order_are_solved_as_their_system_is() {
     }
     let error = stated.guess(3, |_, y| y.fill(f64::NAN)).solve(&Options::default()).unwrap_err();
     assert!(error.to_string().contains("u of region interval"), "{error}");
-    let error = Bvp::of_higher_order(&[("u", 2), ("w", 0)], (0.0, 1.0), highest, bc).err();
+    let error = Bvp::of_higher_order(&[("u", 2), ("w", 0)], (0.0, 1.0), highest, clamped).err();
     assert_eq!(error, Some(LayoutError::Order { function: "w".to_owned() }));
 }
 
@@ -169,13 +170,18 @@ const PIECES: usize = 12;
 /// A row of pieces, each losing heat to its neighbours and, by its square, to what is around; a source in all of them.
 fn heat<T>(t: &[T], source: T, f: &mut [T])
 where
-    T: Copy + std::ops::Add<Output = T> + std::ops::Sub<Output = T> + std::ops::Mul<Output = T>,
-    T: std::ops::Mul<f64, Output = T>,
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Mul<f64, Output = T>,
 {
     for i in 0..PIECES {
         let (before, after) = (t[i.max(1) - 1], t[(i + 1).min(PIECES - 1)]);
         f[i] = (before - t[i] * 2.0 + after) * 3.0 - t[i] * t[i] + source * i as f64;
     }
+}
+
+/// All temperatures given on the left, and one on the right.
+fn begun<T: Copy + Add<f64, Output = T> + Sub<f64, Output = T>>(a: &[T], b: &[T], _: &[T], g: &mut [T]) {
+    (0..PIECES).for_each(|i| g[i] = a[i] - 1.0 + 0.05 * i as f64);
+    g[PIECES] = b[PIECES - 1] - 0.8;
 }
 
 #[test]
@@ -191,22 +197,14 @@ fn states_that_no_value_shares_are_differentiated_together() {
             counted();
             heat(t, p[0], f);
         };
-        let bc = |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| {
-            (0..PIECES).for_each(|i| g[i] = a[i] - 1.0 + 0.05 * i as f64);
-            g[PIECES] = b[PIECES - 1] - 0.8;
-        };
-        Bvp::by_differences(&names, (0.0, 0.5), f, bc).unknown("source", 0.0)
+        Bvp::by_differences(&names, (0.0, 0.5), f, begun).unknown("source", 0.0)
     };
     let exact = || {
         let f = |_: f64, t: &[Number], p: &[Number], f: &mut [Number]| {
             counted();
             heat(t, p[0], f);
         };
-        let bc = |a: &[Number], b: &[Number], _: &[Number], g: &mut [Number]| {
-            (0..PIECES).for_each(|i| g[i] = a[i] - 1.0 + 0.05 * i as f64);
-            g[PIECES] = b[PIECES - 1] - 0.8;
-        };
-        Bvp::with(&names, (0.0, 0.5), Exact::new(f, bc)).unknown("source", 0.0)
+        Bvp::with(&names, (0.0, 0.5), Exact::new(f, begun)).unknown("source", 0.0)
     };
     let (by_groups, exact_by_groups) =
         (differenced().sparse(&neighbours).unwrap(), exact().sparse(&neighbours).unwrap());

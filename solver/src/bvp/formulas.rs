@@ -173,31 +173,20 @@ fn differentiate_groups(
     columns: &mut [f64],
     evaluate: impl Fn(&[Number], &mut [Number]),
 ) {
-    let (n, rows) = (y.len(), out.len());
-    let directions = groups.of().iter().copied().chain(groups.count()..groups.count() + p.len());
-    let mut inputs = vec![Number::constant(0.0); n + p.len()];
-    let mut results = vec![Number::constant(0.0); rows];
-    columns.fill(0.0);
-    // Of no states and parameters, the values are wanted all the same.
-    for first in (0..(groups.count() + p.len()).max(1)).step_by(WIDTH) {
-        lift(&[y, p], &mut inputs);
-        for (number, direction) in inputs.iter_mut().zip(directions.clone()) {
-            if let Some(direction) = direction.checked_sub(first).filter(|direction| *direction < WIDTH) {
-                *number = Number::input(number.value(), direction);
-            }
-        }
-        results.fill(Number::constant(0.0));
-        evaluate(&inputs, &mut results);
-        for direction in first..first + WIDTH {
-            for &(row, state) in groups.entries(direction) {
-                columns[state * rows + row] = results[row].derivative(direction - first);
-            }
-            if let Some(parameter) = direction.checked_sub(groups.count()).filter(|parameter| *parameter < p.len()) {
-                let column = &mut columns[(n + parameter) * rows..][..rows];
-                column.iter_mut().zip(&results).for_each(|(out, number)| *out = number.derivative(direction - first));
-            }
-        }
-        out.iter_mut().zip(&results).for_each(|(out, number)| *out = number.value());
+    let (rows, shifts) = (out.len(), vec![0.0; groups.count()]);
+    let (by_states, by_parameters) = columns.split_at_mut(y.len() * rows);
+    let mut found = vec![0.0; shifts.len() * rows + by_parameters.len()];
+    differentiate(&[&shifts, p], out, &mut found, |inputs, out| {
+        let (shifts, p) = inputs.split_at(shifts.len());
+        let states = y.iter().zip(groups.of()).map(|(y, group)| shifts[*group] + *y);
+        let inputs: Vec<Number> = states.chain(p.iter().copied()).collect();
+        evaluate(&inputs, out);
+    });
+    let (by_groups, of_parameters) = found.split_at(shifts.len() * rows);
+    by_parameters.copy_from_slice(of_parameters);
+    by_states.fill(0.0);
+    for (group, found) in by_groups.chunks_exact(rows).enumerate() {
+        groups.entries(group).iter().for_each(|&(row, state)| by_states[state * rows + row] = found[row]);
     }
 }
 

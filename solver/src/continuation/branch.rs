@@ -24,9 +24,9 @@ pub struct BranchOptions {
     pub largest_step: f64,
     /// The first contraction of Newton's iteration that steps aim at.
     pub contraction: f64,
-    /// A step whose first contraction is larger is halved, twice at most in a row, as is one on whose meshes the sign of
-    /// the determinant changes: it may lead to another part of the branch, or to another branch. Infinite where kinks
-    /// of the right-hand side leave both without a meaning: no step is halved for them then.
+    /// A step whose first contraction is larger is halved, twice at most in a row, as is one on whose meshes the sign
+    /// of the determinant changes: it may lead to another part of the branch, or to another branch. Infinite where
+    /// kinks of the right-hand side leave both without a meaning: no step is halved for them then.
     pub largest_contraction: f64,
     /// Newton iterations on each mesh of a step.
     pub max_iterations: usize,

@@ -95,8 +95,8 @@ impl From<SolveError> for Rejected {
     }
 }
 
-/// So often in a row a step is halved whose first correction has not contracted: if it still does not, contractions tell
-/// nothing.
+/// So often in a row a step is halved whose first correction has not contracted: if it still does not, contractions
+/// tell nothing.
 const SHORTENED: usize = 2;
 
 impl<'a, 'e> Tracer<'a, 'e> {
@@ -190,8 +190,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
         Ok(())
     }
 
-    /// The point at a distance, and what is special between. Where `wary`, only one that the iteration has gone straight
-    /// to: see [`BranchOptions::largest_contraction`].
+    /// The point at a distance, and what is special between. Where `wary`, only one that the iteration has gone
+    /// straight to: see [`BranchOptions::largest_contraction`].
     fn step(
         &mut self,
         previous: Option<&(f64, Reference)>,

@@ -250,6 +250,11 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         if progress.stalled < PATIENCE {
             return Next::done(best);
         }
+        self.doubled_or_done(best, progress)
+    }
+
+    /// See [`Progress::doubled_or_done`]; what stands in the way of a smaller error is noted.
+    pub(super) fn doubled_or_done(&mut self, best: Solved<'a, P>, progress: &mut Progress<'a, P>) -> Next<'a, P> {
         let next;
         (next, self.shortfall) = progress.doubled_or_done(best);
         next

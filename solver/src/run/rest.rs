@@ -3,7 +3,7 @@
 //! An eigenvalue is what it is for solutions other than zero only, a period for what is no equilibrium. Where the
 //! iteration came from, they were determined, so that it may end there all the same, with a constant that is arbitrary.
 
-use super::{LEAST_TARGET, Run};
+use super::Run;
 use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::factor::Factorisation;
@@ -14,6 +14,8 @@ use crate::problem::Problem;
 
 /// Corrections of a solution at rest, each the square of the one before, until it is exact to rounding.
 const CORRECTIONS: usize = 4;
+/// Corrections no larger than this, in typical magnitudes, are rounding.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl<P: Problem + ?Sized> Run<'_, '_, P> {
     /// What a solution at rest leaves undetermined of the unknown constants, if it is one and does. What is left of the
@@ -29,18 +31,18 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
         }
         let (mut x, mut work, mut factorisation) = (converged.x.clone(), system.work(), Factorisation::new(system));
         // What elimination makes of singular values that are zero.
-        let rounding = intervals(&system.grids) as f64 * f64::EPSILON;
+        let least = intervals(&system.grids) as f64 * f64::EPSILON;
         for _ in 0..CORRECTIONS {
             // Corrections that lead to where nothing is defined say nothing.
             system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).ok()?;
             factorisation.factor(system, &work, system.scales(&x));
             self.stats.factorisations += 1;
-            if let Err(error) = factorisation.determined_to(system, rounding) {
+            if let Err(error) = factorisation.determined_to(system, least) {
                 return Some(error);
             }
             let dx = factorisation.newton_correction(system, &work);
             self.stats.linear_solves += 1;
-            if !(system.largest(&dx) > LEAST_TARGET) {
+            if !(system.largest(&dx) > ROUNDING) {
                 return None;
             }
             x = system.stepped(&x, &factorisation.scales, 1.0, &dx);
