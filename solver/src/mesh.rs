@@ -8,14 +8,27 @@ pub fn uniform((a, b): (f64, f64), intervals: usize) -> Vec<f64> {
     mesh
 }
 
-/// Divides interval `j` into `pieces[j]` equal ones.
+/// Divides interval `j` into `pieces[j]` equal ones, or into fewer if rounding would decide on their lengths.
 pub(crate) fn split(mesh: &[f64], pieces: &[usize]) -> Vec<f64> {
     let mut out = Vec::with_capacity(mesh.len());
     for (pair, &count) in mesh.windows(2).zip(pieces) {
-        out.extend((0..count.max(1)).map(|i| pair[0] + (pair[1] - pair[0]) * (i as f64 / count.max(1) as f64)));
+        let length = pair[1] - pair[0];
+        let most = length / shortest(pair[0], pair[1]);
+        let count = if count as f64 <= most { count } else { most as usize }.max(1);
+        out.extend((0..count).map(|i| pair[0] + length * (i as f64 / count as f64)));
     }
     out.extend(mesh.last());
     out
+}
+
+/// Every interval divided into two, as far as rounding allows.
+pub(crate) fn halved(mesh: &[f64]) -> Vec<f64> {
+    split(mesh, &vec![2; mesh.len() - 1])
+}
+
+/// Of an interval between two nodes that is no longer than this, rounding decides on the length.
+fn shortest(a: f64, b: f64) -> f64 {
+    8.0 * f64::EPSILON * a.abs().max(b.abs())
 }
 
 /// Every `stride`-th node and the last, but no fewer than `fewest` intervals if there are as many.
@@ -69,7 +82,7 @@ pub(crate) fn equidistribute(mesh: &[f64], wanted: &[f64], intervals: usize) -> 
 
 /// Without the nodes that lie so close to their left neighbours that rounding decides on the length between them.
 pub(crate) fn distinct(mesh: Vec<f64>) -> Vec<f64> {
-    let close = |a: f64, b: f64| b - a <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+    let close = |a: f64, b: f64| b - a <= shortest(a, b);
     if !mesh.windows(2).any(|pair| close(pair[0], pair[1])) {
         return mesh;
     }
@@ -139,5 +152,10 @@ mod tests {
     #[test]
     fn splitting_keeps_the_old_nodes() {
         assert_eq!(split(&[0.0, 1.0, 3.0], &[2, 1]), [0.0, 0.5, 1.0, 3.0]);
+        // From 1 on numbers are ε apart: an interval of 10 ε is not divided, and one of 40 ε not into eight.
+        let mesh = [0.0, 1.0, 1.0 + 10.0 * f64::EPSILON, 1.0 + 50.0 * f64::EPSILON];
+        assert_eq!(halved(&mesh).len(), 6);
+        let new = split(&mesh, &[1, 8, 8]);
+        assert!(new.len() == 7 && is_mesh(&new), "{new:?}");
     }
 }

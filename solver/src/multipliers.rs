@@ -3,7 +3,7 @@
 use crate::error::{NewtonError, SolveError};
 use crate::guess::Guess;
 use crate::linearisation::Linearisation;
-use crate::mesh::split;
+use crate::mesh::halved;
 use crate::options::positive;
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -140,7 +140,7 @@ impl Multipliers {
             if change <= tolerance || 2 * count > MOST_INTERVALS {
                 break;
             }
-            guess.mesh = split(&guess.mesh, &vec![2; count]);
+            guess.mesh = halved(&guess.mesh);
             guess.states = (0..known.states()).map(|state| known.eval_state(state, &guess.mesh)).collect();
             let finer = on_mesh(problem, solution, &at, region, &mut stats)?;
             change = largest_change(&values, &finer);

@@ -11,7 +11,7 @@ use crate::linear::memory::Numbers;
 use crate::linear::scalar::W;
 use crate::linear::simd::elementwise;
 use crate::measure::Solved;
-use crate::mesh::split;
+use crate::mesh;
 use crate::newton::Converged;
 use crate::problem::Problem;
 use crate::solution::{RegionSolution, Solution};
@@ -160,7 +160,7 @@ pub(crate) fn near(solution: &Solution, known: &ByRegion<Numbers>, guess: &Guess
 /// The meshes with every interval halved. Where a layer is barely resolved, splitting some intervals moves it by more
 /// than its width, which Newton's iteration may not follow; splitting all moves it less.
 pub(crate) fn twice<P: Problem + ?Sized>(solved: &Solved<'_, P>) -> Vec<Vec<f64>> {
-    solved.system.grids.iter().map(|grid| split(&grid.mesh, &vec![2; grid.intervals()])).collect()
+    solved.system.grids.iter().map(|grid| mesh::halved(&grid.mesh)).collect()
 }
 
 /// On other meshes, states interpolated linearly.
@@ -186,16 +186,7 @@ pub(crate) fn on(start: &Start, meshes: Vec<Vec<f64>>) -> Start {
 
 /// Halves every interval, states interpolated linearly.
 pub(crate) fn halved(start: &Start) -> Start {
-    let halve = |values: &[f64]| -> Vec<f64> {
-        let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
-        pairs.chain(values.last().copied()).collect()
-    };
-    let regions = start
-        .grids
-        .iter()
-        .zip(&start.x.y)
-        .map(|(grid, y)| RegionGuess { mesh: halve(&grid.mesh), states: grid.unpack(y).iter().map(halve).collect() });
-    Start::from(&Guess { regions: regions.collect(), constants: start.x.constants.clone() })
+    on(start, start.grids.iter().map(|grid| mesh::halved(&grid.mesh)).collect())
 }
 
 impl From<&Guess> for Start {
