@@ -673,7 +673,7 @@ def solve_bvp(
     boundary_jacobian: Optional[Callable[..., Any]],
     tolerance: float,
     boundary_tolerance: Optional[float],
-    order: int,
+    order: str,
     max_intervals: int,
     work_limit: Optional[int],
 ) -> BvpSolution: ...

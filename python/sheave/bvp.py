@@ -18,7 +18,7 @@ Bratu's problem ``u'' = -exp(u)``, ``u(0) = u(1) = 0``:
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -113,7 +113,7 @@ def solve(
     boundary_jacobian: Optional[Callable[..., Any]] = None,
     tol: float = 1e-6,
     bc_tol: Optional[float] = None,
-    order: int = 4,
+    order: Union[int, Literal["gauss"]] = 4,
     max_nodes: int = 20_000,
     work_limit: Optional[int] = None,
 ) -> Solution:
@@ -123,6 +123,9 @@ def solve(
     ``parameters`` a guess of the unknown parameters, shape (k,). ``tol`` bounds the relative defect and the estimated
     error (SciPy's bounds the defect alone, and is 1e-3 unless it is said), ``bc_tol`` the boundary residuals, ``order``
     is that of the collocation, 4, 6 or 8, ``max_nodes`` limits the mesh and ``work_limit`` the evaluations in all.
+
+    ``order="gauss"`` collocates at three Gauss points, which is of order 6. What ``f`` gives at the ends of the
+    interval may be NaN or infinite then: there an equation may be singular, as with ``2*u'/x`` at 0.
 
     ``jacobian(x, y[, p])`` gives df/dy of shape (n, n, m), with parameters a pair of it and df/dp of shape (n, k, m);
     ``boundary_jacobian(ya, yb[, p])`` gives dbc/dya, dbc/dyb of shape (n + k, n) and with parameters dbc/dp of shape (n
@@ -154,7 +157,7 @@ def solve(
         boundary_jacobian,
         tol,
         bc_tol,
-        order,
+        str(order),
         max(max_nodes - 1, 1),
         work_limit,
     )

@@ -263,15 +263,16 @@ pub fn solve_bvp<'py>(
     boundary_jacobian: Option<Bound<'py, PyAny>>,
     tolerance: f64,
     boundary_tolerance: Option<f64>,
-    order: usize,
+    order: &str,
     max_intervals: usize,
     work_limit: Option<usize>,
 ) -> PyResult<BvpSolution> {
     let order = match order {
-        4 => Order::Four,
-        6 => Order::Six,
-        8 => Order::Eight,
-        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4, 6 or 8"))),
+        "4" => Order::Four,
+        "6" => Order::Six,
+        "8" => Order::Eight,
+        "gauss" => Order::SixGauss,
+        other => return Err(PyValueError::new_err(format!("order = {other}: expected 4, 6, 8 or \"gauss\""))),
     };
     let (n, k) = (guess.len(), parameters.len());
     let (Some(first), Some(last)) = (mesh.first(), mesh.last()) else {

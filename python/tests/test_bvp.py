@@ -110,6 +110,26 @@ def test_an_exact_solution_is_met_in_both_orders() -> None:
     assert solution.sol(0.5).shape == (2,) and solution.sol(places.reshape(20, 10)).shape == (2, 20, 10)
 
 
+def test_an_end_may_be_singular() -> None:
+    # Emden's equation u'' + 2 u'/x + u^5 = 0, which is 0/0 at 0: u = (1 + x^2/3)^(-1/2).
+    def star(x: Array, y: Array) -> Array:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.vstack((y[1], -2 * y[1] / x - y[0] ** 5))
+
+    def ends(a: Array, b: Array) -> Array:
+        return np.array([a[1], b[0] - 0.75**0.5])
+
+    x = np.linspace(0, 1, 11)
+    solution = bvp.solve(star, ends, x, np.vstack((np.ones(11), np.zeros(11))), order="gauss", tol=1e-9)
+    places = np.linspace(0, 1, 200)
+    assert np.max(np.abs(solution.sol(places)[0] - (1 + places**2 / 3) ** -0.5)) < 1e-9
+    assert np.all(np.isfinite(solution.yp))
+    with pytest.raises(sheave.SolveError, match="undefined"):
+        bvp.solve(star, ends, x, np.ones((2, 11)), order=6)
+    with pytest.raises(ValueError, match='4, 6, 8 or "gauss"'):
+        bvp.solve(star, ends, x, np.ones((2, 11)), order=5)
+
+
 def test_jacobians_may_be_given() -> None:
     calls = 0
 

@@ -130,7 +130,7 @@ impl Making {
         // Where |R(z)| is small, and how many times the width it takes to fade by e.
         let (z, slowness) = match self.fineness.order {
             Order::Four => (3.0, SLOWNESS),
-            Order::Six => (4.5, SLOWNESS),
+            Order::Six | Order::SixGauss => (4.5, SLOWNESS),
             Order::Eight => (7.0, 0.5),
         };
         self.layer(place, width, z, |powers| slowness * powers)
@@ -358,7 +358,7 @@ mod tests {
     fn damping(order: Order, z: f64) -> f64 {
         let terms: &[f64] = match order {
             Order::Four => &[1.0, 1.0 / 2.0, 1.0 / 12.0],
-            Order::Six => &[1.0, 1.0 / 2.0, 1.0 / 10.0, 1.0 / 120.0],
+            Order::Six | Order::SixGauss => &[1.0, 1.0 / 2.0, 1.0 / 10.0, 1.0 / 120.0],
             Order::Eight => &[1.0, 1.0 / 2.0, 3.0 / 28.0, 1.0 / 84.0, 1.0 / 1680.0],
         };
         let sum = |z: f64| terms.iter().rev().fold(0.0, |sum, term| sum * z + term);
@@ -368,7 +368,7 @@ mod tests {
     /// Over the intervals of a mesh that is made for it, a mode fades at every order, however thin its layer is.
     #[test]
     fn what_is_left_of_a_layer_fades_before_intervals_are_long() {
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             for width in [1e-3, 1e-5, 1e-7] {
                 let mesh = uniform((0.0, 1.0), 8);
                 let rough = Fineness { linear: true, ..Fineness::rough(order) };

@@ -183,6 +183,7 @@ fn attempts(options: &Options) -> &'static [(Order, bool)] {
         Order::Six if !options.other_orders => &[(Order::Six, false)],
         Order::Four => &[(Order::Eight, true), (Order::Four, false), (Order::Eight, false)],
         Order::Six => &[(Order::Eight, true), (Order::Six, false), (Order::Eight, false)],
+        Order::SixGauss => &[(Order::SixGauss, false)],
         Order::Eight => &[(Order::Six, true), (Order::Six, false), (Order::Eight, false)],
     }
 }

@@ -42,6 +42,9 @@ pub(crate) struct Tableau {
     pub first_samples: usize,
     /// See [`differences`](Self::differences).
     pub differences: OnceLock<Differences>,
+    /// Lagrange's weights of the stages at the points where the continuous extension is corrected, where inner stages
+    /// are coupled.
+    pub at_points: OnceLock<[[f64; COUPLED + 2]; 4]>,
 }
 
 /// Weights of what the difference `D = S - S̃` of the continuous extension and of what its slopes integrate to,
@@ -80,7 +83,12 @@ impl Difference {
 impl Tableau {
     /// Whether states whose derivative is another state are treated as [`ODD`] says.
     pub(crate) fn has_odd_parts(&self) -> bool {
-        self.order == 6
+        self.order == 6 && !self.coupled
+    }
+
+    /// Whether slopes at the nodes have no weight, so that the right-hand side may be undefined at a region's ends.
+    pub(crate) fn has_open_ends(&self) -> bool {
+        self.b[0] == 0.0
     }
 
     /// The factor on the odd part that is added at a stage, if any: see [`ODD`].
@@ -152,6 +160,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     samples: &[(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)],
     first_samples: 3,
     differences: OnceLock::new(),
+    at_points: OnceLock::new(),
 };
 
 /// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
@@ -179,6 +188,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     ],
     first_samples: 2,
     differences: OnceLock::new(),
+    at_points: OnceLock::new(),
 };
 
 /// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
@@ -223,6 +233,31 @@ pub(crate) static ORDER_8: Tableau = Tableau {
     ],
     first_samples: 6,
     differences: OnceLock::new(),
+    at_points: OnceLock::new(),
+};
+
+/// Collocation at three Gauss points, order 6, by polynomials of degree 3 between the nodes: R. D. Russell and L. F.
+/// Shampine, Numer. Math. 19 (1972) 1-28; superconvergence at the nodes: C. de Boor and B. Swartz, SIAM J. Numer. Anal.
+/// 10 (1973) 582-606. The form is that of [`ORDER_8`]; slopes at the nodes have no weight.
+pub(crate) static GAUSS_6: Tableau = Tableau {
+    order: 6,
+    c: &[0.0, 1.0, 0.5 - GAUSS_OFFSET, 0.5 + GAUSS_OFFSET, 0.5],
+    v: &[0.0, 1.0, 0.5 - GAUSS_OFFSET, 0.5 + GAUSS_OFFSET, 0.5],
+    x: &[
+        &[],
+        &[0.0],
+        &[0.0, 0.0, 0.107_582_870_727_983_81, -0.021_516_574_145_596_76, -0.086_066_296_582_387_04],
+        &[0.0, 0.0, 0.021_516_574_145_596_76, -0.107_582_870_727_983_81, 0.086_066_296_582_387_04],
+        &[0.0, 0.0, 0.161_374_306_091_975_7, -0.161_374_306_091_975_7, 0.0],
+    ],
+    b: &[0.0, 0.0, 5.0 / 18.0, 5.0 / 18.0, 4.0 / 9.0],
+    batches: &[COUPLED],
+    coupled: true,
+    defect_order: 6.0,
+    samples: ORDER_8.samples,
+    first_samples: 6,
+    differences: OnceLock::new(),
+    at_points: OnceLock::new(),
 };
 
 /// Where a state u has another, v, for derivative, with slopes K, order 6 takes
@@ -238,6 +273,9 @@ pub(crate) const ODD: f64 = 9.0 / 2048.0;
 /// `√21/14`: how far the inner Lobatto points are from the middle.
 pub(crate) const LOBATTO_OFFSET: f64 = 0.327_326_835_353_988_57;
 
+/// `√15/10`: how far the outer two of three Gauss points are from the middle.
+pub(crate) const GAUSS_OFFSET: f64 = 0.387_298_334_620_741_7;
+
 /// Offset from the middle of the two points whose slopes turn the cubic of order 4 into a quartic: `√3/6`,
 /// where the derivative of the quartic's extra term `σ²(1-σ)²` is largest. There it is `±1/(3√3)`.
 pub(crate) const QUARTIC_OFFSET: f64 = 0.288_675_134_594_812_9;
@@ -251,7 +289,7 @@ mod tests {
     /// Stage `r` and the quadrature integrate polynomials exactly as far as the order conditions say.
     #[test]
     fn tableaux_meet_their_quadrature_and_stage_conditions() {
-        for tableau in [&ORDER_4, &ORDER_6, &ORDER_8] {
+        for tableau in [&ORDER_4, &ORDER_6, &ORDER_8, &GAUSS_6] {
             for power in 0..tableau.order as i32 {
                 let sum: f64 = tableau.b.iter().zip(tableau.c).map(|(b, c)| b * c.powi(power)).sum();
                 assert!((sum - 1.0 / f64::from(power + 1)).abs() < 1e-15, "order {} power {power}", tableau.order);
@@ -260,7 +298,7 @@ mod tests {
             assert_eq!(tableau.batches.iter().sum::<usize>() + 2, tableau.stages());
             for r in 0..tableau.stages() {
                 // y = s^q is reproduced for q <= 3 (MIRK stage conditions), by collocation of degree 5 for q <= 5.
-                for q in 1..=if tableau.coupled { 5_i32 } else { 3 } {
+                for q in 1..=if tableau.order == 8 { 5_i32 } else { 3 } {
                     let slopes: f64 =
                         tableau.x[r].iter().zip(tableau.c).map(|(x, c)| x * f64::from(q) * c.powi(q - 1)).sum();
                     let value = tableau.v[r] + slopes;

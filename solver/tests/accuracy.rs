@@ -53,7 +53,7 @@ fn solved(model: Linear, eps: f64, options: &Options) -> Solution {
 #[test]
 fn defects_are_held_to_less_until_the_error_is_small() {
     for (model, eps) in [(Linear::Peak, 1e-6), (Linear::Airy, 1e-6)] {
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             let options = Options { order, max_intervals: 200_000, ..Options::default() };
             let solution = solved(model, eps, &options);
             let line = &solution.regions()[0];

@@ -50,7 +50,7 @@ fn middle(solution: &Solution) -> f64 {
 fn a_fold_and_events_are_located() {
     let problem = Differentiated::new(Bratu).unwrap();
     let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = BranchOptions {
             solve: Options { order, tolerance: 1e-10, ..Options::default() },
             range: (0.5, 10.0),
@@ -350,7 +350,7 @@ impl Model for Shock {
 #[test]
 fn a_shock_is_followed_until_it_is_a_millionth_wide() {
     let problem = Differentiated::new(Shock).unwrap();
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for epsilon in [1e-4, 1e-5, 1e-6] {
             let guess = Guess::uniform(problem.layout(), 20, &[epsilon], |_, s, y| (y[0], y[1]) = (2.5 * s - 1.0, 2.5));
             let options = Options { order, ..Options::default() };
@@ -486,7 +486,7 @@ fn patterns_branch_off_where_linear_stability_says() {
         |a, b, _, g| g.copy_from_slice(&[a[0] - 2.0, b[0] - 2.0, a[2] - 2.3, b[2] - 2.3]),
     );
     let reactor = reactor.given("length", 0.05).guess(20, |_, z| z.copy_from_slice(&[2.0, 0.0, 2.3, 0.0]));
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let solve = Options { order, ..Options::default() };
         let traced = |from: f64, step: f64| {
             let mut start = reactor.start();

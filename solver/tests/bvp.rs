@@ -148,7 +148,7 @@ fn equations_of_higher_order_are_solved_as_their_system_is() {
     let guess = |x: f64, z: &mut [f64]| z.copy_from_slice(&[1.0 - x, -1.0, 0.5 + x - 1.5 * x * x, 1.0 - 3.0 * x, -3.0]);
     let (system, stated) = (system.guess(10, guess), stated.guess(10, guess));
     let (grouped, differenced) = (grouped.guess(10, guess), differenced.guess(10, guess));
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = Options { order, tolerance: 1e-8, ..Options::default() };
         let first = system.solve(&options).unwrap();
         let [second, third] = [stated.solve(&options).unwrap(), grouped.solve(&options).unwrap()];

@@ -6,7 +6,7 @@ use solver::continuation::{BranchOptions, trace};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, NewtonError, Options, Order, Problem, Region, SolveError, solve};
 
-const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+const ORDERS: [Order; 4] = [Order::Four, Order::Six, Order::Eight, Order::SixGauss];
 
 /// `u'' = load + rate u`, `u'(0) = 0`, `∫ u = mean`.
 struct Mean {

@@ -29,7 +29,7 @@ fn layers_sharpen_along_the_path() {
     let problem = Differentiated::new(Corners).unwrap();
     let guess = Guess::uniform(solver::Problem::layout(&problem), 10, &[1.0], straight);
     let mut found = Vec::new();
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = PathOptions { solve: Options { order, ..Options::default() }, ..PathOptions::default() };
         let followed = follow(&problem, &guess, &Ramp::new().geometric(0, 1.0, 1e-5), &[], &options).unwrap();
         for step in &followed.steps {
@@ -54,7 +54,7 @@ fn solving_again_costs_one_iteration() {
     let problem = Differentiated::new(Corners).unwrap();
     let layout = solver::Problem::layout(&problem).clone();
     let guess = Guess::uniform(&layout, 10, &[0.1], straight);
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = Options { order, tolerance: 1e-7, ..Options::default() };
         let first = solve(&problem, &guess, &[], &options).unwrap();
         println!("{:?}", first.history());

@@ -8,7 +8,7 @@ use solver::model::{Differentiated, Model, Scalar};
 use solver::{Control, Guess, Layout, Options, Order, Problem, Region, Solution, solve};
 use std::f64::consts::PI;
 
-const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+const ORDERS: [Order; 4] = [Order::Four, Order::Six, Order::Eight, Order::SixGauss];
 
 /// `u'' = -λ u` in two halves of [0, 1], `u(0) = 0`, `∫ u² = 1/2` and a condition that is not linear at the right end:
 /// `u = sin πx`, `λ = π²`. The integrals of u are part of no condition.

@@ -180,7 +180,7 @@ fn the_resonant_problem_is_not_reported_solved() {
 /// u' = p u with u = 0 at both ends: whatever p is. The iteration comes from where p is determined.
 #[test]
 fn a_constant_of_a_solution_that_vanishes_is_not_reported_found() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = Options { order, rescues: 0, ..Options::default() };
         for guess in [1.0, 3.0, -2.0] {
             let problem =
@@ -207,7 +207,7 @@ fn a_constant_of_a_solution_that_vanishes_is_not_reported_found() {
 #[test]
 fn a_period_of_an_equilibrium_is_not_reported_found() {
     let period = 7.156_919_92;
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for (tolerance, rescues) in [(1e-3, 0), (1e-9, 0), (1e-3, 3), (1e-6, 3)] {
             let problem = Bvp::new(
                 &["u", "v"],

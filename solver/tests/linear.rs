@@ -6,6 +6,8 @@
 mod cases;
 #[path = "../benches/peers/open.rs"]
 mod open;
+#[path = "../benches/peers/singular.rs"]
+mod singular;
 #[path = "../benches/peers/system.rs"]
 mod system;
 
@@ -16,7 +18,7 @@ use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, LayoutError, NewtonError, Options, Order, Problem, Region, Solution, SolveError, solve};
 use system::System;
 
-const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+const ORDERS: [Order; 4] = [Order::Four, Order::Six, Order::Eight, Order::SixGauss];
 
 fn stated(case: &'static Case, intervals: usize) -> Bvp<System> {
     system::stated(case, case.conditions(), intervals)
@@ -46,10 +48,22 @@ fn error(case: &Case, solution: &Solution) -> Option<f64> {
     Some(error / largest)
 }
 
+/// Where the equations are singular at an end, what is said to be their solution is one.
+#[test]
+fn solutions_of_singular_cases_are_found() {
+    for case in singular::CASES {
+        assert!(case.is_singular() && case.linear);
+        let problem = system::stated(case, case.conditions(), 10).linear();
+        let options = Options { order: Order::SixGauss, tolerance: 1e-8, ..Options::default() };
+        let error = error(case, &problem.solve(&options).unwrap()).unwrap();
+        assert!(error <= 1e-8, "{}: {error:e}", case.name);
+    }
+}
+
 /// Those of the peers' bench, by differences.
 #[test]
 fn derivatives_of_all_cases_are_those_of_their_right_hand_sides() {
-    for case in CASES.iter().chain(open::CASES) {
+    for case in CASES.iter().chain(open::CASES).chain(singular::CASES) {
         let (states, equations) = (case.states(), case.equations());
         let (a, b) = case.interval;
         let x = a + 0.37 * (b - a);

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 #[path = "../examples/roessler.rs"]
 mod roessler;
 
-const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+const ORDERS: [Order; 4] = [Order::Four, Order::Six, Order::Eight, Order::SixGauss];
 
 /// `u'' = μ (1 - u²) u' - u` in units of the unknown period, begun where u' = 0.
 fn van_der_pol(mu: f64, period: f64) -> Bvp<impl Formulas> {

@@ -6,7 +6,7 @@ use solver::continuation::{BranchOptions, PathOptions, PointKind, Ramp, follow, 
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{BranchCheck, Guess, Layout, Options, Order, Orientation, Problem, Region, Solution, solve};
 
-const ORDERS: [Order; 3] = [Order::Four, Order::Six, Order::Eight];
+const ORDERS: [Order; 4] = [Order::Four, Order::Six, Order::Eight, Order::SixGauss];
 
 fn two_states() -> Layout {
     let line = Region::dense("line", (0.0, 1.0), &["u", "slope"], &[], 1);

@@ -57,7 +57,7 @@ fn inputs(solution: &Solution) -> Vec<f64> {
 #[test]
 fn tangents_and_adjoints_agree_with_differences_of_solves() {
     let problem = Differentiated::new(Rod).unwrap();
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let solution = solved(&CONSTANTS, order);
         let linearisation = Linearisation::new(&problem, &solution).unwrap();
         assert_eq!(linearisation.stats().factorisations, 1);

@@ -1,9 +1,15 @@
-//! Terms `S y/x` that are singular at the left end, against exact solutions.
+//! Equations that are singular at an end, against exact solutions: terms `S y/x`, and whatever else Gauss points do
+//! without.
 
 #![allow(clippy::unwrap_used)]
 
-use solver::bvp::{Bvp, SingularTermError};
-use solver::{Accuracy, Options, Order};
+use solver::bvp::{Bvp, Formulas, SingularTermError};
+use solver::continuation::{BranchOptions, trace};
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{
+    Accuracy, Control, Guess, Layout, Linearisation, NewtonError, Options, Order, Problem, Region, Solution,
+    SolveError, solve,
+};
 
 /// Emden's equation `u'' + 2 u'/x + u⁵ = 0`: `u = (1 + x²/3)^(-1/2)`.
 #[test]
@@ -74,4 +80,268 @@ fn a_matrix_that_does_not_suit_is_refused() {
     assert_eq!(refused(&[&[0.0, f64::NAN], &[0.0, 0.0]]), Some(SingularTermError::NotFinite));
     assert_eq!(refused(&[&[0.0, 0.0], &[0.0, 1.0]]), Some(SingularTermError::EigenvalueOne));
     assert_eq!(refused(&[&[0.0, 0.0], &[0.0, -2.0]]), None);
+}
+
+/// `J_n(x)` by its series.
+fn bessel(order: i32, x: f64) -> f64 {
+    let mut term = (1..=order).fold(1.0, |term, k| term * 0.5 * x / f64::from(k));
+    let mut sum = 0.0;
+    for k in 1..60 {
+        sum += term;
+        term *= -0.25 * x * x / f64::from(k * (k + order));
+    }
+    sum
+}
+
+/// The largest error of the first state at a thousand places, relative to its largest magnitude there, or to 1.
+fn error(solution: &Solution, exact: impl Fn(f64) -> f64) -> f64 {
+    let line = &solution.regions()[0];
+    let (a, b) = (line.mesh()[0], line.mesh()[line.intervals()]);
+    let places = || (0..=1000).map(|k| a + (b - a) * f64::from(k) / 1000.0);
+    let size = places().fold(0.0, |size: f64, x| size.max(exact(x).abs()));
+    places().fold(0.0, |error: f64, x| error.max((line.eval(x)[0] - exact(x)).abs())) / size.max(1.0)
+}
+
+fn gauss(tolerance: f64) -> Options {
+    Options { order: Order::SixGauss, tolerance, ..Options::default() }
+}
+
+/// From several meshes, of which stretches are filled up or not, with and without defect correction.
+fn is_solved<M: Formulas>(name: &str, tolerances: &[f64], problem: impl Fn(usize) -> Bvp<M>, exact: fn(f64) -> f64) {
+    for &tolerance in tolerances {
+        for intervals in [4, 7, 10, 33] {
+            for defect_correction in [false, true] {
+                let options = Options { defect_correction, ..gauss(tolerance) };
+                let solution = problem(intervals).solve(&options).unwrap();
+                let error = error(&solution, exact);
+                println!("{name}, {tolerance:e} from {intervals}: {error:e} on {}", solution.intervals());
+                assert_eq!(solution.accuracy(), Accuracy::Met);
+                assert!(error <= tolerance, "{name}, {tolerance:e} from {intervals}: {error:e}");
+                let line = &solution.regions()[0];
+                let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+                assert!((0..line.states()).all(|i| finite(line.state(i)) && finite(line.slope(i))));
+            }
+        }
+    }
+}
+
+/// Emden's equation as it stands: 0/0 at the centre, which lies at the left end, at the right one, or far from 0.
+#[test]
+fn what_is_0_over_0_at_an_end_is_solved_at_gauss_points() {
+    let edge = 0.75_f64.sqrt();
+    let star = |centre: f64, (a, b): (f64, f64), intervals: usize| {
+        let on_the_left = a == centre;
+        Bvp::new(
+            &["u", "slope"],
+            (a, b),
+            move |x, y, _, f| (f[0], f[1]) = (y[1], -(y[1] * (2.0 / (x - centre))) - y[0].powi(5)),
+            move |a, b, _, g| {
+                let (inner, outer) = if on_the_left { (a, b) } else { (b, a) };
+                (g[0], g[1]) = (inner[1], outer[0] - edge);
+            },
+        )
+        .guess(intervals, |_, y| (y[0], y[1]) = (1.0, 0.0))
+    };
+    let tolerances = [1e-3, 1e-6, 1e-10];
+    let exact = |x: f64| (1.0 + x * x / 3.0).powf(-0.5);
+    is_solved("left", &tolerances, |intervals| star(0.0, (0.0, 1.0), intervals), exact);
+    is_solved("right", &tolerances, |intervals| star(0.0, (-1.0, 0.0), intervals), exact);
+    is_solved(
+        "away",
+        &tolerances,
+        |intervals| star(50.0, (50.0, 51.0), intervals),
+        |x| (1.0 + (x - 50.0).powi(2) / 3.0).powf(-0.5),
+    );
+}
+
+/// `u'' + u'/x + (1 - n²/x²) u = 0`, said to be linear or not: terms that are infinite, and cancel.
+#[test]
+fn poles_whose_terms_cancel_are_solved_at_gauss_points() {
+    fn wave<const ORDER: i32>(intervals: usize) -> Bvp<impl Formulas> {
+        let pole = f64::from(ORDER * ORDER);
+        Bvp::new(
+            &["u", "slope"],
+            (0.0, 8.0),
+            move |x, y, _, f| (f[0], f[1]) = (y[1], y[0] * (pole / (x * x) - 1.0) - y[1] / x),
+            |a, b, _, g| (g[0], g[1]) = (a[0], b[0] - bessel(ORDER, 8.0)),
+        )
+        .guess(intervals, |_, y| y.fill(0.0))
+    }
+    let tolerances = [1e-3, 1e-6, 1e-9];
+    is_solved("order 1", &tolerances, wave::<1>, |x| bessel(1, x));
+    is_solved("order 2, linear", &tolerances, |intervals| wave::<2>(intervals).linear(), |x| bessel(2, x));
+    is_solved("order 5", &tolerances, wave::<5>, |x| bessel(5, x));
+    is_solved("order 5, linear", &tolerances, |intervals| wave::<5>(intervals).linear(), |x| bessel(5, x));
+    // Slopes at the end do not depend on what is said.
+    let [plain, linear] = [wave::<2>(20), wave::<2>(20).linear()].map(|wave| wave.solve(&gauss(1e-6)).unwrap());
+    for state in [0, 1] {
+        let [plain, linear] = [&plain, &linear].map(|solution| solution.regions()[0].slope(state)[0]);
+        assert!((plain - linear).abs() < 1e-9, "{plain} and {linear}");
+    }
+}
+
+/// `x² u'' = 2 u + 7/4 x^(5/2)`, `u = x^(5/2)`: what is said to be linear is looked at where it is defined alone.
+#[test]
+fn what_is_not_smooth_may_be_said_to_be_linear() {
+    let euler = |intervals: usize| {
+        Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |x, y, _, f| (f[0], f[1]) = (y[1], y[0] * (2.0 / (x * x)) + 1.75 * x.sqrt()),
+            |a, b, _, g| (g[0], g[1]) = (a[0], b[0] - 1.0),
+        )
+        .guess(intervals, |_, y| y.fill(0.0))
+        .linear()
+    };
+    is_solved("Euler", &[1e-3, 1e-6, 1e-8, 1e-9], euler, |x| x.powf(2.5));
+}
+
+/// Legendre's equation on (-1, 1), with an unknown eigenvalue near that of P₄; and slopes that are infinite.
+#[test]
+fn both_ends_may_be_singular_and_slopes_infinite() {
+    let polynomial = |x: f64| (35.0 * x.powi(4) - 30.0 * x * x + 3.0) / 8.0;
+    let legendre = |intervals: usize| {
+        Bvp::new(
+            &["u", "slope"],
+            (-1.0, 1.0),
+            |x, y, p, f| (f[0], f[1]) = (y[1], (y[1] * (2.0 * x) - p[0] * y[0]) / (1.0 - x * x)),
+            |a, b, p, g| {
+                (g[0], g[1], g[2]) = (a[0] - 1.0, a[1] * 2.0 + p[0] * a[0], b[1] * 2.0 - p[0] * b[0]);
+            },
+        )
+        .unknown("eigenvalue", 19.0)
+        .guess(intervals, move |x, y| (y[0], y[1]) = (polynomial(x), (140.0 * x.powi(3) - 60.0 * x) / 8.0))
+    };
+    is_solved("Legendre", &[1e-4, 1e-6, 1e-9], legendre, polynomial);
+    let solution = legendre(10).solve(&gauss(1e-10)).unwrap();
+    assert!((solution.constants()[0] - 20.0).abs() < 1e-8, "{}", solution.constants()[0]);
+    let root = |intervals: usize| {
+        Bvp::new(&["u"], (0.0, 1.0), |x, y, _, f| f[0] = y[0] * 0.0 + 0.5 / x.sqrt(), |a, _, _, g| g[0] = a[0])
+            .guess(intervals, |_, y| y[0] = 0.0)
+    };
+    is_solved("√x", &[1e-3, 1e-6], root, f64::sqrt);
+}
+
+/// Of halved intervals nodes are 2⁶ times better.
+#[test]
+fn nodes_are_of_order_6_beside_a_singular_end_too() {
+    let worst = |intervals: usize| {
+        let wave = Bvp::new(
+            &["u", "slope"],
+            (0.0, 2.0),
+            |x, y, _, f| (f[0], f[1]) = (y[1], -(y[1] / x) - y[0]),
+            |a, b, _, g| (g[0], g[1]) = (a[1], b[0] - bessel(0, 2.0)),
+        )
+        .guess(intervals, |_, y| y.fill(0.0));
+        let rough = Options { control: Control::Defect, newton_tolerance: Some(1e-12), ..gauss(1.0) };
+        let solution = wave.solve(&rough).unwrap();
+        assert_eq!(solution.intervals(), intervals);
+        let line = &solution.regions()[0];
+        line.mesh().iter().zip(line.state(0)).fold(0.0, |worst: f64, (&x, u)| worst.max((u - bessel(0, x)).abs()))
+    };
+    for intervals in [2, 4, 8] {
+        let ratio = worst(intervals) / worst(2 * intervals);
+        println!("{intervals}: {ratio}");
+        assert!((45.0..90.0).contains(&ratio), "{intervals}: {ratio}");
+    }
+}
+
+#[test]
+fn what_is_undefined_elsewhere_or_at_other_orders_is_told() {
+    let star = |singular: f64| {
+        Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            move |x, y, _, f| (f[0], f[1]) = (y[1], -(y[1] * (2.0 / (x - singular).max(0.0).sqrt())) - y[0]),
+            |a, b, _, g| (g[0], g[1]) = (a[1], b[0] - 1.0),
+        )
+    };
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let error = star(0.0).solve(&Options { order, ..Options::default() }).unwrap_err();
+        let SolveError::Newton { error: NewtonError::NonFinite(what), .. } = &error else { panic!("{error}") };
+        assert_eq!(what.position, Some(0.0), "{order:?}: {error}");
+        assert!(error.advice().contains("SixGauss"), "{}", error.advice());
+    }
+    assert!(star(0.0).solve(&gauss(1e-6)).is_ok());
+    let error = star(0.3).solve(&gauss(1e-6)).unwrap_err();
+    let SolveError::Newton { error: NewtonError::NonFinite(what), .. } = &error else { panic!("{error}") };
+    assert!(what.position.is_some_and(|x| 0.0 < x && x < 0.301), "{error}");
+}
+
+/// `u'' + u'/x + k² u = 0` with u = 1 at 1: `J₀(k x)/J₀(k)`, and its rate with k.
+#[test]
+fn sensitivities_are_those_of_the_exact_solution() {
+    let drum = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |x, y, p, f| (f[0], f[1]) = (y[1], -(y[1] / x) - p[0] * p[0] * y[0]),
+        |a, b, _, g| (g[0], g[1]) = (a[1], b[0] - 1.0),
+    )
+    .given("k", 1.5);
+    let solution = drum.solve(&gauss(1e-10)).unwrap();
+    let linearisation = Linearisation::new(&drum, &solution).unwrap();
+    let rate = linearisation.sensitivity(0).regions[0].states[0][0];
+    // d(1/J₀(k))/dk.
+    let exact = bessel(1, 1.5) / bessel(0, 1.5).powi(2);
+    assert!((rate - exact).abs() < 1e-8, "{rate} for {exact}");
+    let inputs = [1.0, 0.0, 0.0, 0.0, 0.0];
+    let functional = solver::Functional { inputs: inputs.to_vec(), ..solver::Functional::default() };
+    let gradient = linearisation.gradient(&functional)[0];
+    assert!((gradient - exact).abs() < 1e-8, "{gradient} for {exact}");
+}
+
+/// Gelfand's problem in a ball, `u'' + 2 u'/x + λ e^u = 0`: its first fold lies at λ = 3.32199.
+#[test]
+fn branches_are_traced_through_folds() {
+    let ball = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |x, y, p, f| (f[0], f[1]) = (y[1], -(y[1] * (2.0 / x)) - p[0] * y[0].exp()),
+        |a, b, _, g| (g[0], g[1]) = (a[1], b[0]),
+    )
+    .given("lambda", 0.5);
+    let options = BranchOptions { solve: gauss(1e-6), range: (0.0, 10.0), max_points: 20, ..BranchOptions::default() };
+    let branch = trace(&ball, &ball.start(), 0, &[], &options, &[]).unwrap();
+    let fold = branch.folds().next().unwrap();
+    assert!((fold.parameter - 3.321_992).abs() < 1e-5, "{}", fold.parameter);
+}
+
+/// A ball that is heated by 1, of conductivity 2 within and 1 beyond 1/2: `u' = -x/(3k)`. Of `∫ u'/x` the integrand,
+/// too, is undefined at the centre.
+struct TwoMaterials;
+
+impl Model for TwoMaterials {
+    fn layout(&self) -> Layout {
+        let core = Region::dense("core", (0.0, 0.5), &["u", "flux"], &["mean"], 1);
+        let shell = Region::dense("shell", (0.5, 1.0), &["u", "flux"], &[], 1);
+        let equations = ["centre", "temperature", "flux", "surface", "mean"];
+        Layout::dense(vec![core, shell], &["mean"], &equations)
+    }
+
+    fn rhs<S: Scalar>(&self, region: usize, x: S, y: &[S], _: &[S], f: &mut [S]) {
+        let conductivity = if region == 0 { 2.0 } else { 1.0 };
+        let slope = y[1] / conductivity;
+        (f[0], f[1]) = (slope, -(y[1] / x) * 2.0 - 1.0);
+        if region == 0 {
+            f[2] = slope / x;
+        }
+    }
+
+    fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+        let [_, centre, inner, flux, outer, outer_flux, surface, _] = ends else { return };
+        (g[0], g[1], g[2]) = (*centre, *inner - *outer, *flux - *outer_flux);
+        (g[3], g[4]) = (*surface, integrals[0] - c[0]);
+    }
+}
+
+#[test]
+fn several_regions_and_integrals_may_have_singular_ends() {
+    let problem = Differentiated::new(TwoMaterials).unwrap();
+    for intervals in [3, 8] {
+        let guess = Guess::uniform(problem.layout(), intervals, &[0.0], |_, _, y| y.fill(0.0));
+        let solution = solve(&problem, &guess, &[0], &gauss(1e-9)).unwrap();
+        let centre = solution.regions()[0].eval(0.0)[0];
+        assert!((centre - (0.125 + 0.25 / 12.0)).abs() < 1e-9, "{centre}");
+        assert!((solution.constants()[0] + 1.0 / 12.0).abs() < 1e-9, "{}", solution.constants()[0]);
+    }
 }

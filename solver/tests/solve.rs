@@ -44,7 +44,7 @@ fn on_fixed_mesh<M: Model>(
 
 #[test]
 fn nodes_dense_output_and_integrals_have_the_method_s_order() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let errors = |intervals: usize| {
             let solution = on_fixed_mesh(Oscillator, intervals, order, &[], &[], |_, _, y| y.fill(0.0));
             let line = &solution.regions()[0];
@@ -93,7 +93,7 @@ impl Model for Eigenvalue {
 
 #[test]
 fn an_eigenvalue_an_interface_and_an_integral_condition() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let error = |intervals| {
             let solution = on_fixed_mesh(Eigenvalue, intervals, order, &[3.0], &[0], |region, s, y| {
                 y[0] = (1.0 + region as f64) * 4.0 * s * (1.0 - s);
@@ -135,7 +135,7 @@ impl Model for Periodic {
 #[test]
 fn periodic_conditions_tie_both_ends() {
     let problem = Differentiated::new(Periodic).unwrap();
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let guess = Guess::uniform(solver::Problem::layout(&problem), 10, &[], |_, _, y| y.fill(0.0));
         let solution = solve(&problem, &guess, &[], &Options { order, tolerance: 1e-8, ..Options::default() }).unwrap();
         let circle = &solution.regions()[0];

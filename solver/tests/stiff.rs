@@ -50,7 +50,7 @@ impl Model for Layers {
 fn tighter_tolerances_give_smaller_errors_down_to_1e_12() {
     let problem = Differentiated::new(Layers).unwrap();
     let eps = 1e-6;
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for tolerance in [1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
             let guess = Guess::uniform(problem.layout(), 20, &[eps], |_, _, y| y.fill(0.0));
             let solution = solve(&problem, &guess, &[], &Options { order, tolerance, ..Options::default() }).unwrap();
@@ -240,7 +240,7 @@ impl solver::bvp::Formulas for Reaction {
 /// the guess tell where meshes are to be fine, and there it converges.
 #[test]
 fn an_iteration_that_a_thin_layer_leads_astray_starts_again_on_a_mesh_for_it() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let options = Options { order, tolerance: 1e-4, ..Options::default() };
         let problem = Bvp::with(&["u", "slope"], (0.0, 1.0), Reaction(1e-6)).guess(4, |_, y| y.fill(0.0));
         let solution = problem.solve(&options).unwrap();
@@ -313,7 +313,7 @@ fn smooth_solutions_of_stiff_equations_take_few_intervals() {
 #[test]
 fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {
     for (eps, p, s, amplitude, wave) in [(3.24e-5, 0.806, 0.487, 2.4, 10.0), (3.93e-6, 0.473, 0.775, 0.914, 11.8)] {
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             let line = Bvp::new(
                 &["u", "slope"],
                 (0.0, 1.0),
@@ -339,7 +339,7 @@ fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {
 /// Close to rounding a solution is as good as asked for, or refused.
 #[test]
 fn tolerances_near_rounding_are_met_or_refused() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for (cash, eps, tolerance) in [
             (Cash::Nine, 1e-2, 1e-11),
             (Cash::Nine, 1e-2, 1e-12),

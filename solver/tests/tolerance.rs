@@ -54,7 +54,7 @@ fn of(state: usize, relative: Option<f64>, absolute: Option<f64>) -> ComponentTo
 
 #[test]
 fn small_components_are_as_accurate_as_their_absolute_tolerance_asks() {
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         let plain = Options { order, ..Options::default() };
         // By default what is much smaller than 1 is known to 1e-6 only: documented, and the reason for the option.
         let (u, v) = errors(&solved(&plain).unwrap());
@@ -125,7 +125,7 @@ fn scales_that_are_no_magnitudes_are_refused() {
 #[test]
 fn a_guess_that_is_far_too_large_lowers_no_accuracy() {
     let exact = |x: f64| libm::sin(7.0 * x) + x;
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for guess in [0.0, 1e2, 1e4, 1e8] {
             let line = Bvp::new(
                 &["u", "slope"],

@@ -79,7 +79,7 @@ fn painleve_s_equation_has_its_two_solutions_and_says_which_was_not_near() {
         })
     };
     let mut slopes = Vec::new();
-    for order in [Order::Four, Order::Six, Order::Eight] {
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
         for tolerance in [1e-6, 1e-11] {
             for slope in [0.0, -7.0] {
                 for intervals in [20, 40, 80] {

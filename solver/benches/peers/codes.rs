@@ -32,7 +32,8 @@ impl fmt::Display for Configuration {
         let star = |wanted: bool| if wanted { " *" } else { "" };
         match self {
             Self::Here { order, tolerance, correction, .. } => {
-                write!(f, "{}, {tolerance:.0e}{}", order.number(), star(*correction))
+                let gauss = if *order == Order::SixGauss { " (Gauss)" } else { "" };
+                write!(f, "{}{gauss}, {tolerance:.0e}{}", order.number(), star(*correction))
             }
             Self::Colnew { points, tolerance, .. } => write!(f, "{points}, {tolerance:.0e}"),
             Self::Twpbvpc { conditioning, tolerance } => write!(f, "{tolerance:.0e}{}", star(*conditioning)),
@@ -52,12 +53,16 @@ pub struct Run {
 impl Code {
     pub const ALL: [Self; 3] = [Self::Here, Self::Colnew, Self::Twpbvpc];
 
-    pub fn configurations(self) -> Vec<Configuration> {
+    /// None of TWPBVPC where equations are undefined at an end: it evaluates them there.
+    pub fn configurations(self, case: &Case) -> Vec<Configuration> {
         let tolerances = (3..=11).map(|digits| 10.0_f64.powi(-digits));
+        let orders: &[Order] =
+            if case.is_singular() { &[Order::SixGauss] } else { &[Order::Four, Order::Six, Order::Eight] };
         let with = |tolerance: f64| -> Vec<Configuration> {
             match self {
-                Self::Here => [Order::Four, Order::Six, Order::Eight]
-                    .into_iter()
+                Self::Here => orders
+                    .iter()
+                    .copied()
                     .flat_map(|order| [4, 8, 16].map(|intervals| (order, intervals)))
                     .flat_map(|(order, intervals)| {
                         [false, true].map(|correction| Configuration::Here { order, tolerance, intervals, correction })
@@ -68,6 +73,7 @@ impl Code {
                         [5, 10, 20].map(|intervals| Configuration::Colnew { points, tolerance, intervals })
                     })
                     .collect(),
+                Self::Twpbvpc if case.is_singular() => Vec::new(),
                 Self::Twpbvpc => {
                     [true, false].map(|conditioning| Configuration::Twpbvpc { conditioning, tolerance }).to_vec()
                 }

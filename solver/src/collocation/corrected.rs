@@ -25,7 +25,7 @@ use crate::linear::scalar::{Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
 use crate::stats::Stats;
-use crate::tableau::{LOBATTO_OFFSET, Tableau, lagrange};
+use crate::tableau::{Tableau, lagrange};
 use solve::Correct;
 use std::sync::OnceLock;
 
@@ -98,10 +98,11 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 
     /// From S₅ to S, α to δ; `lacking`: what S₅ lacks at the points.
     pub(super) fn correct(&self, extension: &mut Extension, scales: &[f64], lacking: &[f64]) {
-        let weights = POINT_WEIGHTS.get_or_init(|| PointWeights {
-            of_stages: weights_of_stages(self.system.tableau),
-            of_slopes: values_of_slopes(),
-        });
+        let tableau = self.system.tableau;
+        let weights = PointWeights {
+            of_stages: tableau.at_points.get_or_init(|| weights_of_stages(tableau)),
+            of_slopes: OF_SLOPES.get_or_init(values_of_slopes),
+        };
         let len = extension.alpha.len();
         (extension.gamma, extension.delta) = (Numbers::unset(len), Numbers::unset(len));
         let Extension { alpha, beta, gamma, delta } = extension;
@@ -116,7 +117,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
 
     /// The collocation polynomial: α and β from the slopes at the outer two of the inner stages.
     pub(super) fn collocation_polynomial(&self) -> Extension {
-        let bases = [0.5 - LOBATTO_OFFSET, 0.5 + LOBATTO_OFFSET].map(Basis::slope);
+        let bases = [2, 3].map(|stage| Basis::slope(self.system.tableau.c[stage]));
         let (cubic, mut extension, views) = (self.pieces(None), self.flat(), self.stages.views(self.steps()));
         let Extension { alpha, beta, .. } = &mut extension;
         vectorised(Interpolate { cubic, views, bases, alpha, beta });
@@ -154,14 +155,15 @@ impl Job for Interpolate<'_> {
 }
 
 /// What is the same in every solve.
+#[derive(Clone, Copy)]
 struct PointWeights {
     /// See [`weights_of_stages`].
-    of_stages: [[f64; STAGES]; POINTS],
+    of_stages: &'static [[f64; STAGES]; POINTS],
     /// See [`values_of_slopes`].
-    of_slopes: [[f64; POINTS]; POINTS],
+    of_slopes: &'static [[f64; POINTS]; POINTS],
 }
 
-static POINT_WEIGHTS: OnceLock<PointWeights> = OnceLock::new();
+static OF_SLOPES: OnceLock<[[f64; POINTS]; POINTS]> = OnceLock::new();
 
 #[cfg(test)]
 mod tests {

@@ -47,6 +47,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 y: Numbers::unset(plan.n * points),
                 f: Numbers::unset(plan.rows * stride),
                 held: None,
+                undefined: [false; 2],
                 dy: Numbers::unset(plan.state_nonzeros * stride),
                 dc: Numbers::unset(plan.constant_nonzeros * stride),
             };
@@ -193,6 +194,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
             (batch.s, batch.y) = (s, y);
             stages.inner[index] = batch;
             outcome?;
+        }
+        if stages.nodes.undefined != [false; 2] {
+            stages.extrapolate(&self.grids[region], self.tableau, derivatives);
         }
         if self.tableau.coupled && derivatives != Derivatives::None {
             let batches = std::iter::once(&stages.nodes).chain(&stages.inner);
@@ -352,6 +356,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Derivatives::None => {
                 stats.rhs_points += at.len;
                 self.problem.rhs(region, &at, constants, &mut batch.f);
+                if self.tableau.has_open_ends() {
+                    batch.undefined = self.forgive_ends(region, &at, [&mut batch.f]);
+                }
                 return self.check_values(region, &at, &batch.f);
             }
             Derivatives::Planned => self.plan.regions[region].scope,
@@ -360,6 +367,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stats.jacobian_points += at.len;
         batch.held = None;
         self.problem.rhs_jacobian(region, &at, constants, scope, &mut batch.f, &mut batch.dy, &mut batch.dc);
+        if self.tableau.has_open_ends() {
+            batch.undefined = self.forgive_ends(region, &at, [&mut batch.f, &mut batch.dy, &mut batch.dc]);
+        }
         self.check_values(region, &at, &batch.f)?;
         if !finite(&batch.dy) {
             return Err(NonFinite::derivative(self.layout, region, &at, &batch.dy));

@@ -11,6 +11,7 @@ pub(crate) mod grid;
 pub(crate) mod interpolant;
 pub(crate) mod linear_problem;
 mod moments;
+mod open_ends;
 pub(crate) mod parameter;
 pub(crate) mod plan;
 pub(crate) mod roles;

@@ -18,7 +18,7 @@ use crate::model::{Differentiated, Model, Scalar};
 use crate::problem::{Layout, Problem, Region};
 use crate::rows::Rows;
 use crate::stats::Stats;
-use crate::tableau::{ORDER_4, ORDER_6, ORDER_8, Tableau};
+use crate::tableau::{GAUSS_6, ORDER_4, ORDER_6, ORDER_8, Tableau};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -228,7 +228,15 @@ fn flat(system: &System<'_, Differentiated<Mixed>>, dx: &Correction) -> Vec<f64>
 }
 
 fn check(sizes: &[(usize, usize)], constants: usize, unknowns: usize, intervals: &[usize], nonlinear: bool, seed: u64) {
-    let methods = [(&ORDER_4, false), (&ORDER_6, false), (&ORDER_6, true), (&ORDER_8, false), (&ORDER_8, true)];
+    let methods = [
+        (&ORDER_4, false),
+        (&ORDER_6, false),
+        (&ORDER_6, true),
+        (&ORDER_8, false),
+        (&ORDER_8, true),
+        (&GAUSS_6, false),
+        (&GAUSS_6, true),
+    ];
     for (tableau, chained) in methods {
         let mixed = Mixed::new(sizes, constants, (nonlinear, chained), seed);
         let problem = Differentiated::new(mixed).unwrap();
@@ -390,7 +398,9 @@ fn check_stages(setup: &Setup<'_>, factorisation: &Factorisation, chained: bool,
 /// The error that defects cause is linear in them: what a part of each causes, and what the rest does, are all of it.
 #[test]
 fn an_error_is_the_sum_of_what_parts_of_the_defects_cause() {
-    for (tableau, chained) in [(&ORDER_4, false), (&ORDER_6, true), (&ORDER_8, true), (&ORDER_8, false)] {
+    for (tableau, chained) in
+        [(&ORDER_4, false), (&ORDER_6, true), (&ORDER_8, true), (&ORDER_8, false), (&GAUSS_6, true), (&GAUSS_6, false)]
+    {
         let mixed = Mixed::new(&[(2, 1), (3, 0)], 2, (true, chained), 11);
         let problem = Differentiated::new(mixed).unwrap();
         let plan = Plan::new(problem.layout(), &[0, 1]);

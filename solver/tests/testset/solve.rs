@@ -42,14 +42,15 @@ fn judge(case: &Case, parameter: Option<f64>, order: Order) -> Option<Judged> {
 fn moderate_parameters_are_solved_to_ten_times_the_tolerance() {
     for case in problems::cases() {
         let parameter = case.parameters()[0];
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             match judge(&case, parameter, order) {
                 None => panic!("{} at {parameter:?}, {order:?} failed", case.id),
                 Some(Judged { error, accuracy, how, .. }) => {
                     assert!(error <= 10.0, "{} at {parameter:?}, {order:?}: {error} tolerances", case.id);
                     assert_eq!(accuracy, Accuracy::Met, "{} at {parameter:?}, {order:?}", case.id);
-                    // T26 needs continuation even here.
-                    assert!(how == How::Direct || case.id == "T26", "{} at {parameter:?} went by {how:?}", case.id);
+                    // T26 needs continuation even here; T23 does where no other order finds where to start from.
+                    let is_long = case.id == "T26" || (case.id == "T23" && order == Order::SixGauss);
+                    assert!(how == How::Direct || is_long, "{} at {parameter:?} went by {how:?}", case.id);
                 }
             }
         }
@@ -61,7 +62,7 @@ fn moderate_parameters_are_solved_to_ten_times_the_tolerance() {
 fn hard_parameters_are_solved_to_ten_times_the_tolerance() {
     for case in problems::cases().into_iter().filter(|case| case.parameters().len() > 1) {
         let parameter = case.parameters()[1];
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             let Some(Judged { error, estimate, accuracy, .. }) = judge(&case, parameter, order) else {
                 panic!("{} at {parameter:?} failed", case.id);
             };
@@ -88,7 +89,7 @@ fn a_rough_guess_of_a_periodic_orbit_leads_to_it_from_nearly_every_mesh() {
     let (mut solved, mut plain) = (0, 0);
     for intervals in [2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100, 150, 200] {
         case = case.intervals(intervals);
-        for order in [Order::Four, Order::Six, Order::Eight] {
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
             let options = Options { order, tolerance: TOLERANCE, ..Options::default() };
             let solution = match run(&case, None, &options).solution {
                 Ok(solution) => solution,

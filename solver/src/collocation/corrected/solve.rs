@@ -16,7 +16,7 @@ pub(super) struct Correct<'a> {
     pub views: [View<'a>; STAGES],
     pub h: &'a [[f64; W]],
     pub scales: &'a [f64],
-    pub weights: &'a PointWeights,
+    pub weights: PointWeights,
     /// What each state is in the equations for E.
     pub roles: &'a Roles,
     /// Point by point, component by component in working order: the slopes wanted of E.
@@ -38,7 +38,7 @@ impl Correct<'_> {
         let mut out = [Lane::ZERO; POINTS];
         for (stage, view) in self.views.iter().enumerate() {
             let known = view.dy(entry, t);
-            for (out, weights) in out.iter_mut().zip(&self.weights.of_stages) {
+            for (out, weights) in out.iter_mut().zip(self.weights.of_stages) {
                 *out += known.times(weights[stage]);
             }
         }
@@ -68,7 +68,7 @@ impl Correct<'_> {
         let (mut out, factor) = ([Lane::ZERO; POINTS], 1.0 / self.scales[i]);
         for l in 0..POINTS {
             let lacking = Lane(self.lacking[(l * n + i) * steps + t]);
-            for (out, weights) in out.iter_mut().zip(&self.weights.of_slopes) {
+            for (out, weights) in out.iter_mut().zip(self.weights.of_slopes) {
                 *out += lacking.times(weights[l]);
             }
         }
@@ -80,7 +80,7 @@ impl Correct<'_> {
     #[inline(always)]
     fn solve(mut self, q: usize, n: usize) {
         let (m, steps) = (POINTS * q, self.h.len());
-        let (roles, from_slopes) = (self.roles, &self.weights.of_slopes);
+        let (roles, from_slopes) = (self.roles, self.weights.of_slopes);
         let mut room = Lanes::unset(qr::room(m) + POINTS * n + m);
         let (data, rest) = room.split_at_mut(qr::room(m));
         let (e, unknowns) = rest.split_at_mut(POINTS * n);
@@ -125,7 +125,7 @@ impl Correct<'_> {
     /// in `e`, goes to the right-hand sides there.
     #[inline(always)]
     fn assemble(&self, (q, n): (usize, usize), t: usize, h: Lane, matrix: &mut [Lane], e: &mut [Lane]) {
-        let (m, roles, from_slopes) = (POINTS * q, self.roles, &self.weights.of_slopes);
+        let (m, roles, from_slopes) = (POINTS * q, self.roles, self.weights.of_slopes);
         matrix.fill(Lane::ZERO);
         for i in 0..m {
             matrix[i * m + i] = Lane::ONE;
