@@ -16,7 +16,7 @@ use crate::error::SolveError;
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, undefined};
 use crate::mesh::split;
-use crate::newton::{self, Limits};
+use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options, Order};
 use crate::orientation::{BranchCheck, Orientation};
@@ -290,54 +290,88 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         Solved::new(solved.system, solved.converged, tolerance, &mut self.stats)
     }
 
-    /// Newton's iteration on one set of meshes.
+    /// Newton's iteration on one set of meshes, and what is to be said of where it ends.
     ///
     /// # Errors
     /// Only those that end the solve at once.
     fn solve_on(&mut self, start: Start, progress: &mut Progress<'a, P>) -> Result<Found<'a, P>, SolveError> {
         let Start { grids, x } = start;
-        let system = self.system(grids);
-        self.stats.meshes += 1;
-        let before = self.stats.newton_iterations;
-        let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
-        let layers = progress.layers.iter().flatten().any(|layers| !layers.is_empty());
-        let limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
-        let mut outcome = newton::solve(&system, &x, limits, &mut self.stats, self.observer, self.budget);
-        if progress.first {
-            self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
-            self.iterations = outcome.as_ref().map_or(0, |converged| converged.iterations);
-        }
-        let mut record = MeshRecord {
+        let (system, before) = (self.system(grids), self.stats.newton_iterations);
+        let outcome = self.iterated(&system, &x, progress);
+        let record = MeshRecord {
             intervals: system.grids.iter().map(Grid::intervals).collect(),
             defects: vec![f64::INFINITY; system.grids.len()],
             newton_iterations: self.stats.newton_iterations - before,
         };
-        if let Ok(converged) = &outcome
-            && let Some(error) = self.undetermined_at_rest(&system, converged)
-        {
-            outcome = Err(error.into());
-        }
-        let mut converged = match outcome {
-            Ok(converged) => converged,
+        match outcome {
+            Ok(converged) => self.converged_on(system, converged, x, record, progress),
             Err(failure) => {
                 self.history.push(record);
-                return match failure {
-                    newton::Failure::Far(nearer, _) => {
-                        let near = self.approached(Start { grids: system.grids, x }, *nearer, progress)?;
-                        self.solve_on(near, progress)
-                    }
-                    newton::Failure::Newton(error) => {
-                        self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
-                        let failed = Start { grids: system.grids, x };
-                        if progress.first && self.options.rescues > 0 {
-                            progress.rescue.origin = Some(failed.clone());
-                        }
-                        Ok(Found::Failed(Box::new(failed), error))
-                    }
-                    newton::Failure::Interrupted(error) => Err(error),
-                };
+                self.failed_on(Start { grids: system.grids, x }, failure, progress)
             }
-        };
+        }
+    }
+
+    fn iterated(
+        &mut self,
+        system: &System<'a, P>,
+        x: &Iterate,
+        progress: &Progress<'a, P>,
+    ) -> Result<Converged, newton::Failure> {
+        self.stats.meshes += 1;
+        let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
+        let layers = progress.layers.iter().flatten().any(|layers| !layers.is_empty());
+        let limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
+        let outcome = newton::solve(system, x, limits, &mut self.stats, self.observer, self.budget);
+        if progress.first {
+            self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);
+            self.iterations = outcome.as_ref().map_or(0, |converged| converged.iterations);
+        }
+        let converged = outcome?;
+        match self.undetermined_at_rest(system, &converged) {
+            Some(error) => Err(error.into()),
+            None => Ok(converged),
+        }
+    }
+
+    /// `start`: where the iteration that failed began.
+    ///
+    /// # Errors
+    /// As [`solve_on`](Self::solve_on).
+    fn failed_on(
+        &mut self,
+        start: Start,
+        failure: newton::Failure,
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Found<'a, P>, SolveError> {
+        match failure {
+            newton::Failure::Far(nearer, _) => {
+                let near = self.approached(start, *nearer, progress)?;
+                self.solve_on(near, progress)
+            }
+            newton::Failure::Newton(error) => {
+                self.check = self.check.and(BranchCheck::Strayed { at: 0.0 });
+                if progress.first && self.options.rescues > 0 {
+                    progress.rescue.origin = Some(start.clone());
+                }
+                Ok(Found::Failed(Box::new(start), error))
+            }
+            newton::Failure::Interrupted(error) => Err(error),
+        }
+    }
+
+    /// `x`: where the iteration began.
+    ///
+    /// # Errors
+    /// As [`solve_on`](Self::solve_on).
+    fn converged_on(
+        &mut self,
+        system: System<'a, P>,
+        mut converged: Converged,
+        x: Iterate,
+        mut record: MeshRecord,
+        progress: &mut Progress<'a, P>,
+    ) -> Result<Found<'a, P>, SolveError> {
         converged.linear |= self.linear;
         self.linear = converged.linear;
         let orientation = converged.factorisation.orientation();
