@@ -125,6 +125,13 @@ impl Reading<'_> {
             self.missing(by, key);
         }
         let (at, of) = (self.case.list(places)?.to_vec(), self.case.list(values)?.to_vec());
+        // Told in the unit of the key.
+        if let Some(number) = at.windows(2).position(|pair| pair[1] <= pair[0]) {
+            let [before, here] = [at[number], at[number + 1]].map(|si| places.entry().rounded(si));
+            let number = number + 2;
+            self.wrong(places, format!("number {number} is {here}, not beyond {before}: expected increasing values"));
+            return None;
+        }
         let made = Profile::new(at, of).map_err(ActuatorError::from);
         self.sound(places, made)
     }

@@ -406,5 +406,5 @@ fn residual(name: &str) -> (Dimension, &'static str) {
         _ if name.contains("tension") => "N",
         _ => "",
     };
-    (Dimension::of_unit(unit).unwrap_or(Dimension::ONE), unit)
+    (Dimension::of_unit(unit).unwrap_or_else(|| unreachable!("unit of {name}")), unit)
 }

@@ -247,9 +247,13 @@ impl Entry {
 
     /// What a curve at a value in SI is called in a figure: `M_{in} = 18 N·m`.
     pub fn label_at(&self, si: f64) -> String {
+        format!("{} = {}", self.marked_symbol(), self.rounded(si))
+    }
+
+    /// A value in SI as people read it, to six decimals, with its unit: `18 N·m`.
+    pub fn rounded(&self, si: f64) -> String {
         let (number, unit) = self.readable(si);
-        let number = (number * 1e6).round() / 1e6;
-        format!("{} = {number} {unit}", self.marked_symbol()).trim_end().to_owned()
+        format!("{} {unit}", (number * 1e6).round() / 1e6).trim_end().to_owned()
     }
 
     /// What an axis of a figure is called: `slack tension T_{slack} (N)`.
