@@ -15,17 +15,15 @@ use super::stages::Stages;
 use crate::problem::{Points, Problem};
 use crate::tableau::{COUPLED, Tableau, lagrange};
 
-/// Whether values at the left and at the right end of a region are not finite.
-pub(crate) type Undefined = [bool; 2];
-
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// Zeros in place of all values, each of them rows of `at.stride`, at an end of the region where one is not finite.
+    /// Zeros in place of all values, each of them rows of `at.stride`, at an end of the region where one is not finite;
+    /// whether it is so at the left and at the right end.
     pub(super) fn forgive_ends<const N: usize>(
         &self,
         region: usize,
         at: &Points<'_>,
         mut values: [&mut [f64]; N],
-    ) -> Undefined {
+    ) -> [bool; 2] {
         let (a, b) = self.layout.regions[region].interval;
         let mut undefined = [false; 2];
         for (p, &s) in at.s.iter().enumerate().filter(|(_, s)| **s == a || **s == b) {

@@ -1,7 +1,6 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
 use super::linear_problem::Held;
-use super::open_ends::Undefined;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use crate::linear::memory::Numbers;
@@ -23,8 +22,8 @@ pub(crate) struct Batch {
     pub dc: Numbers,
     /// What f is that of, where the problem is linear and its derivatives are known: what it is elsewhere follows.
     pub held: Option<Held>,
-    /// Where the method does not need it: whether the right-hand side is undefined at the region's ends.
-    pub undefined: Undefined,
+    /// Where the method does not need them: whether values are undefined at the region's left and right end.
+    pub undefined: [bool; 2],
 }
 
 /// Values of one region at all its stages.
