@@ -10,19 +10,25 @@
 use solver::bvp::Bvp;
 use solver::{Options, Order};
 
-/// n, l, and a rough u.
-const STATES: [(&str, i32, i32, fn(f64) -> f64); 4] = [
-    ("1s", 1, 0, |r| r * (-r).exp()),
-    ("2s", 2, 0, |r| r * (2.0 - r) * (-r / 2.0).exp()),
-    ("2p", 2, 1, |r| r * r * (-r / 2.0).exp()),
-    ("3d", 3, 2, |r| r.powi(3) * (-r / 3.0).exp()),
+struct State {
+    name: &'static str,
+    n: f64,
+    l: f64,
+    /// Roughly, and of any size.
+    u: fn(f64) -> f64,
+}
+
+const STATES: [State; 4] = [
+    State { name: "1s", n: 1.0, l: 0.0, u: |r| r * (-r).exp() },
+    State { name: "2s", n: 2.0, l: 0.0, u: |r| r * (2.0 - r) * (-r / 2.0).exp() },
+    State { name: "2p", n: 2.0, l: 1.0, u: |r| r * r * (-r / 2.0).exp() },
+    State { name: "3d", n: 3.0, l: 2.0, u: |r| r.powi(3) * (-r / 3.0).exp() },
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = Options { order: Order::SixGauss, tolerance: 1e-9, ..Options::default() };
     println!("{:>5} {:>16} {:>16} {:>10} {:>10}", "state", "E", "known", "estimate", "intervals");
-    for (name, n, l, rough) in STATES {
-        let (n, l) = (f64::from(n), f64::from(l));
+    for State { name, n, l, u } in STATES {
         let known = -0.5 / (n * n);
         // Far away: u is e^-30 of what it is near the nucleus.
         let far = 30.0 * n;
@@ -37,8 +43,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         )
         .unknown("E", 1.1 * known)
         .guess(40, move |r, y| {
-            let slope = (rough(r + 1e-4) - rough(r)) / 1e-4;
-            (y[0], y[1], y[2]) = (rough(r), slope, (r / (2.0 * n * n)).min(1.0));
+            let slope = (u(r + 1e-4) - u(r)) / 1e-4;
+            (y[0], y[1], y[2]) = (u(r), slope, (r / (2.0 * n * n)).min(1.0));
         });
         let solution = atom.solve(&options)?;
         let (energy, estimate) = (solution.constants()[0], solution.error_estimate());

@@ -1,8 +1,7 @@
 //! The residual of the collocation equations, and the derivatives at all stages.
 
-use super::linear_problem::Held;
 use super::roles::Roles;
-use super::stages::{Batch, MOST_STAGES, Stages, View, second_order};
+use super::stages::{Batch, Held, MOST_STAGES, Stages, View, second_order};
 use super::{Iterate, Scales, System};
 use crate::error::NonFinite;
 use crate::linear::memory::Numbers;

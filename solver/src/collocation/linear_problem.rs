@@ -15,31 +15,6 @@ use crate::stats::Stats;
 /// A linear right-hand side is what its derivatives lead to, but for this fraction of its largest terms.
 const SAME: f64 = 1e-6;
 
-/// What values of a right-hand side are those of: states, as in [`Batch::y`], and constants.
-#[derive(Debug, Clone)]
-pub(crate) struct Held {
-    y: Numbers,
-    constants: Numbers,
-    /// The largest value of each state on the way: what is left of it is exact but for the rounding of that.
-    largest: Numbers,
-}
-
-impl Held {
-    pub(super) fn at(y: &[f64], constants: &[f64]) -> Self {
-        Self { y: Numbers::of(y), constants: Numbers::of(constants), largest: Numbers::zeros(0) }
-    }
-
-    /// Notes how large the states are that are left for others; `stride` values each.
-    fn passed(&mut self, stride: usize) {
-        let states = self.y.chunks_exact(stride).map(largest_number);
-        if self.largest.is_empty() {
-            self.largest = Numbers::collected(self.y.len() / stride, states);
-        } else {
-            self.largest.iter_mut().zip(states).for_each(|(largest, state)| *largest = largest.max(state));
-        }
-    }
-}
-
 /// Whether all derivatives that matter are asked for, should a problem be linear. Of an integral that no boundary
 /// equation depends on, those by constants may not be.
 pub(crate) fn has_all_derivatives(layout: &Layout, plan: &Plan) -> bool {

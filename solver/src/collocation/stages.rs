@@ -1,15 +1,40 @@
 //! Values of the right-hand side and its derivatives at the stages of all intervals of a region.
 
-use super::linear_problem::Held;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use crate::linear::memory::Numbers;
 use crate::linear::scalar::{Lane, W};
+use crate::linear::simd::largest_number;
 use crate::problem::Region;
 use std::sync::Arc;
 
 /// Stages of a method at most.
 pub(crate) const MOST_STAGES: usize = 5;
+
+/// What values of a right-hand side are those of: states, as in [`Batch::y`], and constants.
+#[derive(Debug, Clone)]
+pub(crate) struct Held {
+    pub y: Numbers,
+    pub constants: Numbers,
+    /// The largest value of each state on the way: what is left of it is exact but for the rounding of that.
+    pub largest: Numbers,
+}
+
+impl Held {
+    pub(super) fn at(y: &[f64], constants: &[f64]) -> Self {
+        Self { y: Numbers::of(y), constants: Numbers::of(constants), largest: Numbers::zeros(0) }
+    }
+
+    /// Notes how large the states are that are left for others; `stride` values each.
+    pub(super) fn passed(&mut self, stride: usize) {
+        let states = self.y.chunks_exact(stride).map(largest_number);
+        if self.largest.is_empty() {
+            self.largest = Numbers::collected(self.y.len() / stride, states);
+        } else {
+            self.largest.iter_mut().zip(states).for_each(|(largest, state)| *largest = largest.max(state));
+        }
+    }
+}
 
 /// Values of one batch of points: at the nodes, or at one place after the other of all intervals.
 #[derive(Debug, Clone, Default)]
