@@ -208,6 +208,7 @@ fn what_is_missing_is_said() {
     // In the key's unit, not in rad/s.
     let mut case = gx9();
     case.set("engine.speeds", "1800, 2400, 3400, 3000, 3800 rpm").unwrap();
+    case.set("engine.torques", "18, 19, 19, 18, 16 N m").unwrap();
     let error = case.resolve().unwrap_err();
     assert!(error.to_string().contains("number 4 is 3000 rpm, not beyond 3400 rpm"), "{error}");
     let error = equilibrium(&resolved(&gx9()), -1.0, UP, &options()).unwrap_err();

@@ -3,6 +3,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "testset/problems/special.rs"]
+#[allow(dead_code, reason = "the test set's, of which one function is wanted")]
+mod special;
+
 use solver::bvp::{Bvp, Formulas, SingularTermError};
 use solver::continuation::{BranchOptions, trace};
 use solver::model::{Differentiated, Model, Scalar};
@@ -82,15 +86,9 @@ fn a_matrix_that_does_not_suit_is_refused() {
     assert_eq!(refused(&[&[0.0, 0.0], &[0.0, -2.0]]), None);
 }
 
-/// `J_n(x)` by its series.
+/// `J_n(x)`.
 fn bessel(order: i32, x: f64) -> f64 {
-    let mut term = (1..=order).fold(1.0, |term, k| term * 0.5 * x / f64::from(k));
-    let mut sum = 0.0;
-    for k in 1..60 {
-        sum += term;
-        term *= -0.25 * x * x / f64::from(k * (k + order));
-    }
-    sum
+    special::bessel(f64::from(order), (1..=order).map(f64::from).product(), x)
 }
 
 /// The largest error of the first state at a thousand places, relative to its largest magnitude there, or to 1.

@@ -6,7 +6,7 @@ use super::given::Case;
 use super::keys::{Key, TABLE};
 use super::setting::Setting;
 use crate::actuator::{
-    ActuatorError, AngleFrom, CamArm, Flyweights, Helix, Mechanism, PrimaryActuator, Profile, RollerArm,
+    ActuatorError, AngleFrom, CamArm, Flyweights, Helix, Mechanism, PrimaryActuator, Profile, ProfileError, RollerArm,
     SecondaryActuator, Shift, Spring, travel, travel_by_radius,
 };
 use crate::model::{FlyweightKind, HelixAngleFrom, SecondaryKind};
@@ -125,15 +125,16 @@ impl Reading<'_> {
             self.missing(by, key);
         }
         let (at, of) = (self.case.list(places)?.to_vec(), self.case.list(values)?.to_vec());
-        // Told in the unit of the key.
-        if let Some(number) = at.windows(2).position(|pair| pair[1] <= pair[0]) {
-            let [before, here] = [at[number], at[number + 1]].map(|si| places.entry().rounded(si));
-            let number = number + 2;
-            self.wrong(places, format!("number {number} is {here}, not beyond {before}: expected increasing values"));
-            return None;
+        match Profile::new(at, of) {
+            // Told in the unit of the key.
+            Err(ProfileError::Order { point, place, before }) => {
+                let [here, before] = [place, before].map(|si| places.entry().rounded(si));
+                let reason = format!("number {point} is {here}, not beyond {before}: expected increasing values");
+                self.wrong(places, reason);
+                None
+            }
+            made => self.sound(places, made.map_err(ActuatorError::from)),
         }
-        let made = Profile::new(at, of).map_err(ActuatorError::from);
-        self.sound(places, made)
     }
 
     /// Keys of a section that its type does not take are refused, lest they be thought to count.

@@ -16,8 +16,6 @@ pub struct Case {
 pub enum Equations {
     /// `u'' = F(x, u, u')` by F, ∂F/∂u, ∂F/∂u', and the solution, whose values at the ends are the boundary conditions.
     One(fn(f64, f64, f64) -> [f64; 3], fn(f64) -> f64),
-    /// As `One`, with F undefined at an end, or at both.
-    Singular(fn(f64, f64, f64) -> [f64; 3], fn(f64) -> f64),
     /// Two of them, of states u₁, u₁', u₂, u₂': both F, each with its derivatives with respect to the states.
     Two(fn(f64, [f64; 4]) -> [[f64; 5]; 2], fn(f64) -> [f64; 2]),
     /// As `One`, with the values of u at the ends, and a guess: the solution is not known.
@@ -66,7 +64,7 @@ impl Case {
     /// The order of each equation.
     pub fn orders(&self) -> &'static [usize] {
         match self.equations {
-            Equations::One(..) | Equations::Singular(..) | Equations::Open(..) => &[2],
+            Equations::One(..) | Equations::Open(..) => &[2],
             Equations::Two(..) => &[2, 2],
             Equations::Many(many) => many.orders,
         }
@@ -93,7 +91,7 @@ impl Case {
     /// u at x, where it is known.
     pub fn exact(&self, x: f64) -> Option<[f64; 2]> {
         match self.equations {
-            Equations::One(_, exact) | Equations::Singular(_, exact) => Some([exact(x), 0.0]),
+            Equations::One(_, exact) => Some([exact(x), 0.0]),
             Equations::Two(_, exact) => Some(exact(x)),
             Equations::Open(..) | Equations::Many(_) => None,
         }
@@ -107,7 +105,7 @@ impl Case {
         };
         let (left, right) = self.interval;
         match self.equations {
-            Equations::One(_, exact) | Equations::Singular(_, exact) => all(&[(0, exact(left))], &[(0, exact(right))]),
+            Equations::One(_, exact) => all(&[(0, exact(left))], &[(0, exact(right))]),
             Equations::Two(_, exact) => {
                 let ([a1, a2], [b1, b2]) = (exact(left), exact(right));
                 all(&[(0, a1), (2, a2)], &[(0, b1), (2, b2)])
@@ -119,13 +117,15 @@ impl Case {
 
     /// Whether the equations are undefined at an end.
     pub fn is_singular(&self) -> bool {
-        matches!(self.equations, Equations::Singular(..))
+        let Equations::One(f, _) = self.equations else { return false };
+        let (a, b) = self.interval;
+        [a, b].iter().any(|x| f(*x, 1.0, 1.0).iter().any(|value| !value.is_finite()))
     }
 
     /// Of all states at x.
     pub fn guess(&self, x: f64, z: &mut [f64]) {
         match self.equations {
-            Equations::One(..) | Equations::Singular(..) | Equations::Two(..) => z.fill(0.0),
+            Equations::One(..) | Equations::Two(..) => z.fill(0.0),
             Equations::Open(_, [left, right], guess) => {
                 let (a, b) = self.interval;
                 let slope = (right - left) / (b - a);
@@ -143,7 +143,7 @@ impl Case {
     #[inline]
     pub fn values(&self, x: f64, z: &[f64], out: &mut [f64]) {
         match self.equations {
-            Equations::One(f, _) | Equations::Singular(f, _) | Equations::Open(f, ..) => out[0] = f(x, z[0], z[1])[0],
+            Equations::One(f, _) | Equations::Open(f, ..) => out[0] = f(x, z[0], z[1])[0],
             Equations::Two(f, _) => {
                 let rows = f(x, [z[0], z[1], z[2], z[3]]);
                 (out[0], out[1]) = (rows[0][0], rows[1][0]);
@@ -159,7 +159,7 @@ impl Case {
     #[inline]
     pub fn derivatives(&self, x: f64, z: &[f64], values: &mut [f64], rows: &mut [f64]) {
         match self.equations {
-            Equations::One(f, _) | Equations::Singular(f, _) | Equations::Open(f, ..) => {
+            Equations::One(f, _) | Equations::Open(f, ..) => {
                 let [value, by_u, by_slope] = f(x, z[0], z[1]);
                 (values[0], rows[0], rows[1]) = (value, by_u, by_slope);
             }

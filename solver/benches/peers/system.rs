@@ -32,11 +32,8 @@ impl Formulas for System {
 /// The right-hand side of the system of first order.
 #[inline]
 pub fn system_values(case: &Case, x: f64, z: &[f64], f: &mut [f64]) {
-    if let (
-        Equations::One(formula, _) | Equations::Singular(formula, _) | Equations::Open(formula, ..),
-        [first, second],
-        [u, slope],
-    ) = (&case.equations, &mut *f, z)
+    if let (Equations::One(formula, _) | Equations::Open(formula, ..), [first, second], [u, slope]) =
+        (&case.equations, &mut *f, z)
     {
         return (*first, *second) = (*slope, formula(x, *u, *slope)[0]);
     }
@@ -62,8 +59,7 @@ fn slopes(case: &Case, z: &[f64], values: &[f64], f: &mut [f64]) {
 /// Derivatives of the system of first order, by columns.
 #[inline]
 pub fn system_derivatives(case: &Case, x: f64, z: &[f64], columns: &mut [f64], f: Option<&mut [f64]>) {
-    if let Equations::One(formula, _) | Equations::Singular(formula, _) | Equations::Open(formula, ..) = case.equations
-    {
+    if let Equations::One(formula, _) | Equations::Open(formula, ..) = case.equations {
         let [value, by_u, by_slope] = formula(x, z[0], z[1]);
         columns[..4].copy_from_slice(&[0.0, by_u, 1.0, by_slope]);
         if let Some(f) = f {

@@ -355,9 +355,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Derivatives::None => {
                 stats.rhs_points += at.len;
                 self.problem.rhs(region, &at, constants, &mut batch.f);
-                if self.tableau.has_open_ends() {
-                    batch.undefined = self.forgive_ends(region, &at, [&mut batch.f]);
-                }
+                batch.undefined = self.forgive_ends(region, &at, [&mut batch.f]);
                 return self.check_values(region, &at, &batch.f);
             }
             Derivatives::Planned => self.plan.regions[region].scope,
@@ -366,13 +364,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
         stats.jacobian_points += at.len;
         batch.held = None;
         self.problem.rhs_jacobian(region, &at, constants, scope, &mut batch.f, &mut batch.dy, &mut batch.dc);
-        if self.tableau.has_open_ends() {
-            // What the scope leaves out has not been written.
-            let pattern = &self.layout.regions[region];
-            let entries = if scope == Scope::All { pattern.constant_pattern.len() } else { pattern.default_entries };
-            let by_constants = &mut batch.dc[..entries * at.stride];
-            batch.undefined = self.forgive_ends(region, &at, [&mut batch.f, &mut batch.dy, by_constants]);
-        }
+        // What the scope leaves out has not been written.
+        let pattern = &self.layout.regions[region];
+        let entries = if scope == Scope::All { pattern.constant_pattern.len() } else { pattern.default_entries };
+        let by_constants = &mut batch.dc[..entries * at.stride];
+        batch.undefined = self.forgive_ends(region, &at, [&mut batch.f, &mut batch.dy, by_constants]);
         self.check_values(region, &at, &batch.f)?;
         if !finite(&batch.dy) {
             return Err(NonFinite::derivative(self.layout, region, &at, &batch.dy));

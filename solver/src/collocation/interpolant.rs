@@ -303,9 +303,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let at = Points { len, stride: len, s: &s, y: &y };
         stats.rhs_points += len;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut f);
-        if self.system.tableau.has_open_ends() {
-            self.system.forgive_ends(self.region, &at, [&mut f]);
-        }
+        self.system.forgive_ends(self.region, &at, [&mut f]);
         self.system.check_values(self.region, &at, &f)?;
         Ok(Sampled { places: count, steps: self.steps(), f })
     }

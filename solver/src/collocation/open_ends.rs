@@ -16,8 +16,8 @@ use crate::problem::{Points, Problem};
 use crate::tableau::{COUPLED, Tableau, lagrange};
 
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// Zeros in place of all values, each of them rows of `at.stride`, at an end of the region where one is not finite;
-    /// whether it is so at the left and at the right end.
+    /// If the method needs no values at the ends of the region: zeros in place of all of them, each rows of `at.stride`,
+    /// at an end where one is not finite; whether it is so at the left and at the right end.
     pub(super) fn forgive_ends<const N: usize>(
         &self,
         region: usize,
@@ -26,6 +26,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
     ) -> [bool; 2] {
         let (a, b) = self.layout.regions[region].interval;
         let mut undefined = [false; 2];
+        if !self.tableau.has_open_ends() {
+            return undefined;
+        }
         for (p, &s) in at.s.iter().enumerate().filter(|(_, s)| **s == a || **s == b) {
             let column = |values: &&mut [f64]| values.iter().skip(p).step_by(at.stride).all(|value| value.is_finite());
             if !values.iter().all(column) {
