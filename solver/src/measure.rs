@@ -135,7 +135,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     fn evaluate(&mut self, stats: &mut Stats) -> Result<(), NonFinite> {
         let (system, Converged { x, work, .. }) = (&self.system, &mut self.converged);
         self.boundary = OnceCell::new();
-        if system.layout.integrals() == 0 && !system.tableau.has_open_ends() {
+        if system.layout.integrals() == 0 && !work.has_open_ends() {
             return system.evaluate_nodes(x, work, stats);
         }
         system.evaluate(x, Derivatives::None, work, stats)?;

@@ -17,11 +17,14 @@ pub enum Order {
     /// evaluations to nine digits. Each interval has three points inside whose states are unknowns, which are
     /// eliminated interval by interval. Where the iteration fails, order 6 finds where it is to start from;
     /// where it fails with a lower order, this one does.
+    ///
+    /// The right-hand side need not be defined at the ends of a region, where an equation may be singular (`2 u'/x` at
+    /// 0): the interval beside such an end is collocated at its other points alone, and what is said of slopes there is
+    /// extrapolated from these.
     Eight,
-    /// Collocation at three Gauss points, order 6: the right-hand side need not be defined at the ends of a region,
-    /// where an equation may be singular (`2 u'/x` at 0). What is said of slopes there is extrapolated from the inner
-    /// points of the interval beside the end. Inner points are unknowns, as at order 8; no other order is tried where
-    /// the iteration fails. Elsewhere the other orders do more for as much work.
+    /// Collocation at three Gauss points, order 6: none of them is an end, so that there, too, the right-hand side need
+    /// not be defined. Inner points are unknowns, as at order 8; no other order is tried where the iteration fails. The
+    /// other orders do more for as much work.
     SixGauss,
 }
 

@@ -68,6 +68,7 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
                 insistent: true,
                 origin: None,
                 layers_sought: false,
+                undefined: None,
                 attempts: attempts(options),
             },
             target: options.tolerance,
@@ -171,6 +172,8 @@ pub(crate) struct Rescue {
     pub(crate) origin: Option<Start>,
     /// Whether meshes for the layers that there may be beside the guess have been asked for.
     pub(crate) layers_sought: bool,
+    /// What the order that is wanted last found undefined.
+    pub(crate) undefined: Option<NewtonError>,
     /// Orders to begin with from the guess, and whether every step must be progress then.
     pub(crate) attempts: &'static [(Order, bool)],
 }

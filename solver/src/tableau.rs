@@ -60,8 +60,10 @@ pub(crate) struct Difference {
 /// Sums of differences.
 #[derive(Debug)]
 pub(crate) struct Differences {
-    /// D at each inner stage.
+    /// D at each inner stage,
     pub inside: Vec<Difference>,
+    /// and at the right node.
+    pub right: Difference,
     /// One for each stage, with L Lagrange's polynomial of it, c its place and b its weight: what quadrature by the
     /// samples finds of `∫_0^1 L(σ) D(σ) dσ` beyond the method's `b D(c)`.
     pub remainders: Vec<Difference>,
@@ -86,9 +88,28 @@ impl Tableau {
         self.order == 6 && !self.coupled
     }
 
-    /// Whether slopes at the nodes have no weight, so that the right-hand side may be undefined at a region's ends.
-    pub(crate) fn has_open_ends(&self) -> bool {
-        self.b[0] == 0.0
+    /// Whether the right-hand side may be undefined at a region's ends: see
+    /// [`open_ends`](crate::collocation::open_ends).
+    pub(crate) fn forgives_ends(&self) -> bool {
+        self.coupled
+    }
+
+    /// Weights of the slopes at all stages of an interval in those at its nodes, where inner stages are coupled: at an
+    /// open end what the polynomial through the others that have a weight says.
+    pub(crate) fn slopes_at_nodes(&self, open: [bool; 2]) -> [[f64; COUPLED + 2]; 2] {
+        let has_weight = |stage: usize| self.b[stage] != 0.0 && open.get(stage) != Some(&true);
+        let known: Vec<usize> = (0..self.stages()).filter(|stage| has_weight(*stage)).collect();
+        let places: Vec<f64> = known.iter().map(|stage| self.c[*stage]).collect();
+        std::array::from_fn(|side| {
+            let mut weights = [0.0; COUPLED + 2];
+            if open[side] {
+                let at = self.c[side];
+                known.iter().enumerate().for_each(|(k, stage)| weights[*stage] = lagrange(&places, k, at));
+            } else {
+                weights[side] = 1.0;
+            }
+            weights
+        })
     }
 
     /// The factor on the odd part that is added at a stage, if any: see [`ODD`].
@@ -123,6 +144,7 @@ impl Tableau {
             let missed = |stage: usize| quadrature(stage).chain([(self.c[stage], -self.b[stage])]);
             Differences {
                 inside: self.c[2..].iter().map(|&c| Difference::at(samples, [(c, 1.0)].into_iter())).collect(),
+                right: Difference::at(samples, [(1.0, 1.0)].into_iter()),
                 remainders: stages.map(|stage| Difference::at(samples, missed(stage))).collect(),
             }
         })

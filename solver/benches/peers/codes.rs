@@ -56,8 +56,11 @@ impl Code {
     /// None of TWPBVPC where equations are undefined at an end: it evaluates them there.
     pub fn configurations(self, case: &Case) -> Vec<Configuration> {
         let tolerances = (3..=11).map(|digits| 10.0_f64.powi(-digits));
-        let orders: &[Order] =
-            if case.is_singular() { &[Order::SixGauss] } else { &[Order::Four, Order::Six, Order::Eight] };
+        let orders: &[Order] = if case.is_singular() {
+            &[Order::Eight, Order::SixGauss]
+        } else {
+            &[Order::Four, Order::Six, Order::Eight]
+        };
         let with = |tolerance: f64| -> Vec<Configuration> {
             match self {
                 Self::Here => orders

@@ -162,7 +162,7 @@ impl<M: Formulas> Bvp<M> {
 
     /// Adds `S y/(x - a)` to the right-hand side, with `S` by rows: a term that is singular at the left end a, as
     /// symmetry about an axis or a centre brings it. Among the boundary conditions there must be those of `S y(a) = 0`.
-    /// Other terms that are undefined at an end need [`Order::SixGauss`](crate::Order::SixGauss).
+    /// Other terms that are undefined at an end need [`Order::Eight`](crate::Order::Eight).
     ///
     /// Emden's equation `u'' + 2 u'/x + u⁵ = 0`, `u'(0) = 0`, `u(1) = √3/2`:
     ///

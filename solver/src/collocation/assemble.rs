@@ -3,9 +3,10 @@
 mod pairs;
 mod simpson;
 
-use super::coupled::{Coupling, Parts};
+use super::coupled::{Coupling, Parts, Weight, Weights};
+use super::open_ends::OpenLanes;
 use super::plan::RegionPlan;
-use super::roles::Role;
+use super::roles::{Role, Roles};
 use super::stages::{MOST_STAGES, Stages, View};
 use super::{Scales, System};
 use crate::linear::chain::Block;
@@ -88,11 +89,16 @@ impl Job for Couple<'_, '_> {
 
     #[inline(always)]
     fn run(self) {
-        let (plan, q) = (self.assembly.plan, self.inner.coupling.roles.unknowns.len());
+        let Self { assembly, t, inner } = self;
+        let (plan, coupling) = (assembly.plan, inner.coupling);
+        let (q, sizes) = (coupling.roles.unknowns.len(), (plan.n, plan.active.len(), plan.columns.len()));
+        if let Some((lanes, weights)) = coupling.open(t) {
+            return assembly.differentiate_coupled(weights, Some(lanes), q, sizes, t, inner);
+        }
         // Compiled once more for the sizes of a branch of one equation of second order in one constant.
-        match (q, plan.n, plan.active.len(), plan.columns.len()) {
-            (1, 2, 1, 1) => self.assembly.differentiate_coupled(1, (2, 1, 1), self.t, self.inner),
-            (q, n, k, p) => self.assembly.differentiate_coupled(q, (n, k, p), self.t, self.inner),
+        match (q, sizes) {
+            (1, (2, 1, 1)) => assembly.differentiate_coupled(&coupling.weights, None, 1, (2, 1, 1), t, inner),
+            _ => assembly.differentiate_coupled(&coupling.weights, None, q, sizes, t, inner),
         }
     }
 }
@@ -344,8 +350,10 @@ impl<'a> Assembly<'a> {
     /// dK of all inner stages, whose states are unknowns: see [`coupled`](super::coupled). `q` unknowns a stage, `n`
     /// states, `k` active integrals, `p` constants.
     #[inline(always)]
-    fn differentiate_coupled(
+    fn differentiate_coupled<T: Weight>(
         &mut self,
+        weights: &Weights<T>,
+        open: Option<&OpenLanes>,
         q: usize,
         (n, k, p): (usize, usize, usize),
         t: usize,
@@ -366,16 +374,19 @@ impl<'a> Assembly<'a> {
             }
             for entry in &self.states {
                 let value = view.dy(entry.from, t).times(entry.factor) * h;
-                slopes[(j * n + entry.column) * all + entry.row] += value.times(self.tableau.b[j + 2]);
+                slopes[(j * n + entry.column) * all + entry.row] += weights.b[j].of(value);
                 if entry.row < n {
-                    self.insert((q, coupling), (j, entry.row, entry.column), value, h, matrix);
+                    self.insert(weights, (q, &coupling.roles), (j, entry.row, entry.column), value, h, matrix);
                 }
             }
         }
         qr::factor(COUPLED * q, qr);
+        if let Some(open) = open {
+            follow(open, all * width, &mut self.slopes);
+        }
         self.move_stages(n, all, p, h, moves);
         for column in moves.chunks_exact_mut(m) {
-            coupling.solve((q, n, all), (qr, slopes), &mut self.unknowns, column);
+            coupling.solve(weights, (q, n, all), (qr, slopes), &mut self.unknowns, column);
         }
         for j in 0..COUPLED {
             let view = self.views[j + 2];
@@ -387,33 +398,37 @@ impl<'a> Assembly<'a> {
                 }
             }
         }
+        if let Some(open) = open {
+            follow(open, all * width, &mut self.slopes);
+        }
     }
 
     /// Takes `h J_j`, the entry of a row and a state, off the matrix of the stage equations.
     #[inline(always)]
-    fn insert(
+    fn insert<T: Weight>(
         &self,
-        (q, coupling): (usize, &Coupling),
+        weights: &Weights<T>,
+        (q, roles): (usize, &Roles),
         (j, row, state): (usize, usize, usize),
         value: Lane,
         h: Lane,
         matrix: &mut [Lane],
     ) {
-        let (m, roles, weights) = (COUPLED * q, &coupling.roles, coupling.weights);
+        let (m, x) = (COUPLED * q, weights.x);
         match (roles.of[row], roles.of[state]) {
             (Role::IntegralOf(_), _) => {}
             (Role::Unknown(row), Role::Unknown(column)) => {
                 for i in 0..COUPLED {
-                    matrix[(j * q + column) * m + i * q + row] -= value.times(weights[i][j]);
+                    matrix[(j * q + column) * m + i * q + row] -= x[i][j].of(value);
                 }
             }
             (Role::Unknown(row), Role::IntegralOf(column)) => {
                 let of = roles.unknowns[column];
                 let moved = value * h.times(self.magnitudes[of] / self.magnitudes[state]);
                 for l in 0..COUPLED {
-                    let moved = moved.times(weights[j][l]);
+                    let moved = x[j][l].of(moved);
                     for i in 0..COUPLED {
-                        matrix[(l * q + column) * m + i * q + row] -= moved.times(weights[i][j]);
+                        matrix[(l * q + column) * m + i * q + row] -= x[i][j].of(moved);
                     }
                 }
             }
@@ -468,6 +483,18 @@ impl<'a> Assembly<'a> {
         }
         add_to_diagonal(block.a, n, -1.0);
         add_to_diagonal(block.b, n, 1.0);
+    }
+}
+
+/// dK at the nodes of intervals with an open end, `size` values a stage: what that at the other stages says.
+#[inline(always)]
+fn follow(open: &OpenLanes, size: usize, slopes: &mut [Lane]) {
+    for at in 0..size {
+        let at_nodes = open.nodes.map(|weights| {
+            let stages = weights.into_iter().enumerate();
+            stages.fold(Lane::ZERO, |sum, (stage, weight)| sum + weight * slopes[stage * size + at])
+        });
+        at_nodes.into_iter().enumerate().for_each(|(side, value)| slopes[side * size + at] = value);
     }
 }
 

@@ -16,8 +16,10 @@
 use super::evaluate::{Derivatives, Work};
 use super::factor::{Factorisation, RegionFactor};
 use super::grid::Grid;
+use super::open_ends::OpenLanes;
 use super::plan::RegionPlan;
 use super::roles::Roles;
+use super::stages::Stages;
 use super::{Iterate, System};
 use crate::basis::Basis;
 use crate::linear::memory::{Lanes, Numbers};
@@ -43,10 +45,68 @@ pub(crate) struct Coupling {
     all: usize,
     /// What each state is in the stage equations.
     pub roles: Arc<Roles>,
-    /// x_ij of the inner stages.
-    pub weights: [[f64; COUPLED]; COUPLED],
-    /// 1 / b_j of the inner stages.
-    inverse_weights: [f64; COUPLED],
+    /// Those of the method,
+    pub weights: Weights<f64>,
+    /// and where intervals have an open end.
+    pub open: Vec<(OpenLanes, Weights<Lane>)>,
+}
+
+/// What the slopes at inner stages count for in one interval's equations, those at its nodes given or not.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Weights<T> {
+    /// x_ij, in the stage equations.
+    pub x: [[T; COUPLED]; COUPLED],
+    /// b_j, in the interval's own.
+    pub b: [T; COUPLED],
+    /// 1 / b_j.
+    inverse: [T; COUPLED],
+}
+
+/// A number, or one a lane.
+pub(crate) trait Weight: Copy {
+    /// The product.
+    fn of(self, value: Lane) -> Lane;
+}
+
+impl Weight for f64 {
+    #[inline(always)]
+    fn of(self, value: Lane) -> Lane {
+        value.times(self)
+    }
+}
+
+impl Weight for Lane {
+    #[inline(always)]
+    fn of(self, value: Lane) -> Lane {
+        value * self
+    }
+}
+
+impl Weights<f64> {
+    /// Those of the method; zeros, where its inner stages are not coupled.
+    fn new(tableau: &Tableau) -> Self {
+        let mut weights = Self { x: [[0.0; COUPLED]; COUPLED], b: [0.0; COUPLED], inverse: [0.0; COUPLED] };
+        if tableau.coupled {
+            weights.x.iter_mut().zip(&tableau.x[2..]).for_each(|(weights, x)| weights.copy_from_slice(&x[2..]));
+            weights.b.copy_from_slice(&tableau.b[2..]);
+            weights.inverse = weights.b.map(|b| 1.0 / b);
+        }
+        weights
+    }
+}
+
+impl Weights<Lane> {
+    /// Slopes at open ends follow the others.
+    fn open(tableau: &Tableau, lanes: &OpenLanes) -> Self {
+        let [left, right] = &lanes.nodes;
+        // What those at the nodes count for in one equation is added.
+        let whole = |weights: &[f64], j: usize| {
+            Lane([weights[j + 2]; W]) + left[j + 2].times(weights[0]) + right[j + 2].times(weights[1])
+        };
+        let b = std::array::from_fn(|j| whole(tableau.b, j));
+        let x = std::array::from_fn(|i| std::array::from_fn(|j| whole(tableau.x[i + 2], j)));
+        Self { x, b, inverse: b.map(Scalar::recip) }
+    }
 }
 
 /// What is kept of one interval.
@@ -61,20 +121,36 @@ pub(crate) struct Parts<S> {
 
 impl Coupling {
     pub(crate) fn new(tableau: &Tableau, plan: &RegionPlan) -> Self {
-        let (n, mut weights, mut inverse_weights) = (plan.n, [[0.0; COUPLED]; COUPLED], [0.0; COUPLED]);
-        if tableau.coupled {
-            weights.iter_mut().zip(&tableau.x[2..]).for_each(|(weights, x)| weights.copy_from_slice(&x[2..]));
-            inverse_weights.iter_mut().zip(&tableau.b[2..]).for_each(|(inverse, b)| *inverse = 1.0 / b);
-        }
+        let n = plan.n;
         Self {
             m: tableau.unknown_stages() * n,
             n,
             columns: 2 * n + plan.columns.len(),
             all: n + plan.active.len(),
             roles: Arc::default(),
-            weights,
-            inverse_weights,
+            weights: Weights::new(tableau),
+            open: Vec::new(),
         }
+    }
+
+    /// Says what is known of the stages since they were last evaluated.
+    pub(super) fn adapt(&mut self, stages: &Stages, grid: &Grid, tableau: &Tableau) {
+        self.roles = Arc::clone(&stages.roles);
+        self.open.clear();
+        // Where slopes at the nodes count for something.
+        if tableau.coupled && tableau.b[0] != 0.0 {
+            let open = OpenLanes::all(stages, grid, tableau).into_iter();
+            self.open.extend(open.map(|lanes| {
+                let weights = Weights::open(tableau, &lanes);
+                (lanes, weights)
+            }));
+        }
+    }
+
+    /// What is different in interval `t` of every stretch, where one of these has an open end.
+    #[inline(always)]
+    pub(super) fn open(&self, t: usize) -> Option<&(OpenLanes, Weights<Lane>)> {
+        self.open.iter().find(|(lanes, _)| lanes.t == t)
     }
 
     /// Values that are kept of one interval.
@@ -96,23 +172,18 @@ impl Coupling {
         Parts { qr, moves, slopes }
     }
 
-    /// `h J_j`, the entry of a row and a state, as kept: by columns of `all`, `n` a stage.
-    #[inline(always)]
-    fn entry(&self, slopes: &[Lane], (n, all): (usize, usize), (j, row, state): (usize, usize, usize)) -> Lane {
-        slopes[(j * n + state) * all + row].times(self.inverse_weights[j])
-    }
-
     /// Solves the stage equations of one interval in place, `q` unknowns a stage, `n` states, `all` rows. `unknowns`:
     /// room for those.
     #[inline(always)]
-    pub(super) fn solve(
+    pub(super) fn solve<T: Weight>(
         &self,
+        weights: &Weights<T>,
         (q, n, all): (usize, usize, usize),
         (factored, slopes): (&[Lane], &[Lane]),
         unknowns: &mut [Lane],
         x: &mut [Lane],
     ) {
-        let (m, weights, x) = (COUPLED * q, self.weights, &mut x[..COUPLED * n]);
+        let (m, weights, x) = (COUPLED * q, *weights, &mut x[..COUPLED * n]);
         if q == n {
             return qr::solve(m, factored, x);
         }
@@ -127,9 +198,9 @@ impl Coupling {
             for j in 0..COUPLED {
                 let known = x[j * n + u];
                 for (r, &row) in rows.iter().enumerate() {
-                    let moved = self.entry(slopes, (n, all), (j, row, u)) * known;
+                    let moved = weights.entry(slopes, (n, all), (j, row, u)) * known;
                     for i in 0..COUPLED {
-                        unknowns[i * q + r] += moved.times(weights[i][j]);
+                        unknowns[i * q + r] += weights.x[i][j].of(moved);
                     }
                 }
             }
@@ -141,24 +212,28 @@ impl Coupling {
             }
         }
         for &(u, v) in &self.roles.integrals {
-            let rise = self.entry(slopes, (n, all), (0, u, v));
+            let rise = weights.entry(slopes, (n, all), (0, u, v));
             for i in 0..COUPLED {
                 for j in 0..COUPLED {
-                    x[i * n + u] += (rise * x[j * n + v]).times(weights[i][j]);
+                    x[i * n + u] += weights.x[i][j].of(rise * x[j * n + v]);
                 }
             }
         }
     }
 
     /// Solves the transposed stage equations of one interval in place.
-    fn solve_transposed(&self, Parts { qr: factored, slopes, .. }: &Parts<&[Lane]>, x: &mut [Lane]) {
+    fn solve_transposed<T: Weight>(
+        &self,
+        weights: &Weights<T>,
+        Parts { qr: factored, slopes, .. }: &Parts<&[Lane]>,
+        x: &mut [Lane],
+    ) {
         let (q, n, all) = (self.roles.unknowns.len(), self.n, self.all);
-        let weights = self.weights;
         for &(u, v) in &self.roles.integrals {
-            let rise = self.entry(slopes, (n, all), (0, u, v));
+            let rise = weights.entry(slopes, (n, all), (0, u, v));
             for j in 0..COUPLED {
                 for i in 0..COUPLED {
-                    let moved = (rise * x[i * n + u]).times(weights[i][j]);
+                    let moved = weights.x[i][j].of(rise * x[i * n + u]);
                     x[j * n + v] += moved;
                 }
             }
@@ -170,14 +245,22 @@ impl Coupling {
         for &(u, _) in &self.roles.integrals {
             for j in 0..COUPLED {
                 for &row in &self.roles.unknowns {
-                    let entry = self.entry(slopes, (n, all), (j, row, u));
+                    let entry = weights.entry(slopes, (n, all), (j, row, u));
                     for i in 0..COUPLED {
-                        let moved = (entry * x[i * n + row]).times(weights[i][j]);
+                        let moved = weights.x[i][j].of(entry * x[i * n + row]);
                         x[j * n + u] += moved;
                     }
                 }
             }
         }
+    }
+}
+
+impl<T: Weight> Weights<T> {
+    /// `h J_j`, the entry of a row and a state, as kept: by columns of `all`, `n` a stage.
+    #[inline(always)]
+    fn entry(&self, slopes: &[Lane], (n, all): (usize, usize), (j, row, state): (usize, usize, usize)) -> Lane {
+        self.inverse[j].of(slopes[(j * n + state) * all + row])
     }
 }
 
@@ -232,10 +315,15 @@ impl Inward<'_> {
         let RegionFactor { coupling, coupled, .. } = self.factor;
         let (mut sums, mut unknowns) = (Lanes::zeros(all - n), Lanes::unset(COUPLED * q));
         let steps = self.inner.chunks_exact_mut(COUPLED * n).zip(self.rhs.chunks_exact_mut(n));
-        for ((z, rhs), data) in steps.zip(coupled.chunks_exact(coupling.len())) {
+        for (t, ((z, rhs), data)) in steps.zip(coupled.chunks_exact(coupling.len())).enumerate() {
             let Parts { qr, slopes, .. } = coupling.parts(data);
             let slopes = &slopes[..COUPLED * n * all];
-            coupling.solve((q, n, all), (qr, slopes), &mut unknowns, z);
+            match coupling.open(t) {
+                None => coupling.solve(&coupling.weights, (q, n, all), (qr, slopes), &mut unknowns, z),
+                Some((_, weights)) => {
+                    SolveOpen { coupling, weights, qr, slopes, unknowns: &mut unknowns, x: z }.vectorised();
+                }
+            }
             for (&z, slopes) in z.iter().zip(slopes.chunks_exact(all)) {
                 for i in 0..n {
                     rhs[i] += slopes[i] * z;
@@ -248,6 +336,34 @@ impl Inward<'_> {
         for (functional, sum) in self.functionals.iter_mut().zip(&sums) {
             *functional += sum.0.iter().sum::<f64>();
         }
+    }
+}
+
+/// The stage equations of an interval of every stretch of which one has an open end: compiled once.
+struct SolveOpen<'a> {
+    coupling: &'a Coupling,
+    weights: &'a Weights<Lane>,
+    qr: &'a [Lane],
+    slopes: &'a [Lane],
+    unknowns: &'a mut [Lane],
+    x: &'a mut [Lane],
+}
+
+impl SolveOpen<'_> {
+    #[inline(never)]
+    fn vectorised(self) {
+        vectorised(self);
+    }
+}
+
+impl Job for SolveOpen<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { coupling, weights, qr, slopes, unknowns, x } = self;
+        let sizes = (coupling.roles.unknowns.len(), coupling.n, coupling.all);
+        coupling.solve(weights, sizes, (qr, slopes), unknowns, x);
     }
 }
 
@@ -306,8 +422,12 @@ impl RegionFactor {
     /// Solves the transposed stage equations of all intervals; `weights`: `m` an interval.
     pub(super) fn solve_stages_transposed(&self, weights: &mut [Lane]) {
         let data = self.coupled.chunks_exact(self.coupling.len());
-        for (weights, data) in weights.chunks_exact_mut(self.coupling.m).zip(data) {
-            self.coupling.solve_transposed(&self.coupling.parts(data), weights);
+        for (t, (x, data)) in weights.chunks_exact_mut(self.coupling.m).zip(data).enumerate() {
+            let (coupling, parts) = (&self.coupling, self.coupling.parts(data));
+            match coupling.open(t) {
+                None => coupling.solve_transposed(&coupling.weights, &parts, x),
+                Some((_, weights)) => coupling.solve_transposed(weights, &parts, x),
+            }
         }
     }
 }

@@ -27,6 +27,13 @@ pub(crate) struct Work {
     pub dz: Numbers,
 }
 
+impl Work {
+    /// Whether a right-hand side has been found undefined at an end, and forgiven.
+    pub(crate) fn has_open_ends(&self) -> bool {
+        self.regions.iter().any(|stages| stages.nodes.undefined != [false; 2])
+    }
+}
+
 /// Whether derivatives are wanted, and which.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Derivatives {
@@ -355,8 +362,9 @@ impl<P: Problem + ?Sized> System<'_, P> {
             Derivatives::None => {
                 stats.rhs_points += at.len;
                 self.problem.rhs(region, &at, constants, &mut batch.f);
-                batch.undefined = self.forgive_ends(region, &at, [&mut batch.f]);
-                return self.check_values(region, &at, &batch.f);
+                let undefined = self.forgiven(region, &at, &mut batch.f)?;
+                batch.note_undefined(undefined);
+                return Ok(());
             }
             Derivatives::Planned => self.plan.regions[region].scope,
             Derivatives::All => Scope::All,
@@ -368,7 +376,8 @@ impl<P: Problem + ?Sized> System<'_, P> {
         let pattern = &self.layout.regions[region];
         let entries = if scope == Scope::All { pattern.constant_pattern.len() } else { pattern.default_entries };
         let by_constants = &mut batch.dc[..entries * at.stride];
-        batch.undefined = self.forgive_ends(region, &at, [&mut batch.f, &mut batch.dy, by_constants]);
+        let undefined = self.forgive_ends(region, &at, [&mut batch.f, &mut batch.dy, by_constants]);
+        batch.note_undefined(undefined);
         self.check_values(region, &at, &batch.f)?;
         if !finite(&batch.dy) {
             return Err(NonFinite::derivative(self.layout, region, &at, &batch.dy));
@@ -379,6 +388,19 @@ impl<P: Problem + ?Sized> System<'_, P> {
         Ok(())
     }
 
+    /// Values of which those at an end are forgiven that are not finite there: whether they are so at the left and at
+    /// the right end.
+    ///
+    /// # Errors
+    /// As [`check_values`](Self::check_values), of what is not forgiven.
+    pub(super) fn forgiven(&self, region: usize, at: &Points<'_>, f: &mut [f64]) -> Result<[bool; 2], NonFinite> {
+        if finite(f) {
+            return Ok([false; 2]);
+        }
+        let undefined = self.forgive_ends(region, at, [&mut *f]);
+        self.check_values(region, at, f).map(|()| undefined)
+    }
+
     /// # Errors
     /// Names the first row and point that are not finite.
     pub(crate) fn check_values(&self, region: usize, at: &Points<'_>, f: &[f64]) -> Result<(), NonFinite> {
@@ -387,7 +409,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
 }
 
 /// Of numbers, as many as are a multiple of `W`.
-fn finite(values: &[f64]) -> bool {
+pub(super) fn finite(values: &[f64]) -> bool {
     vectorised(Finite(values.as_chunks::<W>().0))
 }
 

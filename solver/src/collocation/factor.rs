@@ -15,7 +15,6 @@ use crate::linear::scalar::{Lane, Scalar, W};
 use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
 use region::{Backward, FactorRegion, Forward};
-use std::sync::Arc;
 
 /// One region: the stretches side by side, then the stretches one after another.
 #[derive(Debug, Clone)]
@@ -89,7 +88,7 @@ impl Factorisation {
         self.scales = scales;
         for (region, factor) in self.regions.iter_mut().enumerate() {
             let stages = &work.regions[region];
-            factor.coupling.roles = Arc::clone(&stages.roles);
+            factor.coupling.adapt(stages, &system.grids[region], system.tableau);
             let assembly = Assembly::new(system, region, stages, &self.scales);
             FactorRegion { assembly, n: system.plan.regions[region].n, factor }.vectorised();
         }

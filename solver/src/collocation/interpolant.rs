@@ -303,8 +303,7 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
         let at = Points { len, stride: len, s: &s, y: &y };
         stats.rhs_points += len;
         self.system.problem.rhs(self.region, &at, &self.x.constants, &mut f);
-        self.system.forgive_ends(self.region, &at, [&mut f]);
-        self.system.check_values(self.region, &at, &f)?;
+        self.system.forgiven(self.region, &at, &mut f)?;
         Ok(Sampled { places: count, steps: self.steps(), f })
     }
 }

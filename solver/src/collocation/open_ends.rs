@@ -1,23 +1,39 @@
-//! Ends of a region at which the right-hand side need not be defined.
+//! Ends of a region at which the right-hand side is not defined.
 //!
-//! Collocation at Gauss points gives slopes at the nodes no weight, so that an equation may be singular at an end of
-//! its region: `2 u'/x` where u' vanishes is 0/0 there, and a slope may be infinite. Values at such an end are wanted
-//! all the same, for the extension between the nodes: those of the polynomials through the inner stages of the interval
-//! beside it stand in for them. Intervals of length zero, with which stretches are filled up, lie on the right end; of
-//! what is undefined there nothing is wanted. (An extension of degree 7 there, with the slope at the end free, that
-//! misses the equations least, was tried: it is better where solutions are smooth, worse where they are not, and meshes
-//! are no coarser for it, all together.)
+//! An equation may be singular at an end of its region: `2 u'/x` where u' vanishes is 0/0 there, and a slope may be
+//! infinite. Where inner stages are coupled such an end is open: the interval beside it is collocated at its other
+//! stages alone, by a polynomial of one degree less. What that has for slope at the end stands in for the right-hand
+//! side there, so that the equations of the method are what they are elsewhere; only in their derivatives does the
+//! slope at the end follow the other stages, not the node. (At Gauss points slopes at the nodes have no weight, and
+//! nothing is different but what is said of them.) Intervals of length zero, with which stretches are filled up, lie on
+//! the right end; of what is undefined there nothing is wanted.
+//!
+//! (An extension of degree 7 beside such an end, with the slope there free, that misses the equations least, was tried:
+//! it is better where solutions are smooth, worse where they are not, and meshes are no coarser for it, all together.)
 
 use super::System;
-use super::evaluate::Derivatives;
+use super::evaluate::{Derivatives, finite};
 use super::grid::Grid;
-use super::stages::Stages;
+use super::stages::{MOST_STAGES, Stages};
+use crate::linear::scalar::{Lane, W};
 use crate::problem::{Points, Problem};
-use crate::tableau::{COUPLED, Tableau, lagrange};
+use crate::tableau::{COUPLED, Tableau};
+
+/// An interval with an open end, or with two.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OpenInterval {
+    /// Its working position.
+    pub position: usize,
+    /// Weights of the slopes at all stages in those at the left and at the right node: see
+    /// [`slopes_at_nodes`](Tableau::slopes_at_nodes).
+    pub nodes: [[f64; MOST_STAGES]; 2],
+    /// Whether its ends are open.
+    open: [bool; 2],
+}
 
 impl<P: Problem + ?Sized> System<'_, P> {
-    /// If the method needs no values at the ends of the region: zeros in place of all of them, each rows of `at.stride`,
-    /// at an end where one is not finite; whether it is so at the left and at the right end.
+    /// If the method forgives it: zeros in place of all values, each rows of `at.stride`, at an end of the region where
+    /// one is not finite; whether it is so at the left and at the right end.
     pub(super) fn forgive_ends<const N: usize>(
         &self,
         region: usize,
@@ -26,7 +42,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
     ) -> [bool; 2] {
         let (a, b) = self.layout.regions[region].interval;
         let mut undefined = [false; 2];
-        if !self.tableau.has_open_ends() {
+        if !self.tableau.forgives_ends() || values.iter().all(|values| finite(values)) {
             return undefined;
         }
         for (p, &s) in at.s.iter().enumerate().filter(|(_, s)| **s == a || **s == b) {
@@ -41,32 +57,117 @@ impl<P: Problem + ?Sized> System<'_, P> {
     }
 }
 
-/// Working position of the interval beside an end.
-fn beside(grid: &Grid, end: usize) -> usize {
-    if end == 0 { 0 } else { grid.position(grid.intervals() - 1) }
-}
-
 impl Stages {
-    /// Values at undefined ends from those at the inner stages of the intervals beside them.
+    /// The intervals with an open end, none, one or two.
+    pub(super) fn open_intervals(&self, grid: &Grid, tableau: &Tableau) -> impl Iterator<Item = OpenInterval> {
+        let ([left, right], last) = (self.nodes.undefined, grid.intervals() - 1);
+        let ends = if last == 0 {
+            [(0, [left, right]), (0, [false; 2])]
+        } else {
+            [(0, [left, false]), (last, [false, right])]
+        };
+        let open = ends.into_iter().filter(|(_, open)| *open != [false; 2]);
+        let intervals = open.map(|(j, open)| OpenInterval {
+            position: grid.position(j),
+            nodes: tableau.slopes_at_nodes(open),
+            open,
+        });
+        intervals.collect::<Vec<_>>().into_iter()
+    }
+
+    /// Values at open ends from those at the other stages of the intervals beside them.
     pub(super) fn extrapolate(&mut self, grid: &Grid, tableau: &Tableau, derivatives: Derivatives) {
-        let (undefined, len, nodes) = (self.nodes.undefined, grid.interval_stride(), grid.node_stride());
-        let inner = &self.inner[0];
-        for (end, place) in [(0, 0.0), (1, 1.0)].into_iter().filter(|(end, _)| undefined[*end]) {
-            let weights: [f64; COUPLED] = std::array::from_fn(|k| lagrange(&tableau.c[2..], k, place));
-            let beside = beside(grid, end);
-            let mut rows = vec![(&mut self.nodes.f, &inner.f)];
-            if derivatives != Derivatives::None {
-                rows.extend([(&mut self.nodes.dy, &inner.dy), (&mut self.nodes.dc, &inner.dc)]);
-            }
-            for (at_nodes, inside) in rows {
-                for (row, inside) in at_nodes.chunks_exact_mut(nodes).zip(inside.chunks_exact(COUPLED * len)) {
-                    let value = (0..COUPLED).map(|k| weights[k] * inside[k * len + beside]).sum();
-                    // Padding repeats the last node.
-                    for p in (0..nodes).filter(|p| grid.index(*p) == end * grid.intervals()) {
-                        row[p] = value;
-                    }
+        let (len, stride) = (grid.interval_stride(), grid.node_stride());
+        let intervals: Vec<OpenInterval> = self.open_intervals(grid, tableau).collect();
+        let (nodes, inner) = (&mut self.nodes, &mut self.inner[0]);
+        let mut rows = vec![(&mut nodes.f, &mut inner.f)];
+        if derivatives != Derivatives::None {
+            rows.extend([(&mut nodes.dy, &mut inner.dy), (&mut nodes.dc, &mut inner.dc)]);
+        }
+        for (nodes, inner) in rows {
+            for (nodes, inner) in nodes.chunks_exact_mut(stride).zip(inner.chunks_exact_mut(COUPLED * len)) {
+                for interval in &intervals {
+                    interval.extrapolate(grid, nodes, inner);
                 }
             }
         }
+    }
+}
+
+impl OpenInterval {
+    /// One row of values at the nodes, from those at the inner stages.
+    fn extrapolate(&self, grid: &Grid, nodes: &mut [f64], inner: &mut [f64]) {
+        let (len, p) = (inner.len() / COUPLED, self.position);
+        let mut values = [0.0; MOST_STAGES];
+        (values[0], values[1]) = (nodes[p], nodes[p + W]);
+        (0..COUPLED).for_each(|k| values[k + 2] = inner[k * len + p]);
+        // What is the same at all of them is so here, to the last bit.
+        let middle = values[MOST_STAGES - 1];
+        let value = |weights: [f64; MOST_STAGES]| {
+            middle + weights.iter().zip(values).map(|(weight, value)| weight * (value - middle)).sum::<f64>()
+        };
+        for (end, _) in self.open.iter().enumerate().filter(|(_, open)| **open) {
+            let (value, node) = (value(self.nodes[end]), end * grid.intervals());
+            for (q, out) in nodes.iter_mut().enumerate().filter(|(q, _)| grid.index(*q) == node) {
+                *out = value;
+                // Padding repeats the last node.
+                if end == 1 && q < len {
+                    (0..COUPLED).for_each(|k| inner[k * len + q] = value);
+                }
+            }
+        }
+    }
+
+    /// Slopes at all stages, row by row, `len` values each: those at open ends follow the others.
+    pub(super) fn follow(&self, rows: usize, slopes: &mut [f64]) {
+        let at = |stage: usize, row: usize, len: usize| (stage * rows + row) * len + self.position;
+        let len = slopes.len() / (MOST_STAGES * rows);
+        for row in 0..rows {
+            let at_node = self.nodes.map(|weights| {
+                weights.iter().enumerate().map(|(stage, weight)| weight * slopes[at(stage, row, len)]).sum::<f64>()
+            });
+            at_node.iter().enumerate().for_each(|(side, value)| slopes[at(side, row, len)] = *value);
+        }
+    }
+
+    /// The transpose of [`follow`](Self::follow): weights on slopes at open ends become weights on the others.
+    pub(super) fn lead(&self, rows: usize, weights: &mut [f64]) {
+        let at = |stage: usize, row: usize, len: usize| (stage * rows + row) * len + self.position;
+        let len = weights.len() / (MOST_STAGES * rows);
+        for row in 0..rows {
+            let at_node = [0, 1].map(|side| std::mem::take(&mut weights[at(side, row, len)]));
+            for stage in 0..MOST_STAGES {
+                let of_nodes = self.nodes.iter().zip(at_node);
+                weights[at(stage, row, len)] += of_nodes.map(|(nodes, weight)| nodes[stage] * weight).sum::<f64>();
+            }
+        }
+    }
+}
+
+/// Interval `t` of every stretch, where one of these has an open end.
+#[derive(Debug, Clone)]
+pub(crate) struct OpenLanes {
+    pub t: usize,
+    /// As [`OpenInterval::nodes`]; of the others those of their own nodes.
+    pub nodes: [[Lane; MOST_STAGES]; 2],
+}
+
+impl OpenLanes {
+    /// All of them.
+    pub(super) fn all(stages: &Stages, grid: &Grid, tableau: &Tableau) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        for interval in stages.open_intervals(grid, tableau) {
+            let (t, lane) = (interval.position / W, interval.position % W);
+            let known = all.iter().position(|lanes| lanes.t == t);
+            let index = known.unwrap_or_else(|| {
+                let own = tableau.slopes_at_nodes([false; 2]);
+                all.push(Self { t, nodes: own.map(|weights| weights.map(|weight| Lane([weight; W]))) });
+                all.len() - 1
+            });
+            for (lanes, weights) in all[index].nodes.iter_mut().zip(interval.nodes) {
+                lanes.iter_mut().zip(weights).for_each(|(lanes, weight)| lanes.0[lane] = weight);
+            }
+        }
+        all
     }
 }

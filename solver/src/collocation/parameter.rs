@@ -123,9 +123,13 @@ impl<P: Problem + ?Sized> System<'_, P> {
             if (stage >= 2 && !self.tableau.coupled) || nodes.is_some() {
                 chain(region, at, &shift, out);
             }
-            let b = self.tableau.b[stage];
-            for (sums, out) in sums.chunks_exact_mut(len).zip(out.chunks_exact(len)) {
-                elementwise(sums, [h, out], |sum, [h, out]| sum + b * h * out);
+        }
+        for interval in stages.open_intervals(&self.grids[index], self.tableau) {
+            interval.follow(rows, &mut rates);
+        }
+        for (rates, b) in rates.chunks_exact(rows * len).zip(self.tableau.b) {
+            for (sums, rates) in sums.chunks_exact_mut(len).zip(rates.chunks_exact(len)) {
+                elementwise(sums, [h, rates], |sum, [h, rate]| sum + b * h * rate);
             }
         }
         if self.tableau.has_odd_parts() {
@@ -175,8 +179,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 }
             }
         }
+        let open = || stages.open_intervals(&self.grids[index], self.tableau);
         let explicit = if self.tableau.coupled {
+            open().for_each(|interval| interval.lead(rows, &mut rates));
             self.pull_back_inner(index, stages, (factor, d), &mut rates, &mut nodes);
+            open().for_each(|interval| interval.lead(rows, &mut rates));
             for (stage, rates) in rates.chunks_exact(rows * len).enumerate().skip(2) {
                 weigh_constants(region, stages.stage(stage, len), rates, constants);
             }

@@ -47,8 +47,15 @@ pub(crate) struct Batch {
     pub dc: Numbers,
     /// What f is that of, where the problem is linear and its derivatives are known: what it is elsewhere follows.
     pub held: Option<Held>,
-    /// Where the method does not need them: whether values are undefined at the region's left and right end.
+    /// Whether values have been found undefined at the region's left and right end, where the method forgives it.
     pub undefined: [bool; 2],
+}
+
+impl Batch {
+    /// Once undefined, an end stays so: equations do not change from one evaluation to the next.
+    pub(super) fn note_undefined(&mut self, undefined: [bool; 2]) {
+        self.undefined.iter_mut().zip(undefined).for_each(|(known, new)| *known |= new);
+    }
 }
 
 /// Values of one region at all its stages.

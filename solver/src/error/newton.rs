@@ -175,8 +175,9 @@ impl NewtonError {
             Self::NonFinite(_) => {
                 "The guess, or every step from it, leaves the domain of the equations. Guess values inside it, or \
                  rewrite the right-hand side so that it is defined nearby. At an end at which the equations are \
-                 singular, use Order::SixGauss, which needs no value there, state S y/(x - a) by Bvp::singular_term, \
-                 or give the limit. solve_automatically comes from a problem that the guess solves."
+                 singular, use Order::Eight, which needs no value there (as Order::SixGauss), state S y/(x - a) by \
+                 Bvp::singular_term, or give the limit. solve_automatically comes from a problem that the guess \
+                 solves."
             }
             Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
                 "A boundary equation depends on no unknown: correct it."

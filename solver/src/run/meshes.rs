@@ -35,13 +35,15 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         if let Some(fallback) = progress.fallback.take() {
             return Ok(Next::done(fallback));
         }
+        let own = self.order == self.options.order;
+        if own && matches!(error, NewtonError::NonFinite(_)) {
+            progress.rescue.undefined = Some(error.clone());
+        }
         let largest = failed.grids.iter().map(Grid::intervals).max().unwrap_or(0);
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
             // What another order runs into says nothing of the next attempt.
-            NewtonError::NonFinite(_) | NewtonError::Overflow => {
-                !self.options.other_orders && self.order == self.options.order
-            }
+            NewtonError::NonFinite(_) | NewtonError::Overflow => !self.options.other_orders && own,
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         if progress.first
@@ -74,7 +76,12 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
                 self.order = order;
                 Ok(Next::On(start))
             }
-            _ => Err(SolveError::Newton { error, intervals: intervals(&failed.grids) }),
+            _ => {
+                // Where the order that is wanted found something undefined, too: another may not have asked for it.
+                let undefined = matches!(error, NewtonError::NonFinite(_)) && !own;
+                let error = rescue.undefined.take().filter(|_| undefined).unwrap_or(error);
+                Err(SolveError::Newton { error, intervals: intervals(&failed.grids) })
+            }
         }
     }
 

@@ -33,7 +33,7 @@ impl Job for Pairs<'_, '_, '_> {
     #[inline(always)]
     fn run(self) -> bool {
         let (plan, roles) = (self.assembly.plan, &self.inner.coupling.roles);
-        if !plan.active.is_empty() || !plan.columns.is_empty() {
+        if !plan.active.is_empty() || !plan.columns.is_empty() || self.inner.coupling.open(self.t).is_some() {
             return false;
         }
         if let Some(pairs) = roles.pairs::<1>() {
@@ -132,7 +132,7 @@ impl<'a, const Q: usize> Equations<'a, Q> {
                 }
             }
         }
-        Self { tableau: assembly.tableau, weights: &coupling.weights, pairs, rise, slopes }
+        Self { tableau: assembly.tableau, weights: &coupling.weights.x, pairs, rise, slopes }
     }
 
     /// Slopes at the inner stage `j`.

@@ -1,14 +1,15 @@
 //! What the method's quadrature misses of the defect's effect.
 
-use super::SampledExtension;
+use super::{Component, SampledExtension};
 use crate::collocation::defect::Defects;
 use crate::collocation::interpolant::{Extended, Extension};
+use crate::collocation::open_ends::OpenLanes;
 use crate::collocation::stages::{MOST_STAGES, View};
 use crate::linear::memory::Lanes;
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::linear::simd::{Job, vectorised};
 use crate::problem::Problem;
-use crate::tableau::Difference;
+use crate::tableau::{Difference, Differences, Tableau};
 
 impl<P: Problem + ?Sized> Extended<'_, '_, P> {
     /// Adds to right-hand sides of the linearised interval equations, and of each integral's, what the method's
@@ -28,6 +29,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             views: self.stages.views(self.steps()),
             pattern: &self.system.layout.regions[self.region].state_pattern,
             scales,
+            open: OpenLanes::all(self.stages, &self.system.grids[self.region], tableau),
+            tableau,
             integrated: integrated.as_chunks_mut::<W>().0,
         });
     }
@@ -42,6 +45,9 @@ struct AddRemainders<'a> {
     pattern: &'a [(usize, usize)],
     /// Typical magnitudes of the states.
     scales: &'a [f64],
+    /// Where intervals have an open end.
+    open: Vec<OpenLanes>,
+    tableau: &'static Tableau,
     integrated: &'a mut [[f64; W]],
 }
 
@@ -68,6 +74,9 @@ impl Job for AddRemainders<'_> {
                 for (stage, remainder) in self.remainders.iter().enumerate() {
                     weighed[stage * n + i] = factor * component.difference(remainder);
                 }
+                if let Some(open) = self.open.iter().find(|open| open.t == t) {
+                    self.take_off_followed(open, &component, factor, weighed[i..].iter_mut().step_by(n));
+                }
             }
             for (entry, &(row, state)) in self.pattern.iter().enumerate() {
                 let out = &mut self.integrated[row * steps + t];
@@ -82,6 +91,28 @@ impl Job for AddRemainders<'_> {
 }
 
 impl AddRemainders<'_> {
+    /// Takes off what the method's `b D` at an open end is: that of the stages which the slope there follows. D is 0 at
+    /// the left node.
+    #[inline(always)]
+    fn take_off_followed<'b>(
+        &self,
+        open: &OpenLanes,
+        component: &Component,
+        factor: Lane,
+        weighed: impl Iterator<Item = &'b mut Lane>,
+    ) {
+        let Differences { inside, right, .. } = self.tableau.differences();
+        let differences = std::iter::once(right).chain(inside);
+        for (stage, (weighed, difference)) in weighed.skip(1).zip(differences).enumerate() {
+            let mut followed = Lane::ZERO;
+            for (side, weights) in open.nodes.iter().enumerate() {
+                let own = if side == stage + 1 { Lane::ONE } else { Lane::ZERO };
+                followed += (weights[stage + 1] - own).times(self.tableau.b[side]);
+            }
+            *weighed -= factor * followed * component.difference(difference);
+        }
+    }
+
     /// A bound of the norm of `(h f_y)²` in typical magnitudes on interval `t` of every stretch. `room`: two values a
     /// state.
     #[inline(always)]
