@@ -413,3 +413,23 @@ proptest! {
         }
     }
 }
+
+/// Wherever and however it was written; arrays may be given as a file has them.
+#[test]
+fn cases_are_equal_by_what_they_give() {
+    let case = |settings: &[(&str, &str)]| {
+        let mut case = Case::base();
+        settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+        case
+    };
+    let text = "[drive]\nratio = 1.2\n[operating_point]\nslack_tension = \"0.12 kN\"\n";
+    let read = Case::from_toml("one.toml", text).unwrap();
+    assert_eq!(read, case(&[("operating_point.slack_tension", "120 N"), ("drive.ratio", "1.2")]));
+    assert_ne!(read, case(&[("operating_point.slack_tension", "121 N"), ("drive.ratio", "1.2")]));
+    assert_ne!(read, case(&[("drive.ratio", "1.2")]));
+    let mut swapped = read.clone();
+    swapped.swap("belt.bending_stiffness for efficiency.overall = 0.96").unwrap();
+    assert_ne!(read, swapped);
+    let curve = |speeds: &str| case(&[("engine.speeds", speeds)]);
+    assert_eq!(curve("[200.0, 300.0]"), curve("200, 300 rad/s"));
+}

@@ -10,7 +10,10 @@ use sheave::drive::{Constant, Question, SolveOptions, solve, step_to_question};
 use sheave::model::Output;
 use sheave::result::run;
 use sheave::study::{Axis, Study};
+use sheave::{Cancel, cancellable};
 use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn case(settings: &[(&str, &str)]) -> Resolved {
     let mut case = Case::base();
@@ -285,4 +288,35 @@ fn a_belt_comes_to_rest_in_two_ways() {
     }
     let force = solved.belt.output_values(&solved.solution).unwrap().get(Output::PrimaryAxialForce).unwrap();
     assert!((force - above).abs() < 5.0 && force < below - 30.0, "{force}");
+}
+
+/// A search that is ended has found nothing: least of all that the loosest belt is best.
+#[test]
+fn a_search_for_the_best_clamp_ends_when_it_is_cancelled() {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let case = case(&[("losses.include", "on")]);
+    let ending_after = |limit: usize| {
+        asked.store(0, Ordering::Relaxed);
+        let count = asked.clone();
+        let cancel = Cancel::asking(move || count.fetch_add(1, Ordering::Relaxed) >= limit);
+        cancellable(&cancel, || optimum(&case, &to(1e-4)))
+    };
+    assert!(ending_after(usize::MAX).is_ok());
+    let all = asked.load(Ordering::Relaxed);
+    for share in [1, 5, 9, 13, 17] {
+        let ended = ending_after(all * share / 20);
+        assert!(
+            matches!(&ended, Err(DesignError::Start(failure)) if failure.is_cancelled()),
+            "{share} of 20: {ended:?}"
+        );
+    }
+}
+
+#[test]
+fn a_map_without_an_answer_is_no_success() {
+    let torques = ["--over", "operating_point.primary_torque=-10,-20 N*m", "--tol", "1e-3"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+    let program = command.arg("optimum").args(torques).env_remove("RUST_LOG").output().unwrap();
+    let text = String::from_utf8(program.stdout).unwrap();
+    assert_eq!((program.status.code(), text.lines().count()), (Some(3), 3), "{text}");
 }

@@ -20,15 +20,25 @@ use toml::de::DeValue;
 pub(super) const SWAP: &str = "swap";
 
 /// What the user has given; the base case's values apply to all other keys.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Case {
     given: BTreeMap<Key, Given>,
     /// Constants that are found for outputs that are prescribed, in the order of the text.
     pub(super) swaps: Vec<(GivenSwap, Place)>,
 }
 
+/// Cases are equal that give the same keys the same values, and make the same constants unknown, wherever and however
+/// it was written.
+impl PartialEq for Case {
+    fn eq(&self, other: &Self) -> bool {
+        let values =
+            |case: &Self| case.given.iter().map(|(key, given)| (*key, given.value.clone())).collect::<Vec<_>>();
+        self.swaps().eq(other.swaps()) && values(self) == values(other)
+    }
+}
+
 /// One key that was given.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Given {
     pub(super) value: Value,
     pub(super) place: Place,
@@ -179,12 +189,12 @@ impl Case {
             value: trimmed(&text, value_start..text.len()),
             source: Arc::new(Source::new(option, text)),
         };
-        // A table is written as a file has it.
-        if value.starts_with('{')
-            && let Ok(table) = DeValue::parse(&value)
+        // Tables and arrays are written as a file has them.
+        if value.starts_with(['{', '['])
+            && let Ok(parsed) = DeValue::parse(&value)
         {
             let start = place.value.start;
-            return self.insert_value(&key, table.get_ref(), place, start);
+            return self.insert_value(&key, parsed.get_ref(), place, start);
         }
         self.insert(&key, Raw::Text(value.into()), place)
     }

@@ -72,14 +72,22 @@ impl GridArguments {
             0 => {}
             failures => tracing::warn!("{failures} of {} points have no answer; see `failure`", table.rows.len()),
         }
-        let Some(folder) = &self.out else {
-            let mut text = Vec::new();
-            let written = Format::Csv.write(table, &mut text);
-            written.map_err(|error| Stop::Write("CSV".into(), error))?;
-            return output::print(&String::from_utf8_lossy(&text));
-        };
-        output::write_file(folder, "map.csv", |to| Format::Csv.write(table, to))?;
-        output::write_figures(folder, &draw(study, table))
+        match &self.out {
+            None => {
+                let mut text = Vec::new();
+                let written = Format::Csv.write(table, &mut text);
+                written.map_err(|error| Stop::Write("CSV".into(), error))?;
+                output::print(&String::from_utf8_lossy(&text))?;
+            }
+            Some(folder) => {
+                output::write_file(folder, "map.csv", |to| Format::Csv.write(table, to))?;
+                output::write_figures(folder, &draw(study, table))?;
+            }
+        }
+        if table.failures() < table.rows.len() {
+            return Ok(());
+        }
+        Err(Stop::Unreached(format!("none of the {} points has an answer; see `failure`", table.rows.len())))
     }
 }
 

@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LENGTH")]
     distance: Vec<String>,
     /// Share of the top speed at which the launch is done, above 0 and below 1
-    #[arg(long, value_name = "S", default_value_t = 0.99)]
+    #[arg(long, value_name = "S", default_value_t = 0.99, value_parser = share)]
     share: f64,
     /// Points of the shift curve
     #[arg(long, value_name = "N", default_value = "32", value_parser = clap::value_parser!(u16).range(8..=2000))]
@@ -135,4 +135,9 @@ impl Arguments {
         }
         Ok(options)
     }
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let wrong = || "expected a number above 0 and below 1".to_owned();
+    text.parse().ok().filter(|share| (f64::MIN_POSITIVE..1.0).contains(share)).ok_or_else(wrong)
 }

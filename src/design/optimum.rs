@@ -184,7 +184,8 @@ impl Search {
                     trials.push(next.clone());
                     here = next;
                 }
-                Err(DesignError::Start(_)) => step *= 0.5,
+                // There may be no such belt; an end that was asked for says nothing of it.
+                Err(DesignError::Start(failure)) if !failure.is_cancelled() => step *= 0.5,
                 Err(error) => return Err(error),
             }
         }

@@ -204,7 +204,7 @@ impl Failure {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Margin { .. } => Some("`sheave limit` finds the smallest clamp that carries the torque"),
-            Self::Tolerance { .. } => Some("ask for that tolerance, or try the other order"),
+            Self::Tolerance { .. } => Some("ask for that tolerance, or for another order of the collocation"),
             Self::Start { trouble: Trouble::Unknown, .. } => {
                 Some("look for a value in the wrong unit: `inputs` has what was understood, in SI")
             }

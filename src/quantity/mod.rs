@@ -88,6 +88,9 @@ impl Quantity {
 pub fn parse_list(text: &str, expected: Dimension) -> Result<Vec<f64>, QuantityError> {
     let texts: Vec<&str> = text.split(',').map(str::trim).collect();
     let unit = texts.last().map_or("", |last| parse::split_number(last).1.trim());
+    if unit.is_empty() && texts.iter().any(|text| !parse::split_number(text).1.trim().is_empty()) {
+        return Err(QuantityError::LastUnit);
+    }
     let one = |text: &&str| {
         let bare = parse::split_number(text).1.trim().is_empty();
         let read = if bare { parse(&format!("{text} {unit}")) } else { parse(text) };
@@ -111,6 +114,9 @@ pub enum QuantityError {
     /// The text does not begin with a number.
     #[error("it does not begin with a number")]
     NoNumber,
+    /// The last of several numbers, whose unit holds for those without, has none, and another has one.
+    #[error("its last number has no unit, and another has one: a unit stands behind each, or behind the last")]
+    LastUnit,
     /// Infinite, not a number, or too large for a 64-bit float.
     #[error("it is not a finite number")]
     NotFinite,
@@ -178,6 +184,15 @@ mod tests {
         assert_eq!(si("3400 rpm", Dimension::ANGULAR_SPEED), 356.0471674068432);
         assert_eq!(si("1e-4 m/s", Dimension::SPEED), 1e-4);
         assert_eq!(si("18 N*m", Dimension::TORQUE), 18.0);
+    }
+
+    #[test]
+    fn a_list_has_one_unit_or_a_unit_for_each() {
+        let speeds = ["1800 rpm", "2000 rpm"].map(|text| si(text, Dimension::ANGULAR_SPEED));
+        for text in ["1800, 2000 rpm", "1800 rpm, 2000 rpm"] {
+            assert_eq!(parse_list(text, Dimension::ANGULAR_SPEED).expect("a list"), speeds);
+        }
+        assert_eq!(parse_list("1800 rpm, 2000", Dimension::ANGULAR_SPEED), Err(QuantityError::LastUnit));
     }
 
     #[test]
