@@ -178,6 +178,19 @@ fn mistakes_are_named() {
         ("[length]", "[[length]]\n[lengths]", "unknown key `lengths`"),
         ("slope = \"1747 N/mm\"", "csv = \"nowhere.csv\"", "cannot read `nowhere.csv`"),
         ("[yarns]", "[yarns", "not valid TOML"),
+        ("force = \"100 N\"", "force = \"100 N\"\ncsv = \"t.csv\"", "`tension.force`: a table of the same test"),
+        ("force = \"100 N\"", "stiffness = \"150 N/mm\"", "`tension.elongation`: the stiffness of the same test"),
+        (
+            "storage_over_loss = 8.2",
+            "storage_over_loss = 8.2\nloss_modulus = \"3 MPa\"",
+            "loss_modulus`: the ratio of both moduli is given, too",
+        ),
+        (
+            "slope = \"1747 N/mm\"",
+            "csv = \"nowhere.csv\"\nfrom = \"900 N\"\nto = \"100 N\"",
+            "`lateral.from`: the smallest load, 900 N, is not below the largest",
+        ),
+        ("slope = \"1747 N/mm\"", "slope = \"1747 N/mm\"\nto = \"1 kN\"", "`lateral.to`: it chooses rows of a table"),
     ] {
         let text = refused(from, to);
         assert!(text.contains(words), "{to}: {text}");
@@ -187,6 +200,14 @@ fn mistakes_are_named() {
     let lumped = std::fs::read_to_string(example("g-force.toml")).unwrap();
     let error = Description::parse("b.toml", &lumped).unwrap().evaluate(Some(300.0)).unwrap_err();
     assert!(said(&error).contains("nothing says how"), "{error}");
+}
+
+#[test]
+fn a_name_stays_within_its_comment() {
+    let text = CVTECH.replacen("name = \"CVTech belt\"", "name = \"A\\nfoo = 1\\r\\u001b\"", 1);
+    let file = Description::parse("belt.toml", &text).unwrap().evaluate(None).unwrap().case_file();
+    assert!(file.starts_with("# A\\nfoo = 1\\u{d}\\u{1b} at 60.0 °C\n#\n"), "{file}");
+    Case::from_toml("belt.toml", &file).unwrap();
 }
 
 #[test]

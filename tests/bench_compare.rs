@@ -3,7 +3,9 @@
 
 use serde_json::Value;
 use sheave::bench::BenchProblem;
-use sheave::bench::compare::{Actuator, Clamp, Comparison, ENGINE_SCALE, Options, Radii, compare, parse, read};
+use sheave::bench::compare::{
+    Actuator, Clamp, Comparison, ENGINE_SCALE, Options, Radii, compare, parse, read, summary,
+};
 use sheave::bench::dyno::{self, calibration, points_csv, process, records};
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::made::{Disturbance, Known, files, truth};
@@ -38,7 +40,7 @@ fn radii_from_the_speed_ratio_are_those_of_the_thesis() {
 
 fn options(fit: &[&str]) -> Options {
     let fit = fit.iter().map(|key| (*key).to_owned()).collect();
-    Options { tolerance: 1e-4, clamp: Clamp::OfCase, radii: Radii::Speeds, scaled: true, fit }
+    Options { tolerance: 1e-4, clamp: Clamp::OfCase, radii: Radii::Speeds, fit }
 }
 
 fn made_engine() -> EngineCurve {
@@ -71,7 +73,7 @@ fn the_thesis_dynamometer() {
     // What the drive delivers is less than the elastic model says; the shape over the ratio differs, too.
     assert!((0.15..0.19).contains(&found.mean_error), "{}", found.mean_error);
     assert!((0.02..0.03).contains(&found.rms_after_scale), "{}", found.rms_after_scale);
-    assert!(found.scale_interval[0] < found.scale && found.scale < found.scale_interval[1]);
+    assert!(found.scale_interval.0 < found.scale && found.scale < found.scale_interval.1.unwrap());
     let again: f64 = {
         let used = found.points.iter().filter(|point| point.used);
         let square = |(sum, count): (f64, f64), (m, d): (f64, f64)| (sum + (m - d / found.scale).powi(2), count + 1.0);
@@ -182,7 +184,8 @@ fn coverage(seeds: std::ops::Range<u64>) -> [usize; 2] {
         assert!(fit.converged, "seed {seed}: {fit:?}");
         let (low, high) = fit.constants[0].interval.unwrap();
         let scale = compared(&table, &true_case(), &engine, &[]);
-        let [least, most] = scale.scale_interval;
+        let (least, most) = scale.scale_interval;
+        let most = most.unwrap();
         println!(
             "seed {seed}: EI {:.4} in {low:.4} .. {high:.4} of {TRUE_EI}; scale {:.4} in {least:.4} .. {most:.4} of \
             {TRUE_SCALE}",
@@ -324,4 +327,97 @@ fn the_command_as_it_is_called() {
         assert!(folder.path().join(name).metadata().unwrap().len() > 0, "{name}");
     }
     assert_eq!(run(&["--fit", "nothing", "--json"]).status.code(), Some(2));
+}
+
+/// Standard errors without deviations; and of points whose input torque is measured there is no scale to be found.
+#[test]
+fn what_is_measured_of_the_input_has_no_scale() {
+    let engine = made_engine();
+    let head = "primary_rpm,secondary_rpm,secondary_torque_Nm,primary_torque_Nm,secondary_torque_se,primary_rpm_se\n";
+    let of_engine = "3200,3100,17,,0.1,32\n3200,2900,18,,0.1,32\n3200,2700,19,,0.1,32\n";
+    let measured = "3200,3100,17,18.5,0.1,32\n3200,2900,18,18.4,0.1,32\n";
+    let points = |rows: &str| parse("p.csv", format!("{head}{rows}").as_bytes(), Some(&engine)).unwrap();
+    let found = |rows: &str| compare(&Case::base(), points(rows), &options(&[])).unwrap();
+    // Of the engine's power the primary's speed does not count, of a measured torque it does.
+    let share = |rows: &str| points(rows).points[0].efficiency_error.unwrap() / points(rows).points[0].efficiency;
+    assert!((share(of_engine) - 0.1 / 17.0).abs() < 1e-12, "{}", share(of_engine));
+    assert!((share(measured) - (0.1_f64 / 17.0).hypot(0.01)).abs() < 1e-12, "{}", share(measured));
+    let alone = found(of_engine);
+    assert!((alone.scale - 1.0).abs() > 0.01, "{}", alone.scale);
+    assert_eq!((found(measured).scale, found(measured).scale_interval), (1.0, (1.0, Some(1.0))));
+    let both = found(&format!("{of_engine}{measured}"));
+    assert!((both.scale - alone.scale).abs() < 1e-4, "{} for {}", both.scale, alone.scale);
+    let fit = |rows: &str| compare(&Case::base(), points(rows), &options(&[ENGINE_SCALE]));
+    assert!(fit(measured).unwrap_err().to_string().contains("that of all is measured"));
+    let fitted = fit(&format!("{of_engine}{measured}")).unwrap().fit.unwrap().constants[0].value;
+    assert!((fitted / alone.scale - 1.0).abs() < 0.02, "{fitted} for {}", alone.scale);
+}
+
+#[test]
+fn what_points_do_not_determine_is_no_number() {
+    let engine = made_engine();
+    let table = |rows: &str| {
+        let text = format!("primary_rpm,secondary_rpm,secondary_torque_Nm\n{rows}");
+        parse("p.csv", text.as_bytes(), Some(&engine)).unwrap()
+    };
+    let apart = compare(&Case::base(), table("3200,3100,17\n3200,2800,2\n"), &options(&[])).unwrap();
+    assert!(apart.scale_interval.0 < apart.scale && apart.scale_interval.1.is_none(), "{:?}", apart.scale_interval);
+    assert!(summary(&apart).contains("(95 %: from "), "{}", summary(&apart));
+    let same = compare(&Case::base(), table("3200,3100,17\n3200,3100,17\n"), &options(&[])).unwrap();
+    assert_eq!((same.r_squared, same.r_squared_after_scale), (None, None));
+    assert!(summary(&same).contains("not determined"), "{}", summary(&same));
+    // A belt that slips at every point.
+    let mut case = Case::base();
+    case.set("sheave.friction_coefficient", "0.02").unwrap();
+    let error = compare(&case, table("3200,3100,17\n3200,2900,18\n"), &options(&[])).unwrap_err();
+    assert!(matches!(error.problem(), BenchProblem::NoSolution { .. }), "{error}");
+    assert!(matches!(
+        truth(&case, &engine, 1.0, (1.2, 1.0), 2).unwrap_err().problem(),
+        BenchProblem::NoSolution { .. }
+    ));
+}
+
+/// What arrives at the brake is what losses leave; a case that gives a ratio is made as any.
+#[test]
+fn made_points_have_the_losses_of_their_case() {
+    let engine = made_engine();
+    let made = |losses: &str| {
+        let mut case = Case::base();
+        case.set("losses.include", losses).unwrap();
+        case.set("drive.ratio", "1.1").unwrap();
+        truth(&case, &engine, 1.0, (1.2, 1.0), 2).unwrap()
+    };
+    let (with, without) = (made("on"), made("off"));
+    for (with, without) in with.steps.iter().zip(&without.steps) {
+        assert!(with.efficiency < without.efficiency - 0.02, "{with:?}, {without:?}");
+        let taken = with.secondary_torque / without.secondary_torque;
+        assert!((taken - with.efficiency / without.efficiency).abs() < 1e-12, "{with:?}, {without:?}");
+    }
+    let past = truth(&Case::base(), &EngineCurve { points: engine.points[..2].to_vec(), ..engine }, 1.0, (1.2, 1.0), 2);
+    let error = past.unwrap_err().to_string();
+    assert!(error.contains("has no power at the 3250 rpm of this step"), "{error}");
+}
+
+#[test]
+fn made_data_replace_nothing_but_made_data() {
+    let folder = tempfile::tempdir().unwrap();
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/made/engine.csv");
+    let make = |name: &str, extra: &[&str]| {
+        let (engine, out) = (engine.to_str().unwrap(), folder.path().join(name));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+        command.args(["bench-data", "--engine", engine, "--steps", "2", "--out"]).arg(out).args(extra);
+        command.output().unwrap()
+    };
+    for (name, file) in [("own", "README.md"), ("log", "run1.csv"), ("step", "P_7.csv")] {
+        std::fs::create_dir(folder.path().join(name)).unwrap();
+        std::fs::write(folder.path().join(name).join(file), "mine").unwrap();
+        let output = make(name, &[]);
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(file), "{output:?}");
+        assert_eq!(std::fs::read_dir(folder.path().join(name)).unwrap().count(), 1, "{name}");
+        assert_eq!(std::fs::read_to_string(folder.path().join(name).join(file)).unwrap(), "mine");
+    }
+    assert!(make("new", &[]).status.success() && make("new", &[]).status.success());
+    let slipping = make("none", &["--set", "sheave.friction_coefficient=0.05"]);
+    assert_eq!(slipping.status.code(), Some(3), "{slipping:?}");
 }

@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use sheave::bench::dyno::{
     Fault, Lines, Names, Options, RecordReport, Row, Sample, SteadyPoint, Stream, Uniform, by_header, calibration,
-    process, records, runs,
+    points_csv, process, records, reduce, runs,
 };
 use sheave::bench::made::{Disturbance, Known, Step, files};
 use sheave::random::Random;
@@ -285,6 +285,157 @@ fn the_command_as_it_is_called() {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(said), "{arguments:?}: {text}");
     }
+}
+
+/// A log of rows 8 ms apart: its header, the first stamp in ms, the torque of each row.
+fn log(header: &str, first: u32, torque: impl IntoIterator<Item = f64>) -> String {
+    let row = |(at, torque): (u32, f64)| {
+        let wave = (f64::from(at) * 1.3).sin();
+        format!("{},{},{},{}\n", first + 8 * at, 3000.0 + 5.0 * wave, 2000.0 - 5.0 * wave, torque + 0.1 * wave)
+    };
+    format!("{header}\n") + &(0..).zip(torque).map(row).collect::<String>()
+}
+
+const TORQUE: &str = "timestamp_ms,primary_rpm,secondary_rpm,torque";
+
+fn constant(value: f64, seconds: usize) -> impl Iterator<Item = f64> {
+    std::iter::repeat_n(value, 125 * seconds)
+}
+
+fn torques(points: &[SteadyPoint]) -> Vec<f64> {
+    points.iter().map(|point| point.secondary_torque.unwrap().mean.round()).collect()
+}
+
+#[test]
+fn a_torque_column_that_is_named_is_calibrated() {
+    let folder = tempfile::tempdir().unwrap();
+    let [raw, known] = ["raw.csv", "known.csv"].map(|name| folder.path().join(name));
+    std::fs::write(&raw, log(&TORQUE.replace("torque", "load"), 0, constant(35_145.0 + 108.19 * 17.0, 4))).unwrap();
+    std::fs::write(&known, log(TORQUE, 0, constant(17.0, 4))).unwrap();
+    let line = calibration::parse("c", b"108.19,35145,0.9\n").unwrap();
+    let options = Options { calibration: Some(line), ..Options::default() };
+    let named = Names { torque: Some("load".into()), ..Names::default() };
+    let found = reduce(&[raw], &Options { names: named, ..options.clone() }, None, |_| ()).unwrap();
+    assert_eq!(torques(&found.points)[0], 17.0);
+    assert!(found.warnings.iter().any(|warning| warning.contains("poorly, R² = 0.9000")), "{:?}", found.warnings);
+    // One that is in N·m by its name stays as it is, and that is said.
+    let found = reduce(&[known], &options, None, |_| ()).unwrap();
+    assert_eq!(torques(&found.points)[0], 17.0);
+    let said = found.warnings.iter().any(|warning| warning.contains("known.csv") && warning.contains("not applied"));
+    assert!(said, "{:?}", found.warnings);
+}
+
+#[test]
+fn rows_that_are_no_calibration_are_refused() {
+    for (text, words) in [
+        ("torque_Nm,adc,n\n0,35145,1\n", "line 2: there are three numbers below a header of torque and ADC"),
+        ("0,35145,30\n10,36227,30\n", "line 1: three numbers are slope, intercept and R², and 30 is no R²"),
+    ] {
+        let error = calibration::parse("c", text.as_bytes()).unwrap_err().to_string();
+        assert!(error.contains(words) && error.contains("two columns"), "{error}");
+    }
+    let marked = calibration::parse("c", "\u{feff}0,100\n1,200\n2,300\n".as_bytes()).unwrap();
+    assert!(marked.points == 3 && (marked.slope - 100.0).abs() < 1e-9, "{marked:?}");
+}
+
+#[test]
+fn every_window_of_a_run_is_a_stretch_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, table] = ["log.csv", "table.csv"].map(|name| folder.path().join(name));
+    std::fs::write(&path, log(TORQUE, 0, (0..1250).map(|at| if at < 562 { 17.0 } else { 30.0 }))).unwrap();
+    let rows = "logfile,t_start,t_end\nlog.csv.gz,1000,4495\nelsewhere.log,0,1000\nlog.csv,4495,8000\n";
+    std::fs::write(&table, format!("\u{feff}{rows}")).unwrap();
+    let options = Options { runs: runs(&table).unwrap(), ..Options::default() };
+    let found = reduce(&[path], &options, None, |_| ()).unwrap();
+    assert_eq!(torques(&found.points), [17.0, 30.0]);
+    let starts: Vec<f64> = found.points.iter().map(|point| (point.start * 10.0).round() / 10.0).collect();
+    assert_eq!(starts, [1.0, 4.5]);
+    assert!((860..=875).contains(&found.records[0].samples), "{}", found.records[0].samples);
+    assert_eq!(found.warnings, ["the table of runs has logs that are not among these files: elsewhere.log"]);
+    std::fs::write(&table, rows.replace("4495,8000", "4000,8000")).unwrap();
+    let error = runs(&table).unwrap_err().to_string();
+    assert!(error.contains("line 4: this window of `log.csv` overlaps that from 1000 to 4495 ms"), "{error}");
+}
+
+#[test]
+fn a_reset_of_the_counter_parts_what_lies_on_both_sides() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let behind = log("", 0, constant(30.0, 4));
+    std::fs::write(&path, log(TORQUE, 20_000, constant(17.0, 4)) + behind.trim_start()).unwrap();
+    let (points, reports) = read(&[path], &Options::default());
+    assert_eq!((reports[0].files[0].time_jumps, reports[0].gaps), (1, 1));
+    assert_eq!(torques(&points), [17.0, 17.0, 30.0, 30.0]);
+}
+
+#[test]
+fn raw_torque_without_a_calibration_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &files(&known(), &Disturbance::default(), 3));
+    let (_, reports) = read(&[folder.path().to_owned()], &Options::default());
+    for report in &reports {
+        let raw = report.files.iter().find(|file| file.file.contains("ADC_")).unwrap();
+        assert_eq!(raw.problem.as_deref(), Some("its torque is raw: a calibration is needed (--calibration)"));
+    }
+}
+
+#[test]
+fn points_that_are_not_steady_are_not_in_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    std::fs::write(&path, log(TORQUE, 0, constant(17.0, 4))).unwrap();
+    let (mut points, _) = read(&[path], &Options::default());
+    assert_eq!((points.len(), points_csv(&points).1), (2, 0));
+    points[0].steady = false;
+    let (table, left_out) = points_csv(&points);
+    assert_eq!((table.lines().count(), left_out), (2, 1));
+}
+
+#[test]
+fn logs_without_steady_points_say_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let reduced = |text: String, options: Options| {
+        std::fs::write(&path, text).unwrap();
+        reduce(std::slice::from_ref(&path), &options, None, |_| ())
+    };
+    let refused = |text: String, options: Options| reduced(text, options).unwrap_err().to_string();
+    let ramp = log(TORQUE, 0, (0..1000).map(|at| 10.0 + 0.02 * f64::from(at)));
+    let error = refused(ramp.clone(), Options::default());
+    assert!(error.contains("windows of 3 s is steady; in") && error.contains("the torque changes by"), "{error}");
+    // Runs are windows of what is not steady.
+    let run = sheave::bench::dyno::Run { file: "log.csv".into(), start: 0.0, end: 8.0 };
+    let found = reduced(ramp, Options { runs: vec![run], ..Options::default() }).unwrap();
+    assert!(found.points.is_empty() && found.warnings[0].contains("is steady"), "{:?}", found.warnings);
+    let short = refused(log(TORQUE, 0, constant(17.0, 4)), Options { window: 30.0, ..Options::default() });
+    assert!(
+        short.contains("no window of 30 s is filled") && short.contains("samples lie in shorter pieces"),
+        "{short}"
+    );
+    let slow = format!("{TORQUE}\n") + &(0..20).map(|at| format!("{},3000,2000,17\n", 1000 * at)).collect::<String>();
+    let error = refused(slow, Options::default());
+    assert!(error.contains("no sample came out of 20 rows") && error.contains("(--longest-gap)"), "{error}");
+    let found = reduced(log(TORQUE, 0, constant(17.0, 4)), Options { window: 0.05, ..Options::default() }).unwrap();
+    let said = "0.05 s has 6 samples at 125 Hz: windows of 20 samples, 0.16 s";
+    assert!(found.warnings[0].contains(said), "{:?}", found.warnings);
+}
+
+#[test]
+fn a_table_without_points_is_explained() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, out] = ["log.csv", "out"].map(|name| folder.path().join(name));
+    let run = |text: String| {
+        std::fs::write(&path, text).unwrap();
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"));
+        command.arg("dyno").arg(&path).arg("--out").arg(&out).output().unwrap()
+    };
+    let output = run(log(&TORQUE.replace("torque", "load"), 0, constant(17.0, 4)));
+    assert!(output.status.success());
+    let result = std::fs::read_to_string(out.join("result.json")).unwrap();
+    let said = "operating-points.csv has no operating point; it leaves out 2 of 2 points: 2 without torque";
+    assert!(result.contains(said), "{result}");
+    let output = run(log(TORQUE, 0, (0..1000).map(|at| 10.0 + 0.02 * f64::from(at))));
+    assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 /// A log that is made while it is read, so that its size costs nothing.

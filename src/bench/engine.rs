@@ -37,7 +37,8 @@ impl EngineCurve {
     /// Reads rpm and hp, kW, W or N·m, with or without a header; without one the second column is taken for hp.
     ///
     /// # Errors
-    /// A file that cannot be read, a row that is not two numbers, two rows of one speed, fewer than two rows.
+    /// A file that cannot be read, a row that is not two numbers, a row with more cells than the header (two without
+    /// one), two rows of one speed, fewer than two rows.
     pub fn read(path: &Path) -> Result<Self, BenchError> {
         let bytes = std::fs::read(path).map_err(|error| BenchError::read(path, &error))?;
         Self::parse(&path.display().to_string(), &bytes)
@@ -50,6 +51,7 @@ impl EngineCurve {
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, BenchError> {
         let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
         let mut points: Vec<(f64, f64)> = Vec::new();
+        let mut width = 2;
         for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
             let bad = |reason: String| BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
             let text = std::str::from_utf8(text).map_err(|_| bad("this is no text".into()))?;
@@ -61,8 +63,16 @@ impl EngineCurve {
             let [first, second, ..] = cells.as_slice() else {
                 return Err(bad("expected a speed in rpm and a power or torque, with a comma between".into()));
             };
+            // Spreadsheets write empty cells at the end.
+            let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
             let number = |cell: &str| cell.parse::<f64>().ok().filter(|value| value.is_finite());
             match (number(first), number(second)) {
+                (Some(_), Some(_)) if filled > width => {
+                    return Err(bad(format!(
+                        "there are {filled} cells: expected {width}, a speed in rpm and a power or torque first, with \
+                         points in decimal numbers, not commas"
+                    )));
+                }
                 (Some(speed), Some(value)) if speed >= 0.0 && points.len() < ROWS => {
                     points.push((Unit::RPM.to_si(speed), value));
                 }
@@ -70,7 +80,7 @@ impl EngineCurve {
                     (tabulated, scale) = unit(second).ok_or_else(|| {
                         bad(format!("`{second}` is no unit of power or torque: expected hp, kW, W or N*m"))
                     })?;
-                    named = true;
+                    (named, width) = (true, cells.len());
                 }
                 _ => return Err(bad("expected two finite numbers, the first a speed in rpm".into())),
             }
@@ -148,6 +158,21 @@ mod tests {
         assert!(torque.power(3000.0 * TAU / 60.0).is_some() && torque.power(1000.0 * TAU / 60.0).is_some());
         for wrong in ["", "1000,2", "1000,2\n1000,3\n", "1000,2\nx,3\n", "rpm,furlong\n1,2\n3,4\n", "1000\n"] {
             assert!(EngineCurve::parse("e", wrong.as_bytes()).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn decimal_commas_are_refused_by_line() {
+        for (text, words) in [
+            ("rpm,hp\n1000,2\n3000,4,5\n", "`e`, line 3: there are 3 cells: expected 2"),
+            ("1000,2,5\n3000,4,5\n", "`e`, line 1: there are 3 cells: expected 2"),
+        ] {
+            let error = EngineCurve::parse("e", text.as_bytes()).unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
+        // A third column that the header has, and empty cells at the end.
+        for text in ["rpm,hp,note\n1000,2,5\n3000,4,\n", "1000,2,\n3000,4,,\n"] {
+            assert_eq!(EngineCurve::parse("e", text.as_bytes()).unwrap().points.len(), 2, "{text}");
         }
     }
 }

@@ -87,6 +87,14 @@ pub enum BenchProblem {
         /// What is wrong, and what is expected.
         reason: String,
     },
+    /// The model has no solution, or none was found.
+    #[error("`{path}`: {reason}")]
+    NoSolution {
+        /// What it was to be solved for.
+        path: String,
+        /// Why.
+        reason: String,
+    },
     /// Stopped from elsewhere: see [`cancellable`](crate::cancellable).
     #[error("cancelled")]
     Cancelled,

@@ -1,10 +1,11 @@
 //! A made data set: logs as a test stand would write them, from the model with known constants. Whoever reads it back
 //! knows what should come out.
 
+use super::compare::REPLACED;
 use super::engine::EngineCurve;
 use super::error::{BenchError, BenchProblem};
 use crate::case::geometry::radii_of_ratio;
-use crate::case::{Case, Free, Key};
+use crate::case::{Case, Free, Include, Key};
 use crate::drive::{Constant, SolveOptions};
 use crate::quantity::{Unit, rpm};
 use crate::random::Random;
@@ -39,9 +40,9 @@ pub struct Step {
     pub secondary_speed: f64,
     /// N·m.
     pub primary_torque: f64,
-    /// N·m.
+    /// That which arrives, N·m: without what losses besides friction take, if the case asks for them.
     pub secondary_torque: f64,
-    /// The model's.
+    /// The model's, with the same losses.
     pub efficiency: f64,
 }
 
@@ -87,7 +88,7 @@ const BEGIN: f64 = 4_294_967_296.0 - 15.2e6;
 /// power `engine_scale` times that of the curve.
 ///
 /// # Errors
-/// Points that the case has no solution for, or at which the engine's curve has no power.
+/// Points that the case has no solution for ([`BenchProblem::NoSolution`]), or at which the engine's curve has no power.
 pub fn truth(
     case: &Case,
     engine: &EngineCurve,
@@ -104,15 +105,23 @@ pub fn truth(
             BenchError::from(BenchProblem::Unusable { path: format!("step {at}, ratio {ratio:.3}"), reason })
         };
         let power = engine.power(primary_speed).map(|(power, _)| engine_scale * power).filter(|power| *power > 0.0);
-        let power = power.ok_or_else(|| fails("the engine's curve has no power at its speed".into()))?;
+        let (first, last) = engine.range();
+        let missing = || {
+            let speed = rpm(primary_speed);
+            fails(format!(
+                "the engine's curve, from {first:.0} to {last:.0} rpm, has no power at the {speed:.0} rpm of this step"
+            ))
+        };
+        let power = power.ok_or_else(missing)?;
         let mut point = case.clone();
-        for key in
-            [Key::SecondarySpeed, Key::SecondaryTorque, Key::SpeedRatio, Key::PrimaryRadius, Key::SecondaryRadius]
-        {
+        for key in REPLACED {
             point.unset(key.path()).map_err(|error| fails(error.to_string()))?;
         }
         // The radii are those of the belt's length, which the tensions stretch: one of them is given, the other free.
-        let resolved = case.resolve().map_err(|error| fails(error.to_string()))?;
+        let mut whole = point.clone();
+        whole.set_si(Key::PrimarySpeed, primary_speed).map_err(|error| fails(error.to_string()))?;
+        whole.set_si(Key::PrimaryTorque, power / primary_speed).map_err(|error| fails(error.to_string()))?;
+        let resolved = whole.resolve().map_err(|error| fails(error.to_string()))?;
         let nominal = radii_of_ratio(ratio, resolved.belt.length, resolved.drive.center_distance);
         let (primary_radius, _) = nominal.map_err(|error| fails(error.to_string()))?;
         let values = [
@@ -127,16 +136,29 @@ pub fn truth(
         }
         let resolved = point.resolve().map_err(|error| fails(error.to_string()))?;
         let outcome = result::run(&resolved, &SolveOptions { tolerance: 1e-5, ..SolveOptions::default() });
-        let outcome = outcome.map_err(|failure| fails(failure.to_string()))?;
+        let path = || format!("step {at}, ratio {ratio:.3}");
+        let unsolved = |reason: String| BenchError::from(BenchProblem::NoSolution { path: path(), reason });
+        let outcome = outcome.map_err(|failure| {
+            if failure.is_cancelled() { BenchProblem::Cancelled.into() } else { unsolved(failure.to_string()) }
+        })?;
         let result = outcome.result;
-        let efficiency = result.efficiency.overall;
-        let efficiency = efficiency.ok_or_else(|| fails("the drive takes power from its output".into()))?;
+        let elastic = result.efficiency.overall;
+        let elastic = elastic.ok_or_else(|| unsolved("the drive takes power from its output".into()))?;
+        // What arrives at the brake is what losses besides friction leave.
+        let efficiency = match (resolved.losses.include, result.efficiency.overall_with_losses) {
+            (Some(Include::On), Some(efficiency)) => efficiency,
+            (Some(Include::On), None) => {
+                let reason = outcome.no_losses.map(|reason| reason.to_string());
+                return Err(unsolved(reason.unwrap_or_else(|| "nothing is left of its power after the losses".into())));
+            }
+            (Some(Include::Off) | None, _) => elastic,
+        };
         known.steps.push(Step {
             ratio: outcome.solved.constant(Constant::SecondaryRadius) / primary_radius,
             primary_speed,
             secondary_speed: result.secondary.speed,
             primary_torque: result.primary.torque,
-            secondary_torque: result.secondary.torque,
+            secondary_torque: result.secondary.torque * efficiency / elastic,
             efficiency,
         });
     }

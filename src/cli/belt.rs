@@ -5,7 +5,7 @@ use super::output;
 use super::stop::Stop;
 use clap::Args;
 use sheave::bench::belt::{Description, Properties, TABLE};
-use sheave::bench::{BenchError, PageTable, keys, page, temperature};
+use sheave::bench::{BenchError, BenchProblem, PageTable, keys, page, temperature};
 use std::path::PathBuf;
 
 /// Find a belt's properties from bench tests
@@ -96,6 +96,10 @@ fn tables(properties: &Properties) -> [PageTable; 2] {
 
 impl From<BenchError> for Stop {
     fn from(error: BenchError) -> Self {
-        Self::Refused(miette::Report::new(error))
+        match error.problem() {
+            BenchProblem::Cancelled => Self::Cancelled,
+            BenchProblem::NoSolution { .. } => Self::NoSolution(error.to_string()),
+            _ => Self::Refused(miette::Report::new(error)),
+        }
     }
 }

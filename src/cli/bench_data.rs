@@ -4,7 +4,7 @@ use super::case::CaseArguments;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use sheave::bench::dyno::step_file;
+use sheave::bench::dyno::is_log;
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::made::{Disturbance, files, truth};
 use sheave::case::Case;
@@ -53,17 +53,33 @@ fn scale(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| (0.1..=10.0).contains(x)).ok_or_else(|| "expected a number from 0.1 to 10".into())
 }
 
-/// The first log by name in the folder that none of the files made replaces.
-fn other_log(folder: &Path, made: &[(String, String)]) -> io::Result<Option<String>> {
-    let mut first: Option<String> = None;
+/// What is known of the data, and what says so.
+const KNOWN: &str = "known.json";
+const README: &str = "README.md";
+const MADE_BY: &str = "sheave bench-data";
+
+/// The first file by name in the folder that is a log of another test, or that would be lost: none of the files made
+/// replaces it, or it is not one that was made before.
+fn in_the_way(folder: &Path, made: &[(String, String)]) -> io::Result<Option<(String, &'static str)>> {
+    let known = std::fs::read(folder.join(KNOWN)).ok();
+    let known = known.and_then(|known| serde_json::from_slice::<serde_json::Value>(&known).ok());
+    let again = known.is_some_and(|known| known["made_by"] == MADE_BY);
+    let mut names: Vec<String> = Vec::new();
     for entry in std::fs::read_dir(folder)? {
-        let name = entry?.file_name().to_string_lossy().into_owned();
-        let is_other = step_file(&name).is_some() && !made.iter().any(|(own, _)| *own == name);
-        if is_other && first.as_ref().is_none_or(|first| name < *first) {
-            first = Some(name);
-        }
+        names.push(entry?.file_name().to_string_lossy().into_owned());
     }
-    Ok(first)
+    names.sort();
+    let found = names.into_iter().find_map(|name| {
+        let own = [KNOWN, README].contains(&name.as_str()) || made.iter().any(|(own, _)| *own == name);
+        if own && !again {
+            Some((name, "which would be replaced"))
+        } else if !own && is_log(&name) {
+            Some((name, "of another test, which `sheave dyno` would read with these"))
+        } else {
+            None
+        }
+    });
+    Ok(found)
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
@@ -73,26 +89,27 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let folder = &arguments.out;
     output::create_folder(folder)?;
     let made = files(&known, &Disturbance::default(), arguments.seed);
-    if let Some(other) = other_log(folder, &made).map_err(|error| Stop::Write(folder.display().to_string(), error))? {
+    let found = in_the_way(folder, &made).map_err(|error| Stop::Write(folder.display().to_string(), error))?;
+    if let Some((name, why)) = found {
         return Err(Stop::Usage(format!(
-            "{} has the log {other} of another test, which `sheave dyno` would read with these: expected a folder \
-             without other logs",
+            "{} has the file {name}, {why}: expected a folder without other logs, or one that `sheave bench-data` made",
             folder.display()
         )));
     }
-    for (name, text) in made {
-        output::write_file(folder, &name, |to| to.write_all(text.as_bytes()))?;
-    }
     let resolved = case.resolve()?;
     let object = serde_json::json!({
-        "made_by": "sheave bench-data",
+        "made_by": MADE_BY,
         "seed": arguments.seed,
         "disturbance": Disturbance::default(),
         "known": known,
         "case": resolved,
     });
     let json = output::json(&object)?;
-    output::write_file(folder, "known.json", |to| to.write_all(json.as_bytes()))?;
-    output::write_file(folder, "README.md", |to| to.write_all(MADE.as_bytes()))?;
+    // First, so that a set that is not whole may be made again.
+    output::write_file(folder, KNOWN, |to| to.write_all(json.as_bytes()))?;
+    for (name, text) in made {
+        output::write_file(folder, &name, |to| to.write_all(text.as_bytes()))?;
+    }
+    output::write_file(folder, README, |to| to.write_all(MADE.as_bytes()))?;
     output::print(&format!("{} steps made in {}\n", known.steps.len(), folder.display()))
 }

@@ -6,7 +6,8 @@ use super::output;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
 use sheave::bench::compare::{
-    ACTUATOR_KEYS, Actuator, Clamp, Comparison, Options, Radii, compare, figures, read, summary,
+    ACTUATOR_KEYS, Actuator, Clamp, Comparison, Options, Radii, compare, determined, figures, read, scale_interval,
+    summary,
 };
 use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, BenchProblem, PageTable, keys, page};
@@ -87,7 +88,7 @@ impl Arguments {
             RadiiFrom::Speeds => Radii::Speeds,
             RadiiFrom::Ratio => Radii::Ratio,
         };
-        let options = Options { tolerance: self.tol, radii, clamp, scaled: engine.is_some(), fit: self.fit.clone() };
+        let options = Options { tolerance: self.tol, radii, clamp, fit: self.fit.clone() };
         let mut comparison = compare(case, table, &options)?;
         if engine.is_some_and(|engine| !engine.named) {
             comparison.warnings.push("the engine's curve has no header: its second column is taken for hp".into());
@@ -151,15 +152,14 @@ fn tables(found: &Comparison) -> Vec<PageTable> {
     ]);
     let mut tables = vec![PageTable { title: "Points".into(), columns, rows: found.points.iter().map(row).collect() }];
     let value = |name: &str, value: String| vec![name.to_owned(), value];
-    let [low, high] = found.scale_interval;
     let rows = vec![
         value("model less measurement, mean (percentage points)", format!("{:.3}", 100.0 * found.mean_error)),
         value("root mean square (percentage points)", format!("{:.3}", 100.0 * found.rms)),
-        value("R²", format!("{:.4}", found.r_squared)),
+        value("R²", determined(found.r_squared)),
         value("scale of the engine's power", format!("{:.4}", found.scale)),
-        value("its 95 % interval", format!("{low:.4} to {high:.4}")),
+        value("its 95 % interval", scale_interval(found)),
         value("root mean square with it (percentage points)", format!("{:.3}", 100.0 * found.rms_after_scale)),
-        value("R² with it", format!("{:.4}", found.r_squared_after_scale)),
+        value("R² with it", determined(found.r_squared_after_scale)),
     ];
     tables.push(PageTable { title: "Agreement".into(), columns: names(&["", "value"]), rows });
     if let Some(fit) = &found.fit {

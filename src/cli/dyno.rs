@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
     /// Calibration of the torque: rows of torque in N·m and ADC, which are fitted, or of slope, intercept, R² (the last
-    /// applies)
+    /// applies); for files ADC_*, columns `adc`, and the column that --torque names
     #[arg(long, value_name = "FILE")]
     calibration: Option<PathBuf>,
     /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
@@ -56,7 +56,7 @@ pub struct Arguments {
     /// Column of a log with the speed of the secondary, or of a shaft behind it (RPM2)
     #[arg(long, value_name = "NAME")]
     secondary: Option<String>,
-    /// Column of a log with the torque
+    /// Column of a log with the torque, in N·m; raw where there is a --calibration
     #[arg(long, value_name = "NAME")]
     torque: Option<String>,
     /// Speed of the secondary over what its column has
@@ -111,7 +111,11 @@ struct Object<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let (options, found) = arguments.find().map_err(|error| refused("dyno", arguments.json, error))?;
+    let (options, mut found) = arguments.find().map_err(|error| refused("dyno", arguments.json, error))?;
+    let (table, left_out) = points_csv(&found.points);
+    if arguments.out.is_some() && (left_out > 0 || found.points.is_empty()) {
+        found.warnings.push(left_out_words(&found.points, left_out));
+    }
     let warnings = &found.warnings;
     warn(warnings);
     let inputs = serde_json::json!({ "paths": arguments.paths, "options": options, "engine": options.engine });
@@ -127,7 +131,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
             serde_json::to_writer_pretty(&mut *to, &object)?;
             to.write_all(b"\n")
         })?;
-        let (table, _) = points_csv(&found.points);
         output::write_file(folder, "operating-points.csv", |to| to.write_all(table.as_bytes()))?;
         let mut all = figures(&found.points, &found.records);
         all.extend(found.chosen.iter().flat_map(|point| spectrum_figures(point, options.rate)));
@@ -182,6 +185,24 @@ impl Arguments {
         found.warnings = warnings;
         Ok((options, found))
     }
+}
+
+/// Which points the table of operating points does not have, and why.
+fn left_out_words(points: &[SteadyPoint], left_out: usize) -> String {
+    if points.is_empty() {
+        return "operating-points.csv has no operating point: nothing is steady".into();
+    }
+    let steady = || points.iter().filter(|point| point.steady);
+    let counts = [
+        (points.len() - steady().count(), "not steady"),
+        (steady().filter(|point| point.primary_speed.is_none()).count(), "without the primary's speed"),
+        (steady().filter(|point| point.secondary_speed.is_none()).count(), "without the secondary's speed"),
+        (steady().filter(|point| point.secondary_torque.is_none()).count(), "without torque"),
+    ];
+    let why: Vec<String> =
+        counts.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{count} {why}")).collect();
+    let all = if left_out == points.len() { "has no operating point; it " } else { "" };
+    format!("operating-points.csv {all}leaves out {left_out} of {} points: {}", points.len(), why.join(", "))
 }
 
 /// Progress in bytes, on standard error if people look at it.

@@ -24,10 +24,11 @@ pub fn refused(command: &str, json: bool, error: BenchError) -> Stop {
     let kind = match error.problem() {
         BenchProblem::Read { .. } => FailureKind::Unreadable,
         BenchProblem::NoData { .. } => FailureKind::NoData,
+        BenchProblem::NoSolution { .. } => FailureKind::NoSolution,
         _ => FailureKind::Input,
     };
     let hint = error.advice().map(str::to_owned);
     let report = FailureReport { kind, message: error.to_string(), hint };
     let told = if json { envelope::tell(command, &(), &report) } else { Ok(()) };
-    told.err().unwrap_or_else(|| Stop::Refused(miette::Report::new(error)))
+    told.err().unwrap_or_else(|| error.into())
 }

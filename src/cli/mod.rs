@@ -131,7 +131,7 @@ pub fn run() -> ExitCode {
         Command::Radii(arguments) => radii::run(arguments),
         Command::Dyno(arguments) => dyno::run(arguments),
         Command::Compare(arguments) => in_order(|| compare::run(arguments)),
-        Command::BenchData(arguments) => bench_data::run(arguments),
+        Command::BenchData(arguments) => in_order(|| bench_data::run(arguments)),
         Command::Keys(arguments) => keys::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::completions(arguments),

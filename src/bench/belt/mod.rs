@@ -36,7 +36,7 @@ use std::path::{Path, PathBuf};
 /// Standard gravity, m/s² (3rd CGPM, 1901).
 const GRAVITY: f64 = 9.806_65;
 /// Coefficient of determination below which a line is a poor description of its data.
-const POOR_FIT: f64 = 0.98;
+pub(in crate::bench) const POOR_FIT: f64 = 0.98;
 
 /// A description of a belt's tests.
 #[derive(Debug, Clone)]
@@ -290,6 +290,14 @@ impl Description {
     ) -> Result<Tension, BenchError> {
         let sheet = &self.sheet;
         let length = sheet.need("tension.length")?;
+        if sheet.text("tension.csv").is_some() || sheet.get("tension.stiffness").is_some() {
+            let way = if sheet.text("tension.csv").is_some() { "a table" } else { "the stiffness" };
+            for key in ["tension.force", "tension.elongation"] {
+                if sheet.get(key).is_some() {
+                    return Err(sheet.unusable(key, format!("{way} of the same test is given, too: leave one out")));
+                }
+            }
+        }
         let line = self.line("tension", warnings)?;
         let (strain, as_tested) = match (line, sheet.get("tension.stiffness")) {
             (Some(_), Some(_)) => {
@@ -311,6 +319,19 @@ impl Description {
 
     fn lateral(&self, thermal: &Thermal<'_>, warnings: &mut Vec<String>) -> Result<Lateral, BenchError> {
         let sheet = &self.sheet;
+        let (from, to) = (sheet.get("lateral.from"), sheet.get("lateral.to"));
+        for (key, bound) in [("lateral.from", from), ("lateral.to", to)] {
+            if bound.is_some() && sheet.text("lateral.csv").is_none() {
+                let reason = "it chooses rows of a table, and lateral.csv is not given: leave it out";
+                return Err(sheet.unusable(key, reason));
+            }
+        }
+        if let (Some(from), Some(to)) = (from, to)
+            && from >= to
+        {
+            let reason = format!("the smallest load, {from} N, is not below the largest, lateral.to = {to} N");
+            return Err(sheet.unusable("lateral.from", reason));
+        }
         let line = self.line("lateral", warnings)?;
         let slope = match (line, sheet.get("lateral.slope")) {
             (Some(_), Some(_)) => {
@@ -402,7 +423,8 @@ fn yarns(sheet: &Sheet) -> Result<Option<Yarns>, BenchError> {
 fn bending(thermal: &Thermal<'_>, warnings: &mut Vec<String>) -> Result<(Bending, Option<Section>), BenchError> {
     let sheet = thermal.sheet;
     if let Some(stiffness) = sheet.get("bending.angular_stiffness") {
-        if sheet.has("section") || sheet.get("bending.moment").is_some() {
+        let moment = sheet.get("bending.moment").or_else(|| sheet.get("bending.radius"));
+        if sheet.has("section") || moment.is_some() {
             let reason = "the stiffness between nodes is the whole belt's: leave out [section], moment and radius";
             return Err(sheet.unusable("bending.angular_stiffness", reason));
         }

@@ -52,7 +52,7 @@ impl Rubber {
     /// Reads `[rubber]` and its tests; `None` without any.
     ///
     /// # Errors
-    /// A test without a modulus, or with two; two tests of one temperature.
+    /// A test without a modulus, or with two, or with two losses; two tests of one temperature.
     pub fn read(sheet: &Sheet, warnings: &mut Vec<String>) -> Result<Option<Self>, BenchError> {
         let poisson_ratio = sheet.get("rubber.poisson_ratio").unwrap_or(0.5);
         let mut tests = (0..sheet.count("rubber.test"))
@@ -125,6 +125,16 @@ fn test(sheet: &Sheet, path: &str, poisson_ratio: f64) -> Result<Test, BenchErro
         let reason =
             "give the storage modulus, or the amplitudes with their phase, or Young's modulus, and one of these only";
         return Err(sheet.unusable(&key("temperature"), reason));
+    }
+    let loss = get("loss_modulus").is_some();
+    let reason = match (get("storage_over_loss").is_some(), loss) {
+        (true, true) => Some("the ratio of both moduli is given, too: leave one out"),
+        (_, true) if get("youngs_modulus").is_some() => Some("it belongs to a storage modulus: give storage_over_loss"),
+        (ratio, loss) if amplitude && (ratio || loss) => Some("it follows from the phase: leave it out"),
+        _ => None,
+    };
+    if let Some(reason) = reason {
+        return Err(sheet.unusable(&key(if loss { "loss_modulus" } else { "storage_over_loss" }), reason));
     }
     if let Some(youngs_modulus) = get("youngs_modulus") {
         let storage_over_loss = get("storage_over_loss");

@@ -24,6 +24,11 @@ impl BeltTable {
 /// A quantity on the way: its name, its value in that unit, the unit.
 pub type Row = (String, f64, &'static str);
 
+/// A text as it may stand in a comment, on one line.
+fn comment(text: &str) -> String {
+    printable(text).replace('\n', "\\n")
+}
+
 impl Properties {
     /// Everything on the way to the belt, in the order in which it is computed, for people.
     pub fn rows(&self) -> Vec<Row> {
@@ -81,12 +86,12 @@ impl Properties {
 
     /// A case file: everything on the way as comments, then the `[belt]` table.
     pub fn case_file(&self) -> String {
-        let mut text = format!("# {}{}\n#\n", printable(self.name.as_deref().unwrap_or("Belt")), self.at());
+        let mut text = format!("# {}{}\n#\n", comment(self.name.as_deref().unwrap_or("Belt")), self.at());
         for (name, value, unit) in self.rows() {
             let _ = writeln!(text, "# {name:<48}{value:>13.6} {unit}"); // writing to a string does not fail
         }
         for warning in &self.warnings {
-            let _ = writeln!(text, "# warning: {warning}");
+            let _ = writeln!(text, "# warning: {}", comment(warning));
         }
         let angle = self.lateral.sheave_half_angle.to_degrees();
         let _ = writeln!(

@@ -31,8 +31,6 @@ pub struct Options {
     pub clamp: Clamp,
     /// The radii.
     pub radii: Radii,
-    /// Whether input power comes from an engine's curve whose scale is not known.
-    pub scaled: bool,
     /// Keys that are fitted: those of a case, or [`ENGINE_SCALE`](super::ENGINE_SCALE).
     pub fit: Vec<String>,
 }
@@ -119,20 +117,21 @@ pub struct Comparison {
     pub points: Vec<Compared>,
     /// Rows of the table that are no points.
     pub bad_rows: Vec<BadRow>,
-    /// Factor on the engine's power that makes both agree best; 1 where the input torque was measured.
+    /// Factor on the engine's power that makes both agree best, by the points whose input torque is not measured; 1
+    /// where that of all is.
     pub scale: f64,
-    /// Its interval of 95 % confidence.
-    pub scale_interval: [f64; 2],
+    /// Its interval of 95 % confidence; `None` for an end that the points do not determine.
+    pub scale_interval: (f64, Option<f64>),
     /// Mean of model less measurement.
     pub mean_error: f64,
     /// Root of the mean square of the difference.
     pub rms: f64,
     /// The same with the scale.
     pub rms_after_scale: f64,
-    /// R² of the measurements about the model.
-    pub r_squared: f64,
+    /// R² of the measurements about the model; `None` where they do not differ.
+    pub r_squared: Option<f64>,
     /// The same with the scale.
-    pub r_squared_after_scale: f64,
+    pub r_squared_after_scale: Option<f64>,
     /// The fit, if one was asked for.
     pub fit: Option<Fit>,
     /// What a reader should know.

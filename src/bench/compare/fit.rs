@@ -10,8 +10,9 @@ use serde::Serialize;
 pub struct Scale {
     /// True over tabulated power.
     pub value: f64,
-    /// Interval that contains it with 95 % confidence, by the scatter of the points.
-    pub interval: (f64, f64),
+    /// Interval that contains it with 95 % confidence, by the scatter of the points; `None` if they allow any larger
+    /// value.
+    pub interval: (f64, Option<f64>),
     /// Root of the mean square of what remains of the efficiencies' differences.
     pub rms: f64,
 }
@@ -27,10 +28,10 @@ pub fn scale(measured: &[f64], model: &[f64]) -> Option<Scale> {
     let inverse = pairs().map(|(d, m)| d * m).sum::<f64>() / square;
     let left = pairs().map(|(d, m)| (inverse * d - m).powi(2)).sum::<f64>();
     let half = student(count - 1) * (left / (count as f64 - 1.0) / square).sqrt();
-    let end = |inverse: f64| if inverse > 0.0 { 1.0 / inverse } else { f64::MAX };
+    let least = inverse - half;
     Some(Scale {
         value: 1.0 / inverse,
-        interval: (end(inverse + half), end(inverse - half)),
+        interval: (1.0 / (inverse + half), (least > 0.0).then(|| 1.0 / least)),
         rms: (left / count as f64).sqrt(),
     })
 }

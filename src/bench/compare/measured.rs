@@ -26,6 +26,8 @@ pub struct Measured {
     pub secondary_torque: f64,
     /// Torque into the primary, N·m: measured, or the engine's curve at ω_P; not a number without either.
     pub primary_torque: f64,
+    /// Whether it is the engine's.
+    pub of_engine: bool,
     /// Output over input power; not a number where the input is not known.
     pub efficiency: f64,
     /// Standard error of the efficiency, if the table has what it follows from.
@@ -174,7 +176,8 @@ fn point(
     if !(primary > 0.0 && secondary > 0.0 && torque > 0.0) {
         reason.get_or_insert("it does not transmit power from the primary to the secondary".into());
     }
-    let primary_torque = match (number("primary_torque_Nm")?, engine) {
+    let input = number("primary_torque_Nm")?;
+    let primary_torque = match (input, engine) {
         (Some(torque), _) => torque,
         (None, Some(engine)) => match engine.power(primary_speed) {
             Some((power, _)) => power / primary_speed,
@@ -192,12 +195,14 @@ fn point(
     }
     // Where the table has no standard errors of means, samples count as independent.
     let count = number("n_torque")?.filter(|count| *count >= 1.0);
-    let standard = |error: Option<f64>, deviation: Option<f64>| error.or(Some(deviation? / count?.sqrt()));
+    let standard = |error: Option<f64>, deviation: Option<f64>| error.or_else(|| Some(deviation? / count?.sqrt()));
     let torque_error = standard(number("secondary_torque_se")?, deviations.2);
-    let speed_error = standard(number("secondary_rpm_se")?, deviations.1).unwrap_or(0.0);
-    let efficiency_error = torque_error
-        .map(|error| efficiency * (error / torque).hypot(speed_error / secondary))
-        .filter(|e| e.is_finite());
+    let speed_error = standard(number("secondary_rpm_se")?, deviations.1).unwrap_or(0.0) / secondary;
+    // The engine's curve gives a power, in which the primary's speed hardly counts.
+    let primary_error = standard(number("primary_rpm_se")?, deviations.0).filter(|_| input.is_some());
+    let speed_error = speed_error.hypot(primary_error.unwrap_or(0.0) / primary);
+    let efficiency_error =
+        torque_error.map(|error| efficiency * (error / torque).hypot(speed_error)).filter(|error| error.is_finite());
     Ok(Measured {
         run: text("run").unwrap_or_default().to_owned(),
         step: number("step")?,
@@ -205,6 +210,7 @@ fn point(
         secondary_speed,
         secondary_torque: torque,
         primary_torque,
+        of_engine: input.is_none(),
         efficiency,
         efficiency_error,
         reason,

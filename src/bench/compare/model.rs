@@ -34,7 +34,7 @@ struct Said {
 }
 
 /// Keys that measured points take the place of.
-const REPLACED: [Key; 9] = [
+pub(in crate::bench) const REPLACED: [Key; 9] = [
     Key::PrimarySpeed,
     Key::SecondarySpeed,
     Key::PrimaryTorque,
@@ -45,6 +45,8 @@ const REPLACED: [Key; 9] = [
     Key::Ratio,
     Key::Free,
 ];
+/// Half an interval of a constant's logarithm from which on it says nothing: e to it is more than a million million.
+const WIDEST: f64 = 30.0;
 /// Keys of the clamp.
 const CLAMPS: [Key; 6] = [
     Key::SlackTension,
@@ -63,7 +65,7 @@ const CORRELATED: f64 = 0.95;
 /// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the
 /// model can solve, fewer points than constants to fit, or [`BenchProblem::Cancelled`].
 pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Comparison, BenchError> {
-    let keys = keys(base, options)?;
+    let keys = keys(base, &table, options)?;
     let mut warnings = Vec::new();
     let mut points: Vec<Compared> = table.points.iter().map(compared).collect();
     let mut ways = Vec::new();
@@ -93,23 +95,34 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
             Err(NoModel::Cancelled) => return Err(BenchProblem::Cancelled.into()),
         }
     }
+    let tried = ways.len();
+    let unsolved: Vec<usize> = ways.iter().filter(|point| point.solved.is_none()).map(|point| point.place).collect();
     ways.retain(|point| point.solved.is_some());
     let parameters = keys.len() + usize::from(options.fit.iter().any(|key| key == ENGINE_SCALE));
     if ways.len() < 2.max(parameters + 1) {
         let wanted = 2.max(parameters + 1);
+        let path = "the table of points".to_owned();
+        let said = |place: Option<usize>| points.get(place?)?.reason.as_deref();
+        if tried >= wanted {
+            let first = said(unsolved.iter().min().copied()).unwrap_or("the model has no solution");
+            let reason =
+                format!("{} of {tried} points are left, too few: this takes {wanted}; of one, {first}", ways.len());
+            return Err(BenchProblem::NoSolution { path, reason }.into());
+        }
         let mut reason = format!("{} of {} points are left, too few: this takes {wanted}", ways.len(), points.len());
         if let Some(first) = points.iter().find_map(|point| point.reason.as_deref()) {
             reason.push_str("; the first is left out because ");
             reason.push_str(first);
         }
-        return Err(BenchProblem::NoData { path: "the table of points".into(), reason }.into());
+        return Err(BenchProblem::NoData { path, reason }.into());
     }
+    let of_engine: Vec<bool> = table.points.iter().map(|point| point.of_engine).collect();
     let fit = if options.fit.is_empty() {
         None
     } else {
-        Some(fitted(&mut ways, &mut points, &keys, options, &mut warnings)?)
+        Some(fitted(&mut ways, (&mut points, &of_engine), &keys, options, &mut warnings)?)
     };
-    let mut comparison = statistics(points, table.bad, fit, options.scaled, warnings);
+    let mut comparison = statistics(points, &of_engine, table.bad, fit, warnings);
     for bad in comparison.bad_rows.iter().take(5) {
         comparison.warnings.push(format!("line {} is no operating point: {}", bad.line, bad.reason));
     }
@@ -117,7 +130,7 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
 }
 
 /// The keys of the case that are fitted, with the values at which the search starts.
-fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
+fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
     let resolved = base.resolve().map_err(|error| BenchError::from(unusable("case", error.to_string())))?;
     let settings = resolved.settings();
     let mut keys: Vec<(Key, f64)> = Vec::new();
@@ -148,8 +161,12 @@ fn keys(base: &Case, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
             Some(entry) => keys.push(entry),
         }
     }
-    if options.fit.iter().any(|name| name == ENGINE_SCALE) && !options.scaled {
-        return Err(unusable("--fit", format!("{ENGINE_SCALE} needs the engine's curve (--engine)")).into());
+    if options.fit.iter().any(|name| name == ENGINE_SCALE) && !table.points.iter().any(|point| point.of_engine) {
+        let reason = format!(
+            "{ENGINE_SCALE} needs points whose input torque is that of the engine's curve (--engine): that of all is \
+             measured"
+        );
+        return Err(unusable("--fit", reason).into());
     }
     Ok(keys)
 }
@@ -281,7 +298,7 @@ fn unfitted(none: NoModel) -> BenchError {
 /// Fits constants to the points; they then have what the model says with the fitted ones.
 fn fitted(
     ways: &mut [Point],
-    points: &mut [Compared],
+    (points, of_engine): (&mut [Compared], &[bool]),
     keys: &[(Key, f64)],
     options: &Options,
     warnings: &mut Vec<String>,
@@ -295,27 +312,33 @@ fn fitted(
                 .map_or((f64::NAN, None), |p| (p.efficiency_measured.unwrap_or(f64::NAN), p.efficiency_error))
         })
         .collect();
+    let of_engine: Vec<bool> = ways.iter().map(|way| of_engine.get(way.place) == Some(&true)).collect();
+    // What is measured of the input stands as it is.
+    let scale_of = |of_engine: bool, values: &[f64]| {
+        if scaled && of_engine { values.last().copied().unwrap_or(1.0) } else { 1.0 }
+    };
     let weighted = data.iter().all(|(_, error)| error.is_some_and(|error| error > 0.0));
     // Errors of a few samples are uncertain themselves: beside the typical one, none makes a point count for all.
     let typical = data.iter().filter_map(|(_, error)| *error).sum::<f64>() / data.len() as f64;
     let weight = |error: Option<f64>| if weighted { typical / typical.hypot(error.unwrap_or(typical)) } else { 1.0 };
     let mut start: Vec<f64> = keys.iter().map(|(_, value)| *value).collect();
     if scaled {
-        let model: Vec<f64> = ways.iter().filter_map(|way| points.get(way.place)?.efficiency_model).collect();
-        let measured: Vec<f64> = data.iter().map(|(value, _)| *value).collect();
+        let model = ways.iter().map(|way| points.get(way.place)?.efficiency_model);
+        let pairs = data.iter().zip(model).zip(&of_engine).filter(|(_, of_engine)| **of_engine);
+        let (measured, model): (Vec<f64>, Vec<f64>) =
+            pairs.filter_map(|(((value, _), model), _)| Some((*value, model?))).unzip();
         start.push(fit::scale(&measured, &model).map_or(1.0, |scale| scale.value));
     }
     let found = fit::fit(&start, |values| {
         let said = all(ways, keys, values, options.tolerance)?;
-        let scale = if scaled { values.last().copied().unwrap_or(1.0) } else { 1.0 };
         let mut out = Linearised { residuals: Vec::new(), rows: Vec::new() };
-        for (said, (measured, error)) in said.iter().zip(&data) {
-            let weight = weight(*error);
+        for ((said, (measured, error)), of_engine) in said.iter().zip(&data).zip(&of_engine) {
+            let (weight, scale) = (weight(*error), scale_of(*of_engine, values));
             out.residuals.push(weight * (measured / scale - said.efficiency));
             let mut row: Vec<f64> =
                 said.gradient.iter().zip(values).map(|(slope, value)| -weight * slope * value).collect();
             if scaled {
-                row.push(-weight * measured / scale);
+                row.push(if *of_engine { -weight * measured / scale } else { 0.0 });
             }
             out.rows.push(row);
         }
@@ -327,9 +350,8 @@ fn fitted(
     let found = found.map_err(unfitted)?;
     let said = all(ways, keys, &found.values, options.tolerance).map_err(unfitted)?;
     let mut square = 0.0;
-    let scale = if scaled { found.values.last().copied().unwrap_or(1.0) } else { 1.0 };
-    for ((way, said), (measured, _)) in ways.iter().zip(&said).zip(&data) {
-        square += (measured / scale - said.efficiency).powi(2);
+    for (((way, said), (measured, _)), of_engine) in ways.iter().zip(&said).zip(&data).zip(&of_engine) {
+        square += (measured / scale_of(*of_engine, &found.values) - said.efficiency).powi(2);
         if let Some(point) = points.get_mut(way.place) {
             point.take(said);
         }
@@ -340,10 +362,8 @@ fn fitted(
     let constant = |(at, name): (usize, &&str)| {
         let (start, value) = (start.get(at).copied()?, found.values.get(at).copied()?);
         let error = found.errors.as_ref().and_then(|errors| errors.get(at).copied());
-        let interval = error.map(|error| {
-            let half = (error * found.quantile).min(300.0);
-            (value * (-half).exp(), value * half.exp())
-        });
+        let half = error.map(|error| error * found.quantile).filter(|half| *half < WIDEST);
+        let interval = half.map(|half| (value * (-half).exp(), value * half.exp()));
         Some(FittedConstant { key: (*name).into(), start, value, standard_error: error.map(|e| e * value), interval })
     };
     Ok(Fit {
@@ -399,34 +419,42 @@ fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
 
 fn statistics(
     points: Vec<Compared>,
+    of_engine: &[bool],
     bad_rows: Vec<BadRow>,
     fit: Option<Fit>,
-    scaled: bool,
     warnings: Vec<String>,
 ) -> Comparison {
-    let pairs = points.iter().filter(|point| point.used);
-    let (measured, model): (Vec<f64>, Vec<f64>) =
-        pairs.filter_map(|point| point.efficiency_measured.zip(point.efficiency_model)).unzip();
-    let count = measured.len().max(1) as f64;
-    let sum = |value: &dyn Fn(f64, f64) -> f64| measured.iter().zip(&model).map(|(d, m)| value(*d, *m)).sum::<f64>();
-    let mean = measured.iter().sum::<f64>() / count;
+    let used = points.iter().zip(of_engine).filter(|(point, _)| point.used);
+    let pair = |(point, of_engine): (&Compared, &bool)| {
+        Some((point.efficiency_measured?, point.efficiency_model?, *of_engine))
+    };
+    let pairs: Vec<(f64, f64, bool)> = used.filter_map(pair).collect();
+    let count = pairs.len().max(1) as f64;
+    let sum = |value: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|(d, m, _)| value(*d, *m)).sum::<f64>();
+    let mean = sum(&|d, _| d) / count;
     let spread = sum(&|d, _| (d - mean).powi(2));
+    let share = |left: f64| (spread > 0.0).then(|| 1.0 - left / spread);
     let square = sum(&|d, m| (m - d).powi(2));
     let mean_error = sum(&|d, m| m - d) / count;
     let rms = (square / count).sqrt();
-    let one = Scale { value: 1.0, interval: (1.0, 1.0), rms };
-    let best = if scaled { fit::scale(&measured, &model).unwrap_or(one) } else { one };
-    let after = sum(&|d, m| (m - d / best.value).powi(2));
+    let one = Scale { value: 1.0, interval: (1.0, Some(1.0)), rms };
+    let of_engine = pairs.iter().filter(|(.., of_engine)| *of_engine);
+    let (measured, model): (Vec<f64>, Vec<f64>) = of_engine.map(|(d, m, _)| (*d, *m)).unzip();
+    let best = fit::scale(&measured, &model).unwrap_or(one);
+    let scaled = |(d, m, of_engine): &(f64, f64, bool)| (if *of_engine { best.value } else { 1.0 }, *d, *m);
+    let after = |weight: &dyn Fn(f64) -> f64| {
+        pairs.iter().map(scaled).map(|(scale, d, m)| weight(scale) * (m - d / scale).powi(2)).sum::<f64>()
+    };
     Comparison {
         points,
         bad_rows,
         scale: best.value,
-        scale_interval: best.interval.into(),
+        scale_interval: best.interval,
         mean_error,
         rms,
-        rms_after_scale: best.rms,
-        r_squared: 1.0 - square / spread,
-        r_squared_after_scale: 1.0 - after * best.value.powi(2) / spread,
+        rms_after_scale: (after(&|_| 1.0) / count).sqrt(),
+        r_squared: share(square),
+        r_squared_after_scale: share(after(&|scale| scale * scale)),
         fit,
         warnings,
     }

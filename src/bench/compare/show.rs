@@ -92,14 +92,14 @@ pub fn summary(comparison: &Comparison) -> String {
             point.reason.as_deref().unwrap_or_default(),
         );
     }
-    let [low, high] = comparison.scale_interval;
     let _ = writeln!(text, "\nmodel less measurement, mean   {:+.2} percentage points", 100.0 * comparison.mean_error);
     let _ = writeln!(text, "root mean square               {:.2} percentage points", 100.0 * comparison.rms);
-    let _ = writeln!(text, "R²                             {:.4}", comparison.r_squared);
-    let _ = writeln!(text, "scale of the engine's power    {:.4}  (95 %: {low:.4} to {high:.4})", comparison.scale);
+    let _ = writeln!(text, "R²                             {}", determined(comparison.r_squared));
+    let interval = scale_interval(comparison);
+    let _ = writeln!(text, "scale of the engine's power    {:.4}  (95 %: {interval})", comparison.scale);
     let _ =
         writeln!(text, "root mean square with it       {:.2} percentage points", 100.0 * comparison.rms_after_scale);
-    let _ = writeln!(text, "R² with it                     {:.4}", comparison.r_squared_after_scale);
+    let _ = writeln!(text, "R² with it                     {}", determined(comparison.r_squared_after_scale));
     if let Some(fit) = &comparison.fit {
         let weights = if fit.weighted { "weighted by the points' errors" } else { "all points alike" };
         let _ = writeln!(text, "\nfit, {weights}, {} iterations", fit.iterations);
@@ -116,4 +116,17 @@ pub fn summary(comparison: &Comparison) -> String {
         let _ = writeln!(text, "  root mean square               {:>12.3} percentage points", 100.0 * fit.rms);
     }
     text
+}
+
+/// A share as people read it.
+pub fn determined(share: Option<f64>) -> String {
+    share.map_or_else(|| "not determined".to_owned(), |share| format!("{share:.4}"))
+}
+
+/// The interval of the engine's scale as people read it.
+pub fn scale_interval(comparison: &Comparison) -> String {
+    match comparison.scale_interval {
+        (low, Some(high)) => format!("{low:.4} to {high:.4}"),
+        (low, None) => format!("from {low:.4} on"),
+    }
 }

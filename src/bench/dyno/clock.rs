@@ -28,6 +28,8 @@ pub struct Clock<R> {
     pub wraps: u64,
     /// How often it jumped: a pause, or a reset.
     pub jumps: u64,
+    /// How often it was set back: nobody knows how long it stood still.
+    pub resets: u64,
 }
 
 /// A row that is to be confirmed.
@@ -58,7 +60,7 @@ pub enum Stamp<R> {
 impl<R> Clock<R> {
     /// A counter with that many seconds per tick.
     pub fn new(tick: f64) -> Self {
-        Self { tick, offset: 0.0, last: None, step: 0.0, held: Vec::new(), wraps: 0, jumps: 0 }
+        Self { tick, offset: 0.0, last: None, step: 0.0, held: Vec::new(), wraps: 0, jumps: 0, resets: 0 }
     }
 
     /// Reads the stamp of one row. Gives the rows, too, that were held and are refuted by it: they are out of sequence.
@@ -144,6 +146,7 @@ impl<R> Clock<R> {
             // wrong.
             if first.ticks + self.offset + LEAP / self.tick < last {
                 self.offset = last - first.ticks;
+                self.resets += 1;
             }
         }
         let turned = held.last().is_some_and(|held| held.wrapped);
@@ -260,7 +263,7 @@ mod tests {
         assert_eq!(times(&[0.0, 1e6, 2e6, 3e6]).0.len(), 4);
         // A counter that was set to zero.
         let (seconds, clock) = times(&[70e6, 70.008e6, 100.0, 8100.0, 16100.0]);
-        assert_eq!((seconds.len(), clock.jumps), (5, 1));
+        assert_eq!((seconds.len(), clock.jumps, clock.resets), (5, 1, 1));
         assert!(seconds.windows(2).all(|pair| pair[1] >= pair[0]), "{seconds:?}");
     }
 }

@@ -118,6 +118,11 @@ const KNOWN: [&[&str]; CHANNELS] = [
 /// # Errors
 /// What the header lacks, and what it has.
 pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
+    header(line, names, false)
+}
+
+/// As [`by_header`]; with a calibration, the column that is named for the torque has raw values.
+pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<Format, String> {
     let text = std::str::from_utf8(line).map_err(|_| "the first line is no text".to_owned())?;
     let cells: Vec<Cell> = text.trim_start_matches('\u{feff}').split(',').map(Cell::read).collect();
     let rich = cells.iter().any(|cell| cell.range.is_some());
@@ -143,7 +148,9 @@ pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
             None => known.iter().find_map(|name| named(name)),
         };
         let Some(place) = place else { continue };
-        let raw = cells.get(place).is_some_and(|cell| cell.name.eq_ignore_ascii_case("adc"));
+        let raw = channel == Channel::Torque
+            && (calibrated && asked.is_some()
+                || cells.get(place).is_some_and(|cell| cell.name.eq_ignore_ascii_case("adc")));
         let usual = match channel {
             Channel::Primary | Channel::Secondary => SPEEDS,
             Channel::Torque if raw => CONVERTER,

@@ -23,7 +23,7 @@ pub use faults::{Count, Fault, Faults};
 pub use format::{Channel, Column, Format, Names, StepChannel, by_header, step_file};
 pub use lines::{LONGEST, Line, Lines};
 pub use point::{Criteria, Estimate, SteadyPoint};
-pub use read::{FileReport, LogFile, Record, RecordReport, Run, process, records, runs};
+pub use read::{FileReport, LogFile, Record, RecordReport, Run, is_log, process, records, runs};
 pub use reduce::{MOST_POINTS, Reduced, reduce};
 pub(crate) use show::aired;
 pub use show::{figures, points_csv, spectrum_figures};
@@ -47,6 +47,9 @@ pub struct Sample {
     pub channel: Channel,
     /// In the unit of its channel.
     pub value: f64,
+    /// Number of its stretch: windows of a run, and what lies on both sides of a reset of the counter, are not
+    /// averaged together, nor is anything interpolated between them.
+    pub stretch: u64,
 }
 
 /// How logs are reduced.

@@ -1,6 +1,6 @@
 //! Which files belong together, and how they become points.
 
-use super::format::{StepChannel, by_header, step_file};
+use super::format::{StepChannel, header, step_file};
 use super::lines::{Line, Lines};
 use super::stream::Stream;
 use super::uniform::{Row, Uniform};
@@ -80,12 +80,20 @@ pub struct RecordReport {
     /// Speeds over time for a figure, thinned: s, rpm of the primary, rpm of the secondary.
     #[serde(skip)]
     pub trace: Vec<(f64, f64, f64)>,
+    /// Why the first window, or step, that is not steady is not.
+    #[serde(skip)]
+    pub reason: Option<String>,
+    /// Files with torque in N·m to which a calibration that is given was not applied.
+    #[serde(skip)]
+    pub uncalibrated: Vec<String>,
 }
 
 /// Files of a folder that are looked at.
 const FILES: usize = 1_000_000;
 /// Points of a trace.
 const TRACE: usize = 2000;
+/// Samples that a window has at least.
+pub(super) const SAMPLES: usize = 20;
 /// Share of a window that a shorter piece must have to be averaged.
 const SHORTEST: f64 = 0.3;
 /// Hops by which a window moves on where nothing is steady.
@@ -132,16 +140,17 @@ pub fn records(paths: &[PathBuf]) -> Result<Vec<Record>, BenchError> {
     Ok(records)
 }
 
+/// Whether a file of this name in a folder is taken for a log.
+pub fn is_log(name: &str) -> bool {
+    let stem = name.strip_suffix(".gz").unwrap_or(name);
+    let extra = ["calibration", "engine", "cal_values", "tunes", "operating-points"];
+    !extra.iter().any(|word| stem.starts_with(word)) && (stem.ends_with(".csv") || stem.ends_with(".log"))
+}
+
 /// The files of a folder that can be logs, in the order of their names.
 fn folder(path: &Path) -> Result<Vec<PathBuf>, BenchError> {
     let entries = std::fs::read_dir(path).map_err(|error| BenchError::read(path, &error))?;
-    let log = |path: &PathBuf| {
-        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        let stem = name.strip_suffix(".gz").unwrap_or(name);
-        let extra =
-            ["calibration", "engine", "cal_values", "tunes", "operating-points"].iter().any(|w| stem.starts_with(w));
-        path.is_file() && !extra && (stem.ends_with(".csv") || stem.ends_with(".log"))
-    };
+    let log = |path: &PathBuf| path.is_file() && path.file_name().and_then(|name| name.to_str()).is_some_and(is_log);
     let mut files: Vec<PathBuf> =
         entries.take(FILES).filter_map(|entry| entry.ok().map(|entry| entry.path())).filter(log).collect();
     files.sort();
@@ -163,7 +172,8 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')).take(FILES) {
         let bad =
             |reason: &str| BenchError::from(BenchProblem::Line { path: path.into(), line, reason: reason.into() });
-        let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?.trim();
+        let text = std::str::from_utf8(text).map_err(|_| bad("this is no text"))?;
+        let text = text.trim_start_matches('\u{feff}').trim();
         if text.is_empty() {
             continue;
         }
@@ -179,12 +189,31 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
         let number = |at: usize| cells.get(at)?.parse::<f64>().ok().filter(|value| value.is_finite());
         match (cells.get(file), number(start), number(end)) {
             (Some(file), Some(start), Some(end)) if start < end => {
-                runs.push(Run { file: (*file).to_owned(), start: 1e-3 * start, end: 1e-3 * end });
+                let (file, start, end) = (stem(file).to_owned(), 1e-3 * start, 1e-3 * end);
+                let same = |run: &&Run| run.file == file && start < run.end && run.start < end;
+                if let Some(Run { start, end, .. }) = runs.iter().find(same) {
+                    return Err(bad(&format!(
+                        "this window of `{file}` overlaps that from {:.0} to {:.0} ms: expected windows apart",
+                        1e3 * start,
+                        1e3 * end
+                    )));
+                }
+                runs.push(Run { file, start, end });
             }
             _ => return Err(bad("expected the name of a log, and its beginning and end in ms")),
         }
     }
     Ok(runs)
+}
+
+/// The name of a file without the ending of a compressed one.
+fn stem(name: &str) -> &str {
+    name.strip_suffix(".gz").unwrap_or(name)
+}
+
+/// Whether a file is the one that a table of runs names.
+pub(super) fn is_of(run: &Run, path: &Path) -> bool {
+    path.file_name().and_then(|name| name.to_str()).is_some_and(|name| stem(name) == stem(&run.file))
 }
 
 /// Reads a record and hands on every point: steady ones, and of steps every one. `progress` hears of bytes that were
@@ -207,23 +236,29 @@ pub fn process(
         left_over: 0,
         resident: 0,
         trace: Vec::new(),
+        reason: None,
+        uncalibrated: Vec::new(),
     };
+    let has = |channel: StepChannel| record.files.iter().any(|(_, kind)| *kind == Some(channel));
     let mut streams: Vec<(String, Stream)> = Vec::new();
     for (path, kind) in &record.files {
         let skip = match kind {
             // One of the two torques: the raw one with a calibration, the converted one without.
-            Some(StepChannel::Converter) => options.calibration.is_none(),
-            Some(StepChannel::Torque) => {
-                options.calibration.is_some()
-                    && record.files.iter().any(|(_, kind)| *kind == Some(StepChannel::Converter))
-            }
+            Some(StepChannel::Converter) => options.calibration.is_none() && has(StepChannel::Torque),
+            Some(StepChannel::Torque) => options.calibration.is_some() && has(StepChannel::Converter),
             Some(StepChannel::Primary | StepChannel::Secondary) | None => false,
         };
         if skip {
             continue;
         }
         match open(path, *kind, options) {
-            Ok(stream) => streams.push((path.display().to_string(), stream)),
+            Ok(stream) => {
+                let torque = stream.channels().any(|channel| channel == Channel::Torque);
+                if options.calibration.is_some() && torque && !stream.raw() {
+                    report.uncalibrated.push(path.display().to_string());
+                }
+                streams.push((path.display().to_string(), stream));
+            }
             Err(problem) => report.files.push(FileReport {
                 file: path.display().to_string(),
                 rows: 0,
@@ -250,7 +285,7 @@ fn open(path: &Path, kind: Option<StepChannel>, options: &Options) -> Result<Str
     let format: Format = match kind {
         Some(kind) => kind.format(),
         None => match lines.next_line().map_err(said)? {
-            Some(Line::Text(_, text)) => by_header(text, &options.names)?,
+            Some(Line::Text(_, text)) => header(text, &options.names, options.calibration.is_some())?,
             Some(Line::TooLong(_)) => return Err("its first line is longer than any header".into()),
             None => return Err("it is empty".into()),
         },
@@ -258,14 +293,14 @@ fn open(path: &Path, kind: Option<StepChannel>, options: &Options) -> Result<Str
     if format.columns.iter().any(|column| column.raw) && options.calibration.is_none() {
         return Err("its torque is raw: a calibration is needed (--calibration)".into());
     }
-    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    let stem = name.strip_suffix(".gz").unwrap_or(name);
-    let run = options.runs.iter().find(|run| run.file == stem);
-    if run.is_none() && !options.runs.is_empty() && kind.is_none() {
+    if options.runs.is_empty() || kind.is_some() {
+        return Ok(Stream::new(lines, format, (f64::NEG_INFINITY, f64::INFINITY)));
+    }
+    let windows: Vec<_> = options.runs.iter().filter(|run| is_of(run, path)).map(|run| (run.start, run.end)).collect();
+    if windows.is_empty() {
         return Err("it is not in the table of runs".into());
     }
-    let window = run.map_or((f64::NEG_INFINITY, f64::INFINITY), |run| (run.start, run.end));
-    Ok(Stream::new(lines, format, window))
+    Ok(Stream::over(lines, format, windows))
 }
 
 /// Samples of all files in the order of time, made uniform and cut into windows.
@@ -351,7 +386,7 @@ struct Windows<'a> {
 
 impl<'a> Windows<'a> {
     fn new(record: &'a Record, options: &'a Options, present: [bool; CHANNELS]) -> Self {
-        let length = ((options.window * options.rate).round() as usize).max(20);
+        let length = ((options.window * options.rate).round() as usize).max(SAMPLES);
         let (samples, trace) = (Default::default(), Vec::new());
         Self { record, options, present, start: 0.0, samples, length, trace, stride: 1 }
     }
@@ -413,6 +448,7 @@ impl<'a> Windows<'a> {
         }
         let hop = (self.length / HOPS).max(1);
         report.unsteady += 1;
+        report.reason = report.reason.take().or(point.reason);
         self.samples.iter_mut().for_each(|samples| {
             samples.drain(..hop.min(samples.len()));
         });
@@ -421,19 +457,23 @@ impl<'a> Windows<'a> {
 
     fn hand_on(&mut self, point: SteadyPoint, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         *(if point.steady { &mut report.steady } else { &mut report.unsteady }) += 1;
+        if !point.steady {
+            report.reason = report.reason.take().or_else(|| point.reason.clone());
+        }
         take(point);
         self.samples.iter_mut().for_each(Vec::clear);
     }
 
     /// What is left at a gap, or at the end.
     fn end(&mut self, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
-        let enough = self.count() as f64 >= SHORTEST * self.length as f64 && self.count() >= 20;
+        let enough = self.count() as f64 >= SHORTEST * self.length as f64 && self.count() >= SAMPLES;
         if enough {
             let point = self.point();
             if point.steady || self.record.step.is_some() {
                 self.hand_on(point, report, take);
                 return;
             }
+            report.reason = report.reason.take().or(point.reason);
         }
         report.left_over += self.count() as u64;
         self.samples.iter_mut().for_each(Vec::clear);

@@ -1,6 +1,8 @@
 //! All logs that are named, reduced to points.
 
-use super::{Fault, Options, RecordReport, SteadyPoint, process, records};
+use super::read::{SAMPLES, is_of};
+use super::{Fault, Options, Record, RecordReport, SteadyPoint, process, records};
+use crate::bench::belt::POOR_FIT;
 use crate::bench::error::{BenchError, BenchProblem};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -28,7 +30,8 @@ pub struct Reduced {
 /// one it is the first steady point that has a spectrum. `read` is told of the bytes as they are read.
 ///
 /// # Errors
-/// [`BenchProblem::Read`], and [`BenchProblem::NoData`] where no sample comes out.
+/// [`BenchProblem::Read`], and [`BenchProblem::NoData`] where no sample comes out, or no window is steady; runs whose
+/// windows [`Options::runs`] has need not be.
 pub fn reduce(
     paths: &[PathBuf],
     options: &Options,
@@ -61,25 +64,124 @@ pub fn reduce(
         let reason = format!("there is no point {number}: expected a number from 0 to {last}");
         return Err(BenchError::from(BenchProblem::Unusable { path: "spectrum".into(), reason }));
     }
-    let mut warnings = warnings(&reports);
+    let mut warnings = faults(&reports);
+    let names = || paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ");
+    if reports.iter().all(|report| report.samples == 0) {
+        let reason = no_sample(&reports, options, &warnings);
+        return Err(BenchError::from(BenchProblem::NoData { path: names(), reason }));
+    }
+    if reports.iter().all(|report| report.steady == 0) {
+        let reason = none_steady(&reports, options);
+        if options.runs.is_empty() {
+            return Err(BenchError::from(BenchProblem::NoData { path: names(), reason }));
+        }
+        warnings.push(reason);
+    }
+    warnings.extend(doubts(&files, &reports, options));
     if beyond > 0 {
         warnings.push(format!(
             "{beyond} points behind the first {MOST_POINTS} are counted only: choose a longer window, or fewer logs"
         ));
     }
-    if reports.iter().all(|report| report.samples == 0) {
-        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
-        let reason = match warnings.first() {
-            Some(first) => format!("no sample came out; {first}"),
-            None => "no sample came out".into(),
-        };
-        return Err(BenchError::from(BenchProblem::NoData { path: names.join(", "), reason }));
-    }
     Ok(Reduced { points, records: reports, chosen, warnings })
 }
 
+/// Names in a list, of which no more are written out.
+const NAMED: usize = 3;
+
+fn listed(names: &[&str]) -> String {
+    let first = names.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(NAMED) {
+        0 => first,
+        more => format!("{first} and {more} more"),
+    }
+}
+
+/// Why there is no sample, as far as it is known.
+fn no_sample(reports: &[RecordReport], options: &Options, faults: &[String]) -> String {
+    let rows: u64 = reports.iter().flat_map(|report| &report.files).map(|file| file.rows).sum();
+    let gaps: u64 = reports.iter().map(|report| report.gaps).sum();
+    let mut reason = format!("no sample came out of {rows} rows");
+    for fault in faults.iter().take(NAMED) {
+        reason += &format!("; {fault}");
+    }
+    if gaps > 0 {
+        let longest = options.longest_gap;
+        reason +=
+            &format!("; {gaps} gaps between samples are longer than {longest} s and are not bridged (--longest-gap)");
+    }
+    if faults.is_empty() && gaps == 0 && rows > 0 {
+        let within = if options.runs.is_empty() { "" } else { " within the windows of the table of runs" };
+        reason += &format!("; every channel must have values at the same times as the others{within}");
+    }
+    reason
+}
+
+/// Why nothing is steady, as far as it is known.
+fn none_steady(reports: &[RecordReport], options: &Options) -> String {
+    let unsteady: u64 = reports.iter().map(|report| report.unsteady).sum();
+    let samples: u64 = reports.iter().map(|report| report.samples).sum();
+    let left: u64 = reports.iter().map(|report| report.left_over).sum();
+    let gaps: u64 = reports.iter().map(|report| report.gaps).sum();
+    let window = options.window;
+    let mut reason = match unsteady {
+        0 => format!("no window of {window} s is filled"),
+        _ => format!("none of {unsteady} windows of {window} s is steady"),
+    };
+    let first = reports.iter().find_map(|report| Some((&report.record, report.reason.as_ref()?)));
+    if let Some((record, why)) = first {
+        reason += &format!("; in {record} {why}");
+    }
+    if left > 0 {
+        reason += &format!("; {left} of {samples} samples lie in shorter pieces that are not averaged (--window)");
+        if gaps > 0 {
+            reason += &format!(", between {gaps} gaps longer than {} s (--longest-gap)", options.longest_gap);
+        }
+    }
+    reason
+}
+
+/// What was asked for and is not done, or not as it was asked for.
+fn doubts(files: &[Record], reports: &[RecordReport], options: &Options) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let (window, rate) = (options.window, options.rate);
+    let samples = (window * rate).round();
+    let least = SAMPLES as f64;
+    if samples < least {
+        doubts.push(format!(
+            "a window of {window} s has {samples} samples at {rate} Hz: windows of {SAMPLES} samples, {} s, are \
+             averaged (expected --window {} or longer, or --rate {} or more)",
+            least / rate,
+            least / rate,
+            (least / window).ceil()
+        ));
+    }
+    if let Some(line) = options.calibration.filter(|line| line.r_squared < POOR_FIT) {
+        doubts.push(format!("the calibration's line describes its data poorly, R² = {:.4}", line.r_squared));
+    }
+    let uncalibrated: Vec<&str> = reports.iter().flat_map(|report| &report.uncalibrated).map(String::as_str).collect();
+    if !uncalibrated.is_empty() {
+        doubts.push(format!(
+            "the calibration is not applied to torque that is in N·m by its name ({}); a column of raw values is named \
+             with --torque",
+            listed(&uncalibrated)
+        ));
+    }
+    let mut missing: Vec<&str> = Vec::new();
+    let logs = || files.iter().flat_map(|record| &record.files).filter(|(_, kind)| kind.is_none());
+    for run in &options.runs {
+        if !missing.contains(&run.file.as_str()) && !logs().any(|(path, _)| is_of(run, path)) {
+            missing.push(&run.file);
+        }
+    }
+    if !missing.is_empty() {
+        doubts.push(format!("the table of runs has logs that are not among these files: {}", listed(&missing)));
+    }
+    doubts
+}
+
 /// Of files that could not be read, and of each fault once; that the logger asked faster than sensors answer is none.
-fn warnings(reports: &[RecordReport]) -> Vec<String> {
+fn faults(reports: &[RecordReport]) -> Vec<String> {
     let files = || reports.iter().flat_map(|report| &report.files);
     let mut warnings: Vec<String> =
         files().filter_map(|file| Some(format!("{}: {}", file.file, file.problem.as_ref()?))).collect();

@@ -13,13 +13,13 @@ const RPM: f64 = Unit::RPM.per_si();
 const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,\
     secondary_torque_sd,n_torque,duration_s,primary_rpm_se,secondary_rpm_se,secondary_torque_se";
 
-/// The table of operating points that `sheave compare` reads; points without both speeds and torque are left out, and
-/// counted.
+/// The table of operating points that `sheave compare` reads; points that are not steady, or without both speeds and
+/// torque, are left out, and counted.
 pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
     let (mut text, mut left_out) = (format!("{HEADER}\n"), 0);
     for (at, point) in points.iter().enumerate() {
         let (Some(primary), Some(secondary), Some(torque)) =
-            (point.primary_speed, point.secondary_speed, point.secondary_torque)
+            (point.primary_speed, point.secondary_speed, point.secondary_torque.filter(|_| point.steady))
         else {
             left_out += 1;
             continue;

@@ -33,8 +33,12 @@ pub struct Stream {
     format: Format,
     clock: Clock<Values>,
     faults: Faults,
-    /// Window in time that is read, s.
-    window: (f64, f64),
+    /// Windows in time that are read, s.
+    windows: Vec<(f64, f64)>,
+    /// Window and resets of the counter at the last sample.
+    place: (usize, u64),
+    /// Number of the stretch that these make.
+    stretch: u64,
     /// Values of the last row that was no repetition.
     before: Option<[Option<f64>; CHANNELS]>,
     /// Rows on their way past the test for outliers, with their lines, by channel.
@@ -53,13 +57,20 @@ pub struct Stream {
 impl Stream {
     /// Reads `lines` in a format; times outside the window in s are skipped.
     pub fn new(lines: Lines, format: Format, window: (f64, f64)) -> Self {
+        Self::over(lines, format, vec![window])
+    }
+
+    /// As [`Stream::new`], over several windows that do not overlap, each of which is a stretch of its own.
+    pub fn over(lines: Lines, format: Format, windows: Vec<(f64, f64)>) -> Self {
         let clock = Clock::new(format.tick);
         Self {
             lines,
             format,
             clock,
             faults: Faults::default(),
-            window,
+            windows,
+            place: (0, 0),
+            stretch: 0,
             before: None,
             filter: Default::default(),
             begun: [false; CHANNELS],
@@ -188,9 +199,14 @@ impl Stream {
     }
 
     fn take(&mut self, time: f64, (values, line): Values) {
-        if time < self.window.0 || time > self.window.1 {
+        let Some(window) = self.windows.iter().position(|(start, end)| (*start..=*end).contains(&time)) else {
             return;
+        };
+        let place = (window, self.clock.resets);
+        if place != std::mem::replace(&mut self.place, place) {
+            self.stretch += 1;
         }
+        let stretch = self.stretch;
         let columns: Vec<Column> = self.format.columns.clone();
         for column in columns {
             let channel = column.channel as usize;
@@ -199,7 +215,7 @@ impl Stream {
                 self.faults.add(Fault::OutOfRange, line);
                 continue;
             }
-            self.filtered(&column, Sample { time, channel: column.channel, value }, line);
+            self.filtered(&column, Sample { time, channel: column.channel, value, stretch }, line);
         }
     }
 

@@ -11,7 +11,7 @@ const WAITING: usize = 1 << 14;
 pub enum Row {
     /// Values of all channels at a time in s; not a number for a channel that the log does not have.
     Values(f64, [f64; CHANNELS]),
-    /// A channel has no samples for a while.
+    /// A channel has no samples for a while, or another stretch begins.
     Gap,
 }
 
@@ -25,6 +25,10 @@ pub struct Uniform {
     longest: f64,
     /// The next time to be had, s.
     next: Option<f64>,
+    /// Whether a channel has come to another stretch since the last row.
+    crossed: bool,
+    /// Whether the last row was a gap.
+    gapped: bool,
     /// Gaps so far.
     pub gaps: u64,
     /// Largest number of samples that waited at once.
@@ -36,7 +40,8 @@ impl Uniform {
     /// interpolated.
     pub fn new(present: [bool; CHANNELS], rate: f64, longest: f64) -> Self {
         let period = 1.0 / rate;
-        Self { present, waiting: Default::default(), period, longest, next: None, gaps: 0, resident: 0 }
+        let waiting = Default::default();
+        Self { present, waiting, period, longest, next: None, crossed: false, gapped: false, gaps: 0, resident: 0 }
     }
 
     /// Takes a sample and hands on what can be had now.
@@ -51,6 +56,7 @@ impl Uniform {
         }
         self.resident = self.resident.max(self.waiting.iter().map(VecDeque::len).sum());
         while let Some(row) = self.row() {
+            self.gapped = row == Row::Gap;
             rows.push(row);
         }
     }
@@ -76,10 +82,11 @@ impl Uniform {
                 continue;
             }
             while queue.get(1).is_some_and(|second| second.time <= next) {
-                queue.pop_front();
+                let first = queue.pop_front();
+                self.crossed |= first.map(|first| first.stretch) != queue.front().map(|second| second.stretch);
             }
             let (Some(a), Some(b)) = (queue.front(), queue.get(1)) else { return None };
-            if next < a.time || b.time - a.time > self.longest {
+            if next < a.time || b.time - a.time > self.longest || a.stretch != b.stretch {
                 behind = Some(behind.unwrap_or(0.0).max(if next < a.time { a.time } else { b.time }));
                 continue;
             }
@@ -87,6 +94,10 @@ impl Uniform {
             if let Some(value) = values.get_mut(channel) {
                 *value = a.value + share * (b.value - a.value);
             }
+        }
+        if std::mem::take(&mut self.crossed) && behind.is_none() && !self.gapped {
+            self.gaps += 1;
+            return Some(Row::Gap);
         }
         // The first time of the grid behind the gap, or the next one.
         let steps = behind.map_or(1.0, |time| ((time - next) / self.period).ceil().max(1.0));
@@ -115,9 +126,9 @@ mod tests {
         let mut rows = Vec::new();
         for at in 0..400 {
             let time = 0.013 * f64::from(at);
-            uniform.push(Sample { time, channel: Channel::Primary, value: 3.0 + 2.0 * time }, &mut rows);
+            uniform.push(Sample { time, channel: Channel::Primary, value: 3.0 + 2.0 * time, stretch: 0 }, &mut rows);
             let time = 0.5 + 0.021 * f64::from(at);
-            uniform.push(Sample { time, channel: Channel::Secondary, value: 7.0 - time }, &mut rows);
+            uniform.push(Sample { time, channel: Channel::Secondary, value: 7.0 - time, stretch: 0 }, &mut rows);
         }
         assert!(rows.len() > 400 && uniform.gaps == 0, "{}", rows.len());
         for row in &rows {
@@ -132,9 +143,29 @@ mod tests {
         let mut uniform = Uniform::new([true, false, false], 125.0, 4.0);
         let mut rows = Vec::new();
         for time in [1e16, 1e16 + 2.0, 1e16 + 4.0, 1e16 + 6.0] {
-            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0 }, &mut rows);
+            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0, stretch: 0 }, &mut rows);
         }
         assert!(rows.len() < 10 && rows.iter().all(|row| *row == Row::Gap), "{rows:?}");
+    }
+
+    #[test]
+    fn stretches_are_parted_however_close_they_are() {
+        // With times of the grid between the samples, and without: 8 ms apart, at 500 and at 20 per second.
+        for rate in [500.0, 20.0] {
+            let mut uniform = Uniform::new([true, false, false], rate, 0.1);
+            let mut rows = Vec::new();
+            for at in 0..200_u64 {
+                let (time, stretch) = (0.008 * at as f64, at / 100);
+                uniform.push(Sample { time, channel: Channel::Primary, value: stretch as f64, stretch }, &mut rows);
+            }
+            assert!((1..=2).contains(&uniform.gaps), "{rate}: {}", uniform.gaps);
+            // Nothing between the two levels is made up, and the gap lies between them.
+            let gap = rows.iter().position(|row| *row == Row::Gap).unwrap();
+            for (at, row) in rows.iter().enumerate() {
+                let Row::Values(_, [value, ..]) = row else { continue };
+                assert_eq!(*value, if at < gap { 0.0 } else { 1.0 }, "{rate}");
+            }
+        }
     }
 
     #[test]
@@ -142,7 +173,7 @@ mod tests {
         let mut uniform = Uniform::new([true, false, false], 100.0, 0.1);
         let mut rows = Vec::new();
         for time in [0.0, 0.05, 0.1, 1e6, 1e6 + 0.05] {
-            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0 }, &mut rows);
+            uniform.push(Sample { time, channel: Channel::Primary, value: 1.0, stretch: 0 }, &mut rows);
         }
         assert_eq!(uniform.gaps, 1);
         assert!(rows.len() < 20, "{}", rows.len());
