@@ -20,35 +20,41 @@ export class Belt {
   #scheduled = false;
 
   /** Of a page: its case, its changes, its controls and drawings; and how it asks, says and comes to rest. */
-  constructor(page, { ask, say, notice, refused, settled, joined, measured }) {
+  constructor(page, { ask, say, notice, accepted, refused, settled, again, measured }) {
     this.page = page;
-    Object.assign(this, { ask, say, notice, refused, settled, joined, measured });
+    Object.assign(this, { ask, say, notice, accepted, refused, settled, again, measured });
   }
 
-  /** Follows the drive to where it was moved. */
-  async move() {
+  /** Follows the drive to where a change moves it. */
+  async move(change) {
     const { page } = this;
-    const { change } = page;
-    page.change = null;
     const { set: keys = [], unset = [], whole } = change;
     const from = whole ?? page.case;
     const question = { ask: "solve", case: from, set: keys, unset, tolerance: MOVING, work_limit: WORK, follow: true };
     try {
+      if (page.change) return await this.#pass(question, whole !== undefined);
       for (let steps = 0; steps < MOST_STEPS; steps += 1) {
         const answer = await this.ask("move", { ...question, ...(steps ? { case: page.case, unset: [] } : {}) });
         if (answer.case === undefined) {
           this.refused(answer.failure, whole !== undefined);
           return;
         }
-        page.case = answer.case;
+        this.accepted(answer.case);
         this.#draw(answer);
         if (!answer.on_the_way || page.change) return;
       }
     } catch (error) {
-      // What a newer change interrupted is asked again together with it.
-      if (error.name === "AbortError" && page.change) page.change = this.joined(change, page.change);
+      // What a newer change interrupted is asked again before it.
+      if (error.name === "AbortError" && page.change) this.again(change);
       throw error;
     }
+  }
+
+  /** Changes the case by what others wait behind: no solution of it is needed. */
+  async #pass(question, whole) {
+    const answer = await this.ask("move", { ...question, work_limit: 1, follow: false, scene: false });
+    if (answer.case === undefined) this.refused(answer.failure, whole);
+    else this.accepted(answer.case);
   }
 
   /** Shows an answer with the next picture, while the next question is being answered. */
@@ -86,8 +92,8 @@ export class Belt {
     const answer = await this.ask("rest", { ask: "solve", case: page.case, tolerance: RESTING, work_limit: WORK });
     if (page.change) return;
     if (answer.case === undefined) {
-      page.rested = true;
       this.refused(answer.failure);
+      page.rested = true;
       return;
     }
     this.#show(answer);

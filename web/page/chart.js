@@ -167,9 +167,9 @@ export class Chart {
     const all = this.lines
       .flatMap((line) => line.y)
       .filter((value) => Number.isFinite(value) && (!profile.log || value > 0));
-    if (all.length === 0) return this.#empty();
     let [low, high] = [Math.min(...all, ...(guide ? [guide] : [])), Math.max(...all, ...(guide ? [guide] : []))];
     const reach = Math.max(...this.lines.map((line) => line.x.at(-1) ?? 0));
+    if (all.length === 0 || !(reach > 0)) return this.#empty();
     if (profile.log) {
       low = Math.max(low, high * 1e-7);
       [low, high] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
@@ -223,20 +223,37 @@ export class Chart {
     set(this.paths.guide, { d: rates.map(ray).join("") });
   }
 
-  /** Points that mean something by themselves, with their names. */
+  /** Points that mean something by themselves, with their names where there is room for them. */
   #places(places) {
-    const children = places.flatMap(({ x, y, text, name, side: wanted }) => {
-      const [cx, cy] = [this.x(x).toFixed(1), this.y(y).toFixed(1)];
-      // A name that would run over the numbers of the axis stands on the other side.
-      const fits = Number(cx) - 9 - LETTER * (text ?? "").length > MARGIN.left;
-      const side = wanted === "end" && !fits ? "start" : wanted;
-      const gap = side === "end" ? -9 : 9;
-      return [
-        svg("circle", { class: `place ${name}`, cx, cy, r: 4.5 }),
-        ...(text ? [svg("text", { x: Number(cx) + gap, y: Number(cy) - 7, "text-anchor": side, text })] : []),
-      ];
+    const taken = [];
+    const children = places.flatMap(({ x, y, text, name, side }) => {
+      const [cx, cy] = [this.x(x), this.y(y)];
+      const circle = svg("circle", { class: `place ${name}`, cx: cx.toFixed(1), cy: cy.toFixed(1), r: 4.5 });
+      if (!text) return [circle];
+      const other = side === "end" ? "start" : "end";
+      const ways = [-7, 17, -21, 31].flatMap((down) => [side, other].map((side) => ({ side, down })));
+      const free = ways.find((way) => this.#isFree(box(way), taken)) ?? ways[0];
+      taken.push(box(free));
+      const gap = free.side === "end" ? -9 : 9;
+      const at = { x: (cx + gap).toFixed(1), y: (cy + free.down).toFixed(1), "text-anchor": free.side };
+      return [circle, svg("text", { ...at, text })];
+
+      function box({ side, down }) {
+        const width = LETTER * text.length;
+        const left = side === "end" ? cx - 9 - width : cx + 9;
+        return { left, right: left + width, top: cy + down - 11, bottom: cy + down + 3 };
+      }
     });
     this.marks.replaceChildren(...children);
+  }
+
+  /** Whether a name runs neither over the numbers of the axis, nor over the edge, nor over another name. */
+  #isFree({ left, right, top, bottom }, taken) {
+    const inside = left > MARGIN.left && right < this.width && top >= 0 && bottom < this.height - MARGIN.bottom;
+    return (
+      inside &&
+      taken.every((other) => left > other.right || right < other.left || top > other.bottom || bottom < other.top)
+    );
   }
 
   /** Nothing is known. */

@@ -1,6 +1,6 @@
 // Sliders, fields and lists for every key of a case file, from the table that the solver tells.
 
-import { number, plain, step, words } from "./format.js";
+import { plain, step, words } from "./format.js";
 import { html, symbol } from "./dom.js";
 
 const SECTIONS = {
@@ -77,6 +77,8 @@ class Quantity {
     this.range.addEventListener("input", () => this.#slid());
     this.field.addEventListener("change", () => this.#typed());
     this.field.addEventListener("keydown", (event) => event.key === "Enter" && this.#typed());
+    // What is left is what holds, once what was typed is answered.
+    this.field.addEventListener("blur", () => this.asked || this.#write());
     this.out.addEventListener("click", () => changed({ unset: [key.path] }));
   }
 
@@ -124,14 +126,32 @@ class Quantity {
     const text = this.field.value.trim().replace("−", "-");
     if (text === "" || text === this.shown) return;
     const number = Number(text.replace(",", "."));
+    const isNumber = Number.isFinite(number);
+    if (isNumber) this.#place(number);
     // A text with a unit of its own is the solver's to read.
-    this.#say(Number.isFinite(number) ? String(number) : text);
+    this.#say(isNumber ? String(number) : text);
   }
 
   #say(text) {
-    this.shown = this.field.value;
+    this.shown = this.field.value.trim().replace("−", "-");
+    this.asked = true;
     const unit = this.key.unit && Number.isFinite(Number(text)) ? ` ${this.key.unit}` : "";
     this.changed({ set: [[this.key.path, `${text}${unit}`]] }, this);
+  }
+
+  /** The slider at a value. */
+  #place(value) {
+    this.value = value;
+    this.#reach(value);
+    this.range.value = String(this.log ? Math.log10(value) : value);
+    this.#tell();
+  }
+
+  /** The field with the value that holds. */
+  #write() {
+    const known = Number.isFinite(this.held);
+    this.field.value = known ? plain(this.held, 5) : "";
+    this.shown = this.field.value;
   }
 
   #tell() {
@@ -147,15 +167,15 @@ class Quantity {
     this.row.classList.toggle("given", given);
     this.out.hidden = !given;
     const known = Number.isFinite(value);
+    this.held = value;
     this.row.classList.toggle("unknown", !known);
     if (active === this && known) return;
-    this.value = known ? value : this.key.example;
-    this.#reach(this.value);
-    this.range.value = String(this.log ? Math.log10(this.value) : this.value);
-    if (document.activeElement !== this.field || !known) this.field.value = known ? plain(value, 5) : "";
-    this.field.placeholder = known ? "" : `e.g. ${number(this.key.example)}`;
-    this.shown = this.field.value;
-    this.#tell();
+    this.asked = false;
+    this.#place(known ? value : this.key.example);
+    // What is being typed stays.
+    const typed = document.activeElement === this.field && (known || this.field.value.trim() !== this.shown);
+    if (!typed) this.#write();
+    this.field.placeholder = known ? "" : `e.g. ${plain(this.key.example, 4)}`;
   }
 
   /** The ends of a part's slider are those of another drive. */

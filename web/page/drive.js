@@ -10,6 +10,9 @@ export const SLOWER = 100;
 const CONTACT_PIECES = 48;
 const SPAN_PIECES = 24;
 const SPOKES = 6;
+/** Room that a name of a span takes besides its distance, px, and how often it is made to fit at most. */
+const LETTERS = 12;
+const ROUNDS = 4;
 /** Marks on the belt. */
 const MARKS = 28;
 /** Milliseconds after a drawing in which the next one is waited for: rotation goes on with it, not beside it. */
@@ -67,6 +70,16 @@ export function runs(pulley, threshold) {
     }
   }
   return found;
+}
+
+/** Where the name of a span stands: at its middle, so many pixels away from it, outside of the belt. */
+function place(span) {
+  const middle = Math.floor(span.x.length / 2);
+  const up = span.y[middle] > 0;
+  const [dx, dy] = [span.x.at(-1) - span.x[0], span.y.at(-1) - span.y[0]];
+  // Clear of a belt that rises under the text.
+  const slope = 55 * Math.abs(dy / dx);
+  return { x: mm(span.x[middle]), y: mm(span.y[middle]), up, away: (up ? 13 : 22) + slope };
 }
 
 function arc(center, radius, from, to) {
@@ -203,11 +216,25 @@ export class DriveView {
     };
     const { left, right, above, below } = this.#room;
     const width = left + center + right;
-    // Room for the names of the spans.
-    const labels = 0.055 * width;
+    // Room for the names of the spans, which are as large as on any drawing: the more room, the smaller its scale.
+    const scale = (labels) => {
+      const height = above + below + 2 * labels;
+      return Math.max(width / Math.max(this.#size.width, 200), height / Math.max(this.#size.height, 120));
+    };
+    let labels = 0.055 * width;
+    for (let k = 0; k < ROUNDS; k += 1) {
+      const beyond = Object.keys(this.spans).map((region) => {
+        const { up, y, away } = place(scene[region]);
+        return (up ? y - above : -y - below) + (away + LETTERS) * scale(labels);
+      });
+      const needed = Math.max(...beyond);
+      if (needed <= labels) break;
+      // In steps, as the window.
+      labels = 10 * Math.ceil(needed / 10);
+    }
     const height = above + below + 2 * labels;
     set(this.svg, { viewBox: `${-left} ${-above - labels} ${width} ${height}` });
-    this.#scale = Math.max(width / Math.max(this.#size.width, 200), height / Math.max(this.#size.height, 120));
+    this.#scale = scale(labels);
     this.svg.style.setProperty("--px", String(this.#scale));
     this.svg.style.aspectRatio = `${width} / ${height}`;
   }
@@ -275,15 +302,10 @@ export class DriveView {
   #spanLabels(scene) {
     for (const [region, text] of Object.entries(this.spans)) {
       const part = scene[region];
-      const middle = Math.floor(part.x.length / 2);
-      const up = part.y[middle] > 0;
-      const [dx, dy] = [part.x.at(-1) - part.x[0], part.y.at(-1) - part.y[0]];
-      // Clear of a belt that rises under the text.
-      const slope = 55 * Math.abs(dy / dx);
+      const { x, y, up, away } = place(part);
       const mean = part.tension.reduce((sum, value) => sum + value, 0) / part.tension.length;
       text.textContent = `${region.replace("_", " ")}, ${number(mean, 3)} N`;
-      const y = -mm(part.y[middle]) + (up ? -13 - slope : 22 + slope) * this.#scale;
-      set(text, { x: mm(part.x[middle]).toFixed(2), y: y.toFixed(2) });
+      set(text, { x: x.toFixed(2), y: (-y + (up ? -away : away) * this.#scale).toFixed(2) });
     }
   }
 

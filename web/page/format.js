@@ -33,7 +33,8 @@ export function step(range, parts) {
 
 /** Round places of an axis. */
 export function ticks(from, to, count) {
-  if (!(to > from)) return [from];
+  // Not apart by more than the last digits of a number, they have nothing round between them.
+  if (!(to - from > 1e-12 * Math.max(Math.abs(from), Math.abs(to)))) return [from];
   const size = step(to - from, count);
   const places = [];
   for (let k = Math.ceil(from / size - 1e-9); k * size <= to + 1e-9 * size; k += 1) {

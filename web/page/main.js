@@ -25,14 +25,22 @@ const page = {
   look: "belt",
   /** The text of the case. */
   case: "",
-  /** Changes not yet asked for, and what is asked once there are none. */
+  /** Whether the solver has started: changes wait for it. */
+  ready: false,
+  /** Whether a case is shown. */
+  known: false,
+  /** What the address says, while it is no case that is shown: it is being opened, or is `damaged`. */
+  kept: null,
+  damaged: false,
+  /** Changes not yet asked for, the oldest first, or null; and what is asked once there are none. */
   change: null,
-  task: null,
+  tasks: [],
   active: null,
   busy: null,
   answer: null,
-  /** Whether the last answer has a solution, to the finer tolerance. */
+  /** Whether nothing is left to ask of the case, and whether the case that holds has come to rest. */
   rested: false,
+  settled: false,
   frames: [],
   /** How many answers have been shown. */
   drawn: 0,
@@ -72,26 +80,37 @@ function stoppable(is) {
   for (const button of document.querySelectorAll(".stop")) button.hidden = !is;
 }
 
-/** Notes a change and sees to it that it is asked for. */
+/** Notes a change and sees to it that it is asked for, as soon as there is a solver. */
 function changed(change, active = null) {
-  page.change = page.change ? joined(page.change, change) : change;
+  page.change = joined(page.change, change);
   page.active = active;
   page.rested = false;
   page.sticky = false;
+  if (page.damaged || change.whole !== undefined) [page.kept, page.damaged] = [null, false];
+  if (!page.ready) return;
   if (page.busy && performance.now() - page.busy.since > PATIENCE[page.busy.kind]) end();
   wake();
   run();
 }
 
-/** Two changes as one: what the second says of a key holds, and another case replaces everything before it. */
-function joined(first, second) {
-  if (second.whole !== undefined) return second;
-  const names = [...(second.set ?? []).map(([key]) => key), ...(second.unset ?? [])];
-  return {
-    whole: first.whole,
-    set: [...(first.set ?? []).filter(([key]) => !names.includes(key)), ...(second.set ?? [])],
-    unset: [...(first.unset ?? []), ...(second.unset ?? [])],
-  };
+/** The keys of which a change says something. */
+const named = ({ set = [], unset = [] }) => [...set.map(([key]) => key), ...unset];
+
+/**
+ * Changes with one more behind them: it takes the place of those whose keys it names again, and another case of all.
+ * The others stay apart, to be asked one after the other: what excludes what is the solver's to know.
+ */
+function joined(changes, change) {
+  if (!changes || change.whole !== undefined) return [change];
+  const keys = named(change);
+  if (keys.length === 0) return changes;
+  const replaced = (before) => before.whole === undefined && named(before).every((key) => keys.includes(key));
+  return [...changes.filter((before) => !replaced(before)), change];
+}
+
+/** A change that was not completed, asked again before those that came after it. */
+function again(change) {
+  page.change = [change, ...(page.change ?? [])].reduce(joined, null);
 }
 
 /** Ends what is being computed, once. */
@@ -105,16 +124,16 @@ function end() {
 
 let running = false;
 
-/** Answers changes one after the other, the newest only; then rests. */
+/** Answers changes one after the other; then rests. */
 async function run() {
   if (running) return;
   running = true;
   try {
     while (true) {
       const view = page.look === "belt" ? page.belt : page.whole;
-      if (page.change) await guarded(() => view.move());
+      if (page.change) await guarded(moving(view));
       else if (!page.rested && (await pause(REST))) await guarded(() => view.rest());
-      else if (page.rested && page.task) await guarded(taken());
+      else if (page.rested && page.tasks.length > 0) await guarded(page.tasks.shift());
       else if (page.rested && !page.change) break;
     }
   } finally {
@@ -122,11 +141,11 @@ async function run() {
   }
 }
 
-/** What else is to be asked, once. */
-function taken() {
-  const { task } = page;
-  page.task = null;
-  return task;
+/** The oldest change, asked once, whatever becomes of it. */
+function moving(view) {
+  const [change, ...later] = page.change;
+  page.change = later.length > 0 ? later : null;
+  return () => view.move(change);
 }
 
 /** Ends a pause. */
@@ -146,35 +165,71 @@ async function guarded(task) {
   try {
     await task();
   } catch (error) {
-    if (error.name === "AbortError") return;
-    notice("error", "The solver stopped and was started again.", String(error.message ?? error));
-    page.rested = true;
+    if (error.name !== "AbortError") {
+      notice("error", "The solver stopped and was started again.", String(error.message ?? error));
+      page.rested = true;
+    }
+    if (!page.change) back();
   }
 }
 
-/** Where this case is, in this view. */
-function address() {
-  return `${location.pathname}${location.search}${toFragment(page.case, page.look)}`;
+/** The controls show what holds. */
+function back() {
+  page.active = null;
+  if (page.answer) page.controls.show(page.answer, null);
+}
+
+/** Where this case is, in this view; while what the address says is not shown, the address as it is. */
+function address(kept = page.kept) {
+  const fragment = kept ?? (page.known ? toFragment(page.case, page.look) : location.hash);
+  return `${location.pathname}${location.search}${fragment}`;
+}
+
+/** The solver has understood a case. */
+function accepted(text) {
+  page.case = text;
+  page.known = true;
+  page.settled = false;
+  if (!page.damaged) page.kept = null;
 }
 
 /** Nothing is left to ask: the case goes into the address bar. */
 function settled() {
-  page.active = null;
   page.rested = true;
+  page.settled = true;
+  back();
   history.replaceState(null, "", address());
   document.documentElement.dataset.rested = String(Number(document.documentElement.dataset.rested ?? 0) + 1);
 }
 
-/** A case that is not understood: it stays out, and the controls go back. */
+/** A case that is not understood: it stays out, the controls go back, and the case that holds comes to rest. */
 function refused(failure, whole) {
   notice("error", failure.message, failure.hint);
-  page.rested = true;
-  if (page.answer) page.controls.show(page.answer, null);
-  if (whole && !page.answer) {
-    // What the address says is no case: the base case is shown, and why stays to be read.
-    changed({ whole: "" });
-    page.sticky = true;
-  }
+  page.sticky = true;
+  page.rested = page.settled;
+  if (!page.change) back();
+  if (page.kept !== null) page.damaged = true;
+  if (whole && !page.answer && !page.change) instead();
+}
+
+/** What the address says is no case: the base case is shown, why stays to be read, and the address as it is. */
+function instead() {
+  const { kept, damaged } = page;
+  changed({ whole: "" });
+  Object.assign(page, { kept, damaged, sticky: true });
+}
+
+/** What the address says is opened, or said to be damaged. */
+function follow(asked) {
+  const { damaged } = asked;
+  if (!damaged && asked.look !== page.look) look(asked.look);
+  if (!damaged) changed({ whole: asked.text });
+  page.kept = location.hash;
+  if (!damaged) return;
+  page.damaged = true;
+  notice("error", damaged, "The address stays as it is until something is changed.");
+  if (page.known) page.sticky = true;
+  else instead();
 }
 
 /** Drawings, or whole curves, in the last second. */
@@ -233,34 +288,48 @@ function wire() {
   });
   byId("base").addEventListener("click", () => open(""));
   byId("share").addEventListener("click", async () => {
-    const url = `${location.origin}${address()}`;
-    history.replaceState(null, "", address());
+    const url = address(page.damaged ? null : page.kept);
+    if (!page.damaged) history.replaceState(null, "", url);
     try {
-      await navigator.clipboard.writeText(url);
+      await navigator.clipboard.writeText(`${location.origin}${url}`);
       say("spoken", "The link to this case is on the clipboard.");
       say("share", "Link copied");
     } catch {
+      history.replaceState(null, "", url);
       say("share", "Link is in the address bar");
     }
     setTimeout(() => say("share", "Copy link"), 2500);
   });
-  byId("save-case").addEventListener("click", () => download("case.toml", "application/toml", page.case));
   const isWhole = () => page.look === "drive";
-  byId("save-svg").addEventListener("click", () => {
-    const [name, text] = isWhole()
-      ? ["shift.svg", standalone(page.whole.view.svg, "px")]
-      : ["drive.svg", standalone(page.view.svg, "mm")];
-    download(name, "image/svg+xml", text);
+  const save = (...file) => (file.at(-1) ? download(...file) : notice("note", "There is nothing to save yet.", ""));
+  byId("save-case").addEventListener("click", () => {
+    // The base case has no text, and is a case.
+    if (page.known) download("case.toml", "application/toml", page.case);
+    else save("");
   });
-  byId("save-csv").addEventListener("click", async () => {
-    if (isWhole()) return download("shift.csv", "text/csv", page.whole.view.csv);
-    if (page.busy) return;
-    const { csv } = await ask("rest", { ask: "profile" });
-    download("profile.csv", "text/csv", csv);
+  byId("save-svg").addEventListener("click", () => {
+    const [name, drawing, unit] = isWhole()
+      ? ["shift.svg", page.whole.view.svg, "px"]
+      : ["drive.svg", page.view.svg, "mm"];
+    const is = isWhole() ? page.whole.view.points.length > 0 : page.view.range;
+    save(name, "image/svg+xml", is && standalone(drawing, unit));
+  });
+  byId("save-csv").addEventListener("click", () => {
+    if (isWhole()) return save("shift.csv", "text/csv", page.whole.view.points.length > 0 && page.whole.view.csv);
+    if (!page.answer) return save("");
+    // Of the solution that the drive comes to rest at, and of no other.
+    page.tasks.push(async () => {
+      const { csv } = page.answer.result ? await ask("rest", { ask: "profile" }) : {};
+      if (csv) download("profile.csv", "text/csv", csv);
+      else notice("note", "There is no solution here whose profile could be saved.", "");
+    });
+    run();
   });
   byId("save-json").addEventListener("click", () => {
-    if (isWhole()) return download("shift.json", "application/json", page.whole.view.json);
-    download("result.json", "application/json", `${JSON.stringify(page.answer?.result ?? {}, null, 2)}\n`);
+    const { failure, result } = page.answer ?? {};
+    const told = failure ? { failure } : isWhole() ? page.whole.view.told : result;
+    const text = told && `${JSON.stringify(told, null, 2)}\n`;
+    save(isWhole() ? "shift.json" : "result.json", "application/json", text);
   });
   const input = byId("file");
   byId("open").addEventListener("click", () => input.click());
@@ -280,9 +349,8 @@ function wire() {
   });
   addEventListener("hashchange", () => {
     const asked = fromFragment(location.hash);
-    if (!asked || !page.whole || (asked.text === page.case && asked.look === page.look)) return;
-    if (asked.look !== page.look) look(asked.look);
-    open(asked.text);
+    if (!asked || !page.ready) return;
+    if (asked.damaged || asked.text !== page.case || asked.look !== page.look || page.kept !== null) follow(asked);
   });
 }
 
@@ -304,13 +372,18 @@ async function start() {
   say("engine", `Solved by ${page.engine.name}.`);
   const { keys } = await page.engine.ask({ ask: "keys" });
   page.controls = new Controls(byId("controls"), keys, moved);
-  const tools = { ask, say, notice, refused, settled, joined, measured, open, run };
+  const tools = { ask, say, notice, accepted, refused, settled, again, measured, open, run };
   page.belt = new Belt(page, tools);
   page.whole = new Whole(page, tools);
-  const asked = fromFragment(location.hash);
-  look(asked?.look ?? "belt");
+  const asked = fromFragment(location.hash) ?? { text: "", look: "belt" };
+  look(asked.look);
   for (const view of ["belt", "drive"]) byId(`view-${view}`).disabled = false;
-  changed({ whole: asked?.text ?? "" });
+  page.ready = true;
+  const waited = page.change;
+  page.change = null;
+  // What was opened while the solver started takes the place of the address.
+  if (!waited) follow(asked);
+  for (const change of waited ?? []) changed(change);
 }
 
 /** The least slip threshold of a belt without bending stiffness, mm/s: below, nothing is found (docs/string.md). */

@@ -6,16 +6,19 @@ export const LONGEST = 200_000;
 /** What a fragment begins with where it is for the belt, and for the whole drive. */
 const VIEWS = { belt: "#case=", drive: "#shift=" };
 
-/** The case in a URL's fragment with what to look at, or null. */
+/**
+ * The case in a URL's fragment with what to look at, the base case where there is none; what is `damaged` of a fragment
+ * that should be a case; null where it is a place of the page.
+ */
 export function fromFragment(fragment) {
-  const view = Object.entries(VIEWS).find(([, start]) => fragment.startsWith(start));
-  if (!view) return null;
+  if (fragment === "" || fragment === "#") return { text: "", look: "belt" };
+  const [look, start] = Object.entries(VIEWS).find(([, start]) => fragment.startsWith(start)) ?? ["belt", null];
+  if (start === null) return fragment.includes("=") ? { look, damaged: "The address is no link to a case." } : null;
   try {
-    const [look, start] = view;
     const text = decodeURIComponent(fragment.slice(start.length));
-    return text.length <= LONGEST ? { text, look } : null;
+    return text.length <= LONGEST ? { text, look } : { look, damaged: "The link is too long for a case." };
   } catch {
-    return null;
+    return { look, damaged: "The link is damaged: its case cannot be read." };
   }
 }
 

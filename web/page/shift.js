@@ -40,6 +40,12 @@ class Branch {
     if (left === 0) this.before = [];
   }
 
+  /** No more points come; those of the curve before stay behind the last where it is of the `same` drive. */
+  stop(same) {
+    this.left = 0;
+    if (!same) this.before = [];
+  }
+
   /** The points so far, and behind them those of the curve before. */
   shown() {
     const last = this.points.at(-1)?.secondary_speed ?? -Infinity;
@@ -137,6 +143,8 @@ export class ShiftView {
   branches = { up: new Branch(), back: new Branch() };
   #road = null;
   #scheduled = false;
+  /** Whether the curve was left before all its points were there. */
+  #stopped = false;
 
   /** Draws into the elements: the large chart, the small ones, the landmarks and the table of all points. */
   constructor({ chart, charts, landmarks, table, progress, state }) {
@@ -164,6 +172,7 @@ export class ShiftView {
 
   /** A curve begins, in place of the one before in its direction. */
   begin(answer) {
+    this.#stopped = false;
     this.branches[answer.direction].begin(answer);
     this.#road = answer.travel_per_radian;
     this.draw();
@@ -175,6 +184,13 @@ export class ShiftView {
     this.draw();
   }
 
+  /** No more points come. */
+  stop(same) {
+    this.#stopped = Object.values(this.branches).some(({ left }) => left > 0);
+    for (const branch of Object.values(this.branches)) branch.stop(same);
+    this.draw();
+  }
+
   /** Only these directions are computed; nothing of the others is shown. */
   only(directions) {
     for (const name of Object.keys(this.branches)) if (!directions.includes(name)) this.branches[name] = new Branch();
@@ -183,6 +199,7 @@ export class ShiftView {
   /** Another drive: nothing of the one before is shown. */
   forget() {
     this.branches = { up: new Branch(), back: new Branch() };
+    this.#stopped = false;
     this.draw();
   }
 
@@ -216,7 +233,8 @@ export class ShiftView {
     progress.hidden = left === 0;
     progress.max = Math.max(1, done + left);
     progress.value = done;
-    state.textContent = left > 0 ? `${done} of ${done + left} points` : "";
+    state.textContent =
+      left > 0 ? `${done} of ${done + left} points` : this.#stopped ? `stopped at ${done} points` : "";
   }
 
   /** The ends of the phases, with the names of those of the first curve. */
@@ -311,7 +329,8 @@ export class ShiftView {
   }
 
   /** The same, with the landmarks. */
-  get json() {
+  get told() {
+    if (this.points.length === 0) return null;
     const told = ([direction, { landmarks, engagement, points, missing }]) => ({
       direction,
       engagement_speed: engagement,
@@ -319,7 +338,7 @@ export class ShiftView {
       remarks: missing,
       points,
     });
-    return `${JSON.stringify(Object.entries(this.branches).map(told), null, 2)}\n`;
+    return Object.entries(this.branches).map(told);
   }
 }
 

@@ -22,9 +22,9 @@ const byId = (id) => document.getElementById(id);
 
 export class Whole {
   /** Of a page: its case, its changes, its controls; and how it asks, says and comes to rest. */
-  constructor(page, { ask, say, notice, refused, settled, joined, open, measured, run }) {
+  constructor(page, { ask, say, notice, accepted, refused, settled, again, open, measured, run }) {
     this.page = page;
-    Object.assign(this, { ask, say, notice, refused, settled, joined, measured, run });
+    Object.assign(this, { ask, say, notice, accepted, refused, settled, again, measured, run });
     this.view = new ShiftView({
       chart: byId("shift-chart"),
       charts: byId("shift-charts"),
@@ -44,17 +44,12 @@ export class Whole {
     });
   }
 
-  /** Begins a curve of what the case is now, and computes all of it unless something changes. */
-  async move() {
+  /** Begins a curve of what a change makes of the case, and computes all of it unless something changes. */
+  async move(change) {
     const { page } = this;
-    const { change } = page;
-    page.change = null;
     const { set = [], unset = [], whole } = change;
-    if (whole !== undefined) {
-      this.view.forget();
-      this.form.forget();
-      page.controls.forget();
-    }
+    // With more to come, there is no curve of this.
+    const passing = page.change !== null;
     try {
       const question = { ask: "shift", case: whole ?? page.case, set, unset, direction: "up", ...MOVING };
       const begun = await this.ask("move", question);
@@ -62,21 +57,43 @@ export class Whole {
         this.refused(begun.failure, whole !== undefined);
         return;
       }
-      page.case = begun.case;
+      if (whole !== undefined) {
+        this.view.forget();
+        this.form.forget();
+        page.controls.forget();
+      }
+      this.accepted(begun.case);
       this.#show(begun);
-      if (!begun.failure && (await this.#follow("move", begun))) {
+      if (!begun.failure && !passing && (await this.#follow("move", begun))) {
         page.drawn += 1;
         this.measured("curves");
       }
     } catch (error) {
-      // What a newer change interrupted is asked again together with it.
-      if (error.name === "AbortError" && page.change) page.change = this.joined(change, page.change);
+      // What a newer change interrupted is asked again before it.
+      if (error.name === "AbortError" && page.change) this.again(change);
+      else this.#stopped(false);
       throw error;
     }
   }
 
+  /** A search has ended before its curve was complete: what there is of it stays. */
+  #stopped(same) {
+    this.view.stop(same);
+    this.view.settle();
+    this.#remarks();
+  }
+
   /** Computes both directions to the finer tolerance. */
   async rest() {
+    try {
+      await this.#rest();
+    } catch (error) {
+      if (!this.page.change) this.#stopped(true);
+      throw error;
+    }
+  }
+
+  async #rest() {
     const { page, view } = this;
     const directions = FRICTION.some((key) => page.answer?.values?.[key] > 0) ? ["up", "back"] : ["up"];
     view.only(directions);
@@ -102,7 +119,7 @@ export class Whole {
   /** Searches for a tune once nothing else is to be computed; a change ends the search. */
   #search(question) {
     return new Promise((resolve, reject) => {
-      this.page.task = () => this.ask("tune", { ...question, case: this.page.case }).then(resolve, reject);
+      this.page.tasks.push(() => this.ask("tune", { ...question, case: this.page.case }).then(resolve, reject));
       this.run();
     });
   }

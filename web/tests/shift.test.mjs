@@ -136,6 +136,49 @@ test("the curve is saved as CSV, JSON and SVG", async () => {
   assert.ok(!/class=|style=|script/.test(drawing.text));
 });
 
+test("a file that is no case leaves the curve, and its table, of the case that stays", async () => {
+  const page = await example();
+  const shown = () =>
+    page.evaluate(() => [
+      globalThis.sheave.whole.view.points.length,
+      document.querySelector("#shift-chart .line.up").getAttribute("d").length,
+      document.querySelectorAll("#landmarks tr").length,
+    ]);
+  const before = await shown();
+  const buffer = Buffer.from('[belt]\nlength = "twelve"\n');
+  await page.locator("#file").setInputFiles({ name: "bad.toml", mimeType: "text/plain", buffer });
+  await page.waitForFunction(() => !document.querySelector("#notice").hidden);
+  await page.waitForTimeout(100);
+  assert.ok(before[0] > 40);
+  assert.deepEqual(await shown(), before);
+});
+
+test("a curve that is stopped says so; without a curve there is nothing to save", async () => {
+  const page = await example();
+  const before = await count(page);
+  await page.evaluate(() => {
+    const slider = document.querySelector('input[type=range][data-key="primary.actuator.mass"]');
+    slider.value = String(1.05 * Number(slider.value));
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await page.waitForFunction(
+    () => globalThis.sheave.busy && globalThis.sheave.whole.view.branches.up.left > 2 && !globalThis.sheave.change,
+  );
+  await page.evaluate(() => document.querySelector(".stop").click());
+  await page.waitForFunction(() => document.querySelector("#shift-state").textContent.startsWith("stopped at"));
+  assert.equal(await page.locator("#shift-progress").isHidden(), true);
+  assert.equal(await count(page), before);
+  const other = await open("#shift=");
+  let files = 0;
+  other.on("download", () => (files += 1));
+  for (const button of ["#save-csv", "#save-svg"]) {
+    await other.locator(button).click();
+    assert.match(await other.locator("#notice-message").textContent(), /nothing to save yet/);
+  }
+  assert.equal(files, 0);
+  assert.match(JSON.parse((await saved(other, "#save-json")).text).failure.message, /no actuators/);
+});
+
 test("a tune is found, confirmed and used", async () => {
   const page = await example({}, undefined, "0 deg");
   const box = page.locator("#tune-box");
@@ -203,6 +246,14 @@ for (const [width, height] of [
         path: new URL(`shift-${width}-${colorScheme}-whole.png`, shots).pathname,
         fullPage: true,
       });
+      const over = await page.evaluate(() => {
+        const boxes = [...document.querySelectorAll("#shift-chart .places text")].map((text) =>
+          text.getBoundingClientRect(),
+        );
+        const apart = (a, b) => a.left > b.right || b.left > a.right || a.top > b.bottom || b.top > a.bottom;
+        return boxes.flatMap((a, i) => boxes.slice(i + 1).filter((b) => !apart(a, b))).length;
+      });
+      assert.equal(over, 0, "names of places are printed over each other");
       for (const details of await page.locator("details").all()) await details.evaluate((box) => (box.open = true));
       await looked(page);
     });
