@@ -85,18 +85,82 @@ impl Calibration {
     }
 }
 
+/// Why a file's last row is no calibration.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RowError {
+    /// There is no row.
+    #[error("a row slope,intercept,R² was expected, and no row is there")]
+    NoRow,
+    /// Fields are missing or left over.
+    #[error(
+        "the last row, '{given}', has {fields} fields; three were expected (slope,intercept,R²), or the six of this \
+         program (with half of both intervals and a time): it is cut off, or two rows stand on one line"
+    )]
+    Fields {
+        /// The row.
+        given: String,
+        /// Its fields.
+        fields: usize,
+    },
+    /// The row has fewer digits or fields than were written, for all that can be known.
+    #[error(
+        "the last row, '{given}', has three fields and no line end: its last field may be cut off; end the line if it \
+         is whole"
+    )]
+    NoLineEnd {
+        /// The row.
+        given: String,
+    },
+    /// A field cannot be what it stands for.
+    #[error("the last row, '{given}': {what} was expected, '{field}' was found")]
+    Field {
+        /// The row.
+        given: String,
+        /// What was expected.
+        what: &'static str,
+        /// What stands there.
+        field: String,
+    },
+}
+
 /// Reads the last row of a file such as the thesis's `cal_values.csv`: slope, intercept, R², and, where this program
-/// wrote it, half of the intervals of slope and intercept.
-#[must_use]
-pub fn last_of_csv(text: &str) -> Option<Calibration> {
-    let row = text.lines().rev().find(|line| !line.trim().is_empty())?;
-    let mut numbers = row.split(',').map(|field| field.trim().parse::<f64>().ok().filter(|value| value.is_finite()));
-    let (slope, intercept, r_squared) = (numbers.next()??, numbers.next()??, numbers.next()??);
-    let (slope_interval, intercept_interval) = match (numbers.next().flatten(), numbers.next().flatten()) {
-        (Some(slope), Some(intercept)) => (slope, intercept),
-        _ => (f64::NAN, f64::NAN),
+/// wrote it, half of the intervals of slope and intercept and the time in seconds since 1970.
+///
+/// # Errors
+/// If that row is not whole, or its numbers are those of no line.
+pub fn last_of_csv(text: &str) -> Result<Calibration, RowError> {
+    let last = text.split_inclusive('\n').rev().find(|line| !line.trim().is_empty()).ok_or(RowError::NoRow)?;
+    let given = || last.trim().to_owned();
+    let fields: Vec<&str> = last.split(',').map(str::trim).collect();
+    let (line, intervals) = match *fields.as_slice() {
+        [slope, intercept, r_squared] => ([slope, intercept, r_squared], None),
+        [slope, intercept, r_squared, of_slope, of_intercept, seconds] => {
+            ([slope, intercept, r_squared], Some([of_slope, of_intercept, seconds]))
+        }
+        _ => return Err(RowError::Fields { given: given(), fields: fields.len() }),
     };
-    (slope != 0.0).then_some(Calibration { slope, intercept, r_squared, slope_interval, intercept_interval })
+    let number = |field: &str, what: &'static str, holds: fn(f64) -> bool| {
+        let wrong = || RowError::Field { given: given(), what, field: field.to_owned() };
+        field.parse::<f64>().ok().filter(|value| holds(*value)).ok_or_else(wrong)
+    };
+    let [slope, intercept, r_squared] = line;
+    let slope = number(slope, "a slope that is a number and not zero", |value| value.is_finite() && value != 0.0)?;
+    let intercept = number(intercept, "an intercept that is a number", f64::is_finite)?;
+    let r_squared = number(r_squared, "an R² above 0 and at most 1", |value| value > 0.0 && value <= 1.0)?;
+    let Some([of_slope, of_intercept, seconds]) = intervals else {
+        if !last.ends_with('\n') {
+            return Err(RowError::NoLineEnd { given: given() });
+        }
+        let unknown = f64::NAN;
+        return Ok(Calibration { slope, intercept, r_squared, slope_interval: unknown, intercept_interval: unknown });
+    };
+    // Two readings have no interval: NaN.
+    let half = |field, what| number(field, what, |value| value.is_nan() || (value.is_finite() && value >= 0.0));
+    let slope_interval = half(of_slope, "half of the slope's interval, not negative,")?;
+    let intercept_interval = half(of_intercept, "half of the intercept's interval, not negative,")?;
+    // Nothing is computed from the time: one that lost digits spoils nothing, but it shows that all before is whole.
+    number(seconds, "a time in seconds since 1970", |value| value.is_finite() && value >= 0.0)?;
+    Ok(Calibration { slope, intercept, r_squared, slope_interval, intercept_interval })
 }
 
 #[cfg(test)]
@@ -123,8 +187,36 @@ mod tests {
     fn what_cannot_be_fitted_says_why() {
         assert_eq!(Calibration::fit(&[(5.0, 3), (5.0, 4)]), Err(CalibrationError::TooFewLoads { loads: 1 }));
         assert_eq!(Calibration::fit(&[(5.0, 3), (6.0, 3)]), Err(CalibrationError::NoResponse));
-        assert_eq!(last_of_csv("1,2\nnan,3,1\n"), None);
+        assert!(matches!(last_of_csv("1,2\nnan,3,1\n"), Err(RowError::Field { .. })));
+        assert_eq!(last_of_csv(" \n\n"), Err(RowError::NoRow));
         let last = last_of_csv("1,2,3\n108.188097293,35144.7019735,0.999727300946\n\n").unwrap();
         assert!((last.slope - 108.188_097_293).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_row_that_is_not_whole_is_no_calibration() {
+        let whole = "107.5,35100.2,0.9997,0.05,1.5,1700000000\n";
+        assert_eq!(last_of_csv(whole).map(|last| (last.slope, last.slope_interval)), Ok((107.5, 0.05)));
+        // Cut at any byte it is refused until the last field has begun, and then it is the same line.
+        for cut in 0..whole.len() {
+            let text = format!("50,30000,0.9997,0.05,1.5,1600000000\n{}", &whole[..cut]);
+            let expected = match cut {
+                0 => Ok(50.0),
+                cut if cut <= "107.5,35100.2,0.9997,0.05,1.5,".len() => Err(()),
+                _ => Ok(107.5),
+            };
+            assert_eq!(last_of_csv(&text).map(|last| last.slope).map_err(drop), expected, "{text}");
+        }
+        for (row, wanted) in [
+            ("50,30000,0.9997,0.05,1.5,1700000000107.5,35100.2,0.9997,0.05,1.5,1700000001\n", "11 fields"),
+            ("107.5,35100.2,0\n", "R²"),
+            ("107.5,35100.2,1.5\n", "R²"),
+            ("107.5,35100.2,0.9997,-1,1.5,7\n", "slope's interval"),
+            ("107.5,35100.2,0.9997\n0,35100.2,0.9997\n", "not zero"),
+            ("107.5,35100.2,0.9", "no line end"),
+        ] {
+            let error = last_of_csv(row).unwrap_err().to_string();
+            assert!(error.contains(wanted), "{error}");
+        }
     }
 }

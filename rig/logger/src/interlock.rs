@@ -1,7 +1,7 @@
 //! Who may open the throttle: a state machine small enough to be checked whole.
 //!
 //! ```text
-//!            Enable               Go, brake on            any cause, or Stop
+//!            Enable       Go, brake on, engine idles     any cause, or Stop
 //!   Safe ------------> Ready ---------------> Running ----------------------+
 //!    ^                   |  any cause, or Stop                              v
 //!    |                   +--------------------------------------------> Stopping
@@ -18,7 +18,7 @@
 //! 3. Power ends within `hot_ms` + one step after the rotor's temperature passes its limit.
 //! 4. Power ends within `unreadable_ms` + one step after the temperature cannot be read any more.
 //! 5. Power ends within one step after the emergency stop, an overspeed, a recording that fails, an output that cannot
-//!    be set, a brake that is found jammed, or a speed sensor that is found silent.
+//!    be set, a brake that is found jammed, or a speed sensor or both that are found silent.
 //! 6. Power ends within the run permit of the measuring device (250 ms) + one step after this program dies.
 //! 7. The throttle opens in Running alone, ignition is permitted in Ready and Running alone, and the brake is never
 //!    let go where the throttle may be open.
@@ -27,6 +27,7 @@
 //! 10. Power ends within `torque_ms` + one step after the torque sensor gives nothing new.
 //! 11. A reset of the measuring device ends power at once, and power stays off until a frame has told of the reset,
 //!     also where the link is lost meanwhile.
+//! 12. The throttle opens only where the engine idles, as a good frame says, and not because somebody asks for it.
 
 /// Times after which a condition ends a run, ms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -100,6 +101,8 @@ pub enum Cause {
     TorqueStuck,
     /// A speed sensor gives nothing while its shaft must turn.
     SpeedStuck,
+    /// Neither shaft shows pulses under an open throttle.
+    SpeedsLost,
     /// The recording cannot be written.
     RecordingFailed,
     /// Throttle or brake cannot be set.
@@ -126,6 +129,9 @@ impl Cause {
             }
             Self::TorqueStuck => "The torque sensor gives nothing new: check slip ring, amplifier and converter.",
             Self::SpeedStuck => "A speed sensor gives no pulses while its shaft must turn: check sensor and magnet.",
+            Self::SpeedsLost => {
+                "Both speeds are lost under an open throttle: check the sensors' common supply, or the engine stalled."
+            }
             Self::RecordingFailed => "The recording cannot be written: the disk is full or gone. Nothing was deleted.",
             Self::OutputFailed => {
                 "Throttle or brake cannot be set: check the outputs of the computer. Ignition is off."
@@ -153,6 +159,8 @@ pub struct Inputs {
     pub torque_stuck: bool,
     /// A shaft that must turn shows no pulses.
     pub speed_stuck: bool,
+    /// Neither shaft shows pulses although the throttle is open.
+    pub speeds_lost: bool,
     /// The recording is being written.
     pub recording: bool,
     /// Throttle and brake could be set in the last step.
@@ -161,6 +169,8 @@ pub struct Inputs {
     pub emergency_stop: bool,
     /// Both shafts stand still, as a good frame said.
     pub at_rest: bool,
+    /// The engine idles, as good frames have said for a while.
+    pub idling: bool,
     /// What the operator asks for.
     pub command: Option<Command>,
 }
@@ -274,6 +284,7 @@ impl Interlock {
             (inputs.brake_jammed, Cause::BrakeJammed),
             (torque, Cause::TorqueStuck),
             (inputs.speed_stuck, Cause::SpeedStuck),
+            (inputs.speeds_lost, Cause::SpeedsLost),
             (!inputs.recording, Cause::RecordingFailed),
             (!inputs.outputs, Cause::OutputFailed),
         ]
@@ -286,8 +297,9 @@ impl Interlock {
             (Mode::Ready | Mode::Running, Some(cause), _) => Mode::Stopping(cause),
             (Mode::Ready | Mode::Running, None, Some(Command::Stop)) => Mode::Stopping(Cause::Ended),
             (Mode::Safe, None, Some(Command::Enable)) => Mode::Ready,
-            // A transient fault must be gone for good, not just short of its limit.
-            (Mode::Ready, None, Some(Command::Go)) if self.nothing_counts() => Mode::Running,
+            // A transient fault must be gone for good, not just short of its limit; and an engine that stands still
+            // must not be started under an open throttle.
+            (Mode::Ready, None, Some(Command::Go)) if inputs.idling && self.nothing_counts() => Mode::Running,
             (Mode::Stopping(reason), _, _) => self.stopping(reason, inputs, elapsed_ms),
             (Mode::Tripped(_), None, Some(Command::Acknowledge)) => Mode::Safe,
             (mode, _, _) => mode,

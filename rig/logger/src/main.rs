@@ -235,7 +235,7 @@ fn open(wiring: Wiring) -> Result<rig_logger::wired::LinuxRig, Failure> {
 fn calibration_of(file: Option<&Path>) -> Result<Calibration, Failure> {
     let Some(path) = file else { return Ok(Calibration::THESIS) };
     let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok(last_of_csv(&text).ok_or_else(|| format!("{}: the last row is not slope,intercept,R2", path.display()))?)
+    Ok(last_of_csv(&text).map_err(|error| format!("{}: {error}", path.display()))?)
 }
 
 /// Asks for one weight after the other and keeps the line through the readings.
@@ -246,20 +246,17 @@ fn calibrate<H: Hardware>(
     out: &Path,
     mut hang: impl FnMut(&mut H, f64) -> std::io::Result<()>,
 ) -> Result<ExitCode, Failure> {
-    let mut readings = Vec::new();
-    for mass in masses {
-        let torque = rope.torque(*mass);
+    let ask = |rig: &mut H, mass: f64, torque: f64| {
         println!(
             "Hold the secondary and hang {mass} kg on the rope ({torque:.3} N·m at the secondary), then press Enter."
         );
-        hang(&mut rig, torque)?;
-        let values = calibrate::measure(&mut rig)?;
+        hang(rig, torque)
+    };
+    let tell = |values: &[u16]| {
         let mean = values.iter().map(|value| f64::from(*value)).sum::<f64>() / values.len() as f64;
         println!("  {} values, mean {mean:.1}", values.len());
-        readings.extend(values.into_iter().map(|value| (torque, value)));
-    }
-    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    let (fit, beside) = calibrate::keep(out, &readings, since.map_or(0, |since| since.as_secs()))?;
+    };
+    let (fit, beside) = calibrate::run(&mut rig, masses, rope, out, ask, tell)?;
     println!(
         "ADC = ({:.3} ± {:.3}) T + ({:.1} ± {:.1}), R² = {:.6}, intervals at 95 %",
         fit.slope, fit.slope_interval, fit.intercept, fit.intercept_interval, fit.r_squared

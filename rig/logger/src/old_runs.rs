@@ -14,6 +14,8 @@ use crate::steady::{Mean, Point};
 const CHANNELS: [&str; 4] = ["P", "S", "ADC", "TORQUE"];
 /// Half of the range of a 32-bit stamp, µs.
 const HALF_RANGE: u64 = 1 << 31;
+/// No stamp lies beyond this, µs: 285 years.
+const LAST_STAMP: u64 = 1 << 53;
 
 /// One channel of one operating point: times in µs, and values.
 pub type Samples = Vec<(u64, f64)>;
@@ -47,6 +49,19 @@ pub enum OldRunError {
     /// A row that is none.
     #[error("{path}, line {line}: a time in µs and a value were expected, '{given}' was found", path = path.display())]
     Row {
+        /// Which file.
+        path: PathBuf,
+        /// Its line, from 1.
+        line: usize,
+        /// What stands there.
+        given: String,
+    },
+    /// A time that no clock shows.
+    #[error(
+        "{path}, line {line}: a time of at most {LAST_STAMP} µs was expected, roll-overs included, '{given}' was found",
+        path = path.display()
+    )]
+    Time {
         /// Which file.
         path: PathBuf,
         /// Its line, from 1.
@@ -129,10 +144,14 @@ fn samples(path: &Path) -> Result<Samples, OldRunError> {
             return Err(OldRunError::Row { path: path.to_owned(), line: line + 1, given: row.to_owned() });
         };
         let before = samples.last().map_or(0, |sample| sample.0);
-        if stamp + turns + HALF_RANGE < before {
+        // All that was taken on so far is below the last stamp: nothing overflows here.
+        if stamp.saturating_add(turns) < before.saturating_sub(HALF_RANGE) {
             turns += 2 * HALF_RANGE;
         }
-        samples.push((stamp + turns, value));
+        let Some(time) = stamp.checked_add(turns).filter(|time| *time <= LAST_STAMP) else {
+            return Err(OldRunError::Time { path: path.to_owned(), line: line + 1, given: row.to_owned() });
+        };
+        samples.push((time, value));
     }
     Ok(samples)
 }
@@ -208,6 +227,29 @@ mod tests {
 
     fn write(folder: &Path, name: &str, text: &str) {
         fs::write(folder.join(name), text).unwrap();
+    }
+
+    #[test]
+    fn a_time_that_no_clock_shows_is_named_and_the_last_that_one_may_show_is_shown() {
+        let folder = tempfile::tempdir().unwrap();
+        for given in ["18446744073709551615,1", "18446744071562067968,1", "9007199254740993,1"] {
+            for name in ["P_0.csv", "S_0.csv", "TORQUE_0.csv"] {
+                write(folder.path(), name, &format!("{given}\n5,1\n"));
+            }
+            let mut shown = Vec::new();
+            let errors = [read(folder.path()).map(drop), replay(folder.path(), &Calibration::THESIS, &mut shown)];
+            for error in errors.map(|result| result.unwrap_err().to_string()) {
+                assert!(error.contains("_0.csv, line 1") && error.contains(given), "{error}");
+            }
+        }
+        for name in ["P_0.csv", "S_0.csv", "TORQUE_0.csv"] {
+            write(folder.path(), name, "0,1\n9007199254740992,2\n");
+        }
+        let duration = read(folder.path()).unwrap()[0].reduce(&Calibration::THESIS).duration;
+        assert!((duration - 9_007_199_254.740_992).abs() < 1.0, "{duration}");
+        let mut shown = Vec::new();
+        replay(folder.path(), &Calibration::THESIS, &mut shown).unwrap();
+        assert_eq!(String::from_utf8(shown).unwrap().lines().count(), 4, "of a time too long its ends are shown");
     }
 
     /// Written as `write_file` of Appendix H does it: csv.writer's rows end in CR LF.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use rig_core::Frame;
 
-use crate::journal::{JOURNAL, Journal, Record};
+use crate::journal::Record;
 use crate::runs;
 
 /// Writes one line for each second of a run, and every note in its place.
@@ -14,7 +14,7 @@ use crate::runs;
 /// If the run cannot be read, or the output not written.
 pub fn replay(folder: &Path, output: &mut dyn Write) -> io::Result<()> {
     let calibration = runs::metadata(folder)?.calibration;
-    let journal = Journal::read(&folder.join(JOURNAL))?;
+    let journal = runs::journal(folder)?;
     let mut next = 0;
     let mut celsius = f64::NAN;
     writeln!(output, "{:>9} {:>9} {:>9} {:>9} {:>7}", "s", "prim rpm", "sec rpm", "N·m", "°C")?;

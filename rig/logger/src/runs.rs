@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::calibration::Calibration;
 use crate::journal::{JOURNAL, Journal, Record};
 use crate::steady::{BEGINS, Mean, Point, READING, READING_UNSETTLED, SETTLING};
+use crate::watch::speed_lost;
 
 /// What a run was made with; `run.toml` beside the data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,12 +75,23 @@ pub fn create(parent: &Path, metadata: &Metadata) -> io::Result<PathBuf> {
 
 /// Writes a whole file beside its place, synchronises it, and renames it.
 fn write(folder: &Path, name: &str, text: &str) -> io::Result<()> {
-    let beside = folder.join(format!("{name}.tmp"));
+    replace(&folder.join(name), text)
+}
+
+/// Writes the whole of a file anew, beside its place first; a link to it stays one, and its permissions stay.
+pub(crate) fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let mut beside = path.clone().into_os_string();
+    beside.push(".tmp");
     let mut file = File::create(&beside)?;
     file.write_all(text.as_bytes())?;
+    if let Ok(before) = fs::metadata(&path) {
+        file.set_permissions(before.permissions())?;
+    }
     file.sync_all()?;
-    fs::rename(&beside, folder.join(name))?;
-    File::open(folder)?.sync_all()
+    fs::rename(&beside, &path)?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    File::open(folder.unwrap_or(Path::new(".")))?.sync_all()
 }
 
 /// Reads a run's metadata.
@@ -87,7 +99,20 @@ fn write(folder: &Path, name: &str, text: &str) -> io::Result<()> {
 /// # Errors
 /// If the file is missing or not as it should be.
 pub fn metadata(folder: &Path) -> io::Result<Metadata> {
-    toml::from_str(&fs::read_to_string(folder.join("run.toml"))?).map_err(io::Error::other)
+    let path = folder.join("run.toml");
+    let text = fs::read_to_string(&path).map_err(named(&path))?;
+    toml::from_str(&text).map_err(io::Error::other).map_err(named(&path))
+}
+
+/// Reads a run's journal.
+pub(crate) fn journal(folder: &Path) -> io::Result<Journal> {
+    let path = folder.join(JOURNAL);
+    Journal::read(&path).map_err(named(&path))
+}
+
+/// Says of an error which file it is about.
+fn named(path: &Path) -> impl Fn(io::Error) -> io::Error {
+    move |error| io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
 /// What an export did.
@@ -126,6 +151,8 @@ struct Reading {
     begins: u64,
     settling_ms: u64,
     settled: bool,
+    /// A shaft showed no speed meanwhile.
+    lost: bool,
     means: [Mean; 3],
 }
 
@@ -136,6 +163,7 @@ impl Reading {
         let torque = calibration.torque(snapshot.torque);
         let stamp = |at: Option<rig_core::Instant>| at.map(rig_core::Instant::microseconds);
         let converted = stamp(snapshot.torque_at);
+        self.lost |= speed_lost(frame);
         let [primary, secondary, adc, torques] = &mut self.channels;
         let [primary_mean, secondary_mean, torque_mean] = &mut self.means;
         primary_mean.add(p);
@@ -160,7 +188,7 @@ impl Reading {
             conversions: torque.count(),
             duration: (ends - self.begins) as f64 * 1e-6,
             settling_ms: self.settling_ms,
-            settled: self.settled,
+            settled: self.settled && !self.lost,
         }
     }
 }
@@ -201,6 +229,7 @@ impl Exporting {
                     begins: *at,
                     settling_ms: at.saturating_sub(self.settling_since) / 1000,
                     settled: self.settled,
+                    lost: false,
                     means: Default::default(),
                 });
             }
@@ -233,7 +262,7 @@ impl Exporting {
 /// If the folder cannot be read or written.
 pub fn export(folder: &Path) -> io::Result<Exported> {
     let calibration = metadata(folder)?.calibration;
-    let journal = Journal::read(&folder.join(JOURNAL))?;
+    let journal = journal(folder)?;
     let mut exporting = Exporting::default();
     for record in &journal.records {
         exporting.record(folder, record, &calibration)?;
@@ -256,8 +285,7 @@ pub fn write_points(folder: &Path, points: &[Point]) -> io::Result<()> {
 /// # Errors
 /// If it exists, or cannot be written.
 pub fn write_new(path: &Path, text: &str) -> io::Result<()> {
-    let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-    let mut file = File::create_new(path).map_err(named)?;
+    let mut file = File::create_new(path).map_err(named(path))?;
     file.write_all(text.as_bytes())?;
     file.sync_all()
 }

@@ -6,12 +6,14 @@ use crate::calibration::Calibration;
 use crate::hardware::{Brake, Hardware, HardwareError, Outputs};
 use crate::interlock::{BrakeAllowed, Cause, Command, Inputs, Interlock, Limits, Mode, Temperature};
 use crate::journal::{Record, Recorder};
-use crate::watch::Watch;
+use crate::watch::{IDLING_RPM, IDLING_US, Watch};
 
 /// Time between two frames: 150 Hz, as the thesis oversamples its converter.
 pub const PERIOD_US: u64 = 1_000_000 / 150;
 /// Time between two readings of the rotor's temperature.
 const TEMPERATURE_PERIOD_US: u64 = 100_000;
+/// Least time between two notes that the throttle stays closed: a key that is held down does not flood the journal.
+const REFUSAL_PERIOD_US: u64 = 1_000_000;
 
 /// What may not be passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +71,7 @@ pub struct Session<H> {
     outputs_good: bool,
     temperature: Result<f64, HardwareError>,
     next_temperature: u64,
+    next_refusal: u64,
     last_step: u64,
     status: Status,
     /// The latest good frame, and when its transfer had ended, µs.
@@ -103,6 +106,7 @@ impl<H: Hardware> Session<H> {
             outputs_good: true,
             temperature: Err(HardwareError::Temperature("not read yet".to_owned())),
             next_temperature: time,
+            next_refusal: time,
             last_step: time,
             status,
             latest: None,
@@ -117,6 +121,11 @@ impl<H: Hardware> Session<H> {
     /// The latest good frame.
     pub fn frame(&self) -> Option<&Frame> {
         self.latest.as_ref().map(|(frame, _)| frame)
+    }
+
+    /// Whether the engine idles, as good frames have said for a while: only then may the throttle be opened.
+    pub fn idles(&self) -> bool {
+        self.watch.findings(false).idling
     }
 
     /// The interlock's state.
@@ -171,6 +180,9 @@ impl<H: Hardware> Session<H> {
         let before = self.interlock.mode();
         let allowed = self.interlock.step(&inputs, elapsed_us.div_ceil(1000).min(u64::from(u16::MAX)) as u16);
         self.say_mode(before);
+        if command == Some(Command::Go) && matches!(self.interlock.mode(), Mode::Safe | Mode::Ready) {
+            self.say_refused(inputs.idling);
+        }
         let brake = match (allowed.brake, brake) {
             (BrakeAllowed::Hold, _) | (BrakeAllowed::NoRelease, Brake::Release) => Brake::Hold,
             (BrakeAllowed::Any | BrakeAllowed::NoRelease, wanted) => wanted,
@@ -242,6 +254,8 @@ impl<H: Hardware> Session<H> {
             overspeed: too_fast || speeds[0] > self.limits.primary_rpm || speeds[1] > self.limits.secondary_rpm,
             torque_stuck: findings.torque_stuck,
             speed_stuck: findings.speed_stuck,
+            speeds_lost: findings.speeds_lost,
+            idling: findings.idling,
             recording: self.recorder.good(),
             outputs: self.outputs_good,
             emergency_stop: self.hardware.emergency_stop(),
@@ -250,6 +264,23 @@ impl<H: Hardware> Session<H> {
                 .is_some_and(|frame| frame.snapshot.primary.stopped && frame.snapshot.secondary.stopped),
             command,
         }
+    }
+
+    /// Tells the operator why the throttle stays closed.
+    fn say_refused(&mut self, idling: bool) {
+        if self.status.time < self.next_refusal {
+            return;
+        }
+        self.next_refusal = self.status.time + REFUSAL_PERIOD_US;
+        if idling {
+            return self.note("The throttle stays closed: something forbids it at this moment. Press g again.");
+        }
+        let rpm = self.status.primary_rpm;
+        self.note(&format!(
+            "The throttle stays closed: the engine does not idle. It turns at {rpm:.0} rpm; more than {IDLING_RPM:.0} \
+             rpm for {} s are expected.",
+            IDLING_US / 1_000_000
+        ));
     }
 
     fn say_mode(&mut self, before: Mode) {

@@ -6,7 +6,7 @@ use crate::interlock::{Command, Mode};
 use crate::journal::Record;
 use crate::session::Session;
 use crate::settle::Settling;
-use crate::watch::PRELOAD_US;
+use crate::watch::{PRELOAD_US, speed_lost};
 
 /// What a test notes in the journal: a pass begins,
 pub(crate) const BEGINS: &str = "putting the brake on";
@@ -69,7 +69,7 @@ pub struct Point {
     pub duration: f64,
     /// Time that settling took, ms.
     pub settling_ms: u64,
-    /// Whether it had settled before it was read.
+    /// Whether it had settled before it was read, and no speed was lost while it was read.
     pub settled: bool,
 }
 
@@ -145,7 +145,9 @@ impl<H: Hardware> Test<'_, H> {
     /// One step; false once the rig is being stopped.
     fn step(&mut self, command: Option<Command>, brake: Brake) -> bool {
         let asked = self.operator.command(self.session.status());
-        self.session.step(asked.or(command), brake);
+        // What the operator asks for goes first, but for an open throttle: that waits for what the test needs done.
+        let command = if asked == Some(Command::Go) { command.or(asked) } else { asked.or(command) };
+        self.session.step(command, brake);
         !matches!(self.session.mode(), Mode::Stopping(_) | Mode::Tripped(_))
     }
 
@@ -167,15 +169,12 @@ impl<H: Hardware> Test<'_, H> {
         }
         let patience = if self.plan.ask_before_opening { 600_000_000 } else { 60_000_000 };
         let end = self.session.status().time + patience;
-        let (mut idling_since, mut asked) = (None, false);
+        let mut asked = false;
         while self.session.status().time < end {
-            let status = self.session.status();
-            let idling = status.primary_rpm > 1300.0;
-            let since = *idling_since.get_or_insert(status.time);
-            if !idling {
-                idling_since = None;
-            }
-            let idles = idling && status.time - since > 1_000_000;
+            // The interlock asks the same of every command to open, whoever gives it.
+            let idles = self.session.idles();
+            // An engine that has died is asked for anew.
+            asked &= idles;
             if idles && self.plan.ask_before_opening && !asked {
                 asked = true;
                 self.session.note("The engine idles. Everybody behind the cage? Then press g to open the throttle.");
@@ -257,7 +256,7 @@ impl<H: Hardware> Test<'_, H> {
         let count = self.points.len() as u32;
         self.session.record(&Record::Point { at: begin, number: count, begins: true });
         let (mut primary, mut secondary, mut torque) = (Mean::default(), Mean::default(), Mean::default());
-        let mut last_conversion = None;
+        let (mut last_conversion, mut lost) = (None, false);
         while self.session.status().time < begin + self.plan.read_ms * 1000 {
             if !self.step(None, Brake::Hold) {
                 return None;
@@ -267,6 +266,7 @@ impl<H: Hardware> Test<'_, H> {
             secondary.add(status.secondary_rpm);
             let value = status.torque;
             let at = self.session.frame().and_then(|frame| frame.snapshot.torque_at);
+            lost |= self.session.frame().is_some_and(speed_lost);
             if at != last_conversion {
                 last_conversion = at;
                 torque.add(value);
@@ -283,7 +283,8 @@ impl<H: Hardware> Test<'_, H> {
             conversions: torque.count,
             duration: (end - begin) as f64 * 1e-6,
             settling_ms,
-            settled,
+            // A point in which a shaft showed no speed is none, however steady the zeros are.
+            settled: settled && !lost,
         })
     }
 

@@ -10,6 +10,21 @@ pub const PRELOAD_US: i64 = 2_900_000;
 const LEAST_TORQUE: f64 = 0.5;
 /// How long, µs, a sensor may be silent or repeat itself while its shaft must turn.
 const PATIENCE_US: u64 = 1_000_000;
+/// An engine that turns faster than this, rpm, runs by itself: no starter turns it so fast.
+pub const IDLING_RPM: f64 = 1300.0;
+/// How long, µs, it must have done so to count as idling.
+pub const IDLING_US: u64 = 1_000_000;
+/// Without a pulse for so long, µs, a shaft's speed is none to be averaged: below 300 rpm no operating point lies.
+const PULSELESS_US: u64 = 200_000;
+
+/// Whether a frame shows no present speed of a shaft: it stands still, or its last pulse is long ago.
+#[must_use]
+pub(crate) fn speed_lost(frame: &Frame) -> bool {
+    let now = frame.snapshot.now.microseconds();
+    [&frame.snapshot.primary, &frame.snapshot.secondary].into_iter().any(|shaft| {
+        shaft.stopped || shaft.last_pulse.is_none_or(|pulse| now.saturating_sub(pulse.microseconds()) > PULSELESS_US)
+    })
+}
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +37,10 @@ pub struct Findings {
     pub torque_stuck: bool,
     /// A speed sensor is silent while its shaft must turn.
     pub speed_stuck: bool,
+    /// Neither shaft shows pulses under an open throttle: both sensors are lost at once, or the engine has stalled.
+    pub speeds_lost: bool,
+    /// The engine idles, and has done so for long enough.
+    pub idling: bool,
 }
 
 /// The observations behind it.
@@ -38,6 +57,8 @@ pub struct Watch {
     time: u64,
     opened_at: u64,
     silent_since: [Option<u64>; 2],
+    both_silent_since: Option<u64>,
+    idling_since: Option<u64>,
 }
 
 impl Watch {
@@ -56,6 +77,7 @@ impl Watch {
         self.opened_at = time;
         self.changed_at = time;
         self.silent_since = [None; 2];
+        self.both_silent_since = None;
         self.brake_jammed = false;
     }
 
@@ -76,6 +98,10 @@ impl Watch {
         for (since, silent) in self.silent_since.iter_mut().zip(silent) {
             *since = if silent { since.or(Some(time)) } else { None };
         }
+        // Neither can be judged by the other where both are silent, as after a break of their common supply.
+        let since = |since: Option<u64>, holds: bool| if holds { since.or(Some(time)) } else { None };
+        self.both_silent_since = since(self.both_silent_since, self.speeds == [0.0; 2]);
+        self.idling_since = since(self.idling_since, self.speeds[0] > IDLING_RPM);
     }
 
     /// What all of it means.
@@ -84,12 +110,16 @@ impl Watch {
         let long_open = self.time.saturating_sub(self.opened_at) > 2 * PATIENCE_US;
         let unloaded = running && long_open && self.speeds[1] > 500.0 && self.torque < LEAST_TORQUE;
         let unchanged = self.time.saturating_sub(self.changed_at) > PATIENCE_US / 4;
-        let silent = self.silent_since.iter().flatten().any(|since| self.time.saturating_sub(*since) > PATIENCE_US / 4);
+        let longer = |since: &u64, than: u64| self.time.saturating_sub(*since) > than;
+        let silent = self.silent_since.iter().flatten().any(|since| longer(since, PATIENCE_US / 4));
+        let both_silent = self.both_silent_since.is_some_and(|since| longer(&since, PATIENCE_US / 4));
         Findings {
             brake_on: self.travel_us >= PRELOAD_US && !unloaded,
             brake_jammed: self.brake_jammed,
             torque_stuck: self.stale || (running && unchanged),
             speed_stuck: running && silent,
+            speeds_lost: running && both_silent,
+            idling: self.idling_since.is_some_and(|since| longer(&since, IDLING_US)),
         }
     }
 }

@@ -3,11 +3,13 @@
 #![allow(clippy::unwrap_used)]
 
 use std::io;
+use std::path::Path;
 
 use rig_logger::calibration::Calibration;
 use rig_logger::hardware::{Brake, Hardware, Outputs};
 use rig_logger::interlock::{Cause, Mode};
 use rig_logger::journal::{Recorder, Sink};
+use rig_logger::runs::{self, Metadata};
 use rig_logger::session::{OperatingLimits, PERIOD_US, Session, Status};
 use rig_logger::simulated::{Fault, SimulatedRig};
 use rig_logger::steady::{Nobody, Operator, Plan, run};
@@ -81,6 +83,7 @@ fn every_fault_ends_power_in_time_and_says_why() {
         (Fault::LinkLost, Cause::LinkLost, 220),
         (Fault::PrimarySpeedStuck, Cause::SpeedStuck, 1000),
         (Fault::SecondarySpeedStuck, Cause::SpeedStuck, 1000),
+        (Fault::BothSpeedsStuck, Cause::SpeedsLost, 1000),
         (Fault::TorqueStuck, Cause::TorqueStuck, 700),
         (Fault::BrakeReleased, Cause::BrakeReleased, 3500),
         (Fault::BrakeJammed, Cause::BrakeJammed, 60_000),
@@ -97,7 +100,54 @@ fn every_fault_ends_power_in_time_and_says_why() {
         table.push_str(&format!("| {fault:?} | {} | {after} ms |\n", expected.message()));
     }
     println!("{table}");
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../target/faults.md"), table).unwrap();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("faults.md"), table).unwrap();
+}
+
+/// Both sensors lose their supply while the engine runs away: it is not left to itself, and no point of zeros settles.
+#[test]
+fn both_speeds_lost_end_power_and_no_point_is_made_of_zeros() {
+    for begin in [UNDER_WAY, 12_000_000, 12_500_000, 13_000_000, 13_500_000] {
+        let mut rig = SimulatedRig::new(false);
+        rig.fail_at(begin, Fault::BothSpeedsStuck);
+        rig.fail_at(begin + 500_000, Fault::Runaway);
+        let mut session = session(rig, usize::MAX);
+        let mut observer = Observer::default();
+        let points = run(&mut session, &SHORT, &mut observer);
+        assert_eq!(session.cause(), Some(Cause::SpeedsLost), "{points:?}");
+        assert!(session.status().message.contains("Both speeds are lost"), "{:?}", session.status());
+        let after = observer.last_running.saturating_sub(begin) / 1000;
+        assert!((700..800).contains(&after), "{after} ms");
+        assert!(points.iter().all(|point| !point.settled || point.primary_rpm.0 > 2000.0), "{points:?}");
+    }
+}
+
+/// Pulses of both shafts fail for so short a time that it is no reason to stop; the point is marked.
+#[test]
+fn a_point_with_a_gap_in_its_speeds_is_not_settled() {
+    let gap = |begin: u64, end: u64| {
+        let parent = tempfile::tempdir().unwrap();
+        let mut rig = SimulatedRig::new(false);
+        rig.fail_between(begin, end, Fault::BothSpeedsStuck);
+        let metadata = Metadata::now("simulated", &rig.identity().unwrap(), Calibration::THESIS);
+        let folder = runs::create(parent.path(), &metadata).unwrap();
+        let recorder = Recorder::create(&folder).unwrap();
+        let mut session = Session::new(rig, Calibration::THESIS, OperatingLimits::RIG, recorder);
+        let points = run(&mut session, &Plan { most_points: 1, read_ms: 5000, ..Plan::THESIS }, &mut Nobody);
+        assert_eq!(session.cause(), None, "{:?}", session.status());
+        assert!(session.finish().1);
+        runs::export(&folder).unwrap();
+        let table = std::fs::read_to_string(folder.join("points.csv")).unwrap();
+        (points[0], table.lines().nth(1).unwrap().ends_with(",true"))
+    };
+    let (whole, table) = gap(0, 0);
+    assert!(whole.settled && table);
+    // The point is read from the tenth second to the fifteenth.
+    let begin = 12_000_000;
+    let (gapped, table) = gap(begin, begin + 400_000);
+    assert!(!gapped.settled && !table, "{gapped:?}");
+    assert!((gapped.primary_rpm.0 - whole.primary_rpm.0).abs() < 0.1 * whole.primary_rpm.0, "{gapped:?} {whole:?}");
 }
 
 /// Every pulse twice is a nuisance, not a danger: it is counted, and the test goes on with right speeds.

@@ -87,6 +87,23 @@ fn every_run_has_a_folder_of_its_own_and_nothing_is_written_over() {
     assert_eq!(runs::metadata(&first).unwrap().firmware, "0.1.0");
 }
 
+#[test]
+fn a_file_that_a_run_lacks_is_named() {
+    let parent = tempfile::tempdir().unwrap();
+    let run = runs::create(parent.path(), &metadata()).unwrap();
+    for lacking in [JOURNAL, "run.toml"] {
+        let _ = std::fs::remove_file(run.join(lacking));
+        for task in ["export", "replay"] {
+            let output = program().arg(task).arg(&run).output().unwrap();
+            let error = String::from_utf8(output.stderr).unwrap();
+            assert!(!output.status.success() && error.contains(lacking), "{task}: {error}");
+        }
+    }
+    std::fs::write(run.join("run.toml"), "calibration = 7\n").unwrap();
+    let error = runs::metadata(&run).unwrap_err().to_string();
+    assert!(error.contains("run.toml"), "{error}");
+}
+
 fn program() -> Command {
     Command::new(env!("CARGO_BIN_EXE_sheave-rig"))
 }

@@ -25,9 +25,12 @@ mod support;
 /// What is at the other end of the wires.
 struct Far {
     device: Device,
-    started: HostInstant,
+    switched_on: HostInstant,
     sequence: u16,
     permitted: bool,
+    /// Somebody has pulled the starter: with ignition the engine idles at 1714 rpm.
+    started: bool,
+    next_pulse: Option<u64>,
     bus_cut: bool,
     temperature: u16,
     spoil_check: bool,
@@ -46,9 +49,11 @@ type Shared = Rc<RefCell<Far>>;
 fn far() -> Shared {
     Rc::new(RefCell::new(Far {
         device: Device::new(1),
-        started: HostInstant::now(),
+        switched_on: HostInstant::now(),
         sequence: 0,
         permitted: false,
+        started: false,
+        next_pulse: None,
         bus_cut: false,
         temperature: 0x3af7,
         spoil_check: false,
@@ -69,8 +74,25 @@ impl i2c::ErrorType for Bus {
 }
 
 impl Far {
+    /// The pulses of the engine's shaft until now.
+    fn engine(&mut self, now: u64) {
+        const PERIOD: u64 = 35_000;
+        if !(self.started && self.device.permit.holds(Instant::from_microseconds(now))) {
+            self.next_pulse = None;
+            return;
+        }
+        let mut next = self.next_pulse.unwrap_or(now);
+        while next <= now {
+            self.device.primary.pulse(Instant::from_microseconds(next));
+            next += PERIOD;
+        }
+        self.next_pulse = Some(next);
+    }
+
     fn measuring_device(&mut self, written: &[u8], read: &mut [u8]) {
-        let now = Instant::from_microseconds(self.started.elapsed().as_micros() as u64);
+        let microseconds = self.switched_on.elapsed().as_micros() as u64;
+        self.engine(microseconds);
+        let now = Instant::from_microseconds(microseconds);
         let mut selection = Selection::new();
         selection.start_write();
         for byte in written {
@@ -276,11 +298,14 @@ fn the_throttle_s_pulses_are_those_of_the_thesis_and_it_closes_when_the_rig_is_l
     assert_eq!((far.borrow().duty, far.borrow().moves), (2200, false));
 }
 
-fn running(far: &Shared) -> Session<WiredRig<Bus, Output, Stop, Servo>> {
+/// Has the brake put on and asks for an open throttle from the beginning on, for as long as the brake's actuator takes
+/// and a little longer.
+fn asked_to_open(far: &Shared, started: bool) -> Session<WiredRig<Bus, Output, Stop, Servo>> {
+    far.borrow_mut().started = started;
     let mut session = Session::new(rig(far), Calibration::THESIS, OperatingLimits::RIG, support::recorder());
     let convert = |place: u16| {
         let mut far = far.borrow_mut();
-        let now = Instant::from_microseconds(far.started.elapsed().as_micros() as u64);
+        let now = Instant::from_microseconds(far.switched_on.elapsed().as_micros() as u64);
         far.device.conversion(now, Ok(36_000 + place % 7));
     };
     // The brake's actuator counts as on after 2.9 s.
@@ -296,9 +321,22 @@ fn running(far: &Shared) -> Session<WiredRig<Bus, Output, Stop, Servo>> {
             break;
         }
     }
+    session
+}
+
+fn running(far: &Shared) -> Session<WiredRig<Bus, Output, Stop, Servo>> {
+    let session = asked_to_open(far, true);
     assert_eq!(session.mode(), Mode::Running, "{:?}", session.status());
     assert_eq!(far.borrow().duty, 800);
     session
+}
+
+#[test]
+fn an_engine_that_nobody_started_gets_no_open_throttle() {
+    let far = far();
+    let session = asked_to_open(&far, false);
+    assert_eq!((session.mode(), far.borrow().duty), (Mode::Ready, 2200), "{:?}", session.status());
+    assert!(session.status().message.contains("the engine does not idle"), "{:?}", session.status());
 }
 
 /// In real time: the throttle opens, then a fault ends power by the same path as on the simulated rig.

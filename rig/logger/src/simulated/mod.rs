@@ -25,6 +25,8 @@ pub enum Fault {
     PrimarySpeedStuck,
     /// The secondary's Hall sensor gives no more pulses.
     SecondarySpeedStuck,
+    /// The common supply of both Hall sensors breaks.
+    BothSpeedsStuck,
     /// The converter repeats one value.
     TorqueStuck,
     /// Every pulse comes twice, 2 ms apart.
@@ -55,7 +57,10 @@ pub struct SimulatedRig {
     real_time: Option<std::time::Instant>,
     outputs: Outputs,
     sequence: u16,
-    faults: Vec<(u64, Fault)>,
+    /// From when, until when, what.
+    faults: Vec<(u64, u64, Fault)>,
+    /// Whether somebody pulls the starter once ignition is permitted.
+    pub starter_pulled: bool,
     random: u64,
     passages: [f64; 2],
     second_pulse: [Option<u64>; 2],
@@ -79,6 +84,7 @@ impl SimulatedRig {
             outputs: Outputs { throttle_open: false, ignition: false, brake: Brake::Hold },
             sequence: 0,
             faults: Vec::new(),
+            starter_pulled: true,
             random: 0x9e37_79b9_7f4a_7c15,
             passages: [std::f64::consts::TAU; 2],
             second_pulse: [None; 2],
@@ -91,7 +97,12 @@ impl SimulatedRig {
 
     /// Lets something fail from a time on, µs.
     pub fn fail_at(&mut self, time: u64, fault: Fault) {
-        self.faults.push((time, fault));
+        self.fail_between(time, u64::MAX, fault);
+    }
+
+    /// Lets something fail between two times, µs.
+    pub fn fail_between(&mut self, begin: u64, end: u64, fault: Fault) {
+        self.faults.push((begin, end, fault));
     }
 
     /// Open throttle and ignition: what the interlock is there for.
@@ -101,7 +112,7 @@ impl SimulatedRig {
     }
 
     fn has(&self, fault: Fault) -> bool {
-        self.faults.iter().any(|(time, failing)| *time <= self.now && *failing == fault)
+        self.faults.iter().any(|(begin, end, failing)| (*begin..*end).contains(&self.now) && *failing == fault)
     }
 
     fn device_now(&self) -> Instant {
@@ -136,7 +147,7 @@ impl SimulatedRig {
         }
         self.reset_device();
         let ignition = self.permitted();
-        if ignition && self.plant.speeds[0] < 80.0 && !self.outputs.throttle_open {
+        if self.starter_pulled && ignition && self.plant.speeds[0] < 80.0 && !self.outputs.throttle_open {
             self.plant.speeds[0] += 0.5;
         }
         let actuator = match self.outputs.brake {
@@ -151,7 +162,9 @@ impl SimulatedRig {
             self.plant.rotor = self.plant.rotor.max(400.0);
         }
         let no_governor = self.has(Fault::Runaway);
-        let drive = Drive { throttle_open: self.outputs.throttle_open, ignition, actuator, no_governor };
+        // Ignition alone turns no engine that nobody has started.
+        let fires = ignition && (self.starter_pulled || self.plant.speeds[0] > 30.0);
+        let drive = Drive { throttle_open: self.outputs.throttle_open, ignition: fires, actuator, no_governor };
         if no_governor && ignition && self.outputs.throttle_open {
             self.plant.speeds[0] += 0.15;
         }
@@ -164,7 +177,7 @@ impl SimulatedRig {
         let reset = self
             .faults
             .iter()
-            .any(|(time, fault)| *fault == Fault::DeviceReset && *time > self.now - STEP && *time <= self.now);
+            .any(|(time, _, fault)| *fault == Fault::DeviceReset && *time > self.now - STEP && *time <= self.now);
         if reset {
             self.device = Device::new(0b1000);
             self.device_started = self.now;
@@ -172,7 +185,8 @@ impl SimulatedRig {
     }
 
     fn pulses(&mut self) {
-        let stuck = [self.has(Fault::PrimarySpeedStuck), self.has(Fault::SecondarySpeedStuck)];
+        let both = self.has(Fault::BothSpeedsStuck);
+        let stuck = [both || self.has(Fault::PrimarySpeedStuck), both || self.has(Fault::SecondarySpeedStuck)];
         let double = self.has(Fault::DoublePulses);
         for (shaft, stuck) in stuck.into_iter().enumerate() {
             if self.second_pulse[shaft].is_some_and(|time| time <= self.now) {
