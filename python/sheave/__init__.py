@@ -11,7 +11,7 @@ Quantities are texts with a unit (``"120 N"``), numbers in SI units, or quantiti
 ratios as fractions. Every call leaves the interpreter to other threads while it computes, and Ctrl-C ends it.
 """
 
-from . import bvp, errors
+from . import bvp, errors, fmu, plot
 from ._api import (
     Belt,
     BestClamp,

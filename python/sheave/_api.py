@@ -387,16 +387,17 @@ class Comparison:
     points: list[dict[str, Any]] = field(repr=False)
     """Each with its measured and its modelled efficiency, whether it was used, and why not."""
     scale: float
-    """Scale of the engine's power, by least squares; 1 without an engine's curve."""
-    scale_interval: tuple[float, float]
-    """Its 95 % interval."""
+    """Scale of the engine's power, by least squares; 1 where the input torque of all points was measured."""
+    scale_interval: tuple[float, Optional[float]]
+    """Its 95 % interval; ``None`` for an upper end that the points do not determine."""
     mean_error: float
     """Model less measurement, mean."""
     rms: float
     """Root mean square of the same."""
     rms_after_scale: float
-    r_squared: float
-    r_squared_after_scale: float
+    r_squared: Optional[float]
+    """``None`` where the measurements do not differ."""
+    r_squared_after_scale: Optional[float]
     fit: Optional[dict[str, Any]]
     """Constants that were fitted, with their intervals."""
     warnings: list[str]

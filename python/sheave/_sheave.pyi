@@ -253,8 +253,8 @@ class Case:
     def swap(self, text: str) -> Case:
         """The case with a constant made unknown and an output prescribed in its place."""
     @property
-    def given(self) -> dict[str, Union[float, str]]:
-        """What was given, by key, in SI units."""
+    def given(self) -> dict[str, Any]:
+        """What was given, by key, in SI units: numbers, lists of them, names, and tables as dictionaries."""
     @property
     def remarks(self) -> list[str]:
         """What is worth knowing of the case before it is solved."""

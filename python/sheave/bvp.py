@@ -124,8 +124,8 @@ def solve(
     error (SciPy's bounds the defect alone, and is 1e-3 unless it is said), ``bc_tol`` the boundary residuals, ``order``
     is that of the collocation, 4, 6 or 8, ``max_nodes`` limits the mesh and ``work_limit`` the evaluations in all.
 
-    ``order="gauss"`` collocates at three Gauss points, which is of order 6. What ``f`` gives at the ends of the
-    interval may be NaN or infinite then: there an equation may be singular, as with ``2*u'/x`` at 0.
+    ``order="gauss"`` collocates at three Gauss points, which is of order 6. With it, and with order 8, what ``f`` gives
+    at the ends of the interval may be NaN or infinite: there an equation may be singular, as with ``2*u'/x`` at 0.
 
     ``jacobian(x, y[, p])`` gives df/dy of shape (n, n, m), with parameters a pair of it and df/dp of shape (n, k, m);
     ``boundary_jacobian(ya, yb[, p])`` gives dbc/dya, dbc/dyb of shape (n + k, n) and with parameters dbc/dp of shape (n
@@ -134,6 +134,9 @@ def solve(
 
     What the functions raise is raised here. Raises ``SolveError`` with what to try where there is no solution.
     """
+    for name, given in (("mesh", mesh), ("guess", guess), ("parameters", parameters)):
+        if np.iscomplexobj(given):
+            raise TypeError(f"{name} is complex: expected real numbers; state real and imaginary parts as states")
     nodes = np.ascontiguousarray(mesh, dtype=np.float64)
     states = np.array(guess, dtype=np.float64)
     if nodes.ndim != 1 or nodes.size < 2:

@@ -3,7 +3,7 @@
 use crate::{case, convert, error, file, interrupt, result};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use sheave::Cancel;
@@ -220,7 +220,8 @@ impl BeltMap {
     ) -> PyResult<Bound<'py, PyDict>> {
         let at = match by_key {
             None => coordinates,
-            Some(named) => self.by_key(named)?,
+            Some(named) if coordinates.is_empty() => self.by_key(named)?,
+            Some(_) => return Err(PyTypeError::new_err("coordinates are given in their order, or by key, not both")),
         };
         let point = self.0.at(&at).map_err(|outside| error::map(&outside.to_string()))?;
         let dict = PyDict::new(py);

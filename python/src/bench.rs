@@ -155,7 +155,7 @@ pub fn compare<'py>(
             Some(path) => Clamp::Actuator(Actuator::read(path)?),
             None => Clamp::OfCase,
         };
-        let options = comparison::Options { tolerance, radii, clamp, scaled: engine.is_some(), fit };
+        let options = comparison::Options { tolerance, radii, clamp, fit };
         let mut found = comparison::compare(&case, table, &options)?;
         found.warnings.extend(unnamed(engine.as_ref()));
         Ok((comparison::summary(&found), found))

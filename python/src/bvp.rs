@@ -3,7 +3,7 @@
 use crate::error;
 use numpy::ndarray::{ArrayView2, ArrayView3};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, ToPyArray};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use sheave::Cancel;
 use sheave::solver::problem::Constant;
@@ -67,6 +67,12 @@ impl<'py> Callables<'py> {
     /// The values of a function of Python, with its shape checked.
     fn array(&self, value: &Bound<'py, PyAny>, name: &str, shape: &[usize]) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
         let numpy = self.py.import("numpy")?;
+        // Its imaginary part would be lost.
+        if numpy.call_method1("iscomplexobj", (value,))?.is_truthy()? {
+            return Err(PyTypeError::new_err(format!(
+                "{name} returned complex numbers: expected real ones; state real and imaginary parts as states"
+            )));
+        }
         let array = numpy.call_method1("asarray", (value, "float64"))?;
         let shaped: Vec<usize> = array.getattr("shape")?.extract()?;
         if shaped != shape {

@@ -3,7 +3,7 @@
 use crate::{convert, error};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyList, PyString};
+use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
 use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
 use std::path::PathBuf;
 
@@ -202,18 +202,35 @@ pub type Settings = Vec<(String, String)>;
 /// `TypeError` for a value that is no quantity and no name.
 pub fn settings(keys: &Bound<'_, PyDict>) -> PyResult<Settings> {
     let mut settings = Settings::new();
+    add(&mut settings, "", keys)?;
+    Ok(settings)
+}
+
+/// Those of one section, whose name with its dot is `prefix`.
+fn add(settings: &mut Settings, prefix: &str, keys: &Bound<'_, PyDict>) -> PyResult<()> {
     for (name, value) in keys {
-        let name: String = name.extract()?;
+        let name = format!("{prefix}{}", name.extract::<String>()?);
         match value.cast::<PyDict>() {
-            Ok(section) => {
-                let inner = self::settings(section)?;
-                settings.extend(inner.into_iter().map(|(key, value)| (format!("{name}.{key}"), value)));
+            // A table of values, over temperature or frequency.
+            Ok(table) if path_of(&name).is_ok_and(|path| Key::from_path(&path).is_some()) => {
+                let entry = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+                    let key: String = key.extract()?;
+                    let text = text_of(&name, &value)?;
+                    let bare = text.starts_with('[') || text.parse::<f64>().is_ok();
+                    Ok(if bare { format!("{key} = {text}") } else { format!("{key} = {text:?}") })
+                };
+                let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
+                settings.push((name, format!("{{ {} }}", entries.join(", "))));
             }
+            Ok(section) => add(settings, &format!("{name}."), section)?,
             Err(_) if value.is_none() => {}
-            Err(_) => settings.push((name.clone(), text_of(&name, &value)?)),
+            Err(_) => {
+                let text = text_of(&name, &value)?;
+                settings.push((name, text));
+            }
         }
     }
-    Ok(settings)
+    Ok(())
 }
 
 /// Sets keys; those that say the same in another way make room.
@@ -267,20 +284,25 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
              {kind}"
         ))
     };
-    if value.is_instance_of::<PyBool>() {
+    // numpy's, too, whose name has changed.
+    let kind = value.get_type().name()?;
+    if value.is_instance_of::<PyBool>() || ["bool", "bool_"].contains(&kind.to_str()?) {
         return Err(wrong());
-    }
-    if let Ok(items) = value.cast::<PyList>() {
-        // As TOML has it: texts in quotes.
-        let item = |item: Bound<'_, PyAny>| {
-            let text = text_of(name, &item)?;
-            Ok(if text.parse::<f64>().is_ok() { text } else { format!("{text:?}") })
-        };
-        return Ok(format!("[{}]", items.iter().map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     if value.hasattr("to_base_units")? {
         let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;
         return text.extract();
+    }
+    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
+    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
+    let listed = if is_array { value.call_method0("tolist")? } else { value.clone() };
+    if listed.is_instance_of::<PyList>() || listed.is_instance_of::<PyTuple>() {
+        // As TOML has it: texts in quotes.
+        let item = |item: PyResult<Bound<'_, PyAny>>| {
+            let text = text_of(name, &item?)?;
+            Ok(if text.starts_with('[') || text.parse::<f64>().is_ok() { text } else { format!("{text:?}") })
+        };
+        return Ok(format!("[{}]", listed.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     let number: f64 = value.extract().map_err(|_| wrong())?;
     Ok(format!("{number:e}"))

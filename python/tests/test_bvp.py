@@ -1,7 +1,7 @@
 """Boundary value problems with functions of Python, beside SciPy and exact solutions."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal, Union
 
 import numpy as np
 import pytest
@@ -120,10 +120,12 @@ def test_an_end_may_be_singular() -> None:
         return np.array([a[1], b[0] - 0.75**0.5])
 
     x = np.linspace(0, 1, 11)
-    solution = bvp.solve(star, ends, x, np.vstack((np.ones(11), np.zeros(11))), order="gauss", tol=1e-9)
     places = np.linspace(0, 1, 200)
-    assert np.max(np.abs(solution.sol(places)[0] - (1 + places**2 / 3) ** -0.5)) < 1e-9
-    assert np.all(np.isfinite(solution.yp))
+    methods: tuple[Union[int, Literal["gauss"]], ...] = (8, "gauss")
+    for order in methods:
+        solution = bvp.solve(star, ends, x, np.vstack((np.ones(11), np.zeros(11))), order=order, tol=1e-9)
+        assert np.max(np.abs(solution.sol(places)[0] - (1 + places**2 / 3) ** -0.5)) < 1e-9
+        assert np.all(np.isfinite(solution.yp))
     with pytest.raises(sheave.SolveError, match="undefined"):
         bvp.solve(star, ends, x, np.ones((2, 11)), order=6)
     with pytest.raises(ValueError, match='4, 6, 8 or "gauss"'):
@@ -222,3 +224,15 @@ def test_what_has_no_solution_says_what_to_try() -> None:
 def test_guesses_are_checked(mesh: list[float], states: Array, parameters: Any) -> None:
     with pytest.raises((ValueError, sheave.SolveError)):
         bvp.solve(bratu, fixed_ends, mesh, states, parameters)
+
+
+def test_complex_numbers_are_refused() -> None:
+    x = np.linspace(0, 1, 11)
+    with pytest.raises(TypeError, match="guess is complex"):
+        bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11), complex))
+
+    def turning(_: Array, y: Array) -> Any:
+        return np.vstack((y[1], np.emath.sqrt(y[0] - 2)))
+
+    with pytest.raises(TypeError, match="returned complex numbers"):
+        bvp.solve(turning, fixed_ends, x, np.zeros((2, 11)))

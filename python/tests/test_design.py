@@ -56,7 +56,7 @@ def test_logs_become_operating_points_and_are_compared(root: Path, tmp_path: Pat
     used = [point for point in compared.points if point["used"]]
     assert used and compared.scale > 0 and "scale" in compared.summary
     low, high = compared.scale_interval
-    assert low <= compared.scale <= high
+    assert high is not None and low <= compared.scale <= high
     assert len(compared.to_pandas()) == len(compared.points)
     with pytest.raises(ValueError, match="torque_at"):
         sheave.dyno(logs, torque_at="nowhere")

@@ -30,6 +30,8 @@ def test_a_map_says_what_a_solution_says(belt_map: sheave.BeltMap) -> None:
         belt_map.at(3.0, 11.0)
     with pytest.raises(ValueError, match="is not given"):
         belt_map.at(ratio=1.0)
+    with pytest.raises(TypeError, match="not both"):
+        belt_map.at(1.07, 11.0, ratio=1.0, primary_torque=11.0)
 
 
 def test_many_points_are_read_at_once_with_derivatives(belt_map: sheave.BeltMap) -> None:

@@ -195,6 +195,27 @@ def test_cases_are_plain_values() -> None:
     assert table["drive.center_distance"]["default"] == pytest.approx(0.214)
 
 
+def test_cases_are_equal_by_what_they_give(root: Path) -> None:
+    case = sheave.Case(ratio=1.2, slack_tension="120 N")
+    assert pickle.loads(pickle.dumps(case)) == case == sheave.Case(slack_tension=120.0, ratio=1.2)
+    assert sheave.Case("[drive]\nratio = 1.2\n") == sheave.Case(ratio=1.2) != sheave.Case(ratio=1.3)
+    # Lists, too, make the case again from which they are told.
+    for name in ("drive/gx9.toml", "baja.toml"):
+        whole = sheave.Case(root / "examples" / name)
+        assert sheave.Case(whole.given) == whole
+
+
+def test_lists_are_lists_tuples_arrays_or_texts() -> None:
+    text = sheave.Case({"engine.speeds": "200, 300 rad/s", "engine.torques": "20, 21 N*m"})
+    for of in (list, tuple, np.array):
+        assert sheave.Case({"engine.speeds": of([200.0, 300.0]), "engine.torques": of([20.0, 21.0])}) == text
+    with pytest.raises(sheave.CaseError, match="has no unit"):
+        sheave.Case({"engine.speeds": "1800 rpm, 2000"})
+    for truth in (True, np.True_):
+        with pytest.raises(TypeError):
+            sheave.Case(slack_tension=truth)
+
+
 def test_other_threads_run_meanwhile() -> None:
     """The lock is free while a solve computes: a counting thread goes on."""
     counted = 0
