@@ -250,3 +250,13 @@ fn a_box_of_parts_is_searched_while_one_looks() {
     assert!(wrong(parts, "3200 kg").contains("expected a speed"));
     assert!(wrong("", "3200 rpm").contains("no parts"));
 }
+
+/// The drive that is shown is among the combinations, and shifts with a third of its friction in reserve: a map too
+/// coarse beside the slip limit has no values where it runs.
+#[test]
+fn a_search_refuses_no_drive_that_shifts() {
+    let parts = "[mass]\nprimary.actuator.mass = [\"120 g\", \"134 g\"]\n";
+    let question = json!({ "ask": "tune", "case": GX9, "parts": parts, "target": "3300 rpm" });
+    let answer = ask(&mut Live::default(), question);
+    assert_eq!((&answer["shifting"], &answer["candidates"]), (&2.into(), &2.into()), "{answer}");
+}

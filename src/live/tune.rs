@@ -16,9 +16,10 @@ const TOLD: usize = 20;
 const CONFIRMED: usize = 3;
 /// Points of the shift.
 const POINTS: usize = 7;
-/// Combinations and points of the map at most: what one waits for while looking.
+/// Combinations and points of the map at most: what one waits for while looking. Where a map ends for its points, cells
+/// beside the slip limit, in which drives run, are left without values.
 const MOST: usize = 20_000;
-const MAP_POINTS: usize = 400;
+const MAP_POINTS: usize = 2000;
 /// Accuracy of the map, and of its solutions.
 const ACCURACY: f64 = 5e-2;
 const TOLERANCE: f64 = 1e-4;
