@@ -135,7 +135,7 @@ def solve(
     What the functions raise is raised here. Raises ``SolveError`` with what to try where there is no solution.
     """
     for name, given in (("mesh", mesh), ("guess", guess), ("parameters", parameters)):
-        if np.iscomplexobj(given):
+        if given is not None and np.iscomplexobj(given):
             raise TypeError(f"{name} is complex: expected real numbers; state real and imaginary parts as states")
     nodes = np.ascontiguousarray(mesh, dtype=np.float64)
     states = np.array(guess, dtype=np.float64)

@@ -88,7 +88,8 @@ const BEGIN: f64 = 4_294_967_296.0 - 15.2e6;
 /// power `engine_scale` times that of the curve.
 ///
 /// # Errors
-/// Points that the case has no solution for ([`BenchProblem::NoSolution`]), or at which the engine's curve has no power.
+/// Points that the case has no solution for ([`BenchProblem::NoSolution`]), or at which the engine's curve has no
+/// power.
 pub fn truth(
     case: &Case,
     engine: &EngineCurve,

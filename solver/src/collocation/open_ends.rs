@@ -59,7 +59,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
 
 impl Stages {
     /// The intervals with an open end, none, one or two.
-    pub(super) fn open_intervals(&self, grid: &Grid, tableau: &Tableau) -> impl Iterator<Item = OpenInterval> {
+    pub(super) fn open_intervals(&self, grid: &Grid, tableau: &Tableau) -> Vec<OpenInterval> {
         let ([left, right], last) = (self.nodes.undefined, grid.intervals() - 1);
         let ends = if last == 0 {
             [(0, [left, right]), (0, [false; 2])]
@@ -67,18 +67,15 @@ impl Stages {
             [(0, [left, false]), (last, [false, right])]
         };
         let open = ends.into_iter().filter(|(_, open)| *open != [false; 2]);
-        let intervals = open.map(|(j, open)| OpenInterval {
-            position: grid.position(j),
-            nodes: tableau.slopes_at_nodes(open),
-            open,
-        });
-        intervals.collect::<Vec<_>>().into_iter()
+        let interval =
+            |(j, open)| OpenInterval { position: grid.position(j), nodes: tableau.slopes_at_nodes(open), open };
+        open.map(interval).collect()
     }
 
     /// Values at open ends from those at the other stages of the intervals beside them.
     pub(super) fn extrapolate(&mut self, grid: &Grid, tableau: &Tableau, derivatives: Derivatives) {
         let (len, stride) = (grid.interval_stride(), grid.node_stride());
-        let intervals: Vec<OpenInterval> = self.open_intervals(grid, tableau).collect();
+        let intervals = self.open_intervals(grid, tableau);
         let (nodes, inner) = (&mut self.nodes, &mut self.inner[0]);
         let mut rows = vec![(&mut nodes.f, &mut inner.f)];
         if derivatives != Derivatives::None {

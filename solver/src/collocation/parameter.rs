@@ -179,11 +179,11 @@ impl<P: Problem + ?Sized> System<'_, P> {
                 }
             }
         }
-        let open = || stages.open_intervals(&self.grids[index], self.tableau);
+        let open = stages.open_intervals(&self.grids[index], self.tableau);
         let explicit = if self.tableau.coupled {
-            open().for_each(|interval| interval.lead(rows, &mut rates));
+            open.iter().for_each(|interval| interval.lead(rows, &mut rates));
             self.pull_back_inner(index, stages, (factor, d), &mut rates, &mut nodes);
-            open().for_each(|interval| interval.lead(rows, &mut rates));
+            open.iter().for_each(|interval| interval.lead(rows, &mut rates));
             for (stage, rates) in rates.chunks_exact(rows * len).enumerate().skip(2) {
                 weigh_constants(region, stages.stage(stage, len), rates, constants);
             }
