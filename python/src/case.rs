@@ -215,9 +215,7 @@ fn add(settings: &mut Settings, prefix: &str, keys: &Bound<'_, PyDict>) -> PyRes
             Ok(table) if path_of(&name).is_ok_and(|path| Key::from_path(&path).is_some()) => {
                 let entry = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
                     let key: String = key.extract()?;
-                    let text = text_of(&name, &value)?;
-                    let bare = text.starts_with('[') || text.parse::<f64>().is_ok();
-                    Ok(if bare { format!("{key} = {text}") } else { format!("{key} = {text:?}") })
+                    Ok(format!("{key} = {}", in_toml(text_of(&name, &value)?)))
                 };
                 let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
                 settings.push((name, format!("{{ {} }}", entries.join(", "))));
@@ -297,15 +295,16 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
     let listed = if is_array { value.call_method0("tolist")? } else { value.clone() };
     if listed.is_instance_of::<PyList>() || listed.is_instance_of::<PyTuple>() {
-        // As TOML has it: texts in quotes.
-        let item = |item: PyResult<Bound<'_, PyAny>>| {
-            let text = text_of(name, &item?)?;
-            Ok(if text.starts_with('[') || text.parse::<f64>().is_ok() { text } else { format!("{text:?}") })
-        };
+        let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
         return Ok(format!("[{}]", listed.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     let number: f64 = value.extract().map_err(|_| wrong())?;
     Ok(format!("{number:e}"))
+}
+
+/// A value's text within an array or a table: in quotes, unless it is a number or an array.
+fn in_toml(text: String) -> String {
+    if text.starts_with('[') || text.parse::<f64>().is_ok() { text } else { format!("{text:?}") }
 }
 
 /// The case resolved, and fit for the solver.

@@ -386,3 +386,31 @@ fn several_regions_and_integrals_may_have_singular_ends() {
         assert!((solution.constants()[0] + 1.0 / 12.0).abs() < 1e-9, "{order:?}: {}", solution.constants()[0]);
     }
 }
+
+/// A smooth problem that is 0/0 at its ends: what the error estimate says of it is what the error is.
+#[test]
+fn errors_are_estimated_beside_an_open_end() {
+    let exact = |x: f64| [(4.0 * x).cos(), -4.0 * (4.0 * x).sin()];
+    for (linear, intervals) in [(false, 4), (false, 8), (true, 4), (true, 8)] {
+        let wave = Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |x, y, _, f| (f[0], f[1]) = (y[1], -(y[0] * (x / x) * 9.0) - (x * 4.0).cos() * 7.0),
+            move |a, b, _, g| (g[0], g[1]) = (a[0] - exact(0.0)[0], b[0] - exact(1.0)[0]),
+        )
+        .guess(intervals, |_, y| y.fill(0.0));
+        let wave = if linear { wave.linear() } else { wave };
+        let rough = Options { newton_tolerance: Some(1e-13), ..to(Order::Eight, 0.09) };
+        let solution = wave.solve(&rough).unwrap();
+        assert_eq!(solution.intervals(), intervals);
+        let line = &solution.regions()[0];
+        let places = || (0..=400).map(|k| f64::from(k) / 400.0);
+        let worst = [0, 1].map(|i| {
+            let error = places().fold(0.0, |worst: f64, x| worst.max((line.eval(x)[i] - exact(x)[i]).abs()));
+            error / places().fold(0.0, |size: f64, x| size.max(exact(x)[i].abs()))
+        });
+        let ratio = solution.error_estimate() / worst[0].max(worst[1]);
+        println!("{intervals}: {ratio} of {worst:?}");
+        assert!((ratio - 1.0).abs() < 0.03, "{intervals}, linear {linear}: {ratio} of {worst:?}");
+    }
+}

@@ -102,9 +102,9 @@ pub fn truth(
         let share = at as f64 / (steps.max(2) - 1) as f64;
         let ratio = high + share * (low - high);
         let primary_speed = Unit::RPM.to_si(3250.0 - 450.0 * share);
-        let fails = |reason: String| {
-            BenchError::from(BenchProblem::Unusable { path: format!("step {at}, ratio {ratio:.3}"), reason })
-        };
+        let path = || format!("step {at}, ratio {ratio:.3}");
+        let fails = |reason: String| BenchError::from(BenchProblem::Unusable { path: path(), reason });
+        let unsolved = |reason: String| BenchError::from(BenchProblem::NoSolution { path: path(), reason });
         let power = engine.power(primary_speed).map(|(power, _)| engine_scale * power).filter(|power| *power > 0.0);
         let (first, last) = engine.range();
         let missing = || {
@@ -119,10 +119,7 @@ pub fn truth(
             point.unset(key.path()).map_err(|error| fails(error.to_string()))?;
         }
         // The radii are those of the belt's length, which the tensions stretch: one of them is given, the other free.
-        let mut whole = point.clone();
-        whole.set_si(Key::PrimarySpeed, primary_speed).map_err(|error| fails(error.to_string()))?;
-        whole.set_si(Key::PrimaryTorque, power / primary_speed).map_err(|error| fails(error.to_string()))?;
-        let resolved = whole.resolve().map_err(|error| fails(error.to_string()))?;
+        let resolved = case.resolve().map_err(|error| fails(error.to_string()))?;
         let nominal = radii_of_ratio(ratio, resolved.belt.length, resolved.drive.center_distance);
         let (primary_radius, _) = nominal.map_err(|error| fails(error.to_string()))?;
         let values = [
@@ -137,8 +134,6 @@ pub fn truth(
         }
         let resolved = point.resolve().map_err(|error| fails(error.to_string()))?;
         let outcome = result::run(&resolved, &SolveOptions { tolerance: 1e-5, ..SolveOptions::default() });
-        let path = || format!("step {at}, ratio {ratio:.3}");
-        let unsolved = |reason: String| BenchError::from(BenchProblem::NoSolution { path: path(), reason });
         let outcome = outcome.map_err(|failure| {
             if failure.is_cancelled() { BenchProblem::Cancelled.into() } else { unsolved(failure.to_string()) }
         })?;

@@ -382,7 +382,7 @@ impl<'a> Assembly<'a> {
         }
         qr::factor(COUPLED * q, qr);
         if let Some(open) = open {
-            follow(open, all * width, &mut self.slopes);
+            open.follow(all * width, &mut self.slopes);
         }
         self.move_stages(n, all, p, h, moves);
         for column in moves.chunks_exact_mut(m) {
@@ -399,7 +399,7 @@ impl<'a> Assembly<'a> {
             }
         }
         if let Some(open) = open {
-            follow(open, all * width, &mut self.slopes);
+            open.follow(all * width, &mut self.slopes);
         }
     }
 
@@ -483,18 +483,6 @@ impl<'a> Assembly<'a> {
         }
         add_to_diagonal(block.a, n, -1.0);
         add_to_diagonal(block.b, n, 1.0);
-    }
-}
-
-/// dK at the nodes of intervals with an open end, `size` values a stage: what that at the other stages says.
-#[inline(always)]
-fn follow(open: &OpenLanes, size: usize, slopes: &mut [Lane]) {
-    for at in 0..size {
-        let at_nodes = open.nodes.map(|weights| {
-            let stages = weights.into_iter().enumerate();
-            stages.fold(Lane::ZERO, |sum, (stage, weight)| sum + weight * slopes[stage * size + at])
-        });
-        at_nodes.into_iter().enumerate().for_each(|(side, value)| slopes[side * size + at] = value);
     }
 }
 

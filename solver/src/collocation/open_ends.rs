@@ -15,7 +15,7 @@ use super::System;
 use super::evaluate::{Derivatives, finite};
 use super::grid::Grid;
 use super::stages::{MOST_STAGES, Stages};
-use crate::linear::scalar::{Lane, W};
+use crate::linear::scalar::{Lane, Scalar, W};
 use crate::problem::{Points, Problem};
 use crate::tableau::{COUPLED, Tableau};
 
@@ -166,5 +166,17 @@ impl OpenLanes {
             }
         }
         all
+    }
+
+    /// As [`OpenInterval::follow`], `size` values a stage, of this interval alone.
+    #[inline(always)]
+    pub(super) fn follow(&self, size: usize, slopes: &mut [Lane]) {
+        for at in 0..size {
+            let at_nodes = self.nodes.map(|weights| {
+                let stages = weights.into_iter().enumerate();
+                stages.fold(Lane::ZERO, |sum, (stage, weight)| sum + weight * slopes[stage * size + at])
+            });
+            at_nodes.into_iter().enumerate().for_each(|(side, value)| slopes[side * size + at] = value);
+        }
     }
 }
