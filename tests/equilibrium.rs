@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use sheave::case::{Case, Key, Resolved};
@@ -146,7 +147,7 @@ fn a_shift_curve_has_its_phases() {
         solve: SolveOptions { tolerance: 1e-4, ..SolveOptions::default() },
         ..ShiftOptions::default()
     };
-    let branch = shift_branch(&case, UP, &options, &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
+    let branch = shift_branch(&case, UP, &options, &mut |_| ControlFlow::Continue(())).unwrap();
     let failed: Vec<&String> = branch.points.iter().filter_map(|point| point.report.as_ref().err()).collect();
     assert!(failed.is_empty(), "{failed:?}");
     let engagement = branch.engagement.unwrap() / RPM;
@@ -167,7 +168,7 @@ fn a_shift_curve_with_friction_has_its_phases() {
     let case = friction.iter().fold(gx9(), |case, (key, angle)| case.with(key, angle).unwrap());
     let solve = SolveOptions { tolerance: 1e-4, ..options() };
     let options = ShiftOptions { points: 2, solve, ..ShiftOptions::default() };
-    let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());
+    let go_on = &mut |_: &_| ControlFlow::Continue(());
     let branch = shift_branch(&resolved(&case), UP, &options, go_on).unwrap();
     assert!(branch.remarks.is_empty(), "{:?}", branch.remarks);
     let (out, full) = (branch.shift_out.unwrap(), branch.full_shift.unwrap());
@@ -213,4 +214,78 @@ fn what_is_missing_is_said() {
     assert!(error.to_string().contains("number 4 is 3000 rpm, not beyond 3400 rpm"), "{error}");
     let error = equilibrium(&resolved(&gx9()), -1.0, UP, &options()).unwrap_err();
     assert!(matches!(error, EquilibriumError::Speed(_)), "{error}");
+}
+
+fn ratio(found: &Equilibrium) -> f64 {
+    found.solved.constant(Constant::SecondaryRadius) / found.solved.constant(Constant::PrimaryRadius)
+}
+
+/// A steep helix with friction leaves two equilibria at one speed: one at which the belt holds, and one at a ratio below
+/// 1 at which half of the speed is lost. Search and curve take the one that holds, and so the curve has no jump.
+#[test]
+fn of_two_equilibria_the_one_that_holds_is_found() {
+    let mut case = gx9();
+    for (key, value) in [
+        ("secondary.actuator.helix_angle", "49.4 deg"),
+        ("secondary.actuator.friction_angle", "5.3 deg"),
+        ("secondary.spring.pretension", "64 deg"),
+        ("primary.actuator.friction_angle", "2.9 deg"),
+    ] {
+        case.set(key, value).unwrap();
+    }
+    let case = resolved(&case);
+    let found = equilibrium(&case, 2307.7 * RPM, UP, &options()).unwrap();
+    assert!((ratio(&found) - 1.2016).abs() < 2e-3, "{}", ratio(&found));
+    let range = ShiftOptions {
+        points: 4,
+        directions: vec![UP],
+        from: Some(1114.0 * RPM),
+        to: Some(2307.7 * RPM),
+        ..ShiftOptions::default()
+    };
+    let branch = shift_branch(&case, UP, &range, &mut |_| ControlFlow::Continue(())).unwrap();
+    let ratios: Vec<f64> = branch.points.iter().map(|point| point.report.as_ref().unwrap().ratio).collect();
+    assert!(ratios.windows(2).all(|pair| pair[1] < pair[0] && pair[1] > 0.75 * pair[0]), "{ratios:?}");
+    assert!((ratios[ratios.len() - 1] / ratio(&found) - 1.0).abs() < 1e-5, "{ratios:?}");
+}
+
+/// Where the flyweights would leave the primary open if the belt did not slip, it slips: the engine turns faster than
+/// the road has it, and presses it together. Found from nothing as from a faster road.
+#[test]
+fn a_drive_that_slips_as_a_clutch_is_found_from_nothing() {
+    let case = resolved(&gx9());
+    let found = equilibrium(&case, 300.0 * RPM, UP, &options()).unwrap();
+    let mut near = equilibrium(&case, 600.0 * RPM, UP, &options()).unwrap();
+    for speed in [520.0, 440.0, 380.0, 330.0, 300.0] {
+        near = equilibrium_from(&near, &case, speed * RPM, UP, &options()).unwrap();
+    }
+    assert!((found.primary_speed() / near.primary_speed() - 1.0).abs() < 1e-5);
+    assert_eq!(found.phase, Phase::Low);
+    assert!(found.output(Output::EfficiencySpeed).unwrap() < 0.5);
+}
+
+/// A primary that is open cannot let the belt lie deeper: with such radii at the low stop the secondary would not close.
+#[test]
+fn stops_that_no_belt_meets_are_refused() {
+    let mut case = gx9();
+    // Closed on the secondary the belt lies at 29.6 mm on the primary.
+    case.set("primary.start_radius", "29 mm").unwrap();
+    assert!(case.resolve().is_ok());
+    case.set("primary.start_radius", "35 mm").unwrap();
+    let told = case.resolve().unwrap_err().to_string();
+    assert!(told.contains("primary.start_radius") && told.contains("hold the secondary open"), "{told}");
+}
+
+/// The base case's radii, which nobody gave, do not fit pulleys this close; those of a whole drive follow from it.
+#[test]
+fn a_whole_drive_needs_no_radii() {
+    let mut case = gx9();
+    case.set("drive.center_distance", "130 mm").unwrap();
+    case.set("belt.length", "600 mm").unwrap();
+    case.set("secondary.closed_radius", "75 mm").unwrap();
+    case.set("primary.travel", "5 mm").unwrap();
+    let told = case.resolve().map(|_| ()).map_err(|error| error.to_string());
+    assert_eq!(told, Ok(()));
+    case.set("drive.primary_radius", "68 mm").unwrap();
+    assert!(case.resolve().unwrap_err().to_string().contains("overlap"));
 }

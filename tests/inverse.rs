@@ -269,3 +269,16 @@ fn what_cannot_be_made_is_refused_with_the_reason() {
     let error = refused(&endless, &quick(Made::Ramp));
     assert!(matches!(error, InverseError::Missing { what: "stop at high ratio", .. }), "{error}");
 }
+
+/// Nobody makes a helix of a belt that buckles, or that slips, without being told.
+#[test]
+fn what_the_belt_does_on_the_way_is_said() {
+    let mut found = made(&gx9(), &InverseOptions { points: 7, checked: 1, ..options(3800.0, Made::Helix) });
+    assert!(found.remarks().is_empty() && found.points.iter().all(|point| !point.buckled), "{:?}", found.remarks());
+    found.points[2].buckled = true;
+    found.points[4].slip_reserve = 0.02;
+    let told = found.remarks();
+    let at = |place: usize| format!("{:.2}", found.points[place].ratio);
+    assert!(told.len() == 2 && told[0].contains("buckles") && told[0].contains(&at(2)), "{told:?}");
+    assert!(told[1].contains("slips") && told[1].contains(&at(4)), "{told:?}");
+}

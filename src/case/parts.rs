@@ -18,6 +18,8 @@ const AIR: f64 = 1.2;
 const TRIED: usize = 41;
 /// Speed in rad/s and torque in N·m at which they are: forces of a sound mechanism are positive at every speed.
 const TRIED_SPEED: f64 = 300.0;
+/// How far both radii at the low stop may miss a belt of the given length, m: they are measured, and rounded.
+const STOPS_MISS: f64 = 5e-4;
 
 /// Parts of a whole drive, as far as the case has them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -169,7 +171,19 @@ impl Reading<'_> {
         let (length, center) = (self.case.value(Key::BeltLength), self.case.value(Key::CenterDistance));
         let beside = |radius: f64| if radius < center { radius_beside(radius, length, center).ok() } else { None };
         let (key, found) = match (start, closed) {
-            (Some(start), Some(closed)) => return Some((start, closed)),
+            (Some(start), Some(closed)) => match beside(closed) {
+                Some(low) if low < start - STOPS_MISS => {
+                    let reason = format!(
+                        "a belt of {:.1} mm lies at a radius of {:.1} mm on the primary where the secondary is closed; \
+                         expected at most that: a primary that is open there would hold the secondary open",
+                        1e3 * length,
+                        1e3 * low
+                    );
+                    self.wrong(Key::StartRadius, reason);
+                    return None;
+                }
+                low => (Key::ClosedRadius, low.map(|_| (start, closed))),
+            },
             (Some(start), None) => (Key::StartRadius, beside(start).map(|closed| (start, closed))),
             (None, Some(closed)) => (Key::ClosedRadius, beside(closed).map(|start| (start, closed))),
             (None, None) => {

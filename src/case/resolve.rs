@@ -177,6 +177,13 @@ impl Case {
         Ok(Drive { center_distance, primary_radius, secondary_radius, free })
     }
 
+    /// Whether the radii are those of a whole drive, which its parts determine: nobody gave any, and what the base case
+    /// has in their place need not fit.
+    fn finds_its_radii(&self) -> bool {
+        let radii = [Key::PrimaryRadius, Key::SecondaryRadius].into_iter().any(|key| self.has(key));
+        !radii && self.has(Key::Flyweights) && self.has(Key::SecondaryActuator)
+    }
+
     /// R_P and R_S: as given, or from (6.12) with the belt's length as pitch length.
     fn radii(&self, center_distance: f64, free: Option<Free>) -> Result<(f64, f64), CaseError> {
         let (primary, secondary) = (self.value(Key::PrimaryRadius), self.value(Key::SecondaryRadius));
@@ -194,6 +201,9 @@ impl Case {
         };
         match (self.quantity(Key::Ratio), free) {
             (Some(ratio), _) => radii_of_ratio(ratio, length, center_distance).map_err(fails(Key::Ratio)),
+            (None, None) if primary + secondary >= center_distance && self.finds_its_radii() => {
+                radii_of_ratio(1.0, length, center_distance).map_err(fails(Key::BeltLength))
+            }
             (None, None) => Ok((primary, secondary)),
             (None, Some(Free::PrimaryRadius)) => Ok((beside(Key::Free, secondary)?, secondary)),
             (None, Some(Free::SecondaryRadius)) => Ok((primary, beside(Key::Free, primary)?)),

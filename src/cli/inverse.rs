@@ -149,6 +149,7 @@ impl Common {
             solve: SolveOptions { tolerance: self.tol, ..SolveOptions::default() },
             ..defaults
         };
+        options.check().map_err(stop)?;
         let resolved = case.resolve()?;
         let mut warnings = unused_keys(&case);
         if resolved.thermal.is_some() {
@@ -159,6 +160,7 @@ impl Common {
         }
         let found = inverse(&case, &options).map_err(stop)?;
         let outlines = outlines(&found, roller)?;
+        warnings.extend(found.remarks());
         let warned = |warning: &String| tracing::warn!("{warning}");
         warnings.iter().for_each(warned);
         self.deliver(command, &found, &outlines, &warnings)

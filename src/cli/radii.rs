@@ -8,6 +8,7 @@ use clap::Args;
 use serde::Serialize;
 use sheave::bench::BenchError;
 use sheave::bench::radii::{Geometry, Limits, Radii, ShiftRange};
+use sheave::case::Key;
 use sheave::quantity::{self, Dimension};
 use std::fmt::Write;
 
@@ -82,7 +83,12 @@ fn limits(text: &str) -> Result<(f64, f64), String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
-    let case = arguments.case.read_unswapped("radii")?.resolve()?;
+    let mut case = arguments.case.read_unswapped("radii")?;
+    // The base case has those of this ratio, for its own belt: others need not fit around its radii.
+    if ![Key::PrimaryRadius, Key::SecondaryRadius, Key::Ratio, Key::Free].into_iter().any(|key| case.has(key)) {
+        case.set_si(Key::Ratio, 1.0)?;
+    }
+    let case = case.resolve()?;
     let geometry = Geometry {
         pitch_length: case.belt.length,
         center_distance: case.drive.center_distance,

@@ -12,7 +12,7 @@ use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
     Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, deviation,
-    read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -76,6 +76,9 @@ pub struct Arguments {
     json: bool,
 }
 
+/// Share of the difference from the data that interpolation may have before it is told.
+const NOTICED: f64 = 0.05;
+
 fn table_format(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     let known = Format::of(&path).is_some();
@@ -110,21 +113,35 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let other = arguments.compare.as_deref().map(|path| Case::read(path)?.resolve()).transpose()?;
     let measured = arguments.data.as_deref().map(read_data).transpose()?.unwrap_or_default();
     let options = arguments.options()?;
+    [Some(&resolved), other.as_ref()].into_iter().flatten().try_for_each(has_all_parts).map_err(stop)?;
     if let Some(folder) = &arguments.out {
         output::create_folder(folder)?;
     }
     let mut warnings = unused_keys(&case);
     let branches = arguments.branches(&resolved, &options, true)?;
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
-    let last = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    let fastest = last.map(|report| report.primary_speed).reduce(f64::max);
-    warnings.extend(fastest.and_then(|speed| beyond_engine(&resolved, speed)));
+    let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
+    let speeds = || found.clone().map(|report| report.primary_speed);
+    let ends = speeds().reduce(f64::min).zip(speeds().reduce(f64::max));
+    warnings.extend(ends.and_then(|(slowest, fastest)| beyond_engine(&resolved, slowest, fastest)));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));
     }
-    warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     let told = told(&resolved, &branches, &measured)?;
+    for found in told.branches.iter().filter_map(|branch| branch.deviation) {
+        if found.interpolation > NOTICED * found.rms {
+            warnings.push(format!(
+                "Of the {:.0} rpm beside the data, {}, about {:.0} rpm are owed to the lines between so few points: \
+                 --points {} makes it less.",
+                rpm(found.rms),
+                found.direction.name(),
+                rpm(found.interpolation),
+                2 * options.points
+            ));
+        }
+    }
+    warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     arguments.deliver(&resolved, &branches, compared.as_deref(), &measured, &told, &warnings)?;
     if failures == points {
         let reasons = branches.iter().flat_map(|branch| branch.remarks.iter().cloned());

@@ -29,8 +29,7 @@ pub fn equilibrium_outcome(
 ) -> Result<(Equilibrium, Outcome), EquilibriumError> {
     let start = Stopwatch::start();
     let solve = |near: Option<&Equilibrium>, case: &Resolved| match near {
-        Some(near) => equilibrium_from(near, case, secondary_speed, direction, options)
-            .or_else(|_| equilibrium(case, secondary_speed, direction, options)),
+        Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
         None => equilibrium(case, secondary_speed, direction, options),
     };
     let Some(thermal) = case.thermal else {

@@ -41,7 +41,7 @@ pub use figure::{ShiftCurve, shift_figures};
 pub use heat::equilibrium_outcome;
 pub use laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 pub use point::{Direction, Equilibrium, Forces, Phase, ReportedPhase, Stop, UnknownDirection};
-pub use question::{equilibrium, equilibrium_from};
+pub use question::{equilibrium, equilibrium_from, has_all_parts};
 pub use remarks::{beyond_engine, beyond_open, unused_keys};
 pub use report::{ARRIVING, DriveReport, SLIPPING};
 pub use sensitivity::{PartSensitivity, sensitivities};

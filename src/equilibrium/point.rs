@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::error::EquilibriumError;
+use super::report::ARRIVING;
 use crate::actuator::{ActuatorForce, Shift, travel};
 use crate::case::{Actuation, Resolved};
 use crate::drive::Solved;
@@ -241,6 +242,12 @@ impl Equilibrium {
     /// Speed of the primary, rad/s.
     pub fn primary_speed(&self) -> f64 {
         self.solved.constant(Constant::PrimarySpeed)
+    }
+
+    /// Whether the belt carries the speed over: at least [`ARRIVING`] of it, where it is not one that slips as a clutch
+    /// does.
+    pub(super) fn holds(&self) -> Result<bool, InternalError> {
+        Ok(self.output(Output::EfficiencySpeed)? >= ARRIVING)
     }
 
     /// An output of the belt.

@@ -24,6 +24,10 @@ const FORCE_SLACK: f64 = 1e-6;
 /// Over the last speed for which the engine's torque is known, the speed at which no equilibrium is sought. Below, one
 /// may be found at the high stop: a belt that is hardly loaded climbs on the primary, and the engine turns the slower.
 const BEYOND_ENGINE: f64 = 2.0;
+/// By what the secondary's speed changes with each step towards one at which the belt slips as a clutch does, and steps
+/// at most: down to a hundredth of the speed at which the primary closes.
+const CLUTCH_STEP: f64 = 0.8;
+const CLUTCH_STEPS: i32 = 21;
 
 /// What is given of a drive, beside its parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +41,7 @@ pub(super) enum Given {
 }
 
 /// A drive with all its parts.
+#[derive(Clone, Copy)]
 pub(super) struct Whole<'a> {
     case: &'a Resolved,
     actuation: &'a Actuation,
@@ -46,7 +51,8 @@ pub(super) struct Whole<'a> {
 }
 
 /// The equilibrium of a drive whose secondary turns at `secondary_speed` in rad/s, from nothing. Of the case, belt,
-/// sheaves, center distance, actuators and engine count; its operating point and its radii do not.
+/// sheaves, center distance, actuators and engine count; its operating point and its radii do not. Where the search
+/// comes to one at which the belt slips, it looks elsewhere for another that holds: a drive may have both.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
@@ -58,23 +64,36 @@ pub fn equilibrium(
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     let near = whole.rough();
-    whole.in_reach(&near)?;
+    match whole.in_reach(&near) {
+        Ok(()) => {}
+        Err(open @ EquilibriumError::Disengaged { .. }) => return whole.engaging(secondary_speed, open, options),
+        Err(error) => return Err(error),
+    }
     let from = |near: &Estimate| {
         let question = whole.question(near.phase, &start(case, near));
         let solved = solve_question(&case.model, &question, options);
         whole.settle(whole.read(solved.map_err(|failure| whole.failed(near.phase, failure))?, near.phase)?, options)
     };
     let first = match from(&near) {
-        Err(error) if !error.is_bad_input() => error,
-        other => return other,
+        Ok(found) if found.holds()? => return Ok(found),
+        Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
+        other => other,
     };
-    // A start that leads nowhere may do so because the drive is not where it was taken to be.
-    let others = elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction);
-    others.iter().find_map(|other| from(other).ok()).ok_or(first)
+    // A start may lead nowhere, or to a belt that slips, because the drive is not where it was taken to be.
+    let mut slipping = first;
+    for other in elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction) {
+        match from(&other) {
+            Ok(found) if found.holds()? => return Ok(found),
+            Ok(found) if slipping.is_err() => slipping = Ok(found),
+            Err(error) if error.is_cancelled() => return Err(error),
+            Ok(_) | Err(_) => {}
+        }
+    }
+    slipping
 }
 
 /// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
-/// across a stop, from nothing.
+/// across a stop, or to a belt that slips from one that holds, from nothing.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
@@ -86,11 +105,27 @@ pub fn equilibrium_from(
     options: &SolveOptions,
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    let first = match whole.settle_from(&near.solved, near.phase, options) {
-        Err(error) if !error.is_bad_input() => error,
-        other => return other,
+    let slipping = match whole.settle_from(&near.solved, near.phase, options) {
+        // A drive whose belt slips has perhaps an equilibrium at which it holds. One that slipped before is taken to go
+        // on doing so, as it does up to the take-off.
+        Ok(found) if found.holds()? || !near.holds()? => return Ok(found),
+        Ok(found) => found,
+        Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
+        Err(_) => return equilibrium(case, secondary_speed, direction, options),
     };
-    equilibrium(case, secondary_speed, direction, options).map_err(|_| first)
+    match equilibrium(case, secondary_speed, direction, options) {
+        Ok(found) if found.holds()? => Ok(found),
+        Err(error) if error.is_cancelled() => Err(error),
+        Ok(_) | Err(_) => Ok(slipping),
+    }
+}
+
+/// Refuses a case that lacks a part of a whole drive.
+///
+/// # Errors
+/// [`EquilibriumError::Missing`] says which, and what to give.
+pub fn has_all_parts(case: &Resolved) -> Result<(), EquilibriumError> {
+    Whole::new(case, Given::Corner(Stop::SecondaryClosed), Direction::default()).map(|_| ())
 }
 
 impl<'a> Whole<'a> {
@@ -269,6 +304,41 @@ impl<'a> Whole<'a> {
                 }
             }
         }
+    }
+
+    /// The equilibrium of a drive whose primary would be open if the belt did not slip: the engine runs away from the
+    /// secondary until it closes the primary on the belt, which slips as a clutch does. It is sought from a faster
+    /// secondary, at which the primary is closed, by steps; where those lead nowhere, the primary is told to be `open`.
+    fn engaging(
+        &self,
+        secondary_speed: f64,
+        open: EquilibriumError,
+        options: &SolveOptions,
+    ) -> Result<Equilibrium, EquilibriumError> {
+        let speeds: Vec<f64> = (1..=CLUTCH_STEPS).map(|step| secondary_speed / CLUTCH_STEP.powi(step)).collect();
+        let closed = speeds.iter().position(|speed| {
+            let faster = self.at(*speed);
+            faster.in_reach(&faster.rough()).is_ok()
+        });
+        let Some(closed) = closed else { return Err(open) };
+        let mut near: Option<Equilibrium> = None;
+        for speed in speeds.iter().take(closed + 1).rev().chain([&secondary_speed]) {
+            let found = match &near {
+                Some(near) => self.at(*speed).settle_from(&near.solved, near.phase, options),
+                None => equilibrium(self.case, *speed, self.direction, options),
+            };
+            match found {
+                Ok(found) => near = Some(found),
+                Err(error) if error.is_cancelled() => return Err(error),
+                Err(_) => return Err(open),
+            }
+        }
+        near.ok_or(open)
+    }
+
+    /// The same drive at another speed of the secondary, rad/s.
+    fn at(&self, secondary_speed: f64) -> Self {
+        Self { given: Given::SecondarySpeed(secondary_speed), ..*self }
     }
 
     /// Goes on from a state to the one that is consistent with all stops.

@@ -14,17 +14,22 @@ pub fn unused_keys(case: &Case) -> Vec<String> {
     case.keys().filter(found).map(told).collect()
 }
 
-/// A sentence where an engine would have to run at a speed in rad/s for which its torque is not given.
-pub fn beyond_engine(case: &Resolved, speed: f64) -> Option<String> {
+/// A sentence where an engine would have to run at a speed for which its torque is not given; `slowest` and `fastest`
+/// are the ends of what it runs at, rad/s, the same where it is one speed.
+pub fn beyond_engine(case: &Resolved, slowest: f64, fastest: f64) -> Option<String> {
     let (low, high) = case.parts.engine.as_ref()?.range();
-    (speed < low || speed > high).then(|| {
-        format!(
-            "The engine would run at {:.0} rpm, outside of the {:.0} to {:.0} rpm for which its torque is given.",
-            rpm(speed),
-            rpm(low),
-            rpm(high)
-        )
-    })
+    let at = match (slowest < low, fastest > high) {
+        (false, false) => return None,
+        _ if slowest == fastest => format!("at {:.0} rpm", rpm(slowest)),
+        (true, false) => format!("down to {:.0} rpm", rpm(slowest)),
+        (false, true) => format!("up to {:.0} rpm", rpm(fastest)),
+        (true, true) => format!("from {:.0} to {:.0} rpm", rpm(slowest), rpm(fastest)),
+    };
+    Some(format!(
+        "The engine would run {at}, outside of the {:.0} to {:.0} rpm for which its torque is given.",
+        rpm(low),
+        rpm(high)
+    ))
 }
 
 /// A sentence where a primary would have to stand farther open than it can, its travel in m being negative: the belt

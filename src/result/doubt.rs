@@ -56,7 +56,7 @@ impl Doubt {
 
 /// Whether a belt is wound round its pulleys by so much that its spans turn back, by its wrap angles in rad. Its
 /// equations hold; beyond the limit of a drive, and pressed through a groove, such a belt is all that is left.
-pub(super) fn is_buckled(primary_wrap: f64, secondary_wrap: f64) -> bool {
+pub(crate) fn is_buckled(primary_wrap: f64, secondary_wrap: f64) -> bool {
     primary_wrap + secondary_wrap > BUCKLED
 }
 

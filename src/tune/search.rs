@@ -325,8 +325,10 @@ impl TunePlan {
         let mut near: Option<Equilibrium> = None;
         for point in &tune.shift {
             let (speed, options) = (point.secondary_speed, &self.options.solve);
-            let warm = near.as_ref().and_then(|near| equilibrium_from(near, &case, speed, Direction::Up, options).ok());
-            let found = warm.map_or_else(|| equilibrium(&case, speed, Direction::Up, options), Ok);
+            let found = match &near {
+                Some(near) => equilibrium_from(near, &case, speed, Direction::Up, options),
+                None => equilibrium(&case, speed, Direction::Up, options),
+            };
             match found {
                 Ok(found) => {
                     let efficiency = match efficiency(&case, &found, self.options.solve.tolerance) {

@@ -80,10 +80,12 @@ pub enum Unfit {
         /// Axial force of the belt that the secondary's actuator holds, N.
         needs: f64,
     },
-    /// The belt slips at a speed of the map whatever its tension, as far as the map has it.
+    /// No cell of the map has a value at a speed, whatever the tension: each reaches beyond slip, or has a corner at which
+    /// the belt was not solved.
     #[error(
-        "at ratio {ratio:.2}, the belt slips at {:.0} rpm with every slack tension up to {tension:.0} \
-        N", rpm(*speed)
+        "at ratio {ratio:.2}, the map knows no belt that holds at {:.0} rpm, with slack tensions up to {tension:.0} N: \
+         its cells there reach beyond slip, or have a corner without a solution",
+        rpm(*speed)
     )]
     Untold {
         /// Nominal ratio.
@@ -140,7 +142,8 @@ impl Unfit {
             Self::Actuator { error: ActuatorError::SpringSolid { .. }, .. } => "spring beyond its solid length",
             Self::Actuator { error: ActuatorError::HelixContact { .. }, .. } => "helix without contact",
             Self::Actuator { .. } => "actuator without force",
-            Self::Slips { .. } | Self::Untold { .. } => "belt slips",
+            Self::Slips { .. } => "belt slips",
+            Self::Untold { .. } => "no belt that holds on the map",
             Self::Beyond { .. } => "beyond the map",
             Self::TooLight { .. } => "flyweights too light",
             Self::TooHeavy { .. } => "flyweights too heavy",

@@ -31,7 +31,7 @@ use serde::Serialize;
 
 use crate::case::{Case, Key};
 use crate::drive::SolveOptions;
-use crate::equilibrium::Direction;
+use crate::equilibrium::{Direction, SLIPPING};
 use crate::quantity::unsigned_zero;
 use points::Held;
 use shape::{flyweight_shape, helix_shape};
@@ -75,6 +75,14 @@ impl InverseOptions {
         let direction = Direction::Up;
         Self { target, made, reserve, direction, points: 41, checked: 9, solve: SolveOptions::default() }
     }
+
+    /// Refuses options that no search can meet.
+    ///
+    /// # Errors
+    /// [`InverseError::Parameter`] says which, and what is expected.
+    pub fn check(&self) -> Result<(), InverseError> {
+        allowed(self)
+    }
 }
 
 /// A made part: the section of the case file that it is, with its keys.
@@ -111,6 +119,24 @@ impl Inverse {
     /// Smallest slip reserve over the shift.
     pub fn smallest_reserve(&self) -> f64 {
         self.points.iter().map(|point| point.slip_reserve).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Sentences about belts along the shift that are none to make a profile from: those that slip, and those that are
+    /// wound round their pulleys as none is whose spans are nearly straight.
+    pub fn remarks(&self) -> Vec<String> {
+        let between = |told: &str, holds: &dyn Fn(&InversePoint) -> bool| {
+            let ratios = || self.points.iter().filter(|point| holds(point)).map(|point| point.ratio);
+            let (lowest, highest) = (ratios().reduce(f64::max)?, ratios().reduce(f64::min)?);
+            let count = ratios().count();
+            Some(format!(
+                "At {count} of the {} places of the shift {told}, at ratios from {lowest:.2} to {highest:.2}: what \
+                 presses there is too little for the engine's torque, and the profile is made from such a belt.",
+                self.points.len()
+            ))
+        };
+        let buckled = between("the belt buckles", &|point| point.buckled);
+        let slips = between("the belt slips, or is about to", &|point| !point.buckled && point.slip_reserve < SLIPPING);
+        buckled.into_iter().chain(slips).collect()
     }
 }
 

@@ -11,7 +11,7 @@ use crate::equilibrium::Direction;
 use crate::equilibrium::question::{Given, Whole, ordinary};
 use crate::model::{Constant, Output};
 use crate::quantity::rpm;
-use crate::result::utilizations;
+use crate::result::{is_buckled, utilizations};
 
 /// Slack tensions of the first solution over M_in/R_P.
 const FIRST: [f64; 5] = [0.35, 0.7, 0.2, 1.2, 0.1];
@@ -59,6 +59,8 @@ pub struct InversePoint {
     pub slip_reserve: f64,
     /// Power out over power in, friction of the belt alone counted.
     pub efficiency: Option<f64>,
+    /// Whether the belt has buckled: it is wound round its pulleys as none is whose spans are nearly straight.
+    pub buckled: bool,
 }
 
 /// Which radius is given; the other one is where the belt closes.
@@ -307,6 +309,7 @@ impl<'a> Held<'a> {
             slack_tension: solved.constant(Constant::SlackTension),
             slip_reserve: reserve(solved)?,
             efficiency: efficiency.is_finite().then_some(efficiency),
+            buckled: is_buckled(solved.constant(Constant::PrimaryWrap), solved.constant(Constant::SecondaryWrap)),
         })
     }
 }
