@@ -495,3 +495,80 @@ fn a_shift_curve_has_what_other_programs_read() {
         assert!((number("speed_ratio") - speeds).abs() < 1e-12 * speeds, "{point}");
     }
 }
+
+/// What is wrong with the arguments is said before anything is made, and costs no work.
+#[test]
+fn arguments_are_refused_before_folders_are_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    let made = out.to_str().unwrap();
+    let table = folder.path().join("table.csv");
+    std::fs::write(
+        &table,
+        "belt.bending_stiffness,converged,efficiency.overall,failure\n0.1,true,0.9,\n0.2,false,,lost\n",
+    )
+    .unwrap();
+    let table = table.to_str().unwrap();
+    let gx9 = "examples/drive/gx9.toml";
+    let no_drive = case_file(folder.path(), "");
+    for (arguments, said) in [
+        (vec!["helix", gx9, "--target", "3800 rpm", "--points", "1", "--out", made], "from 5 to 1000"),
+        (vec!["shift", gx9, "--compare", &no_drive, "--out", made], "actuators"),
+        (vec!["plot", table, "--y", "failure", "--out", made], "column `failure` holds `lost`"),
+    ] {
+        let output = sheave(&arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}: {output:?}");
+        assert!(stderr(&output).contains(said), "{arguments:?}: {}", stderr(&output));
+        assert!(!out.exists(), "{arguments:?}");
+    }
+    let output = sheave(&["plot", table, "--y", "efficiency.overall", "--out", made]);
+    assert_eq!(status(&output), 0, "{output:?}");
+}
+
+/// A drive without an equilibrium tells programs what was understood, and apart from what happened what to try.
+#[test]
+fn a_drive_that_has_no_equilibrium_says_what_to_try() {
+    let output = sheave(&["drive", "examples/drive/gx9.toml", "--speed", "20000 rpm", "--json"]);
+    assert_eq!(status(&output), 3, "{output:?}");
+    let object = object(&output);
+    assert_eq!(object["inputs"]["belt"]["length"], 0.834, "{object}");
+    let failure = &object["failure"];
+    assert!(failure["message"].as_str().is_some_and(|message| message.contains("12048 rpm")), "{object}");
+    assert!(failure["hint"].as_str().is_some_and(|hint| hint.starts_with("try a lower speed")), "{object}");
+    assert!(stderr(&output).contains("try a lower speed"), "{output:?}");
+}
+
+/// The best clamp does not depend on the one that the case has, not even where that is a margin against slip.
+#[test]
+fn the_best_clamp_is_sought_beside_a_margin() {
+    let best = |arguments: &[&str]| {
+        let output = sheave(arguments);
+        assert_eq!(status(&output), 0, "{output:?}");
+        object(&output)["slack_tension"].as_f64().unwrap_or_else(|| panic!("{output:?}"))
+    };
+    let margin = ["optimum", "--set", "operating_point.slip_reserve=30%", "--tol", "1e-5", "--json"];
+    let difference = best(&margin) / best(&["optimum", "--tol", "1e-5", "--json"]) - 1.0;
+    assert!(difference.abs() < 1e-3, "{difference}");
+}
+
+/// Few points of a curve, many measured ones: how much of the difference is owed to lines is told, and is about right.
+#[test]
+fn what_interpolation_adds_to_a_difference_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("line.csv");
+    let line: Vec<String> = (0..40).map(|at| format!("{},3000", 1200.0 + 50.0 * f64::from(at))).collect();
+    std::fs::write(&data, format!("secondary_rpm,primary_rpm\n{}\n", line.join("\n"))).unwrap();
+    let at = |points: &str| {
+        let data = data.to_str().unwrap();
+        let arguments = ["shift", "examples/drive/gx9.toml", "--direction", "up", "--tol", "1e-4", "--json"];
+        let output = sheave(&[arguments.as_slice(), &["--data", data, "--points", points]].concat());
+        assert_eq!(status(&output), 0, "{output:?}");
+        let object = object(&output);
+        let of = |name: &str| object["branches"][0]["deviation"][name].as_f64().unwrap();
+        (of("mean"), of("interpolation"), object["warnings"].to_string().contains("so few points"))
+    };
+    let (coarse, fine) = (at("6"), at("48"));
+    let moved = (coarse.0 - fine.0).abs();
+    assert!(coarse.2 && !fine.2 && fine.1 < 0.1 * coarse.1, "{coarse:?} {fine:?}");
+    assert!((0.2..5.0).contains(&(coarse.1 / moved)), "{coarse:?} {fine:?}");
+}

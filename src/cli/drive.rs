@@ -72,8 +72,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let speed = arguments.secondary_speed(&case, &resolved)?;
     let warnings = unused_keys(&case);
     let options = SolveOptions { tolerance: arguments.tol, ..SolveOptions::default() };
-    let (found, outcome) =
-        equilibrium_outcome(None, &resolved, speed, arguments.direction.into(), &options).map_err(stop)?;
+    let found = equilibrium_outcome(None, &resolved, speed, arguments.direction.into(), &options).map_err(stop);
+    let (found, outcome) = match found {
+        Ok(found) => found,
+        Err(stop) => {
+            if arguments.json {
+                envelope::tell("drive", &serde_json::json!({ "inputs": resolved }), &stop.failure())?;
+            }
+            return Err(stop);
+        }
+    };
     let mut warnings: Vec<String> = warnings.into_iter().chain(sheave::result::warnings(&outcome)).collect();
     let report = DriveReport::new(&resolved, &found, outcome, true).map_err(stop)?;
     warnings.extend(beyond_engine(&resolved, report.primary_speed, report.primary_speed));
@@ -145,9 +153,10 @@ pub(super) fn stop(error: EquilibriumError) -> Stop {
         tracing::info!("in full: {failure}");
         solver_words(failure);
     }
-    let reason = match error.hint() {
-        Some(hint) => format!("{error}\n{hint}"),
-        None => error.to_string(),
-    };
-    if error.is_bad_input() { Stop::Usage(reason) } else { Stop::NoSolution(reason) }
+    match error.hint() {
+        Some(hint) if error.is_bad_input() => Stop::Usage(format!("{error}\n{hint}")),
+        None if error.is_bad_input() => Stop::Usage(error.to_string()),
+        Some(hint) => Stop::Advised(error.to_string(), hint),
+        None => Stop::NoSolution(error.to_string()),
+    }
 }

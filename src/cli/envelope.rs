@@ -73,6 +73,7 @@ impl Stop {
             }
             Self::Usage(reason) => report(FailureKind::Input, reason.clone(), None),
             Self::NoSolution(reason) | Self::Unreached(reason) => report(FailureKind::NoSolution, reason.clone(), None),
+            Self::Advised(reason, hint) => report(FailureKind::NoSolution, reason.clone(), Some((*hint).to_owned())),
             Self::Cancelled => report(FailureKind::Cancelled, CANCELLED.to_owned(), None),
             Self::Write(what, error) => report(FailureKind::Output, format!("cannot write {what}: {error}"), None),
         }

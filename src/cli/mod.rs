@@ -158,7 +158,7 @@ fn in_order(command: impl FnOnce() -> Result<(), stop::Stop>) -> Result<(), stop
     let cancel = stop::cancel_on_interrupt();
     match sheave::cancellable(&cancel, command) {
         // That no solution was found says nothing then.
-        Err(stop::Stop::NoSolution(_)) if cancel.is_cancelled() => Err(stop::Stop::Cancelled),
+        Err(stop::Stop::NoSolution(_) | stop::Stop::Advised(..)) if cancel.is_cancelled() => Err(stop::Stop::Cancelled),
         done => done,
     }
 }

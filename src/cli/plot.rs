@@ -58,9 +58,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         [] => SHOWN.map(Output::name).to_vec(),
         given => given.iter().map(String::as_str).collect(),
     };
-    output::create_folder(&arguments.out)?;
+    table.of_numbers(x)?;
     let others: Vec<usize> = (0..varied).filter(|column| *column != x).collect();
     let figures = asked.into_iter().map(|name| table.figure(x, &others, name)).collect::<Result<Vec<_>, Stop>>()?;
+    output::create_folder(&arguments.out)?;
     output::write_figures(&arguments.out, &figures)
 }
 
@@ -87,6 +88,18 @@ impl Table {
         self.rows.get(row).and_then(|row| row.get(column)).map_or("", String::as_str)
     }
 
+    /// Refuses a column of texts, of which a figure would be empty.
+    fn of_numbers(&self, column: usize) -> Result<(), Stop> {
+        let name = self.columns.get(column).map_or("", String::as_str);
+        let texts = || (0..self.rows.len()).map(|row| self.text(row, column)).filter(|text| !text.is_empty());
+        let wrong = |what: String| Err(Stop::Usage(format!("column `{name}` {what}: expected one of numbers")));
+        match texts().find(|text| text.parse::<f64>().is_err()) {
+            Some(text) => wrong(format!("holds `{text}`")),
+            None if texts().next().is_none() => wrong("is empty".to_owned()),
+            None => Ok(()),
+        }
+    }
+
     /// A number in the unit of its axis; NaN where there is none, as in the row of a point without a solution.
     fn number(&self, row: usize, column: usize) -> f64 {
         let value = self.text(row, column).parse().unwrap_or(f64::NAN);
@@ -102,6 +115,7 @@ impl Table {
     /// A column over another: rows with the same values in `others` make a curve.
     fn figure(&self, x: usize, others: &[usize], name: &str) -> Result<Figure, Stop> {
         let y = self.column(name)?;
+        self.of_numbers(y)?;
         let mut curves: Vec<Curve<'_>> = Vec::new();
         for row in 0..self.rows.len() {
             let of: Vec<&str> = others.iter().map(|&column| self.text(row, column)).collect();

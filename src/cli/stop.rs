@@ -21,6 +21,8 @@ pub enum Stop {
     Refused(miette::Report),
     /// There is no solution, or none was found; the reason.
     NoSolution(String),
+    /// There is no solution, or none was found: the reason, and what to try.
+    Advised(String, &'static str),
     /// Ctrl-C.
     Cancelled,
     /// A result was told, and is not what was asked for; the reason.
@@ -49,6 +51,10 @@ impl Stop {
             }
             Self::NoSolution(reason) | Self::Unreached(reason) => {
                 tell(&(printable(&reason) + "\n"));
+                ExitCode::from(3)
+            }
+            Self::Advised(reason, hint) => {
+                tell(&(printable(&format!("{reason}\n{hint}")) + "\n"));
                 ExitCode::from(3)
             }
             Self::Cancelled => {

@@ -103,7 +103,10 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
         let expected = "the clamp of best efficiency is sought where the primary drives, for a torque above zero";
         return Err(DesignError::Given { key, expected });
     }
-    let (case, start) = clamped(case, options)?;
+    // The clamp is what is sought: a margin against slip in its place does not matter, no more than a tension would.
+    let mut case = case.clone();
+    case.operating_point.margin = None;
+    let (case, start) = clamped(&case, options)?;
     let mut search = Search { case, options: *options, evaluations: 0 };
     let reference = search.case.stiffnesses.reference;
     let start = search.trial((start, reference))?;
