@@ -70,6 +70,14 @@ pub enum EquilibriumError {
         "no state of the drive is consistent with its stops: {0} were tried in turn, and each was left for another"
     )]
     Cycle(usize),
+    /// The equations of an end of a phase hold, and the drive does not come to it.
+    #[error("{phase}: {why}")]
+    NoEnd {
+        /// Where the sheaves were taken to stand.
+        phase: Phase,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// What must not happen.
     #[error(transparent)]
     Internal(#[from] InternalError),
@@ -85,6 +93,7 @@ impl EquilibriumError {
             | Self::Disengaged { .. }
             | Self::BeyondEngine { .. }
             | Self::Cycle(_)
+            | Self::NoEnd { .. }
             | Self::Internal(_) => false,
         }
     }
@@ -122,7 +131,12 @@ impl EquilibriumError {
             Self::BeyondEngine { .. } => {
                 Some("try a lower speed of the secondary, or give the engine's torque at higher speeds")
             }
-            Self::Missing { .. } | Self::Speed(_) | Self::Actuator { .. } | Self::Cycle(_) | Self::Internal(_) => None,
+            Self::Missing { .. }
+            | Self::Speed(_)
+            | Self::Actuator { .. }
+            | Self::Cycle(_)
+            | Self::NoEnd { .. }
+            | Self::Internal(_) => None,
         }
     }
 }

@@ -7,6 +7,7 @@ use super::estimate::{Estimate, elsewhere, estimate, highest_ratio};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 use super::point::{Direction, Equilibrium, Phase, Stop};
 use crate::actuator::{ActuatorError, PrimaryActuator, travel_by_radius};
+use crate::case::geometry::radius_beside;
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{
     Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question,
@@ -24,6 +25,11 @@ const FORCE_SLACK: f64 = 1e-6;
 /// Over the last speed for which the engine's torque is known, the speed at which no equilibrium is sought. Below, one
 /// may be found at the high stop: a belt that is hardly loaded climbs on the primary, and the engine turns the slower.
 const BEYOND_ENGINE: f64 = 2.0;
+/// Radius of the secondary over that which the belt's length leaves beside the primary's, at least: sunk and stretched
+/// belts have 0.9 and more.
+const LEAST_RADIUS: f64 = 0.7;
+/// Share of the speed by which two states of a belt that slips are two.
+const JUMP: f64 = 0.03;
 /// By what the secondary's speed changes with each step towards one at which the belt slips as a clutch does, and steps
 /// at most: down to a hundredth of the speed at which the primary closes.
 const CLUTCH_STEP: f64 = 0.8;
@@ -80,20 +86,30 @@ pub fn equilibrium(
         other => other,
     };
     // A start may lead nowhere, or to a belt that slips, because the drive is not where it was taken to be.
-    let mut slipping = first;
+    let mut best = first;
     for other in elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction) {
         match from(&other) {
             Ok(found) if found.holds()? => return Ok(found),
-            Ok(found) if slipping.is_err() => slipping = Ok(found),
+            Ok(found) => {
+                if best.as_ref().map_or(Ok(true), |best| loses_less(&found, best))? {
+                    best = Ok(found);
+                }
+            }
             Err(error) if error.is_cancelled() => return Err(error),
-            Ok(_) | Err(_) => {}
+            Err(_) => {}
         }
     }
-    slipping
+    best
+}
+
+/// Whether a belt loses clearly less of the speed than another one.
+fn loses_less(found: &Equilibrium, other: &Equilibrium) -> Result<bool, EquilibriumError> {
+    Ok(found.output(Output::EfficiencySpeed)? > other.output(Output::EfficiencySpeed)? + JUMP)
 }
 
 /// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
-/// across a stop, or to a belt that slips from one that holds, from nothing.
+/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did: the better of
+/// both is told.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
@@ -106,15 +122,13 @@ pub fn equilibrium_from(
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     let slipping = match whole.settle_from(&near.solved, near.phase, options) {
-        // A drive whose belt slips has perhaps an equilibrium at which it holds. One that slipped before is taken to go
-        // on doing so, as it does up to the take-off.
-        Ok(found) if found.holds()? || !near.holds()? => return Ok(found),
+        Ok(found) if found.holds()? || !loses_less(near, &found)? => return Ok(found),
         Ok(found) => found,
         Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
         Err(_) => return equilibrium(case, secondary_speed, direction, options),
     };
     match equilibrium(case, secondary_speed, direction, options) {
-        Ok(found) if found.holds()? => Ok(found),
+        Ok(found) if loses_less(&found, &slipping)? => Ok(found),
         Err(error) if error.is_cancelled() => Err(error),
         Ok(_) | Err(_) => Ok(slipping),
     }
@@ -165,7 +179,26 @@ impl<'a> Whole<'a> {
         };
         let question = self.question(phase, &posed_at(self.case, &from.solved));
         let solved = approach_question(&from.solved, &self.case.model, &question, options);
-        self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)
+        let found = self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)?;
+        match self.given {
+            Given::SpeedEfficiency(_) if self.other(&found).is_some() => {
+                Err(EquilibriumError::NoEnd { phase, why: "the secondary opens before the belt takes the drive off" })
+            }
+            Given::Corner(Stop::PrimaryClosed | Stop::SecondaryOpen) if self.lies_deep(&found) => {
+                let why =
+                    "the only state found there has the belt far deeper in the secondary than its length leaves it";
+                Err(EquilibriumError::NoEnd { phase, why })
+            }
+            Given::Corner(_) | Given::SpeedEfficiency(_) | Given::SecondarySpeed(_) => Ok(found),
+        }
+    }
+
+    /// Whether a belt at the high stop lies on a radius of the secondary that has nothing to do with its length: the
+    /// equations have such solutions, with spans that swing far out.
+    fn lies_deep(&self, found: &Equilibrium) -> bool {
+        let (length, center) = (self.case.belt.length, self.case.drive.center_distance);
+        let beside = radius_beside(found.solved.constant(Constant::PrimaryRadius), length, center);
+        beside.is_ok_and(|radius| found.solved.constant(Constant::SecondaryRadius) < LEAST_RADIUS * radius)
     }
 
     /// Refuses a drive whose engine would have to turn far beyond what is known of it, whose primary is open, or whose
