@@ -421,3 +421,34 @@ fn made_data_replace_nothing_but_made_data() {
     let slipping = make("none", &["--set", "sheave.friction_coefficient=0.05"]);
     assert_eq!(slipping.status.code(), Some(3), "{slipping:?}");
 }
+
+/// Of efficiencies with losses; each starts elsewhere than where the data were made.
+#[test]
+fn constants_of_losses_are_fitted() {
+    let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
+    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3200,4300,9\n3000,3000,16\n2900,2000,24\n2850,1500,27\n";
+    let table = parse("p.csv", text.as_bytes(), Some(&engine)).unwrap();
+    let mut case = Case::base();
+    case.set("losses.include", "on").unwrap();
+    case.set("losses.primary_drag", "0.1 N*m").unwrap();
+    case.set("losses.gear_efficiency", "0.99").unwrap();
+    for (key, truth) in [("belt.loss_tangent", 0.2), ("losses.primary_drag", 0.3), ("losses.gear_efficiency", 0.96)] {
+        let mut other = case.clone();
+        other.set(key, &truth.to_string()).unwrap();
+        let made = compare(&other, table.clone(), &options(&[])).unwrap();
+        let mut told = table.clone();
+        for (point, made) in told.points.iter_mut().zip(&made.points) {
+            point.efficiency = made.efficiency_model.unwrap();
+        }
+        let fit = compare(&case, told, &options(&[key])).unwrap().fit.unwrap();
+        assert!(fit.converged && (fit.constants[0].value / truth - 1.0).abs() < 1e-3, "{key}: {fit:?}");
+    }
+    let refused = |case: &Case, key: &str| compare(case, table.clone(), &options(&[key])).unwrap_err().to_string();
+    let said = refused(&Case::base(), "belt.loss_tangent");
+    assert!(said.contains("`belt.loss_tangent` cannot be fitted to an efficiency with friction alone"), "{said}");
+    let said = refused(&case, "losses.secondary_drag");
+    assert!(said.contains("`losses.secondary_drag` = 0 cannot be fitted: the search is one in logarithms"), "{said}");
+    case.set("belt.loss_tangent", "{ temperature = [280, 380], value = [0.12, 0.1] }").unwrap();
+    let said = refused(&case, "belt.loss_tangent");
+    assert!(said.contains("the case has a table of it"), "{said}");
+}

@@ -38,8 +38,8 @@ pub struct Arguments {
     /// What the radii follow from
     #[arg(long, value_name = "FROM", default_value = "speeds")]
     radii: RadiiFrom,
-    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, or engine.scale; may be given several
-    /// times
+    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, engine.scale, or with --losses on a loss
+    /// tangent or a key of losses; may be given several times
     #[arg(long, value_name = "KEY")]
     fit: Vec<String>,
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
