@@ -379,3 +379,13 @@ fn raw_data_with_decimal_commas_are_no_data() {
     let marked = parse("\u{feff}mm,N\n0.1,50,\n0.2,100,,\n").unwrap();
     assert_eq!((marked.rows.len(), marked.bad), (2, None));
 }
+
+#[test]
+fn reading_raw_data_ends_when_it_is_cancelled() {
+    use sheave::quantity::Dimension;
+    let cancel = sheave::Cancel::new();
+    cancel.cancel();
+    let read = || sheave::bench::belt::parse_columns("t.csv", b"mm,N\n1,2\n", [Dimension::LENGTH, Dimension::FORCE]);
+    let error = sheave::cancellable(&cancel, read).unwrap_err();
+    assert!(matches!(error.problem(), sheave::bench::BenchProblem::Cancelled), "{error}");
+}
