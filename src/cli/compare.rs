@@ -10,8 +10,9 @@ use sheave::bench::compare::{
     summary,
 };
 use sheave::bench::engine::EngineCurve;
-use sheave::bench::{BenchError, BenchProblem, PageTable, keys, page};
+use sheave::bench::{BenchError, PageTable, keys, page};
 use sheave::case::Case;
+use sheave::text::on_one_line;
 use std::path::PathBuf;
 
 /// Compare measured operating points with the model
@@ -68,10 +69,8 @@ fn help() -> String {
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.case.read()?;
-    let found = arguments.find(&case).map_err(|error| match error.problem() {
-        BenchProblem::Cancelled => Stop::Cancelled,
-        _ => refused("compare", arguments.json, error),
-    })?;
+    output::folder_place(arguments.out.as_deref())?;
+    let found = arguments.find(&case).map_err(|error| refused("compare", arguments.json, error))?;
     warn(&found.warnings);
     arguments.deliver(&case, &found)
 }
@@ -128,7 +127,7 @@ fn tables(found: &Comparison) -> Vec<PageTable> {
     let percent = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{:.2}", 100.0 * value));
     let row = |point: &sheave::bench::compare::Compared| {
         vec![
-            point.run.clone(),
+            on_one_line(&point.run),
             point.step.map_or_else(String::new, |step| step.to_string()),
             point.speed_ratio.map_or_else(String::new, |ratio| format!("{ratio:.3}")),
             point.primary_radius.map_or_else(String::new, |radius| format!("{:.2}", 1e3 * radius)),

@@ -210,6 +210,7 @@ fn compared(measured: &Measured) -> Compared {
         primary_axial_force: None,
         efficiency_measured: finite(measured.efficiency),
         efficiency_error: measured.efficiency_error,
+        efficiency_interval: measured.efficiency_interval,
         efficiency_model: None,
         efficiency_elastic: None,
         belt_temperature: None,
