@@ -270,6 +270,12 @@ fn the_commands_as_they_are_called() {
     }
     assert_eq!(std::fs::read(folder.path().join("belt.toml")).unwrap(), out.stdout);
 
+    // A belt in winter: refused for where the rubber was tested, not for the sign.
+    let cold = sheave(&["belt", file, "--temperature", "-5 degC"]);
+    // Without the frame in which long messages are broken.
+    let said = String::from_utf8_lossy(&cold.stderr).replace('│', " ");
+    let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("-5.0 °C lies outside"), "{said}");
     let hot = sheave(&["belt", file, "--temperature", "90 degC", "--json"]);
     assert_eq!(hot.status.code(), Some(2));
     let object: Value = serde_json::from_slice(&hot.stdout).unwrap();
@@ -317,6 +323,8 @@ fn the_case_has_all_that_was_measured() {
     assert!((read.stiffnesses.reference - 303.15).abs() < 1e-9);
     // The loss modulus was measured at 60 °C alone.
     assert!(file.contains("No loss tangent was measured here"), "{file}");
+    assert!(cool.warnings.iter().any(|said| said.starts_with("no loss tangent is known at 30.0 °C")));
+    assert!(properties.warnings.is_empty(), "{:?}", properties.warnings);
     let lumped = Description::read(&example("g-force.toml")).unwrap().evaluate(None).unwrap();
     let read = Case::from_toml("belt.toml", &lumped.case_file()).unwrap().resolve().unwrap();
     assert!((read.sheave.half_angle.to_degrees() - 15.0).abs() < 1e-9);

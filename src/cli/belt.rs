@@ -23,7 +23,7 @@ pub struct Arguments {
     #[arg(value_name = "BELT.toml")]
     file: PathBuf,
     /// Temperature of the belt in use, between those at which the rubber was tested: "60 degC"
-    #[arg(long, value_name = "T", value_parser = |text: &str| temperature(text))]
+    #[arg(long, value_name = "T", value_parser = |text: &str| temperature(text), allow_hyphen_values = true)]
     temperature: Option<f64>,
     /// Print the result as one JSON object, in SI units
     #[arg(long, conflicts_with = "out")]

@@ -216,6 +216,16 @@ impl Description {
             (Some(rubber), Some(temperature)) => Some(rubber.at(sheet, temperature)?),
             _ => None,
         };
+        if let (Some(state), Some(rubber)) = (&state, &rubber)
+            && state.storage_over_loss.is_none()
+            && rubber.tests.iter().any(|test| test.storage_over_loss.is_some())
+        {
+            warnings.push(format!(
+                "no loss tangent is known at {:.1} °C, for the loss modulus was not measured there or on both sides: a \
+                 case has that of the thesis's rubber",
+                celsius(state.temperature)
+            ));
+        }
         let thermal = Thermal { sheet, rubber: rubber.as_ref(), state };
         let yarns = yarns(sheet)?;
         let tension = self.tension(&thermal, yarns.is_some(), &mut warnings)?;
