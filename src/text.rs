@@ -25,6 +25,15 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
+/// As [`printable`], with line feeds and tabs written out, too: a text that stays within its line, or its cell.
+///
+/// ```
+/// assert_eq!(sheave::text::on_one_line("run\t1\n\u{1b}[2J"), "run\\t1\\n\\u{1b}[2J");
+/// ```
+pub fn on_one_line(text: &str) -> String {
+    printable(text).replace('\n', "\\n").replace('\t', "\\t")
+}
+
 /// The text with every character on which a terminal would act replaced by one of as many bytes, so that places in it
 /// stay what they are; line feeds and the carriage returns before them are kept.
 pub fn printable_in_place(text: &str) -> Cow<'_, str> {

@@ -270,6 +270,12 @@ fn the_commands_as_they_are_called() {
     }
     assert_eq!(std::fs::read(folder.path().join("belt.toml")).unwrap(), out.stdout);
 
+    // A belt in winter: refused for where the rubber was tested, not for the sign.
+    let cold = sheave(&["belt", file, "--temperature", "-5 degC"]);
+    // Without the frame in which long messages are broken.
+    let said = String::from_utf8_lossy(&cold.stderr).replace('│', " ");
+    let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("-5.0 °C lies outside"), "{said}");
     let hot = sheave(&["belt", file, "--temperature", "90 degC", "--json"]);
     assert_eq!(hot.status.code(), Some(2));
     let object: Value = serde_json::from_slice(&hot.stdout).unwrap();
@@ -287,4 +293,107 @@ fn the_commands_as_they_are_called() {
     let object: Value = serde_json::from_slice(&none.stdout).unwrap();
     assert!(object["failure"]["message"].as_str().unwrap().contains("too short"), "{object}");
     assert_eq!(sheave(&["radii", "--primary", "300 mm"]).status.code(), Some(2));
+}
+
+/// What was measured of a belt beside its stiffnesses is in the case, too: another belt's is not taken for it.
+#[test]
+fn the_case_has_all_that_was_measured() {
+    let description = CVTECH.replace("storage_over_loss = 8.2", "storage_over_loss = 5.5");
+    let description = description.replace("sample_length =", "sheave_half_angle = \"13 deg\"\nsample_length =");
+    let properties = Description::parse("belt.toml", &description).unwrap().evaluate(None).unwrap();
+    let mut case = Case::from_toml("belt.toml", &properties.case_file()).unwrap();
+    case.set("thermal.ambient", "25 degC").unwrap();
+    case.set("thermal.heat_transfer_per_area", "200").unwrap();
+    let read = case.resolve().unwrap();
+    assert!((read.losses.loss_tangent.largest() - 1.0 / 5.5).abs() < 1e-7, "{:?}", read.losses);
+    assert!((read.sheave.half_angle.to_degrees() - 13.0).abs() < 1e-9);
+    let thermal = read.thermal.unwrap();
+    assert!((thermal.reference - 333.15).abs() < 1e-9);
+    // 140.13 MPa at 25 °C, 90.45 MPa at 60 °C.
+    let softening = (140.13_f64 / 90.45).ln() / 35.0;
+    for found in [thermal.bending_softening, thermal.radial_softening] {
+        assert!((found / softening - 1.0).abs() < 1e-6, "{found} {softening}");
+    }
+    // The thesis's section is 77.3 mm around.
+    assert!((1e3 * thermal.surface.unwrap().perimeter - 77.3).abs() < 0.05, "{:?}", thermal.surface);
+    // At another temperature the stiffnesses are those there, and so is the temperature that they are told for.
+    let cool = Description::parse("belt.toml", &description).unwrap().evaluate(Some(303.15)).unwrap();
+    let file = cool.case_file();
+    let read = Case::from_toml("belt.toml", &file).unwrap().resolve().unwrap();
+    assert!((read.stiffnesses.reference - 303.15).abs() < 1e-9);
+    // The loss modulus was measured at 60 °C alone.
+    assert!(file.contains("No loss tangent was measured here"), "{file}");
+    assert!(cool.warnings.iter().any(|said| said.starts_with("no loss tangent is known at 30.0 °C")));
+    assert!(properties.warnings.is_empty(), "{:?}", properties.warnings);
+    let lumped = Description::read(&example("g-force.toml")).unwrap().evaluate(None).unwrap();
+    let read = Case::from_toml("belt.toml", &lumped.case_file()).unwrap().resolve().unwrap();
+    assert!((read.sheave.half_angle.to_degrees() - 15.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_would_not_be_used_is_refused() {
+    for (from, to, words) in [
+        ("radius = \"3653 mm\"", "radius = \"3653 mm\"\nlength = \"17 mm\"", "`bending.length`: it belongs to"),
+        (
+            "outside_circumference = \"875.1 mm\"",
+            "pitch_length = \"857 mm\"\ncord_depth = \"3 mm\"",
+            "`length.cord_depth`: it makes a pitch length",
+        ),
+    ] {
+        let text = refused(from, to);
+        assert!(text.contains(words), "{to}: {text}");
+    }
+    let lumped = std::fs::read_to_string(example("g-force.toml")).unwrap();
+    let refused = |from: &str, to: &str| {
+        assert!(lumped.contains(from), "{from}");
+        let read = Description::parse("b.toml", &lumped.replacen(from, to, 1));
+        said(&read.and_then(|description| description.evaluate(None)).unwrap_err())
+    };
+    let text = refused("[tension]", "[rubber]\npoisson_ratio = 0.5\n[tension]");
+    assert!(text.contains("`rubber.poisson_ratio`: there is no [[rubber.test]]"), "{text}");
+    let rubber = "[[rubber.test]]\ntemperature = \"25 degC\"\nyoungs_modulus = \"140 MPa\"\n";
+    let text = refused("[tension]", &format!("[rubber]\npoisson_ratio = 0.5\n{rubber}[tension]"));
+    assert!(text.contains("`rubber.poisson_ratio`: it makes Young's modulus"), "{text}");
+    let text = refused("[tension]", "[tension]\ntemperature = \"25 degC\"");
+    assert!(text.contains("`tension.temperature`: without [yarns]"), "{text}");
+    // The stiffness between two nodes is one of rubber, as that by moment and radius is.
+    let text = refused("[tension]", &format!("{rubber}[tension]"));
+    assert!(text.contains("`bending.temperature` is not given"), "{text}");
+}
+
+#[test]
+fn a_folder_that_is_a_file_is_refused_before_anything_is_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("taken");
+    std::fs::write(&taken, "mine").unwrap();
+    let file = example("cvtech.toml");
+    for out in [taken.clone(), taken.join("below")] {
+        let output = sheave(&["belt", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(output.stdout.is_empty());
+        assert!(String::from_utf8_lossy(&output.stderr).contains("expected the name of a folder"), "{output:?}");
+    }
+}
+
+/// Decimal commas make more cells than there are columns: half of each number is none.
+#[test]
+fn raw_data_with_decimal_commas_are_no_data() {
+    let parse = |text: &str| {
+        use sheave::quantity::Dimension;
+        sheave::bench::belt::parse_columns("t.csv", text.as_bytes(), [Dimension::LENGTH, Dimension::FORCE])
+    };
+    let error = parse("mm,N\n0,1,50,2\n0,2,100,4\n").unwrap_err().to_string();
+    assert!(error.contains("no row has two numbers, with decimal points"), "{error}");
+    let marked = parse("\u{feff}mm,N\n0.1,50,\n0.2,100,,\n").unwrap();
+    assert_eq!((marked.rows.len(), marked.bad), (2, None));
+}
+
+#[test]
+fn reading_raw_data_ends_when_it_is_cancelled() {
+    use sheave::quantity::Dimension;
+    let cancel = sheave::Cancel::new();
+    cancel.cancel();
+    let read = || sheave::bench::belt::parse_columns("t.csv", b"mm,N\n1,2\n", [Dimension::LENGTH, Dimension::FORCE]);
+    let error = sheave::cancellable(&cancel, read).unwrap_err();
+    assert!(matches!(error.problem(), sheave::bench::BenchProblem::Cancelled), "{error}");
 }

@@ -144,7 +144,7 @@ fn reduced(known: &Known, seed: u64) -> String {
     let dyno = dyno::Options { calibration: Some(calibration), ..dyno::Options::default() };
     let mut points = Vec::new();
     for record in records(&[folder.path().to_owned()]).unwrap() {
-        process(&record, &dyno, |point| points.push(point), |_| ());
+        process(&record, &dyno, |point| points.push(point), |_| ()).unwrap();
     }
     let (table, left_out) = points_csv(&points);
     assert_eq!((left_out, points.len()), (0, known.steps.len()));
@@ -420,4 +420,112 @@ fn made_data_replace_nothing_but_made_data() {
     assert!(make("new", &[]).status.success() && make("new", &[]).status.success());
     let slipping = make("none", &["--set", "sheave.friction_coefficient=0.05"]);
     assert_eq!(slipping.status.code(), Some(3), "{slipping:?}");
+}
+
+/// Of efficiencies with losses; each starts elsewhere than where the data were made.
+#[test]
+fn constants_of_losses_are_fitted() {
+    let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
+    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3200,4300,9\n3000,3000,16\n2900,2000,24\n2850,1500,27\n";
+    let table = parse("p.csv", text.as_bytes(), Some(&engine)).unwrap();
+    let mut case = Case::base();
+    case.set("losses.include", "on").unwrap();
+    case.set("losses.primary_drag", "0.1 N*m").unwrap();
+    case.set("losses.gear_efficiency", "0.99").unwrap();
+    for (key, truth) in [("belt.loss_tangent", 0.2), ("losses.primary_drag", 0.3), ("losses.gear_efficiency", 0.96)] {
+        let mut other = case.clone();
+        other.set(key, &truth.to_string()).unwrap();
+        let made = compare(&other, table.clone(), &options(&[])).unwrap();
+        let mut told = table.clone();
+        for (point, made) in told.points.iter_mut().zip(&made.points) {
+            point.efficiency = made.efficiency_model.unwrap();
+        }
+        let fit = compare(&case, told, &options(&[key])).unwrap().fit.unwrap();
+        assert!(fit.converged && (fit.constants[0].value / truth - 1.0).abs() < 1e-3, "{key}: {fit:?}");
+    }
+    let refused = |case: &Case, key: &str| compare(case, table.clone(), &options(&[key])).unwrap_err().to_string();
+    let said = refused(&Case::base(), "belt.loss_tangent");
+    assert!(said.contains("`belt.loss_tangent` cannot be fitted to an efficiency with friction alone"), "{said}");
+    let said = refused(&case, "losses.secondary_drag");
+    assert!(said.contains("`losses.secondary_drag` = 0 cannot be fitted: the search is one in logarithms"), "{said}");
+    case.set("belt.loss_tangent", "{ temperature = [280, 380], value = [0.12, 0.1] }").unwrap();
+    let said = refused(&case, "belt.loss_tangent");
+    assert!(said.contains("the case has a table of it"), "{said}");
+}
+
+/// Runs are named after files, whose names may have anything.
+#[test]
+fn names_of_runs_may_have_commas_and_act_on_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.csv");
+    let rows = "run,primary_rpm,secondary_rpm,secondary_torque_Nm,primary_torque_Nm\n\"a, b\",3000,3000,16,17.5\n\
+                \u{1b}[31mred,2900,2000,24,17.6\n";
+    std::fs::write(&path, rows).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_sheave")).args(["compare", "--data"]).arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("2 of 2 points compared") && text.contains("a, b"), "{text}");
+    assert!(text.contains("\\u{1b}[31mred") && !text.contains('\u{1b}'), "{text}");
+}
+
+/// A standard error of ten parts is one of nine degrees of freedom.
+#[test]
+fn intervals_of_few_samples_are_students() {
+    let engine = made_engine();
+    let head = "primary_rpm,secondary_rpm,secondary_torque_Nm,secondary_torque_sd,n_torque,secondary_torque_se\n";
+    let half = |row: &str| {
+        let table = parse("p.csv", format!("{head}{row}\n").as_bytes(), Some(&engine)).unwrap();
+        let point = &table.points[0];
+        let (low, high) = point.efficiency_interval.unwrap();
+        assert!((0.5 * (low + high) / point.efficiency - 1.0).abs() < 1e-12);
+        0.5 * (high - low) / point.efficiency_error.unwrap()
+    };
+    assert!((half("3000,2900,17,1,375,0.1") - 2.262_157).abs() < 1e-5);
+    // Five samples, and thousands.
+    assert!((half("3000,2900,17,1,5,") - 2.776_445).abs() < 1e-5);
+    assert!((half("3000,2900,17,1,90000,") - 1.96).abs() < 1e-3);
+}
+
+/// What is in the way is said before the points are solved, which may take long; nothing is left behind.
+#[test]
+fn bad_places_are_refused_before_the_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("taken");
+    std::fs::write(&taken, "mine").unwrap();
+    std::fs::create_dir(folder.path().join("own")).unwrap();
+    std::fs::write(folder.path().join("own/run1.csv"), "mine").unwrap();
+    let [points, engine] =
+        ["operating-points.csv", "engine-power.csv"].map(|name| data(name).to_str().unwrap().to_owned());
+    // A case that has no solution: were it solved, this were what is said.
+    let slips = ["--set", "sheave.friction_coefficient=0.02"];
+    let run = |arguments: &[&str], out: &Path| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sheave"));
+        command.args(arguments).args(slips).arg("--out").arg(out).output().unwrap()
+    };
+    let made = ["bench-data", "--engine", "examples/made/engine.csv"];
+    for (arguments, out) in [
+        (&["compare", "--data", &points, "--engine", &engine][..], &taken),
+        (&made[..], &taken),
+        (&made[..], &folder.path().join("own")),
+    ] {
+        let output = run(arguments, out);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("expected"), "{output:?}");
+    }
+    // A folder that nothing came into is not made.
+    let none = folder.path().join("none");
+    assert_eq!(run(&made, &none).status.code(), Some(3));
+    assert!(!none.exists());
+}
+
+/// Decimal commas make more cells than there are columns.
+#[test]
+fn points_with_decimal_commas_are_named() {
+    let engine = made_engine();
+    let text = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3000,5,2900,1,17,2\n3000,2900,17,,\n";
+    let table = parse("p.csv", text.as_bytes(), Some(&engine)).unwrap();
+    assert_eq!((table.points.len(), table.bad.len()), (1, 1));
+    assert!(table.bad[0].reason.contains("it has 6 cells, and the header 3 columns"), "{:?}", table.bad);
+    let other = EngineCurve::parse("e", b"speed (rad/s),torque [N*m]\n100,20\n300,30\n").unwrap_err().to_string();
+    assert!(other.contains("`speed (rad/s)` is in rad/s: expected a speed in rpm"), "{other}");
 }

@@ -41,7 +41,7 @@ fn write(folder: &Path, files: &[(String, String)]) {
 fn read(paths: &[PathBuf], options: &Options) -> (Vec<SteadyPoint>, Vec<RecordReport>) {
     let (mut points, mut reports) = (Vec::new(), Vec::new());
     for record in records(paths).unwrap() {
-        reports.push(process(&record, options, |point| points.push(point), |_| ()));
+        reports.push(process(&record, options, |point| points.push(point), |_| ()).unwrap());
     }
     (points, reports)
 }
@@ -672,4 +672,232 @@ proptest! {
             let _ = description.evaluate(temperature);
         }
     }
+}
+
+/// A log at 125 Hz, of values by the number of the row.
+fn written(folder: &Path, rows: u32, row: impl Fn(f64) -> [f64; 3]) -> PathBuf {
+    let line = |at: u32| {
+        let [primary, secondary, torque] = row(f64::from(at));
+        format!("{},{primary},{secondary},{torque}\n", 8 * at)
+    };
+    let path = folder.join("log.csv");
+    std::fs::write(&path, format!("{TORQUE}\n") + &(0..rows).map(line).collect::<String>()).unwrap();
+    path
+}
+
+/// Over a window no speed may change by more than 1 % of its mean, however uncertain this is.
+#[test]
+fn a_window_is_as_steady_as_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let speed = |rise: f64| {
+        move |at: f64| {
+            // A wave of three seconds, which makes the mean uncertain, on a ramp.
+            let wave = (at * TAU / 188.0 + 1.6).sin();
+            [3000.0 * (1.0 + rise * at / 375.0 + 0.02 * wave), 2000.0, 17.0 + 0.1 * (at * 1.3).sin()]
+        }
+    };
+    let found = |rise: f64| read(&[written(folder.path(), 374, speed(rise))], &Options::default()).0;
+    let slow = found(0.0);
+    assert!(slow.len() == 1 && slow[0].steady, "{slow:?}");
+    assert!(found(0.014).is_empty(), "{:?}", found(0.014));
+}
+
+/// More than eight standard deviations off both sides, and more than a tenth of the value, or 0.2 % of the range.
+#[test]
+fn an_outlier_is_what_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random::new(5);
+    let noise: Vec<f64> = (0..500).map(|_| random.normal()).collect();
+    let outliers = |speed: f64, torque: f64, deviation: f64| {
+        let row = |at: f64| {
+            let [speed, torque] = [speed, torque].map(|off| if at == 200.0 { off } else { 0.0 });
+            let wave = noise[at as usize];
+            [3000.0 + 2.0 * wave + speed, 2000.0 + at % 2.0, 17.0 + deviation * wave + torque]
+        };
+        let (_, reports) = read(&[written(folder.path(), 500, row)], &Options::default());
+        reports[0].files[0].faults.count(Fault::Outlier)
+    };
+    // A tenth of 3000 rpm is 300; eight times its deviation are 16.
+    assert_eq!([outliers(0.0, 0.0, 0.1), outliers(280.0, 0.0, 0.1), outliers(330.0, 0.0, 0.1)], [0, 0, 1]);
+    // 0.2 % of a range of 2000 N·m are 4 N·m, more than a tenth of 17 N·m and than eight times 0.1 N·m.
+    assert_eq!([outliers(0.0, 3.5, 0.1), outliers(0.0, 4.5, 0.1)], [0, 1]);
+    // Eight times 3 N·m, as eleven values tell it.
+    assert_eq!([outliers(0.0, 6.0, 3.0), outliers(0.0, 90.0, 3.0)], [0, 1]);
+}
+
+#[test]
+fn a_step_that_is_too_short_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, rows: u64, value: f64| {
+        let text: String = (0..rows).map(|at| format!("{},{}\n", 8000 * at, value + (at % 5) as f64)).collect();
+        std::fs::write(folder.path().join(name), text).unwrap();
+    };
+    for (step, rows) in [(0, 400), (1, 50), (2, 10)] {
+        file(&format!("P_{step}.csv"), rows, 3000.0);
+        file(&format!("S_{step}.csv"), rows, 2000.0);
+        file(&format!("TORQUE_{step}.csv"), rows, 17.0);
+    }
+    file("P_3.csv", 400, 3000.0);
+    std::fs::write(folder.path().join("S_3.csv"), "").unwrap();
+    let found = reduce(&[folder.path().to_owned()], &Options::default(), None, |_| ()).unwrap();
+    let told: Vec<(Option<u64>, bool)> = found.points.iter().map(|point| (point.step, point.steady)).collect();
+    assert_eq!(told, [(Some(0), true), (Some(1), false), (Some(2), false)]);
+    for (point, samples) in found.points.iter().skip(1).zip([50, 10]) {
+        let reason = point.reason.as_deref().unwrap();
+        let near = [samples - 1, samples].iter().any(|count| reason.contains(&format!("too short: {count} samples")));
+        assert!(near && reason.contains("a window of 3 s takes 113 samples, 0.90 s, at least"), "{reason}");
+    }
+    assert!(found.points[2].primary_speed.is_none());
+    assert!(found.warnings.iter().any(|said| said == "no sample came out of step 3"), "{:?}", found.warnings);
+    let (table, left_out) = points_csv(&found.points);
+    assert_eq!((table.lines().count(), left_out), (2, 2));
+}
+
+#[test]
+fn intervals_of_ten_parts_are_students() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random::new(3);
+    let noise: Vec<f64> = (0..400).map(|_| random.normal()).collect();
+    let row = |at: f64| [3000.0 + 5.0 * noise[at as usize], 2000.0 + at % 3.0, 17.0 + 0.1 * noise[at as usize]];
+    let (points, reports) = read(&[written(folder.path(), 400, row)], &Options::default());
+    let figures = sheave::bench::dyno::figures(&points, &reports);
+    let torque = figures.iter().find(|figure| figure.name == "torque").unwrap();
+    let bars = &torque.series[0].points;
+    let error = points[0].secondary_torque.unwrap().error;
+    let half = 0.5 * (bars[1].1 - bars[0].1) / error;
+    // Nine degrees of freedom.
+    assert!(error > 0.0 && (half - 2.262_157).abs() < 1e-5, "{half}");
+}
+
+#[test]
+fn endings_in_capitals_are_endings() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("RUN1.CSV"), log(TORQUE, 0, constant(17.0, 4))).unwrap();
+    std::fs::write(folder.path().join("Calibration.CSV"), "torque,adc\n").unwrap();
+    for name in ["P_3.CSV", "s_3.csv"] {
+        std::fs::write(folder.path().join(name), "0,3000\n").unwrap();
+    }
+    let found = records(&[folder.path().to_owned()]).unwrap();
+    let names: Vec<String> = found.iter().map(|record| record.name.rsplit('/').next().unwrap().to_owned()).collect();
+    assert_eq!(names, ["step 3", "RUN1.CSV", "s_3.csv"]);
+}
+
+/// Quoted cells, and a name that a terminal would act on, on the way from a log to the table of points.
+#[test]
+fn names_of_files_may_have_anything() {
+    let folder = tempfile::tempdir().unwrap();
+    let [out, logs] = ["out", "logs"].map(|name| folder.path().join(name));
+    std::fs::create_dir(&logs).unwrap();
+    let name = "run, \"1\" \u{1b}[31m.csv";
+    let header = "timestamp_ms,\"speed, engine\",\"secondary_rpm\",torque";
+    std::fs::write(logs.join(name), log(header, 0, constant(17.0, 4))).unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"));
+    command.arg("dyno").arg(&logs).args(["--primary", "speed, engine", "--out"]).arg(&out);
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(![output.stdout, output.stderr].concat().contains(&0x1b));
+    let curve = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/made/engine.csv");
+    let engine = sheave::bench::engine::EngineCurve::read(&curve).unwrap();
+    let table = sheave::bench::compare::read(&out.join("operating-points.csv"), Some(&engine)).unwrap();
+    assert_eq!((table.points.len(), table.bad.len()), (2, 0));
+    assert!(table.points[0].run.ends_with("run, \"1\" \\u{1b}[31m.csv"), "{}", table.points[0].run);
+}
+
+#[test]
+fn reducing_ends_when_it_is_cancelled() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(folder.path(), 10_000, |at| [3000.0 + at % 7.0, 2000.0, 17.0]);
+    let cancel = sheave::Cancel::new();
+    cancel.cancel();
+    let error = sheave::cancellable(&cancel, || reduce(&[path], &Options::default(), None, |_| ())).unwrap_err();
+    assert!(matches!(error.problem(), sheave::bench::BenchProblem::Cancelled), "{error}");
+}
+
+/// A log that does not end, until Ctrl-C: one object that says so, and the status of an interrupt.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_it_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("endless.csv");
+    assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"))
+        .args(["dyno", "--json"])
+        .arg(&path)
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut pipe = std::fs::OpenOptions::new().write(true).open(&path).unwrap();
+    pipe.write_all(format!("{TORQUE}\n").as_bytes()).unwrap();
+    let (mut at, mut asked) = (0_u64, false);
+    loop {
+        let rows: String = (at..at + 1000).map(|at| format!("{},{},2000,17\n", 8 * at, 3000 + at % 7)).collect();
+        at += 1000;
+        if pipe.write_all(rows.as_bytes()).is_err() {
+            break;
+        }
+        if at > 50_000 && !asked {
+            let interrupt = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+            assert!(interrupt.unwrap().success());
+            asked = true;
+        }
+        // It would never end of itself.
+        if at > 20_000_000 {
+            child.kill().unwrap();
+        }
+    }
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{output:?}");
+    let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&object["command"], &object["failure"]["kind"]), (&"dyno".into(), &"cancelled".into()), "{object}");
+}
+
+/// Decimal commas make more cells than there are columns: such rows were read as what they are not.
+#[test]
+fn rows_with_decimal_commas_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let rows: String = (0..500).map(|at| format!("{},3000,5,2000,1,17,2\n", 8 * at)).collect();
+    std::fs::write(&path, format!("{TORQUE}\n{rows}")).unwrap();
+    let error = reduce(std::slice::from_ref(&path), &Options::default(), None, |_| ()).unwrap_err().to_string();
+    assert!(error.contains("500 rows with more cells than columns"), "{error}");
+    // Empty cells behind the last column are no values, and a mark of the byte order is no part of a number.
+    let rows: String = (0..500).map(|at| format!("{},{},2000,17,,\n", 8 * at, 3000 + at % 5)).collect();
+    std::fs::write(&path, format!("\u{feff}{TORQUE}\r\n{rows}")).unwrap();
+    let (points, reports) = read(std::slice::from_ref(&path), &Options::default());
+    assert_eq!((points.len(), reports[0].files[0].faults.total()), (2, 0));
+    let step = folder.path().join("P_0.csv");
+    let rows: String = (0..500).map(|at| format!("{},{}\r\n", 8000 * at, 3000 + at % 5)).collect();
+    std::fs::write(&step, format!("\u{feff}{rows}")).unwrap();
+    let (points, reports) = read(&[step], &Options::default());
+    assert_eq!((points.len(), reports[0].files[0].faults.total()), (2, 0), "{}", reports[0].files[0].faults);
+    std::fs::write(&path, TORQUE.replace(',', ";")).unwrap();
+    let error = reduce(&[path], &Options::default(), None, |_| ()).unwrap_err().to_string();
+    assert!(error.contains("its first line has no commas"), "{error}");
+    let error = calibration::parse("c", b"torque;adc\n0;35145\n10;36227\n20;37309\n").unwrap_err().to_string();
+    assert!(error.contains("line 2: expected torque and ADC") && error.contains("commas between"), "{error}");
+}
+
+/// Columns in other units than those in which they are read, and one that is asked for twice.
+#[test]
+fn units_of_headers_are_not_passed_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let found = |header: &str, names: [&str; 3], secondary_factor: f64| {
+        std::fs::write(&path, log(header, 0, constant(17.0, 4))).unwrap();
+        let [primary, secondary, torque] = names.map(|name| Some(name.to_owned()));
+        let names = Names { primary, secondary, torque };
+        reduce(std::slice::from_ref(&path), &Options { names, secondary_factor, ..Options::default() }, None, |_| ())
+    };
+    let rich = "\"Interval\"|\"ms\"|0|0|1,\"E\"|\"rpm\"|0|8000|50,\"W\"|\"mph\"|0|8000|50,\"T\"|\"ft-lb\"|0|200|50";
+    let warnings = found(rich, ["E", "W", "T"], 1.0).unwrap().warnings;
+    let said = "the column `T` is in ft-lb by its header and is read as N·m, `W` is in mph by its header and is read";
+    assert!(warnings.iter().any(|warning| warning.starts_with(said)), "{warnings:?}");
+    let warnings = found(rich, ["E", "W", "T"], 14.0).unwrap().warnings;
+    assert!(warnings.iter().any(|warning| warning.starts_with("the column `T` is in ft-lb")), "{warnings:?}");
+    assert!(warnings.iter().all(|warning| !warning.contains("mph")), "{warnings:?}");
+    let plain = "time_ms,engine (rpm),wheel [1/min],load (N*m)";
+    assert!(found(plain, ["engine (rpm)", "wheel [1/min]", "load (N*m)"], 1.0).unwrap().warnings.is_empty());
+    let error = found(plain, ["engine (rpm)", "engine (rpm)", "load (N*m)"], 1.0).unwrap_err().to_string();
+    assert!(error.contains("the column `engine (rpm)` is asked for twice"), "{error}");
 }

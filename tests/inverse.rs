@@ -282,3 +282,29 @@ fn what_the_belt_does_on_the_way_is_said() {
     assert!(told.len() == 2 && told[0].contains("buckles") && told[0].contains(&at(2)), "{told:?}");
     assert!(told[1].contains("slips") && told[1].contains(&at(4)), "{told:?}");
 }
+
+/// What is asked for and cannot be is said before the profile is made, and leaves no folder behind.
+#[test]
+fn bad_arguments_leave_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("case.toml");
+    std::fs::write(&file, tuksbaja().to_toml()).unwrap();
+    let out = folder.path().join("out");
+    let ramp = |extra: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"));
+        let output = command.arg("ramp").arg(&file).args(extra).arg("--out").arg(&out).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(!out.exists(), "{extra:?}");
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let said = ramp(&["--target", "30 rpm"]);
+    assert!(said.contains("the target is 30 rpm"), "{said}");
+    // No engine turns so slowly: the roller is looked at before.
+    let said = ramp(&["--target", "30 rpm", "--roller-radius", "6 mm"]);
+    assert!(said.contains("--roller-radius is for primary.actuator.type = \"arm\""), "{said}");
+    std::fs::write(&out, "mine").unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_sheave"));
+    let output = command.args(["ramp", "--target", "3000 rpm"]).arg(&file).arg("--out").arg(&out).output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("expected the name of a folder"), "{output:?}");
+}

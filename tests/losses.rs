@@ -227,3 +227,45 @@ fn a_hot_belt_is_warned_of() {
     case.set("thermal.ambient", "25 degC").unwrap();
     assert!(case.resolve().unwrap_err().to_string().contains("thermal.heat_transfer"));
 }
+
+/// Of what the belt's equations do not know: loss tangents, drag, gears; at one temperature, and with it following.
+#[test]
+fn derivatives_by_the_constants_of_losses_are_those_of_finite_differences() {
+    let constants = [
+        ("belt.loss_tangent", 0.12),
+        ("belt.cord_loss_tangent", 0.02),
+        ("losses.primary_drag", 0.3),
+        ("losses.secondary_drag", 0.2),
+        ("losses.primary_drag_per_speed", 1e-4),
+        ("losses.secondary_drag_per_speed", 2e-4),
+        ("losses.gear_efficiency", 0.97),
+    ];
+    let heat = [("thermal.ambient", "25 degC"), ("thermal.heat_transfer", "14 W/K")];
+    for settings in [&[][..], &heat] {
+        let mut case = Case::base();
+        constants.iter().for_each(|(key, value)| case.set(key, &value.to_string()).unwrap());
+        case.set("sheave.slip_threshold", "1e-2 m/s").unwrap();
+        settings.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+        let options = SolveOptions { tolerance: 1e-7, ..SolveOptions::default() };
+        let with = SolveOptions { sensitivities: true, ..options };
+        let at = run(&case.resolve().unwrap(), &with).unwrap().result;
+        let read: [(&str, Read); 5] = [
+            ("losses.bending", |result| result.losses.as_ref().unwrap().bending),
+            ("losses.drag", |result| result.losses.as_ref().unwrap().drag),
+            ("losses.gears", |result| result.losses.as_ref().unwrap().gears),
+            ("losses.total", |result| result.losses.as_ref().unwrap().total),
+            ("efficiency.overall_with_losses", |result| result.efficiency.overall_with_losses.unwrap()),
+        ];
+        let solved = |case: &Case| run(&case.resolve().unwrap(), &options).unwrap().result;
+        for (key, value) in constants {
+            assert_derivatives((&case, &at), (key, value, 1e-2), solved, &read);
+        }
+        if !settings.is_empty() {
+            let warm: [(&str, Read); 1] = [("belt.temperature", |result| result.belt.temperature.unwrap())];
+            assert_derivatives((&case, &at), ("belt.loss_tangent", 0.12, 1e-2), solved, &warm);
+        }
+    }
+    // Of what is zero no sum is formed.
+    let none = solve(&[("belt.loss_tangent", "0")], &SolveOptions { sensitivities: true, ..SolveOptions::default() });
+    assert!(!none.result.sensitivities.unwrap()["losses.total"].contains_key("belt.loss_tangent"));
+}

@@ -204,3 +204,17 @@ fn a_temperature_beyond_the_tables_is_warned_of() {
     alone.set("thermal.heat_transfer_per_area", "100").unwrap();
     assert!(alone.resolve().unwrap_err().to_string().contains("thermal.ambient"));
 }
+
+/// Whether losses are told changes no other figure: not the temperature, what it makes of the belt, or derivatives.
+#[test]
+fn a_belt_is_as_warm_whether_its_losses_are_told_or_not() {
+    let options = SolveOptions { sensitivities: true, ..options() };
+    let [on, off] = ["on", "off"].map(|include| solve(&measured(&[("losses.include", include)]), &options).result);
+    assert!(on.losses.is_some() && off.losses.is_none() && off.efficiency.overall_with_losses.is_none());
+    assert_eq!((&on.belt, &on.thermal), (&off.belt, &off.thermal));
+    assert_eq!((&on.primary, &on.secondary), (&off.primary, &off.secondary));
+    assert_eq!((&on.energy, on.efficiency.overall), (&off.energy, off.efficiency.overall));
+    let (on, off) = (on.sensitivities.unwrap(), off.sensitivities.unwrap());
+    assert_eq!(on["primary.axial_force"], off["primary.axial_force"]);
+    assert!(off.keys().all(|name| !name.starts_with("losses.") && !name.ends_with("with_losses")), "{:?}", off.keys());
+}

@@ -1,7 +1,9 @@
 //! The engine's curve: torque and power over speed, from a table.
 
+use super::cells;
 use super::error::{BenchError, BenchProblem};
 use crate::quantity::{Unit, rpm};
+use crate::text::quoted;
 use serde::Serialize;
 use std::path::Path;
 
@@ -59,12 +61,12 @@ impl EngineCurve {
             if text.is_empty() || text.starts_with('#') {
                 continue;
             }
-            let cells: Vec<&str> = text.split(',').map(str::trim).collect();
+            let cells = cells::texts(text);
+            let cells: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
             let [first, second, ..] = cells.as_slice() else {
                 return Err(bad("expected a speed in rpm and a power or torque, with a comma between".into()));
             };
-            // Spreadsheets write empty cells at the end.
-            let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
+            let filled = cells::filled(&cells).unwrap_or(0);
             let number = |cell: &str| cell.parse::<f64>().ok().filter(|value| value.is_finite());
             match (number(first), number(second)) {
                 (Some(_), Some(_)) if filled > width => {
@@ -78,8 +80,12 @@ impl EngineCurve {
                 }
                 (None, None) if points.is_empty() && !named => {
                     (tabulated, scale) = unit(second).ok_or_else(|| {
+                        let second = quoted(second);
                         bad(format!("`{second}` is no unit of power or torque: expected hp, kW, W or N*m"))
                     })?;
+                    if let Some(other) = other_speed(first) {
+                        return Err(bad(format!("`{}` is in {other}: expected a speed in rpm", quoted(first))));
+                    }
                     (named, width) = (true, cells.len());
                 }
                 _ => return Err(bad("expected two finite numbers, the first a speed in rpm".into())),
@@ -124,11 +130,23 @@ impl EngineCurve {
     }
 }
 
+/// What a header has in parentheses or brackets, or else behind its last underscore.
+fn last_of(name: &str) -> &str {
+    let inside = |open: char, close: char| name.rsplit_once(open)?.1.strip_suffix(close);
+    let inside = inside('(', ')').or_else(|| inside('[', ']')).unwrap_or(name);
+    inside.rsplit('_').next().unwrap_or(inside).trim()
+}
+
+/// The unit of a speed's header, if it is not rpm.
+fn other_speed(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_lowercase();
+    let others = [("rad/s", "rad/s"), ("1/s", "1/s"), ("hz", "Hz"), ("rps", "rps"), ("deg/s", "deg/s")];
+    others.into_iter().find(|(unit, _)| last_of(&name) == *unit).map(|(_, shown)| shown)
+}
+
 fn unit(name: &str) -> Option<(Tabulated, f64)> {
     let name = name.to_ascii_lowercase();
-    let inside = name.rsplit_once('(').and_then(|(_, unit)| unit.strip_suffix(')')).unwrap_or(&name);
-    let unit = inside.rsplit('_').next().unwrap_or(inside).trim();
-    match unit {
+    match last_of(&name) {
         "hp" | "power" => Some((Tabulated::Power, HORSEPOWER)),
         "kw" => Some((Tabulated::Power, 1e3)),
         "w" => Some((Tabulated::Power, 1.0)),
@@ -156,7 +174,15 @@ mod tests {
         assert!((slope - difference).abs() < 1e-5, "{slope} {difference}");
         assert_eq!(torque.power(0.0), None);
         assert!(torque.power(3000.0 * TAU / 60.0).is_some() && torque.power(1000.0 * TAU / 60.0).is_some());
-        for wrong in ["", "1000,2", "1000,2\n1000,3\n", "1000,2\nx,3\n", "rpm,furlong\n1,2\n3,4\n", "1000\n"] {
+        for wrong in [
+            "speed (rad/s),N*m\n100,2\n300,4\n",
+            "",
+            "1000,2",
+            "1000,2\n1000,3\n",
+            "1000,2\nx,3\n",
+            "rpm,furlong\n1,2\n3,4\n",
+            "1000\n",
+        ] {
             assert!(EngineCurve::parse("e", wrong.as_bytes()).is_err(), "{wrong}");
         }
     }

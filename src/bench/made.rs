@@ -161,10 +161,25 @@ pub fn truth(
     Ok(known)
 }
 
+/// Kinds of the files of a step.
+const KINDS: [&str; 3] = ["P", "S", "ADC"];
+/// The file with the calibration.
+const CALIBRATION: &str = "calibration.csv";
+
+fn name(kind: &str, step: usize) -> String {
+    format!("{kind}_{step}.csv")
+}
+
+/// The names of the files of a test with so many steps.
+pub fn names(steps: usize) -> Vec<String> {
+    let steps = (0..steps).flat_map(|step| KINDS.map(|kind| name(kind, step)));
+    std::iter::once(CALIBRATION.to_owned()).chain(steps).collect()
+}
+
 /// The files of a test: names and contents. The same seed gives the same bytes.
 pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String, String)> {
     let mut random = Random::new(seed);
-    let mut files = vec![("calibration.csv".to_owned(), calibration(known, &mut random))];
+    let mut files = vec![(CALIBRATION.to_owned(), calibration(known, &mut random))];
     let mut begin = BEGIN;
     for (at, step) in known.steps.iter().enumerate() {
         let firing = step.primary_speed / TAU / 2.0;
@@ -175,13 +190,14 @@ pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String
             step.secondary_torque * (1.0 + firing + disturbance.shaft * (TAU * shaft * time + phases[1]).sin())
         };
         let noise = disturbance.speed_noise;
-        for (name, speed) in [("P", step.primary_speed), ("S", step.secondary_speed)] {
+        let [primary, secondary, converter] = KINDS;
+        for (kind, speed) in [(primary, step.primary_speed), (secondary, step.secondary_speed)] {
             let turn = TAU / speed;
             let events = events(turn, &mut random, |random| {
-                // The Arduino divides integers.
+                // The Arduino divides integers, which cuts off what is left: half a revolution a minute, on average.
                 (rpm(speed) * (1.0 + noise * random.normal())).floor()
             });
-            files.push((format!("{name}_{at}.csv"), polled(&events, begin, disturbance, &mut random)));
+            files.push((name(kind, at), polled(&events, begin, disturbance, &mut random)));
         }
         let mut off = 0_u32;
         let mut time = 0.0;
@@ -197,7 +213,7 @@ pub fn files(known: &Known, disturbance: &Disturbance, seed: u64) -> Vec<(String
                 (time, if off > 0 { 0.0 } else { (known.slope * value + known.intercept).round().clamp(0.0, 65_535.0) })
             })
             .collect();
-        files.push((format!("ADC_{at}.csv"), polled(&conversions, begin, disturbance, &mut random)));
+        files.push((name(converter, at), polled(&conversions, begin, disturbance, &mut random)));
         begin += 1e6 * (READ + SETTLE);
     }
     files

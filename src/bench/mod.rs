@@ -5,6 +5,7 @@
 //! Formulae that reduce measurements stand here, each once and with its source; the equations of the belt do not.
 
 pub mod belt;
+mod cells;
 pub mod compare;
 pub mod dyno;
 pub mod engine;

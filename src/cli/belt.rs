@@ -12,7 +12,8 @@ use std::path::PathBuf;
 ///
 /// From moduli of the rubber, data of the yarns, a tension, a bending and a lateral test, length and mass to what a
 /// case needs of a belt, as in chapter 4 of the thesis. What it prints is a case file: everything on the way as
-/// comments, then the table [belt].
+/// comments, then the tables [belt], [sheave] with the half angle for which the radial stiffness holds, and [thermal]
+/// with the temperature of the stiffnesses where it is known.
 ///
 ///     sheave belt examples/belts/cvtech.toml > belt.toml && sheave solve belt.toml
 #[derive(Debug, Args)]
@@ -22,7 +23,7 @@ pub struct Arguments {
     #[arg(value_name = "BELT.toml")]
     file: PathBuf,
     /// Temperature of the belt in use, between those at which the rubber was tested: "60 degC"
-    #[arg(long, value_name = "T", value_parser = |text: &str| temperature(text))]
+    #[arg(long, value_name = "T", value_parser = |text: &str| temperature(text), allow_hyphen_values = true)]
     temperature: Option<f64>,
     /// Print the result as one JSON object, in SI units
     #[arg(long, conflicts_with = "out")]
@@ -42,6 +43,7 @@ fn help() -> String {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    output::folder_place(arguments.out.as_deref())?;
     let evaluated = Description::read(&arguments.file).and_then(|description| {
         description.evaluate(arguments.temperature).map(|properties| (description, properties))
     });
@@ -79,13 +81,16 @@ fn tables(properties: &Properties) -> [PageTable; 2] {
     let columns = || ["quantity", "value", "unit"].map(String::from).to_vec();
     let cells = |(name, value, unit): (String, f64, &str)| vec![name, format!("{value:.6}"), unit.into()];
     let belt = &properties.belt;
-    let table = [
+    let mut table = vec![
         ("length", 1e3 * belt.length, "mm"),
         ("mass per length", belt.mass_per_length, "kg/m"),
         ("longitudinal stiffness EA", 1e-3 * belt.longitudinal_stiffness, "kN"),
         ("bending stiffness EI", belt.bending_stiffness, "N·m²"),
         ("radial stiffness k", 1e-6 * belt.radial_stiffness, "MPa"),
     ];
+    table.extend(belt.perimeter.map(|perimeter| ("perimeter of the section", 1e3 * perimeter, "mm")));
+    table.extend(belt.loss_tangent.map(|tangent| ("loss tangent", tangent, "")));
+    table.push(("half angle of the sheaves", properties.lateral.sheave_half_angle.to_degrees(), "deg"));
     let table = table.into_iter().map(|(name, value, unit)| cells((name.into(), value, unit))).collect();
     let way = properties.rows().into_iter().map(cells).collect();
     [

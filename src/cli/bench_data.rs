@@ -6,7 +6,7 @@ use super::stop::Stop;
 use clap::Args;
 use sheave::bench::dyno::is_log;
 use sheave::bench::engine::EngineCurve;
-use sheave::bench::made::{Disturbance, files, truth};
+use sheave::bench::made::{Disturbance, files, names, truth};
 use sheave::case::Case;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -60,7 +60,10 @@ const MADE_BY: &str = "sheave bench-data";
 
 /// The first file by name in the folder that is a log of another test, or that would be lost: none of the files made
 /// replaces it, or it is not one that was made before.
-fn in_the_way(folder: &Path, made: &[(String, String)]) -> io::Result<Option<(String, &'static str)>> {
+fn in_the_way(folder: &Path, made: &[String]) -> io::Result<Option<(String, &'static str)>> {
+    if !folder.exists() {
+        return Ok(None);
+    }
     let known = std::fs::read(folder.join(KNOWN)).ok();
     let known = known.and_then(|known| serde_json::from_slice::<serde_json::Value>(&known).ok());
     let again = known.is_some_and(|known| known["made_by"] == MADE_BY);
@@ -70,7 +73,7 @@ fn in_the_way(folder: &Path, made: &[(String, String)]) -> io::Result<Option<(St
     }
     names.sort();
     let found = names.into_iter().find_map(|name| {
-        let own = [KNOWN, README].contains(&name.as_str()) || made.iter().any(|(own, _)| *own == name);
+        let own = [KNOWN, README].contains(&name.as_str()) || made.contains(&name);
         if own && !again {
             Some((name, "which would be replaced"))
         } else if !own && is_log(&name) {
@@ -85,17 +88,19 @@ fn in_the_way(folder: &Path, made: &[(String, String)]) -> io::Result<Option<(St
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case: Case = arguments.case.read()?;
     let engine = EngineCurve::read(&arguments.engine)?;
-    let known = truth(&case, &engine, arguments.engine_scale, RANGE, arguments.steps.into())?;
     let folder = &arguments.out;
-    output::create_folder(folder)?;
-    let made = files(&known, &Disturbance::default(), arguments.seed);
-    let found = in_the_way(folder, &made).map_err(|error| Stop::Write(folder.display().to_string(), error))?;
-    if let Some((name, why)) = found {
+    // Before the points are solved: that may take long.
+    output::folder_place(Some(folder))?;
+    let found = in_the_way(folder, &names(arguments.steps.into()));
+    if let Some((name, why)) = found.map_err(|error| Stop::Write(folder.display().to_string(), error))? {
         return Err(Stop::Usage(format!(
             "{} has the file {name}, {why}: expected a folder without other logs, or one that `sheave bench-data` made",
             folder.display()
         )));
     }
+    let known = truth(&case, &engine, arguments.engine_scale, RANGE, arguments.steps.into())?;
+    output::create_folder(folder)?;
+    let made = files(&known, &Disturbance::default(), arguments.seed);
     let resolved = case.resolve()?;
     let object = serde_json::json!({
         "made_by": MADE_BY,

@@ -10,8 +10,9 @@ use sheave::bench::compare::{
     summary,
 };
 use sheave::bench::engine::EngineCurve;
-use sheave::bench::{BenchError, BenchProblem, PageTable, keys, page};
+use sheave::bench::{BenchError, PageTable, keys, page};
 use sheave::case::Case;
+use sheave::text::on_one_line;
 use std::path::PathBuf;
 
 /// Compare measured operating points with the model
@@ -38,8 +39,8 @@ pub struct Arguments {
     /// What the radii follow from
     #[arg(long, value_name = "FROM", default_value = "speeds")]
     radii: RadiiFrom,
-    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, or engine.scale; may be given several
-    /// times
+    /// Fit a constant to the data: a key of belt or sheave, the case's clamp, engine.scale, or with --losses on a loss
+    /// tangent or a key of losses; may be given several times
     #[arg(long, value_name = "KEY")]
     fit: Vec<String>,
     /// Relative tolerance of the solutions, from 1e-12 to 0.1
@@ -68,10 +69,8 @@ fn help() -> String {
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let case = arguments.case.read()?;
-    let found = arguments.find(&case).map_err(|error| match error.problem() {
-        BenchProblem::Cancelled => Stop::Cancelled,
-        _ => refused("compare", arguments.json, error),
-    })?;
+    output::folder_place(arguments.out.as_deref())?;
+    let found = arguments.find(&case).map_err(|error| refused("compare", arguments.json, error))?;
     warn(&found.warnings);
     arguments.deliver(&case, &found)
 }
@@ -128,7 +127,7 @@ fn tables(found: &Comparison) -> Vec<PageTable> {
     let percent = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{:.2}", 100.0 * value));
     let row = |point: &sheave::bench::compare::Compared| {
         vec![
-            point.run.clone(),
+            on_one_line(&point.run),
             point.step.map_or_else(String::new, |step| step.to_string()),
             point.speed_ratio.map_or_else(String::new, |ratio| format!("{ratio:.3}")),
             point.primary_radius.map_or_else(String::new, |radius| format!("{:.2}", 1e3 * radius)),

@@ -111,6 +111,7 @@ struct Object<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Stop> {
+    output::folder_place(arguments.out.as_deref())?;
     let (options, mut found) = arguments.find().map_err(|error| refused("dyno", arguments.json, error))?;
     let (table, left_out) = points_csv(&found.points);
     if arguments.out.is_some() && (left_out > 0 || found.points.is_empty()) {
@@ -173,8 +174,9 @@ impl Arguments {
         let options = self.options(&mut warnings)?;
         let logs = records(&self.paths)?;
         let bar = progress(&logs);
-        let mut found = reduce(&self.paths, &options, self.spectrum, |bytes| bar.inc(bytes))?;
+        let found = reduce(&self.paths, &options, self.spectrum, |bytes| bar.inc(bytes));
         bar.finish_and_clear();
+        let mut found = found?;
         let given = [("--primary", &self.primary), ("--secondary", &self.secondary), ("--torque", &self.torque)];
         let named: Vec<&str> = given.iter().filter(|(_, name)| name.is_some()).map(|(option, _)| *option).collect();
         if !named.is_empty() && logs.iter().flat_map(|record| &record.files).all(|(_, kind)| kind.is_some()) {

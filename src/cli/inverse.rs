@@ -9,12 +9,14 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::actuator::AngleFrom;
+use sheave::case::{Key, Resolved, Setting};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::inverse::{
     Check, Inverse, InverseError, InverseOptions, InversePoint, Made, Outline, Shape, dxf, inverse, inverse_figures,
     inverse_summary, inverse_table, surface,
 };
 use sheave::equilibrium::{Direction, unused_keys};
+use sheave::model::FlyweightKind;
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, rpm};
 use sheave::study::Format;
@@ -155,9 +157,10 @@ impl Common {
         if resolved.thermal.is_some() {
             warnings.push("The belt is as stiff as the case gives it: its temperature is left out.".to_owned());
         }
-        if let Some(folder) = &self.out {
-            output::create_folder(folder)?;
+        if roller.is_some() && kind_of(&resolved).is_some_and(|kind| kind != FlyweightKind::Arm.name()) {
+            return Err(Stop::Usage(NO_ROLLER.to_owned()));
         }
+        output::folder_place(self.out.as_deref())?;
         let found = inverse(&case, &options).map_err(stop)?;
         let outlines = outlines(&found, roller)?;
         warnings.extend(found.remarks());
@@ -187,6 +190,7 @@ impl Common {
             check: &found.check,
         };
         if let Some(folder) = &self.out {
+            output::create_folder(folder)?;
             let object = envelope::object(command, &resolved, warnings, &told)?;
             output::write_file(folder, &format!("{command}.json"), |to| to.write_all(object.as_bytes()))?;
             let table = inverse_table(found);
@@ -213,6 +217,17 @@ impl Common {
         let from = resolved.parts.actuation.as_ref().map_or(AngleFrom::Rotation, |parts| parts.angle_from);
         output::print(&inverse_summary(found, from))
     }
+}
+
+/// Said of a roller where there is none.
+const NO_ROLLER: &str = "--roller-radius is for primary.actuator.type = \"arm\"";
+
+/// The name of what presses on the primary.
+fn kind_of(case: &Resolved) -> Option<&'static str> {
+    case.settings().into_iter().find_map(|(key, setting)| match setting {
+        Setting::Name(name) if key == Key::Flyweights => Some(name),
+        Setting::Name(_) | Setting::Number(_) | Setting::List(_) | Setting::Table(_) => None,
+    })
 }
 
 /// The file's text: what it is for, and the keys.
@@ -251,7 +266,7 @@ fn outlines(found: &Inverse, roller: Option<f64>) -> Result<Vec<(&'static str, V
                 curves.push(surface);
             }
             (Shape::Coefficient(_) | Shape::Ramp(_) | Shape::Cam(_), Some(_)) => {
-                return Err(Stop::Usage("--roller-radius is for primary.actuator.type = \"arm\"".to_owned()));
+                return Err(Stop::Usage(NO_ROLLER.to_owned()));
             }
             (Shape::Roller(_) | Shape::Coefficient(_) | Shape::Ramp(_) | Shape::Cam(_) | Shape::Helix(..), _) => {}
         }

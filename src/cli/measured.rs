@@ -19,8 +19,11 @@ pub fn warn(warnings: &[String]) {
     }
 }
 
-/// Bad input: whoever asked for JSON gets an object, too.
+/// Bad input: whoever asked for JSON gets an object, too. Of what Ctrl-C has ended that is told where all commands end.
 pub fn refused(command: &str, json: bool, error: BenchError) -> Stop {
+    if matches!(error.problem(), BenchProblem::Cancelled) {
+        return Stop::Cancelled;
+    }
     let kind = match error.problem() {
         BenchProblem::Read { .. } => FailureKind::Unreadable,
         BenchProblem::NoData { .. } => FailureKind::NoData,

@@ -86,6 +86,19 @@ pub fn place(out: &Path) -> Result<PathBuf, Stop> {
     Ok(path)
 }
 
+/// Whether a folder that is asked for can be one, before anything is computed.
+pub fn folder_place(out: Option<&Path>) -> Result<(), Stop> {
+    // The nearest that is there, of the folder and those above it, must be one.
+    let there = out.into_iter().flat_map(Path::ancestors).find(|path| path.exists());
+    match (out, there) {
+        (Some(out), Some(there)) if !there.is_dir() => {
+            let which = if there == out { String::new() } else { format!(" in {}", out.display()) };
+            Err(Stop::Usage(format!("{}{which} is a file: expected the name of a folder", there.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Where a path leads, if it is a symbolic link.
 ///
 /// # Errors

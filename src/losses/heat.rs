@@ -181,12 +181,12 @@ pub fn into_belt(
 ) -> Result<f64, InternalError> {
     let outputs = solved.belt.output_values(&solved.solution)?;
     let friction = thermal.friction_share * outputs.get(Output::EnergyFrictionLoss)?;
-    let told = case.losses.wanted().then(|| losses(case, solved, temperature, tolerance));
-    match told {
-        Some(Ok(losses)) => Ok(friction + losses.bending + losses.groove + losses.cord),
-        Some(Err(NoLosses::Internal(error))) => Err(error),
+    // Whether losses are told or not: the belt is as warm either way.
+    match losses(case, solved, temperature, tolerance) {
+        Ok(losses) => Ok(friction + losses.bending + losses.groove + losses.cord),
+        Err(NoLosses::Internal(error)) => Err(error),
         // A belt that has none to tell is heated by friction alone.
-        Some(Err(NoLosses::String | NoLosses::Endless { .. })) | None => Ok(friction),
+        Err(NoLosses::String | NoLosses::Endless { .. }) => Ok(friction),
     }
 }
 
@@ -205,9 +205,7 @@ fn rate(
     by_constant.iter_mut().for_each(|by| *by *= thermal.friction_share);
     let mut heat = thermal.friction_share * values.get(Output::EnergyFrictionLoss)?;
     let mut by_temperature = 0.0;
-    if case.losses.wanted()
-        && let Ok(losses) = losses(case, solved, temperature, options.tolerance)
-    {
+    if let Ok(losses) = losses(case, solved, temperature, options.tolerance) {
         heat += losses.bending + losses.groove + losses.cord;
         match gradients(case, solved, temperature, options.tolerance) {
             Ok(gradients) => {

@@ -8,7 +8,7 @@ use super::output::{LossOutput, LossValues};
 use super::series::{Series, Track};
 use super::tracks::{CURVATURE, CURVATURE_SLOPE, Followed, Input, PENETRATION_SLOPE, STRAIN, STRAIN_SLOPE, Tracks};
 use super::{NoLosses, Sums, TrackGradient, WEIGHT_CONSTANTS, Weights, balance_inputs, sums, weight_inputs, weights};
-use crate::case::{LossTangent, Rated, Resolved};
+use crate::case::{Key, LossTangent, Rated, Resolved};
 use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, InternalError, Output};
 
@@ -33,15 +33,27 @@ struct Adjoint {
     temperature: f64,
 }
 
-/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones); and by the
-/// temperature at which the loss tangents are taken.
+/// Derivatives of all losses by the constants of the problem, in its order (zero for unknown ones); by the temperature
+/// at which the loss tangents are taken; and by what the case says of losses, which the problem does not know.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradients {
     /// By each constant.
     pub by_constant: LossValues<Vec<f64>>,
     /// By the temperature, W/K or 1/K.
     pub by_temperature: LossValues<f64>,
+    /// By the constants of the losses themselves. A loss tangent that is a table, or zero, is not among them: of one
+    /// that is zero no sum is formed.
+    pub by_given: Vec<(Key, LossValues<f64>)>,
 }
+
+/// Places of the constants of drag and gears among the inputs of the balance.
+const BALANCE_KEYS: [(Key, usize); 5] = [
+    (Key::PrimaryDrag, 5),
+    (Key::SecondaryDrag, 6),
+    (Key::PrimaryDragPerSpeed, 7),
+    (Key::SecondaryDragPerSpeed, 8),
+    (Key::GearEfficiency, 9),
+];
 
 /// Derivatives of a solved case's losses, sums to `tolerance` times the power that the drive takes in.
 ///
@@ -61,7 +73,8 @@ pub fn gradients(
     let (power_in, power_out) = (values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?);
     let driving = power_in.max(-power_out);
     let tolerance = tolerance * driving;
-    let (dissipated, adjoints) = adjoints(case, solved, temperature, tolerance)?;
+    let (taken, adjoints) = adjoints(case, solved, temperature, tolerance)?;
+    let dissipated: f64 = taken.iter().sum();
     let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| linearisation.gradient(&adjoint.functional));
     let hysteresis: Vec<f64> = bending.iter().zip(&groove).zip(&cord).map(|((a, b), c)| a + b + c).collect();
     let (side, sign) =
@@ -108,21 +121,52 @@ pub fn gradients(
         LossOutput::Total => row(LossBalanceOutput::Total),
         LossOutput::Efficiency => row(LossBalanceOutput::Efficiency),
     });
-    let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| adjoint.temperature);
-    let dissipated = bending + groove + cord;
+    let by_temperature = by_hysteresis(&partial, adjoints.each_ref().map(|adjoint| adjoint.temperature));
+    Ok(Gradients { by_constant, by_temperature, by_given: by_given(case, &partial, taken) })
+}
+
+/// What the losses change by where hysteresis changes by so much in bending, groove and cord.
+fn by_hysteresis(partial: &Partials, [bending, groove, cord]: [f64; 3]) -> LossValues<f64> {
     // Hysteresis is the third of the balance's inputs.
-    let through = |output: LossBalanceOutput| partial.at(output.index(), 2) * dissipated;
-    let by_temperature = LossValues::new(|output| match output {
+    let through = |output: LossBalanceOutput| partial.at(output.index(), 2) * (bending + groove + cord);
+    LossValues::new(|output| match output {
         LossOutput::Bending => bending,
         LossOutput::Groove => groove,
         LossOutput::Cord => cord,
-        // No loss tangent is in it.
+        // No hysteresis is in it.
         LossOutput::Drag => 0.0,
         LossOutput::Gears => through(LossBalanceOutput::Gears),
         LossOutput::Total => through(LossBalanceOutput::Total),
         LossOutput::Efficiency => through(LossBalanceOutput::Efficiency),
+    })
+}
+
+/// Derivatives by the constants of the losses; `taken` is what hysteresis takes in bending, groove and cord, each of
+/// which is linear in its loss tangent.
+fn by_given(case: &Resolved, partial: &Partials, [bending, groove, cord]: [f64; 3]) -> Vec<(Key, LossValues<f64>)> {
+    let given = &case.losses;
+    let tangents = [
+        (Key::LossTangent, &given.loss_tangent, [bending, groove, 0.0]),
+        (Key::CordLossTangent, &given.cord_loss_tangent, [0.0, 0.0, cord]),
+    ];
+    let tangents = tangents.into_iter().filter_map(|(key, tangent, parts)| match tangent {
+        LossTangent::Constant(value) if *value > 0.0 => {
+            Some((key, by_hysteresis(partial, parts.map(|part| part / value))))
+        }
+        LossTangent::Constant(_) | LossTangent::Table(_) => None,
     });
-    Ok(Gradients { by_constant, by_temperature })
+    let others = BALANCE_KEYS.into_iter().map(|(key, input)| {
+        let by = |output: LossBalanceOutput| partial.at(output.index(), input);
+        let values = LossValues::new(|output| match output {
+            LossOutput::Bending | LossOutput::Groove | LossOutput::Cord => 0.0,
+            LossOutput::Drag => by(LossBalanceOutput::PrimaryDrag) + by(LossBalanceOutput::SecondaryDrag),
+            LossOutput::Gears => by(LossBalanceOutput::Gears),
+            LossOutput::Total => by(LossBalanceOutput::Total),
+            LossOutput::Efficiency => by(LossBalanceOutput::Efficiency),
+        });
+        (key, values)
+    });
+    tangents.chain(others).collect()
 }
 
 /// The functional that is an unknown constant itself.
@@ -158,17 +202,17 @@ impl Partials {
     }
 }
 
-/// What hysteresis takes in all, and the derivatives of bending, groove and cord.
+/// What hysteresis takes in bending, groove and cord, and the derivatives of these.
 fn adjoints(
     case: &Resolved,
     solved: &Solved,
     temperature: f64,
     tolerance: f64,
-) -> Result<(f64, [Adjoint; 3]), NoDerivatives> {
+) -> Result<([f64; 3], [Adjoint; 3]), NoDerivatives> {
     let given = &case.losses;
     let nothing = || Adjoint { functional: Functional::default(), temperature: 0.0 };
     if given.loss_tangent.is_zero() && given.cord_loss_tangent.is_zero() {
-        return Ok((0.0, [nothing(), nothing(), nothing()]));
+        return Ok(([0.0; 3], [nothing(), nothing(), nothing()]));
     }
     let tracks = Tracks::new(&solved.belt, &solved.solution).ok_or(NoLosses::String)?;
     let weights = weights(solved, tracks.length);
@@ -186,7 +230,7 @@ fn adjoints(
         of(&groove, &tracks.penetration, What::Penetration, weights.groove, rubber),
         of(&cord, &tracks.strain, What::Strain, weights.cord, core),
     ];
-    Ok((bending.total + groove.total + cord.total, adjoints))
+    Ok(([bending.total, groove.total, cord.total], adjoints))
 }
 
 /// What a sum is of.

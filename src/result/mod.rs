@@ -37,7 +37,7 @@ pub use warnings::warnings;
 use crate::case::{Clamp, Key, Resolved};
 use crate::clock::Stopwatch;
 use crate::drive::{Branch, Failure, RegionId, SolveOptions, Solved, branch, other_solution, refined, solve};
-use crate::losses::{Heat, NoLosses, close, losses, settle};
+use crate::losses::{Heat, LossOutput, NoLosses, close, losses, settle};
 use crate::model::{Constant, InternalError, Output};
 
 /// A solved case: the result object, and the solution it was read from.
@@ -135,11 +135,15 @@ pub(crate) fn derivatives(
     let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
     let mut derivatives = sensitivities(solved)?;
     let mut direct = None;
-    if case.losses.wanted() {
+    // What losses heat the belt with counts whether they are told or not.
+    if case.losses.wanted() || case.thermal.is_some() {
         direct = add_losses(&mut derivatives, case, options, temperature, solved)?;
     }
     if let (Some(thermal), Some(heat)) = (&case.thermal, heat) {
         close(&mut derivatives, thermal, heat, direct.as_ref());
+    }
+    if !case.losses.wanted() {
+        LossOutput::ALL.iter().for_each(|output| _ = derivatives.remove(output.name()));
     }
     Ok(derivatives)
 }

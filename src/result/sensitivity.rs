@@ -56,7 +56,9 @@ pub fn add_losses(
     for output in LossOutput::ALL {
         let gradient = &gradients.by_constant[output];
         let value = |at: usize| gradient.get(at).copied().unwrap_or(f64::NAN);
-        to.insert(output.name().to_owned(), given.iter().map(|(at, name)| (name.clone(), value(*at))).collect());
+        let by_constants = given.iter().map(|(at, name)| (name.clone(), value(*at)));
+        let by_losses = gradients.by_given.iter().map(|(key, values)| (key.path().to_owned(), values[output]));
+        to.insert(output.name().to_owned(), by_constants.chain(by_losses).collect());
     }
     Ok(Some(gradients.by_temperature))
 }

@@ -60,6 +60,10 @@ pub struct BeltTable {
     pub bending_stiffness: f64,
     /// k, N/m².
     pub radial_stiffness: f64,
+    /// Length around the section, m; `None` where the section is not known.
+    pub perimeter: Option<f64>,
+    /// tan δ = G''/G' of the rubber; `None` where it was not measured at this temperature.
+    pub loss_tangent: Option<f64>,
 }
 
 /// All that follows from a description, SI.
@@ -77,6 +81,9 @@ pub struct Properties {
     pub rubber: Option<AtTemperature>,
     /// Tests of the rubber.
     pub rubber_tests: Vec<Test>,
+    /// Share by which E, and with it EI and k, falls per kelvin from the coldest test of the rubber to the warmest,
+    /// 1/K; `None` where it was tested at one temperature, or not at all.
+    pub softening: Option<f64>,
     /// The yarns.
     pub yarns: Option<Yarns>,
     /// The tension test.
@@ -209,6 +216,16 @@ impl Description {
             (Some(rubber), Some(temperature)) => Some(rubber.at(sheet, temperature)?),
             _ => None,
         };
+        if let (Some(state), Some(rubber)) = (&state, &rubber)
+            && state.storage_over_loss.is_none()
+            && rubber.tests.iter().any(|test| test.storage_over_loss.is_some())
+        {
+            warnings.push(format!(
+                "no loss tangent is known at {:.1} °C, for the loss modulus was not measured there or on both sides: a \
+                 case has that of the thesis's rubber",
+                celsius(state.temperature)
+            ));
+        }
         let thermal = Thermal { sheet, rubber: rubber.as_ref(), state };
         let yarns = yarns(sheet)?;
         let tension = self.tension(&thermal, yarns.is_some(), &mut warnings)?;
@@ -221,13 +238,15 @@ impl Description {
             longitudinal_stiffness: tension.stiffness + yarns.map_or(0.0, |yarns| yarns.all),
             bending_stiffness: bending.stiffness,
             radial_stiffness: lateral.stiffness,
+            perimeter: section.map(|section| section.perimeter()),
+            loss_tangent: state.and_then(|state| state.storage_over_loss).map(|ratio| 1.0 / ratio),
         };
-        self.check(&belt)?;
-        Ok(Properties {
+        let properties = Properties {
             name: sheet.text("name").map(str::to_owned),
             temperature,
             belt,
             rubber: state,
+            softening: rubber.as_ref().and_then(Rubber::softening),
             rubber_tests: rubber.map_or_else(Vec::new, |rubber| rubber.tests),
             yarns,
             tension,
@@ -237,7 +256,9 @@ impl Description {
             length,
             warnings,
             outline: sheet.outline("section.outline").to_vec(),
-        })
+        };
+        self.check(&properties)?;
+        Ok(properties)
     }
 
     fn temperature(&self, asked: Option<f64>, rubber: Option<&Rubber>) -> Result<Option<f64>, BenchError> {
@@ -313,6 +334,11 @@ impl Description {
             }
         };
         // A belt with its cords stretches as they do, and they hardly feel its temperature (section 4.2).
+        if !of_rubber && sheet.get("tension.temperature").is_some() {
+            let reason = "without [yarns] the belt was stretched with its cords, which hardly feel its temperature: \
+                leave it out";
+            return Err(sheet.unusable("tension.temperature", reason));
+        }
         let ratio = if of_rubber { thermal.ratio("tension")? } else { 1.0 };
         Ok(Tension { of_rubber, strain, as_tested, stiffness: as_tested * ratio, line })
     }
@@ -358,9 +384,9 @@ impl Description {
         })
     }
 
-    /// The table must be one that a case takes.
-    fn check(&self, belt: &BeltTable) -> Result<(), BenchError> {
-        let case = crate::case::Case::from_toml("belt", &belt.toml());
+    /// The tables must be such as a case takes.
+    fn check(&self, properties: &Properties) -> Result<(), BenchError> {
+        let case = crate::case::Case::from_toml("belt", &properties.tables());
         case.map(|_| ()).map_err(|error| {
             let reason = format!("these tests give a belt that no case takes: {error}");
             self.sheet.unusable("belt", reason).advise("check the units of what was measured")
@@ -428,8 +454,13 @@ fn bending(thermal: &Thermal<'_>, warnings: &mut Vec<String>) -> Result<(Bending
             let reason = "the stiffness between nodes is the whole belt's: leave out [section], moment and radius";
             return Err(sheet.unusable("bending.angular_stiffness", reason));
         }
-        let stiffness = stiffness * sheet.need("bending.length")?;
+        let stiffness = stiffness * sheet.need("bending.length")? * thermal.ratio("bending")?;
         return Ok((Bending { youngs_modulus: None, second_moment: None, stiffness }, None));
+    }
+    if sheet.get("bending.length").is_some() {
+        let reason =
+            "it belongs to bending.angular_stiffness, and moment and radius are expected without it: leave it out";
+        return Err(sheet.unusable("bending.length", reason));
     }
     let product = sheet.need("bending.moment")? * sheet.need("bending.radius")?; // EI of what was tested (4.6)
     if !sheet.has("section") {
@@ -460,6 +491,11 @@ fn length(sheet: &Sheet) -> Result<Length, BenchError> {
     let pitch_length = match (sheet.get("length.pitch_length"), outside) {
         (Some(_), Some(_)) => {
             return Err(sheet.unusable("length.pitch_length", "the outside circumference is given, too: leave one out"));
+        }
+        (Some(_), None) if sheet.get("length.cord_depth").is_some() => {
+            let reason = "it makes a pitch length of the outside circumference, and length.pitch_length is given: \
+                leave one out";
+            return Err(sheet.unusable("length.cord_depth", reason));
         }
         (Some(pitch), None) => pitch,
         (None, _) => {

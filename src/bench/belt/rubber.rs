@@ -59,7 +59,10 @@ impl Rubber {
             .map(|at| test(sheet, &format!("rubber.test.{at}"), poisson_ratio))
             .collect::<Result<Vec<Test>, BenchError>>()?;
         if tests.is_empty() {
-            return Ok(None);
+            return match sheet.get("rubber.poisson_ratio") {
+                Some(_) => Err(sheet.unusable("rubber.poisson_ratio", "there is no [[rubber.test]]: leave it out")),
+                None => Ok(None),
+            };
         }
         tests.sort_by(|a, b| a.temperature.total_cmp(&b.temperature));
         if let Some(pair) = tests.windows(2).find(|pair| pair[0].temperature == pair[1].temperature) {
@@ -76,9 +79,25 @@ impl Rubber {
             }
         }
         if tests.iter().all(|test| test.storage_over_loss.is_none()) {
-            warnings.push("no loss modulus is given: whether the rubber is nearly elastic is not checked".into());
+            warnings.push(
+                "no loss modulus is given: whether the rubber is nearly elastic is not checked, and a case has the \
+                 loss tangent of the thesis's rubber"
+                    .into(),
+            );
+        }
+        if sheet.get("rubber.poisson_ratio").is_some() && tests.iter().all(|test| test.storage_modulus.is_none()) {
+            let reason = "it makes Young's modulus of a modulus in shear, and none is given: leave it out";
+            return Err(sheet.unusable("rubber.poisson_ratio", reason));
         }
         Ok(Some(Self { poisson_ratio, tests }))
+    }
+
+    /// Share by which E falls per kelvin from the coldest test to the warmest, 1/K; nothing of a single test, or of a
+    /// rubber that stiffens as it warms.
+    pub fn softening(&self) -> Option<f64> {
+        let (first, last) = (self.tests.first()?, self.tests.last()?);
+        let softening = (first.youngs_modulus / last.youngs_modulus).ln() / (last.temperature - first.temperature);
+        Some(softening).filter(|softening| *softening >= 0.0)
     }
 
     /// The rubber at a temperature in K: between two tests, moduli are geometric means, ln E linear in the temperature.

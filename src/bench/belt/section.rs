@@ -77,6 +77,12 @@ impl Section {
         Ok(of(0.5 * (low + high)))
     }
 
+    /// Length around the section, m.
+    pub fn perimeter(&self) -> f64 {
+        let flank = self.height.hypot(0.5 * (self.width - self.inside_width));
+        self.width + self.inside_width + 2.0 * (self.cord_depth + flank)
+    }
+
     /// Corners of the section, across and from the outside surface, m; the first again at the end.
     pub fn corners(&self) -> [(f64, f64); 7] {
         let inset = 0.5 * (self.width - self.inside_width);
@@ -112,6 +118,9 @@ mod tests {
             let section = Section::of_height(width, depth * width, angle, share * highest);
             let (area, first, second) = polygon(&section.corners());
             prop_assert!((section.area / area - 1.0).abs() < 1e-10);
+            let corners = section.corners();
+            let around: f64 = corners.windows(2).map(|p| (p[1].0 - p[0].0).hypot(p[1].1 - p[0].1)).sum();
+            prop_assert!((section.perimeter() / around - 1.0).abs() < 1e-12);
             prop_assert!((section.centroid / (first / area) - 1.0).abs() < 1e-10);
             let own = second - first * first / area;
             prop_assert!((section.about_centroid / own - 1.0).abs() < 1e-8, "{} {}", section.about_centroid, own);

@@ -3,13 +3,13 @@
 use super::{BeltTable, Properties};
 use crate::plot::{Axis, Figure, Look, Series};
 use crate::quantity::celsius;
-use crate::text::printable;
+use crate::text::on_one_line;
 use std::fmt::Write;
 
 impl BeltTable {
     /// The `[belt]` table of a case file, in engineering units.
     pub fn toml(&self) -> String {
-        format!(
+        let mut text = format!(
             "[belt]\nlength = \"{:.6} mm\"\nmass_per_length = \"{:.7} kg/m\"\nlongitudinal_stiffness = \"{:.6} kN\"\n\
              bending_stiffness = \"{:.7} N*m^2\"\nradial_stiffness = \"{:.6} MPa\"\n",
             1e3 * self.length,
@@ -17,17 +17,20 @@ impl BeltTable {
             1e-3 * self.longitudinal_stiffness,
             self.bending_stiffness,
             1e-6 * self.radial_stiffness,
-        )
+        );
+        // Writing to a string does not fail.
+        if let Some(perimeter) = self.perimeter {
+            let _ = writeln!(text, "perimeter = \"{:.6} mm\"", 1e3 * perimeter);
+        }
+        if let Some(tangent) = self.loss_tangent {
+            let _ = writeln!(text, "loss_tangent = {tangent:.8}");
+        }
+        text
     }
 }
 
 /// A quantity on the way: its name, its value in that unit, the unit.
 pub type Row = (String, f64, &'static str);
-
-/// A text as it may stand in a comment, on one line.
-fn comment(text: &str) -> String {
-    printable(text).replace('\n', "\\n")
-}
 
 impl Properties {
     /// Everything on the way to the belt, in the order in which it is computed, for people.
@@ -84,21 +87,37 @@ impl Properties {
         rows
     }
 
-    /// A case file: everything on the way as comments, then the `[belt]` table.
+    /// The tables of a case file: the belt, the half angle for which its radial stiffness holds, and the temperature at
+    /// which its stiffnesses do, with what they fall by per kelvin.
+    pub fn tables(&self) -> String {
+        let mut text = self.belt.toml();
+        let degrees = self.lateral.sheave_half_angle.to_degrees();
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "\n[sheave]\nhalf_angle = \"{degrees:.6} deg\"");
+        if let Some(kelvin) = self.temperature {
+            let _ = writeln!(text, "\n[thermal]\nreference = \"{kelvin:.4} K\"");
+            if let Some(softening) = self.softening {
+                let _ = writeln!(text, "bending_softening = {softening:.8}\nradial_softening = {softening:.8}");
+            }
+        }
+        text
+    }
+
+    /// A case file: everything on the way as comments, then the tables.
     pub fn case_file(&self) -> String {
-        let mut text = format!("# {}{}\n#\n", comment(self.name.as_deref().unwrap_or("Belt")), self.at());
+        let mut text = format!("# {}{}\n#\n", on_one_line(self.name.as_deref().unwrap_or("Belt")), self.at());
         for (name, value, unit) in self.rows() {
             let _ = writeln!(text, "# {name:<48}{value:>13.6} {unit}"); // writing to a string does not fail
         }
         for warning in &self.warnings {
-            let _ = writeln!(text, "# warning: {}", comment(warning));
+            let _ = writeln!(text, "# warning: {}", on_one_line(warning));
         }
-        let angle = self.lateral.sheave_half_angle.to_degrees();
-        let _ = writeln!(
-            text,
-            "#\n# The radial stiffness holds for sheave.half_angle = \"{angle:.4} deg\".\n\n{}",
-            self.belt.toml()
-        );
+        text += "#\n# The radial stiffness holds for this sheave.half_angle alone.\n";
+        if self.belt.loss_tangent.is_none() {
+            text += "# No loss tangent was measured here: without belt.loss_tangent a case has that of the thesis's \
+                     rubber.\n";
+        }
+        text += &format!("\n{}", self.tables());
         text.truncate(text.trim_end().len());
         text + "\n"
     }

@@ -34,14 +34,20 @@ pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Col
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(bytes);
     let (mut units, mut rows, mut bad) = (None, Vec::new(), None);
     let mut record = csv::ByteRecord::new();
-    let mut line = 0;
+    let (mut line, mut width) = (0_u64, 0);
     while reader.read_byte_record(&mut record).map_err(|error| unreadable(name, &error))? {
+        if line.is_multiple_of(4096) && crate::cancel::is_cancelled() {
+            return Err(BenchProblem::Cancelled.into());
+        }
         line = record.position().map_or(line + 1, csv::Position::line);
         let cell = |at: usize| record.get(at).and_then(|cell| std::str::from_utf8(cell).ok()).map(str::trim);
         let Some(scales) = units else {
             units = Some(header(name, line, [cell(0), cell(1)], dimensions)?);
+            width = record.len();
             continue;
         };
+        // A row with decimal commas has more cells than the header, and none of them is what it seems.
+        let wide = record.iter().skip(width).any(|cell| !cell.trim_ascii().is_empty());
         let number = |at: usize, scale: f64| {
             cell(at)
                 .and_then(|cell| cell.parse::<f64>().ok())
@@ -50,7 +56,7 @@ pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Col
         };
         let [first, second]: [f64; 2] = scales;
         match (number(0, first), number(1, second)) {
-            (Some(x), Some(y)) if rows.len() < ROWS => rows.push((x, y)),
+            (Some(x), Some(y)) if rows.len() < ROWS && !wide => rows.push((x, y)),
             _ => {
                 let (count, at) = bad.unwrap_or((0, line));
                 bad = Some((count + 1, at));
@@ -58,7 +64,7 @@ pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Col
         }
     }
     if rows.is_empty() {
-        let reason = "no row has two numbers below a header with units such as `mm,N`".into();
+        let reason = "no row has two numbers, with decimal points, below a header with units such as `mm,N`".into();
         return Err(BenchProblem::NoData { path: name.into(), reason }.into());
     }
     Ok(Columns { rows, bad })
@@ -71,7 +77,7 @@ fn unreadable(name: &str, error: &csv::Error) -> BenchError {
 /// How many SI units the units of a header are.
 fn header(name: &str, line: u64, cells: [Option<&str>; 2], dimensions: [Dimension; 2]) -> Result<[f64; 2], BenchError> {
     let scale = |cell: Option<&str>, dimension: Dimension| {
-        let cell = cell?;
+        let cell = cell?.trim_start_matches('\u{feff}');
         let inside = |open: char, close: char| cell.rsplit_once(open)?.1.strip_suffix(close);
         let unit = inside('(', ')').or_else(|| inside('[', ']')).unwrap_or(cell);
         quantity::parse(&format!("1 {}", unit.trim())).ok()?.expect(dimension).ok()

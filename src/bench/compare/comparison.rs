@@ -61,6 +61,8 @@ pub struct Compared {
     pub efficiency_measured: Option<f64>,
     /// Standard error of the measured efficiency.
     pub efficiency_error: Option<f64>,
+    /// Interval of 95 % confidence of the measured efficiency, by Student's distribution.
+    pub efficiency_interval: Option<(f64, f64)>,
     /// The model's: with losses besides friction, if the case asks for them (`losses.include = "on"`).
     pub efficiency_model: Option<f64>,
     /// The model's with friction alone.

@@ -1,8 +1,10 @@
 //! Measured operating points: the table that `sheave dyno` writes, or one like it.
 
+use crate::bench::cells;
 use crate::bench::dyno::Criteria;
 use crate::bench::engine::EngineCurve;
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::bench::statistics::{BATCHES, student};
 use crate::quantity::Unit;
 use serde::Serialize;
 use std::path::Path;
@@ -32,6 +34,8 @@ pub struct Measured {
     pub efficiency: f64,
     /// Standard error of the efficiency, if the table has what it follows from.
     pub efficiency_error: Option<f64>,
+    /// Interval of 95 % confidence that follows from the error and from how many samples or parts it is of.
+    pub efficiency_interval: Option<(f64, f64)>,
     /// Why the point is not used, if it is not.
     pub reason: Option<String>,
 }
@@ -87,6 +91,7 @@ pub fn read(path: &Path, engine: Option<&EngineCurve>) -> Result<Table, BenchErr
 /// As [`read`].
 pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<Table, BenchError> {
     let mut places: Option<[Option<usize>; COLUMNS.len()]> = None;
+    let mut width = 0;
     let (mut points, mut bad) = (Vec::new(), Vec::new());
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
         let Ok(text) = std::str::from_utf8(text) else {
@@ -97,11 +102,20 @@ pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<T
         if text.is_empty() || text.starts_with('#') {
             continue;
         }
-        let cells: Vec<&str> = text.split(',').map(|cell| cell.trim().trim_matches('"')).collect();
+        let cells = cells::texts(text);
+        let cells: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
         let Some(places) = &places else {
             places = Some(header(name, line, &cells, engine.is_some())?);
+            width = cells.len();
             continue;
         };
+        if let Some(filled) = cells::filled(&cells).filter(|filled| *filled > width) {
+            let reason = format!(
+                "it has {filled} cells, and the header {width} columns: numbers have decimal points, not commas"
+            );
+            bad.push(BadRow { line, reason });
+            continue;
+        }
         match point(places, &cells, engine) {
             Ok(point) if points.len() < ROWS => points.push(point),
             Ok(_) => bad.push(BadRow { line, reason: format!("there are more than {ROWS} rows") }),
@@ -195,14 +209,20 @@ fn point(
     }
     // Where the table has no standard errors of means, samples count as independent.
     let count = number("n_torque")?.filter(|count| *count >= 1.0);
+    let own = number("secondary_torque_se")?;
     let standard = |error: Option<f64>, deviation: Option<f64>| error.or_else(|| Some(deviation? / count?.sqrt()));
-    let torque_error = standard(number("secondary_torque_se")?, deviations.2);
+    let torque_error = standard(own, deviations.2);
     let speed_error = standard(number("secondary_rpm_se")?, deviations.1).unwrap_or(0.0) / secondary;
     // The engine's curve gives a power, in which the primary's speed hardly counts.
     let primary_error = standard(number("primary_rpm_se")?, deviations.0).filter(|_| input.is_some());
     let speed_error = speed_error.hypot(primary_error.unwrap_or(0.0) / primary);
     let efficiency_error =
         torque_error.map(|error| efficiency * (error / torque).hypot(speed_error)).filter(|error| error.is_finite());
+    // A standard error of the table is that of the means of ten parts; one of samples has a degree less than these.
+    let samples = count.filter(|_| own.is_none()).map_or(BATCHES, |count| count.min(ROWS as f64) as usize);
+    let half = student(samples.saturating_sub(1));
+    let interval = |error: f64| (efficiency - half * error, efficiency + half * error);
+    let efficiency_interval = efficiency_error.map(interval).filter(|(low, high)| low.is_finite() && high.is_finite());
     Ok(Measured {
         run: text("run").unwrap_or_default().to_owned(),
         step: number("step")?,
@@ -213,6 +233,7 @@ fn point(
         of_engine: input.is_none(),
         efficiency,
         efficiency_error,
+        efficiency_interval,
         reason,
     })
 }

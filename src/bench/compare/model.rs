@@ -5,7 +5,7 @@ use super::comparison::{Clamp, Compared, Comparison, Fit, FittedConstant, Option
 use super::fit::{self, Linearised, NoModel, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, BenchProblem};
-use crate::case::{Case, Free, Include, Key, Resolved, ValueKind};
+use crate::case::{Case, Free, Include, Key, Resolved, Setting, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, Failure, SolveOptions, Solved, solve, solve_along};
 use crate::losses::LossOutput;
@@ -55,6 +55,16 @@ const CLAMPS: [Key; 6] = [
     Key::SecondaryAxialForce,
     Key::SlipReserve,
     Key::FrictionUtilization,
+];
+/// Keys of losses besides friction.
+const LOSSES: [Key; 7] = [
+    Key::LossTangent,
+    Key::CordLossTangent,
+    Key::PrimaryDrag,
+    Key::SecondaryDrag,
+    Key::PrimaryDragPerSpeed,
+    Key::SecondaryDragPerSpeed,
+    Key::GearEfficiency,
 ];
 /// Correlation from which on two constants can hardly be told from each other.
 const CORRELATED: f64 = 0.95;
@@ -138,28 +148,39 @@ fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<(Key, f64)>
         let key = Key::from_path(name).filter(|key| {
             let section = key.entry().section();
             let clamp = CLAMPS.contains(key) && options.clamp == Clamp::OfCase;
-            matches!(key.entry().kind, ValueKind::Quantity { .. }) && (["belt", "sheave"].contains(&section) || clamp)
+            let constant = ["belt", "sheave"].contains(&section) || LOSSES.contains(key);
+            matches!(key.entry().kind, ValueKind::Quantity { .. }) && (constant || clamp)
         });
-        let value = key.and_then(|key| {
-            let (_, setting) = settings.iter().find(|(other, _)| *other == key)?;
-            match setting {
-                crate::case::Setting::Number(value) => Some((key, *value)),
-                crate::case::Setting::List(_) | crate::case::Setting::Name(_) | crate::case::Setting::Table(_) => None,
+        let setting = key.and_then(|key| settings.iter().find(|(other, _)| *other == key));
+        let refused = |reason: String| Err(unusable("--fit", format!("`{name}` {reason}")).into());
+        let (key, value) = match setting {
+            Some((key, Setting::Number(value))) if *key != Key::BeltLength => (*key, *value),
+            Some((_, Setting::Table(_))) => {
+                return refused("cannot be fitted, for the case has a table of it: give a number".into());
             }
-        });
-        match value {
-            Some((Key::BeltLength, _)) | None => {
-                let reason = format!(
-                    "`{name}` cannot be fitted: expected {ENGINE_SCALE}, a constant of belt or sheave other than \
+            Some((_, Setting::Number(_) | Setting::List(_) | Setting::Name(_))) | None => {
+                return refused(format!(
+                    "cannot be fitted: expected {ENGINE_SCALE}, a constant of belt, sheave or losses other than \
                      belt.length, or the case's own clamp, such as operating_point.slack_tension"
-                );
-                return Err(unusable("--fit", reason).into());
+                ));
             }
-            Some(entry) if keys.contains(&entry) => {
-                return Err(unusable("--fit", format!("`{name}` is given twice")).into());
-            }
-            Some(entry) => keys.push(entry),
+        };
+        if LOSSES.contains(&key) && resolved.losses.include != Some(Include::On) {
+            return refused(
+                "cannot be fitted to an efficiency with friction alone, in which it is not: expected --losses on"
+                    .into(),
+            );
         }
+        if value <= 0.0 {
+            return refused(format!(
+                "= {value} cannot be fitted: the search is one in logarithms, and starts from a value above zero \
+                 (--set {name}=...)"
+            ));
+        }
+        if keys.iter().any(|(other, _)| *other == key) {
+            return refused("is given twice".into());
+        }
+        keys.push((key, value));
     }
     if options.fit.iter().any(|name| name == ENGINE_SCALE) && !table.points.iter().any(|point| point.of_engine) {
         let reason = format!(
@@ -189,6 +210,7 @@ fn compared(measured: &Measured) -> Compared {
         primary_axial_force: None,
         efficiency_measured: finite(measured.efficiency),
         efficiency_error: measured.efficiency_error,
+        efficiency_interval: measured.efficiency_interval,
         efficiency_model: None,
         efficiency_elastic: None,
         belt_temperature: None,

@@ -5,13 +5,11 @@ use crate::bench::dyno::aired;
 use crate::case::Key;
 use crate::plot::{Axis, Figure, Look, Series};
 use crate::quantity::Unit;
+use crate::text::on_one_line;
 use std::fmt::Write;
 
-/// Half an interval of 95 % confidence over a standard error, for many samples.
-const HALF: f64 = 1.96;
-
-/// Radius in mm, ratio, measured and computed efficiency, standard error of the measured one.
-type Drawn = (f64, f64, f64, f64, f64);
+/// Radius in mm, ratio, measured and computed efficiency, interval of the measured one.
+type Drawn = (f64, f64, f64, f64, (f64, f64));
 
 /// Figures: measured and computed efficiency over the primary's radius with error bars, and what remains over the
 /// ratio.
@@ -24,14 +22,14 @@ pub fn figures(comparison: &Comparison) -> Vec<Figure> {
         .iter()
         .filter_map(|point| {
             let (radius, ratio, measured, model) = value(point)?;
-            Some((radius, ratio, measured, model, point.efficiency_error.unwrap_or(0.0)))
+            Some((radius, ratio, measured, model, point.efficiency_interval.unwrap_or((measured, measured))))
         })
         .collect();
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     let scale = comparison.scale;
     let mut bars = Vec::new();
-    for (radius, _, measured, _, error) in &rows {
-        let (low, high) = ((measured - HALF * error) / scale, (measured + HALF * error) / scale);
+    for (radius, .., (low, high)) in &rows {
+        let (low, high) = (low / scale, high / scale);
         bars.extend([(*radius, 100.0 * low), (*radius, 100.0 * high), (f64::NAN, f64::NAN)]);
     }
     let line = |at: &dyn Fn(&Drawn) -> (f64, f64)| rows.iter().map(at).collect::<Vec<_>>();
@@ -78,7 +76,7 @@ pub fn summary(comparison: &Comparison) -> String {
     );
     let percent = |value: Option<f64>| value.map_or_else(|| "-".into(), |value| format!("{:.2}", 100.0 * value));
     for point in &comparison.points {
-        let step = point.step.map_or_else(|| point.run.clone(), |step| step.to_string());
+        let step = point.step.map_or_else(|| on_one_line(&point.run), |step| step.to_string());
         let _ = writeln!(
             text,
             "{step:>8}{:>14.1}{:>16.1}{:>14.3}{:>9.3}{:>11}{:>13}{:>11}  {}",

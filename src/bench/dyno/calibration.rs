@@ -1,5 +1,6 @@
 //! The calibration of the torque sensor: ADC = m T + b (9.1).
 
+use crate::bench::cells;
 use crate::bench::error::{BenchError, BenchProblem};
 use crate::bench::statistics::Line;
 use std::path::Path;
@@ -22,7 +23,7 @@ pub fn read(path: &Path) -> Result<Line, BenchError> {
 /// # Errors
 /// As [`read`].
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
-    let (mut points, mut stored, mut measured) = (Vec::new(), None, false);
+    let (mut points, mut stored, mut measured, mut headed) = (Vec::new(), None, false, false);
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
         let bad =
             |reason: &str| BenchError::from(BenchProblem::Line { path: name.into(), line, reason: reason.into() });
@@ -31,9 +32,10 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
         if text.is_empty() || text.starts_with('#') {
             continue;
         }
-        let cells: Vec<Option<f64>> =
-            text.split(',').map(|cell| cell.trim().parse::<f64>().ok().filter(|value| value.is_finite())).collect();
-        match cells.as_slice() {
+        let cells = cells::texts(text);
+        let numbers: Vec<Option<f64>> =
+            cells.iter().map(|cell| cell.parse::<f64>().ok().filter(|value| value.is_finite())).collect();
+        match numbers.as_slice() {
             [Some(torque), Some(adc)] if stored.is_none() && points.len() < ROWS => points.push((*torque, *adc)),
             [Some(_), Some(_), Some(_)] if measured => {
                 return Err(bad(
@@ -50,10 +52,16 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
                 stored = Some(Line::given(*slope, *intercept, *r_squared));
             }
             // A header.
-            _ if points.is_empty() && stored.is_none() && cells.iter().all(Option::is_none) => {
-                measured |= text.split(',').any(|cell| cell.trim().eq_ignore_ascii_case("adc"));
+            _ if points.is_empty() && stored.is_none() && !headed && numbers.iter().all(Option::is_none) => {
+                headed = true;
+                measured |= cells.iter().any(|cell| cell.eq_ignore_ascii_case("adc"));
             }
-            _ => return Err(bad("expected torque and ADC, or slope, intercept and R², as numbers in every row")),
+            _ => {
+                return Err(bad(
+                    "expected torque and ADC, or slope, intercept and R², as numbers in every row, with commas between \
+                     and decimal points",
+                ));
+            }
         }
     }
     let line = match stored {

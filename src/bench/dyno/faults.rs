@@ -14,6 +14,8 @@ pub enum Fault {
     NotText,
     /// A row with fewer columns than the header or the format has.
     TooShort,
+    /// A row with more cells than the header or the format has columns.
+    TooWide,
     /// A cell that is no finite number.
     NotNumber,
     /// Time and values of the row before: the logger asked faster than the sensor answered.
@@ -32,10 +34,11 @@ pub enum Fault {
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::TooLong,
         Self::NotText,
         Self::TooShort,
+        Self::TooWide,
         Self::NotNumber,
         Self::Duplicate,
         Self::Contradiction,
@@ -51,6 +54,7 @@ impl Fault {
             Self::TooLong => "lines longer than any row",
             Self::NotText => "rows with bytes that are no text",
             Self::TooShort => "rows with too few columns",
+            Self::TooWide => "rows with more cells than columns (numbers have decimal points, not commas)",
             Self::NotNumber => "cells that are no finite number",
             Self::Duplicate => "repetitions of the row before",
             Self::Contradiction => "rows with the time of the row before and other values",

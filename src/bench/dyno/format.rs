@@ -1,6 +1,8 @@
 //! The formats of logs: which columns a file has, and what they mean.
 
 use super::CHANNELS;
+use crate::bench::cells;
+use crate::text::quoted;
 use serde::Serialize;
 
 /// What is measured.
@@ -45,6 +47,10 @@ pub struct Format {
     pub sparse: bool,
     /// Whether the first line is a header.
     pub header: bool,
+    /// How many columns a row has; cells behind them are empty.
+    pub width: usize,
+    /// Columns whose unit, as the header has it, is not the one in which they are read; with their channel.
+    pub units: Vec<(Channel, String)>,
 }
 
 /// Speeds that a sensor can have measured, rpm.
@@ -54,9 +60,15 @@ const TORQUES: (f64, f64) = (-1000.0, 1000.0);
 /// What a converter of 16 bits gives off its rails.
 const CONVERTER: (f64, f64) = (1.0, 65_534.0);
 
+/// The name of a file without an ending, in small letters or capitals.
+pub(super) fn without<'a>(name: &'a str, ending: &str) -> Option<&'a str> {
+    let (stem, end) = name.split_at_checked(name.len().checked_sub(ending.len())?)?;
+    end.eq_ignore_ascii_case(ending).then_some(stem)
+}
+
 /// The kind and the number of a file of one channel: `P_12.csv`, `ADC_0.csv.gz`.
 pub fn step_file(name: &str) -> Option<(StepChannel, u64)> {
-    let stem = name.strip_suffix(".gz").unwrap_or(name).strip_suffix(".csv")?;
+    let stem = without(without(name, ".gz").unwrap_or(name), ".csv")?;
     let (kind, number) = stem.rsplit_once('_')?;
     let kind = match kind {
         "P" => StepChannel::Primary,
@@ -91,7 +103,7 @@ impl StepChannel {
             Self::Torque => (Channel::Torque, TORQUES, false),
         };
         let columns = vec![Column { place: 1, channel, range, raw }];
-        Format { tick: 1e-6, columns, sparse: false, header: false }
+        Format { tick: 1e-6, columns, sparse: false, header: false, width: 2, units: Vec::new() }
     }
 }
 
@@ -124,7 +136,7 @@ pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
 /// As [`by_header`]; with a calibration, the column that is named for the torque has raw values.
 pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<Format, String> {
     let text = std::str::from_utf8(line).map_err(|_| "the first line is no text".to_owned())?;
-    let cells: Vec<Cell> = text.trim_start_matches('\u{feff}').split(',').map(Cell::read).collect();
+    let cells: Vec<Cell> = cells::split(text.trim_start_matches('\u{feff}')).map(Cell::read).collect();
     let rich = cells.iter().any(|cell| cell.range.is_some());
     let tick = match cells.first() {
         Some(cell) if rich && cell.unit == "ms" => 1e-3,
@@ -132,7 +144,15 @@ pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<For
             "timestamp_ms" | "time_ms" => 1e-3,
             "timestamp_us" | "time_us" => 1e-6,
             "timestamp_s" | "time_s" => 1.0,
-            other => return Err(format!("the first column is `{other}`: expected a time such as `timestamp_ms`")),
+            other if cells.len() == 1 && other.contains([';', '\t']) => {
+                return Err(
+                    "its first line has no commas: expected columns with commas between, and decimal points".into()
+                );
+            }
+            other => {
+                let other = quoted(other);
+                return Err(format!("the first column is `{other}`: expected a time such as `timestamp_ms`"));
+            }
         },
         _ => return Err("the first column is no time in ms".into()),
     };
@@ -166,7 +186,23 @@ pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<For
             all.join(", ")
         ));
     }
-    Ok(Format { tick, columns, sparse: rich, header: true })
+    if let Some(twice) = columns
+        .iter()
+        .enumerate()
+        .find_map(|(at, column)| columns.get(at + 1..)?.iter().find(|other| other.place == column.place))
+    {
+        let name = cells.get(twice.place).map_or("", |cell| cell.name.as_str());
+        return Err(format!("the column `{}` is asked for twice: expected one for each quantity", quoted(name)));
+    }
+    let other = |column: &Column| {
+        let cell = cells.get(column.place)?;
+        let (unit, read) = (cell.unit()?, if column.channel == Channel::Torque { "N·m" } else { "rpm" });
+        let unlike = !column.raw && !is_read_as_it_is(column.channel, unit);
+        let name = quoted(&cell.name);
+        unlike.then(|| (column.channel, format!("`{name}` is in {} by its header and is read as {read}", quoted(unit))))
+    };
+    let units = columns.iter().filter_map(other).collect();
+    Ok(Format { tick, columns, sparse: rich, header: true, width: cells.len(), units })
 }
 
 /// One cell of a header: a name, or as RaceCapture writes them `"RPM2"|"rpm"|0|8000|50`: name, unit, smallest and
@@ -177,9 +213,27 @@ struct Cell {
     range: Option<(f64, f64)>,
 }
 
+/// Whether values in a unit are what the channel is read as.
+fn is_read_as_it_is(channel: Channel, unit: &str) -> bool {
+    let unit: String = unit.to_lowercase().chars().filter(|c| !" *.·⋅-".contains(*c)).collect();
+    match channel {
+        Channel::Primary | Channel::Secondary => {
+            ["rpm", "1/min", "/min", "r/min", "rev/min", "u/min", "min^1", "min1"].contains(&unit.as_str())
+        }
+        Channel::Torque => unit == "nm",
+    }
+}
+
 impl Cell {
+    /// The unit that the header has: of its own, or in parentheses or brackets behind the name.
+    fn unit(&self) -> Option<&str> {
+        let inside = |open: char, close: char| self.name.rsplit_once(open)?.1.strip_suffix(close);
+        let own = Some(self.unit.as_str()).filter(|unit| !unit.is_empty());
+        own.or_else(|| inside('(', ')').or_else(|| inside('[', ']'))).map(str::trim).filter(|unit| !unit.is_empty())
+    }
+
     fn read(text: &str) -> Self {
-        let mut parts = text.split('|').map(|part| part.trim().trim_matches('"').to_owned());
+        let mut parts = text.split('|').map(|part| cells::text(part).into_owned());
         let name = parts.next().unwrap_or_default();
         let unit = parts.next().unwrap_or_default();
         let mut number = || parts.next().and_then(|part| part.parse::<f64>().ok()).filter(|value| value.is_finite());

@@ -93,8 +93,8 @@ fn trend(samples: &[f64]) -> f64 {
 /// Why samples are not steady, if they are not.
 fn unsteady(name: &str, samples: &[f64], average: &Average, trend_limit: f64, deviation_limit: f64) -> Option<String> {
     let size = average.mean.abs();
-    let (trend, limit) = (trend(samples).abs(), (trend_limit * size).max(4.0 * average.error));
-    if trend > limit {
+    let trend = trend(samples).abs();
+    if trend > trend_limit * size {
         return Some(format!("{name} changes by {:.1} % of its mean", 100.0 * trend / size));
     }
     let deviation = average.deviation;

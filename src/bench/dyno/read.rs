@@ -1,11 +1,14 @@
 //! Which files belong together, and how they become points.
 
-use super::format::{StepChannel, header, step_file};
+use super::format::{StepChannel, header, step_file, without};
 use super::lines::{Line, Lines};
 use super::stream::Stream;
 use super::uniform::{Row, Uniform};
 use super::{CHANNELS, Channel, Faults, Format, Options, Sample, SteadyPoint};
+use crate::bench::cells;
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::cancel::is_cancelled;
+use crate::text::on_one_line;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -86,6 +89,9 @@ pub struct RecordReport {
     /// Files with torque in N·m to which a calibration that is given was not applied.
     #[serde(skip)]
     pub uncalibrated: Vec<String>,
+    /// Columns that are read in another unit than their header has.
+    #[serde(skip)]
+    pub units: Vec<String>,
 }
 
 /// Files of a folder that are looked at.
@@ -117,14 +123,18 @@ pub fn records(paths: &[PathBuf]) -> Result<Vec<Record>, BenchError> {
                     let parent = file.parent().map_or_else(PathBuf::new, Path::to_path_buf);
                     steps.entry((parent, number)).or_default().push((file, Some(kind)));
                 }
-                None => logs.push(Record { name: file.display().to_string(), step: None, files: vec![(file, None)] }),
+                None => {
+                    let name = on_one_line(&file.display().to_string());
+                    logs.push(Record { name, step: None, files: vec![(file, None)] });
+                }
             }
         }
     }
     let several = steps.keys().map(|(folder, _)| folder).collect::<std::collections::BTreeSet<_>>().len() > 1;
     let step = |((folder, number), mut files): (Step, Vec<LogFile>)| {
         files.sort();
-        let name = if several { format!("{} step {number}", folder.display()) } else { format!("step {number}") };
+        let shown = || on_one_line(&folder.display().to_string());
+        let name = if several { format!("{} step {number}", shown()) } else { format!("step {number}") };
         Record { name, step: Some(number), files }
     };
     let mut records: Vec<Record> = steps.into_iter().map(step).collect();
@@ -142,9 +152,10 @@ pub fn records(paths: &[PathBuf]) -> Result<Vec<Record>, BenchError> {
 
 /// Whether a file of this name in a folder is taken for a log.
 pub fn is_log(name: &str) -> bool {
-    let stem = name.strip_suffix(".gz").unwrap_or(name);
+    let name = stem(name);
+    let lower = name.to_ascii_lowercase();
     let extra = ["calibration", "engine", "cal_values", "tunes", "operating-points"];
-    !extra.iter().any(|word| stem.starts_with(word)) && (stem.ends_with(".csv") || stem.ends_with(".log"))
+    !extra.iter().any(|word| lower.starts_with(word)) && (lower.ends_with(".csv") || lower.ends_with(".log"))
 }
 
 /// The files of a folder that can be logs, in the order of their names.
@@ -177,9 +188,9 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
         if text.is_empty() {
             continue;
         }
-        let cells: Vec<&str> = text.split(',').map(str::trim).collect();
+        let cells = cells::texts(text);
         let Some([file, start, end]) = places else {
-            let place = |name: &str| cells.iter().position(|cell| *cell == name);
+            let place = |name: &str| cells.iter().position(|cell| cell == name);
             match (place("logfile"), place("t_start"), place("t_end")) {
                 (Some(file), Some(start), Some(end)) => places = Some([file, start, end]),
                 _ => return Err(bad("expected a header with the columns logfile, t_start and t_end")),
@@ -208,7 +219,7 @@ pub(super) fn parse_runs(path: &str, bytes: &[u8]) -> Result<Vec<Run>, BenchErro
 
 /// The name of a file without the ending of a compressed one.
 fn stem(name: &str) -> &str {
-    name.strip_suffix(".gz").unwrap_or(name)
+    without(name, ".gz").unwrap_or(name)
 }
 
 /// Whether a file is the one that a table of runs names.
@@ -220,12 +231,15 @@ pub(super) fn is_of(run: &Run, path: &Path) -> bool {
 /// read.
 ///
 /// What is wrong with a file stands in the report, and loses nothing else.
+///
+/// # Errors
+/// [`BenchProblem::Cancelled`].
 pub fn process(
     record: &Record,
     options: &Options,
     mut take: impl FnMut(SteadyPoint),
     mut progress: impl FnMut(u64),
-) -> RecordReport {
+) -> Result<RecordReport, BenchError> {
     let mut report = RecordReport {
         record: record.name.clone(),
         files: Vec::new(),
@@ -238,6 +252,7 @@ pub fn process(
         trace: Vec::new(),
         reason: None,
         uncalibrated: Vec::new(),
+        units: Vec::new(),
     };
     let has = |channel: StepChannel| record.files.iter().any(|(_, kind)| *kind == Some(channel));
     let mut streams: Vec<(String, Stream)> = Vec::new();
@@ -257,6 +272,10 @@ pub fn process(
                 if options.calibration.is_some() && torque && !stream.raw() {
                     report.uncalibrated.push(path.display().to_string());
                 }
+                // A factor says what the column of the secondary has.
+                let told = options.secondary_factor != 1.0;
+                let units = stream.units().iter().filter(|(channel, _)| *channel != Channel::Secondary || !told);
+                report.units.extend(units.map(|(_, words)| words.clone()));
                 streams.push((path.display().to_string(), stream));
             }
             Err(problem) => report.files.push(FileReport {
@@ -269,14 +288,14 @@ pub fn process(
             }),
         }
     }
-    merge(record, &mut streams, options, &mut report, &mut take, &mut progress);
+    merge(record, &mut streams, options, &mut report, &mut take, &mut progress)?;
     for (file, stream) in streams {
         let (time_wraps, time_jumps) = stream.turns();
         let problem = stream.broken().map(str::to_owned);
         let (rows, faults) = (stream.rows(), stream.faults().clone());
         report.files.push(FileReport { file, rows, faults, time_wraps, time_jumps, problem });
     }
-    report
+    Ok(report)
 }
 
 fn open(path: &Path, kind: Option<StepChannel>, options: &Options) -> Result<Stream, String> {
@@ -311,7 +330,7 @@ fn merge(
     report: &mut RecordReport,
     take: &mut impl FnMut(SteadyPoint),
     progress: &mut impl FnMut(u64),
-) {
+) -> Result<(), BenchError> {
     let mut heads: Vec<Option<Sample>> = streams.iter_mut().map(|(_, stream)| stream.next_sample()).collect();
     same_turn(streams, &mut heads);
     let mut present = [false; CHANNELS];
@@ -344,10 +363,14 @@ fn merge(
         let resident = streams.iter().map(|(_, stream)| stream.resident()).sum::<usize>();
         report.resident = report.resident.max(resident + uniform.resident + windows.resident());
     }
+    if is_cancelled() {
+        return Err(BenchProblem::Cancelled.into());
+    }
     windows.end(report, take);
     report.gaps = uniform.gaps;
     report.trace = windows.trace;
     progress(streams.iter().map(|(_, stream)| stream.bytes()).sum::<u64>() - told);
+    Ok(())
 }
 
 /// Counters of several files that share a clock may begin on both sides of its wrap.
@@ -466,14 +489,28 @@ impl<'a> Windows<'a> {
 
     /// What is left at a gap, or at the end.
     fn end(&mut self, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
-        let enough = self.count() as f64 >= SHORTEST * self.length as f64 && self.count() >= SAMPLES;
-        if enough {
+        let least = ((SHORTEST * self.length as f64).ceil() as usize).max(SAMPLES);
+        if self.count() >= least {
             let point = self.point();
             if point.steady || self.record.step.is_some() {
                 self.hand_on(point, report, take);
                 return;
             }
             report.reason = report.reason.take().or(point.reason);
+        } else if self.record.step.is_some() && self.count() > 0 && report.steady + report.unsteady == 0 {
+            // All that there is of a step: it is told, with what it lacks.
+            let seconds = |samples: usize| samples as f64 / self.options.rate;
+            let reason = format!(
+                "it is too short: {} samples, {:.2} s, and a window of {} s takes {least} samples, {:.2} s, at least \
+                 (--window)",
+                self.count(),
+                seconds(self.count()),
+                self.options.window,
+                seconds(least)
+            );
+            let point = SteadyPoint { steady: false, reason: Some(reason), ..self.point() };
+            self.hand_on(point, report, take);
+            return;
         }
         report.left_over += self.count() as u64;
         self.samples.iter_mut().for_each(Vec::clear);

@@ -57,7 +57,7 @@ pub fn reduce(
                 beyond += 1;
             }
         };
-        reports.push(process(record, options, take, &mut read));
+        reports.push(process(record, options, take, &mut read)?);
     }
     if let (Some(number), None) = (spectrum, &chosen) {
         let last = points.len().saturating_sub(1);
@@ -76,6 +76,11 @@ pub fn reduce(
             return Err(BenchError::from(BenchProblem::NoData { path: names(), reason }));
         }
         warnings.push(reason);
+    }
+    let without: Vec<&str> =
+        reports.iter().filter(|report| report.samples == 0).map(|report| report.record.as_str()).collect();
+    if !without.is_empty() {
+        warnings.push(format!("no sample came out of {}", listed(&without)));
     }
     warnings.extend(doubts(&files, &reports, options));
     if beyond > 0 {
@@ -165,6 +170,15 @@ fn doubts(files: &[Record], reports: &[RecordReport], options: &Options) -> Vec<
             "the calibration is not applied to torque that is in N·m by its name ({}); a column of raw values is named \
              with --torque",
             listed(&uncalibrated)
+        ));
+    }
+    let mut units: Vec<&str> = reports.iter().flat_map(|report| &report.units).map(String::as_str).collect();
+    units.sort_unstable();
+    units.dedup();
+    if !units.is_empty() {
+        doubts.push(format!(
+            "the column {}: speeds are read in rpm, torque in N·m (--secondary-factor makes another speed the secondary's)",
+            listed(&units)
         ));
     }
     let mut missing: Vec<&str> = Vec::new();

@@ -2,6 +2,8 @@
 
 use super::point::SteadyPoint;
 use super::read::RecordReport;
+use crate::bench::cells;
+use crate::bench::statistics::{BATCHES, student};
 use crate::plot::{Axis, Figure, Look, Mark, Series};
 use crate::quantity::Unit;
 use std::fmt::Write;
@@ -29,7 +31,7 @@ pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
         let _ = writeln!(
             text,
             "{},{step},{:.4},{:.4},{:.4},{:.4},{:.6},{:.6},{},{:.4},{:.5},{:.5},{:.7}",
-            csv_text(&point.record),
+            cells::cell(&point.record),
             primary.mean * RPM,
             primary.deviation * RPM,
             secondary.mean * RPM,
@@ -44,10 +46,6 @@ pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
         );
     }
     (text, left_out)
-}
-
-fn csv_text(text: &str) -> String {
-    text.replace([',', '"', '\n', '\r'], "_")
 }
 
 /// Points that a figure shows: more are more than there is room for.
@@ -82,8 +80,10 @@ pub fn figures(points: &[SteadyPoint], records: &[RecordReport]) -> Vec<Figure> 
         }
         let dots = values.iter().map(|(x, (y, _))| (*x, *y)).collect();
         let mut bars = Vec::new();
+        // Every standard error is that of the means of so many parts.
+        let half = student(BATCHES - 1);
         for (x, (y, error)) in &values {
-            bars.extend([(*x, y - 1.96 * error), (*x, y + 1.96 * error), (f64::NAN, f64::NAN)]);
+            bars.extend([(*x, y - half * error), (*x, y + half * error), (f64::NAN, f64::NAN)]);
         }
         let series = vec![
             Series::line("95 % interval", bars).color(6),
