@@ -34,10 +34,13 @@ pub fn limit<'py>(
             Err(error) => Err(error),
         }
     };
-    let (largest, smallest) = interrupt::run(py, work)?.map_err(|error| error::design(py, &error))?;
+    let (largest, smallest) = interrupt::run(py, work)?.map_err(|error| error::design(&error))?;
     let one = |limit: &Limit| {
         let reason = if let LimitKind::Lost(reason) = &limit.kind { Some(reason.as_str()) } else { None };
-        json!({ "value": limit.value, "kind": limit.kind.name(), "reason": reason, "state": limit.state })
+        let (kind, temperature) = (limit.kind.name(), limit.belt_temperature);
+        json!({
+            "value": limit.value, "kind": kind, "reason": reason, "state": limit.state, "belt_temperature": temperature,
+        })
     };
     let smallest = smallest.map(|limits| {
         json!({
@@ -62,11 +65,12 @@ pub fn optimum<'py>(
     let options = result::options(tolerance, 4)?;
     let edition = case.edition.name();
     let best = interrupt::run(py, move || design::optimum(&case, &options))?;
-    let best = best.map_err(|error| error::design(py, &error))?;
+    let best = best.map_err(|error| error::design(&error))?;
     convert::python(
         py,
         &json!({
             "edition": edition, "state": best.state, "bound": best.bound, "gradient": best.gradient,
+            "efficiency_with_losses": best.efficiency_with_losses, "belt_temperature": best.belt_temperature,
             "evaluations": best.evaluations,
         }),
     )

@@ -83,7 +83,7 @@ fn refused(py: Python<'_>, error: &TuneError) -> PyErr {
         TuneError::Axis { .. } | TuneError::OtherMap { .. } => error::map(&error.to_string()),
         TuneError::Parameter { .. } | TuneError::Threads(_) => PyValueError::new_err(error.to_string()),
         // What is wrong with the drive, or with the box of parts.
-        other => error::case_message(other.to_string(), None),
+        other => error::case_message(&other.to_string(), None),
     }
 }
 

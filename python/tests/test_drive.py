@@ -205,3 +205,17 @@ def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
         sheave.tune(parts={"a": {"b": {}}}, target="3400 rpm")
     with pytest.raises(sheave.CaseError, match=r"`a` sets `belt\.length`: expected keys of \[primary\.actuator\]"):
         sheave.tune(gx9, parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")
+
+
+def test_a_shift_curve_ends_at_a_higher_speed_than_it_begins(gx9: sheave.Case) -> None:
+    for start, stop in (("3000 rpm", "1000 rpm"), ("2000 rpm", "2000 rpm")):
+        with pytest.raises(ValueError, match=r"start is .* expected a higher speed to end at"):
+            sheave.shift(gx9, start=start, stop=stop, points=3)
+
+
+def test_a_drive_prescribes_no_output_of_its_belt(gx9: sheave.Case) -> None:
+    swapped = gx9.swap("belt.bending_stiffness for efficiency.overall = 0.96")
+    with pytest.raises(sheave.CaseError, match=r"`sheave\.drive` prescribes no output"):
+        sheave.drive(swapped, speed="2000 rpm")
+    with pytest.raises(sheave.CaseError, match=r"`sheave\.shift` prescribes no output"):
+        sheave.shift(swapped)
