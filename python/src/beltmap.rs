@@ -5,9 +5,10 @@ use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyString};
 use sheave::Cancel;
 use sheave::beltmap::{self, Keep, MapAxis, MapError, MapFormat, MapOptions, MapPlan, Progress, Quantity};
+use sheave::drive::SolveOptions;
 use sheave::study::Row;
 use std::io;
 use std::path::PathBuf;
@@ -16,14 +17,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Makes a map: see `sheave.map`.
 #[pyfunction]
-#[pyo3(signature = (case=None, /, *, over, accuracy=1e-3, tolerance=1e-5, max_points=20_000, least_speed_efficiency=0.9,
-    jobs=None, progress=None, **keys))]
+#[pyo3(signature = (case=None, /, *, over, accuracy=1e-3, tolerance=None, max_points=20_000,
+    least_speed_efficiency=0.9, jobs=None, progress=None, **keys))]
 pub fn map(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
-    over: Vec<String>,
+    over: &Bound<'_, PyAny>,
     accuracy: f64,
-    tolerance: f64,
+    tolerance: Option<f64>,
     max_points: usize,
     least_speed_efficiency: f64,
     jobs: Option<usize>,
@@ -31,10 +32,15 @@ pub fn map(
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<BeltMap> {
     let case = case::read(py, case, keys)?;
-    let solve = result::options(tolerance, 4)?;
+    if jobs == Some(0) {
+        return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
+    }
+    // As the command does: points are solved a hundred times as accurately as the map is read. What is no accuracy, the
+    // plan refuses.
+    let solve = result::options(tolerance.unwrap_or((0.01 * accuracy).clamp(1e-12, 1e-1)), 4);
+    let solve = if accuracy.is_nan() { SolveOptions::default() } else { solve? };
     let options = MapOptions { accuracy, solve, max_points, least_speed_efficiency, jobs };
-    let axes: Result<Vec<_>, _> = over.iter().map(|text| MapAxis::parse(text)).collect();
-    let plan = axes.and_then(|axes| MapPlan::new(case, axes, options)).map_err(|error| refused(py, &error))?;
+    let plan = MapPlan::new(case, axes(py, over)?, options).map_err(|error| refused(py, &error))?;
     let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
     let kept = Counting::new(cancel.clone(), solved.clone());
     let tell = |_: Python<'_>| match progress {
@@ -43,6 +49,33 @@ pub fn map(
     };
     let map = interrupt::watched(py, &cancel, move || plan.build(&kept), tell)?;
     map.map(|map| BeltMap(Arc::new(map))).map_err(|error| refused(py, &error))
+}
+
+/// What a map is over, from a dictionary of keys and their ranges or breakpoints, a text or several.
+fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
+    let parsed = |text: &str| MapAxis::parse(text).map_err(|error| refused(py, &error));
+    if let Ok(text) = over.cast::<PyString>() {
+        return Ok(vec![parsed(text.to_str()?)?]);
+    }
+    let Some(named) = case::dictionary(over)? else {
+        let texts: Vec<String> = over.extract().map_err(|_| {
+            let kind = over.get_type();
+            PyTypeError::new_err(format!("over: expected a dictionary of keys and their ranges, or texts, not {kind}"))
+        })?;
+        return texts.iter().map(|text| parsed(text)).collect();
+    };
+    let axis = |(key, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name: String = key.extract().map_err(|_| PyTypeError::new_err("over: keys are texts"))?;
+        // As in keyword arguments.
+        let path = if name.contains('.') { name.clone() } else { name.replace("__", ".") };
+        if let Ok(text) = values.cast::<PyString>() {
+            return parsed(&format!("{path}={}", text.to_str()?));
+        }
+        // What is no key of a map, the text is refused for.
+        let Some(key) = MapAxis::key_named(&path) else { return parsed(&format!("{path}=0..1")) };
+        MapAxis::new(key, case::values(py, &name, key, &values)?).map_err(|error| refused(py, &error))
+    };
+    named.iter().map(axis).collect()
 }
 
 /// Values and derivatives.

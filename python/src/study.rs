@@ -5,7 +5,7 @@ use crate::table::Table;
 use crate::{case, error, result};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyString};
 use sheave::Cancel;
 use sheave::case::{Key, Setting, ValueKind};
 use sheave::drive::SolveOptions;
@@ -25,25 +25,29 @@ pub struct Study {
 
 #[pymethods]
 impl Study {
-    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them. Numbers are in SI
-    /// units. All other arguments are keys of the case.
+    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them; beside it, or in its
+    /// place, the case may be a study file, which says itself what varies. Numbers are in SI units. All other arguments
+    /// are keys of the case.
     ///
     /// Raises CaseError, StudyError.
     #[new]
-    #[pyo3(signature = (case=None, /, *, over, tolerance=1e-6, order=4, **keys))]
+    #[pyo3(signature = (case=None, /, *, over=None, tolerance=1e-6, order=4, **keys))]
     fn new(
         py: Python<'_>,
         case: Option<&Bound<'_, PyAny>>,
-        over: &Bound<'_, PyAny>,
+        over: Option<&Bound<'_, PyAny>>,
         tolerance: f64,
         order: usize,
         keys: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let case = case::read(py, case, keys)?;
+        let (case, mut all) = case::read_study(py, case, keys)?;
         let options = result::options(tolerance, order)?;
-        let axes = axes(py, over)?;
+        let given = over.map(|over| axes(py, over)).transpose()?.unwrap_or_default();
+        // What the call varies is not varied by the file as well.
+        all.retain(|axis| !given.iter().any(|other| other.keys().iter().any(|key| axis.keys().contains(key))));
+        all.extend(given);
         // Every point is checked: of a large grid, while others may run.
-        Self::of(py, case, axes, options)
+        Self::of(py, case, all, options)
     }
 
     /// Made anew from its case, its axes and its options.
@@ -109,7 +113,7 @@ impl Study {
 
 impl Study {
     fn of(py: Python<'_>, case: sheave::case::Case, axes: Vec<Axis>, options: SolveOptions) -> PyResult<Self> {
-        let study = py.detach(|| study::Study::new(case.clone(), axes, options));
+        let study = interrupt::run(py, || study::Study::new(case.clone(), axes, options))?;
         study.map(|study| Self { study: Arc::new(study), case }).map_err(|error| error::study(py, &error))
     }
 
@@ -190,7 +194,7 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<Axis>> {
     if let Ok(text) = over.cast::<PyString>() {
         return Ok(vec![parsed(text.to_str()?)?]);
     }
-    if let Ok(values) = over.cast::<PyDict>() {
+    if let Some(values) = case::dictionary(over)? {
         return values.iter().map(|(key, values)| axis(py, &key, &values)).collect();
     }
     let texts: Vec<String> = over.extract().map_err(|_| {
@@ -208,27 +212,33 @@ fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> Py
     if let Ok(text) = values.cast::<PyString>() {
         return parsed(format!("{path}={}", text.to_str()?));
     }
-    // An array of pint: a quantity each.
-    let quantities = values.hasattr("to_base_units")?;
-    if !quantities
-        && !values.is_instance_of::<PyDict>()
-        && let (Some(known), Ok(numbers)) = (Key::from_path(&path), values.extract::<Vec<f64>>())
+    if let Some(known) = Key::from_path(&path)
+        && let ValueKind::Quantity { .. } = known.entry().kind
     {
-        if numbers.is_empty() {
-            return Err(PyValueError::new_err(format!("over: `{name}` has no values")));
-        }
+        // Numbers at once; quantities of pint have units, and truths are no numbers.
+        let plain = !values.hasattr("to_base_units")?;
+        let numbers = match values.extract::<Vec<f64>>() {
+            Ok(numbers) if plain && !numbers.is_empty() && !has_truths(values)? => numbers,
+            _ => case::values(py, &name, known, values)?,
+        };
         return Axis::of(known, numbers).map_err(|error| error::study(py, &error));
     }
-    let items: Vec<Bound<'_, PyAny>> = match values.cast::<PyList>() {
-        Ok(list) => list.iter().collect(),
-        Err(_) => match values.cast::<PyTuple>() {
-            Ok(tuple) => tuple.iter().collect(),
-            Err(_) => values.try_iter()?.collect::<PyResult<_>>()?,
-        },
-    };
-    let texts = items.iter().map(|item| case::text_of(&name, item)).collect::<PyResult<Vec<_>>>()?;
+    let texts = values.try_iter()?.map(|item| case::text_of(&name, &item?)).collect::<PyResult<Vec<_>>>()?;
     if let Some(text) = texts.iter().find(|text| text.contains([',', '&']) || text.contains("..")) {
         return Err(PyValueError::new_err(format!("over: `{name}` = {text}: expected one value an item")));
     }
     parsed(format!("{path}={}", texts.join(",")))
+}
+
+/// Whether some of a sequence's items are truths, which would pass for numbers.
+fn has_truths(values: &Bound<'_, PyAny>) -> PyResult<bool> {
+    if values.hasattr("dtype")? {
+        return values.getattr("dtype")?.getattr("kind")?.eq("b");
+    }
+    for item in values.try_iter()? {
+        if item?.is_instance_of::<PyBool>() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }

@@ -3,6 +3,7 @@
 import json
 import pickle
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -36,6 +37,41 @@ def test_grids_are_said_in_several_ways(table: sheave.Table) -> None:
     assert joined.axes == [(["drive.ratio", "operating_point.slack_tension"], 2)]
     editions = sheave.sweep(over={"edition": ["thesis", "consistent"]}, tolerance=1e-2)
     assert editions["edition"] == ["thesis", "consistent"]
+
+
+def test_each_value_has_its_own_unit() -> None:
+    """Numbers are in SI units, whatever units others have."""
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    newtons = [100.0, 150.0, 200.0]
+    for values in (
+        [100.0, "150 N", "0.2 kN"],
+        [q(0.1, "kN"), 150, "200 N"],
+        q(np.array([0.1, 0.15, 0.2]), "kN"),
+        (np.float32(100), np.int64(150), 200),
+        (value for value in newtons),
+    ):
+        study = sheave.Study(over=MappingProxyType({"slack_tension": values}), tolerance=1e-2)
+        assert study.run()["operating_point.slack_tension"].tolist() == pytest.approx(newtons)
+    for wrong in (1.0, q(1, "kN"), [True, False], np.array([True]), {"a": 1}):
+        with pytest.raises(TypeError):
+            sheave.Study(over={"slack_tension": wrong})
+
+
+def test_a_study_file_says_what_varies(root: Path) -> None:
+    path = root / "examples" / "slack_tension.toml"
+    study = sheave.Study(path)
+    assert len(study) > 2 and study.axes[0][0] == ["operating_point.slack_tension"]
+    again = sheave.Study(path, over={"slack_tension": [100.0, 200.0], "drive.ratio": [1.0, 1.1, 1.2]})
+    assert dict((tuple(keys), points) for keys, points in again.axes) == {
+        **{tuple(keys): points for keys, points in study.axes},
+        ("operating_point.slack_tension",): 2,
+        ("drive.ratio",): 3,
+    }
+    text = "[sweep]\nover = ['drive.ratio = 0.9..1.1:2']\n"
+    assert sheave.sweep(text, tolerance=1e-2)["drive.ratio"].tolist() == [0.9, 1.1]
+    with pytest.raises(sheave.StudyError, match="nothing is varied"):
+        sheave.sweep(slack_tension="120 N")
 
 
 def test_arrays_are_views(table: sheave.Table) -> None:
