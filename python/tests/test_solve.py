@@ -117,6 +117,15 @@ def test_results_have_attributes_for_all_of_the_json(root: Path) -> None:
     assert result.uncertainty is not None and 0 < result.uncertainty["primary.axial_force"] < 1
 
 
+def test_losses_are_told_at_any_tolerance(root: Path) -> None:
+    """Also where the harmonics lead to no such accuracy: what is left out of them is left out of the heat as well."""
+    path = root / "examples" / "heat.toml"
+    usual, tight = (sheave.solve(path, tolerance=tolerance) for tolerance in (1e-8, 1e-10))
+    assert usual.losses is not None and tight.losses is not None
+    assert tight.losses.total == pytest.approx(usual.losses.total, rel=1e-6)
+    assert tight.belt.temperature == pytest.approx(usual.belt.temperature, rel=1e-7)
+
+
 def test_sensitivities_are_those_of_differences(base: sheave.Result) -> None:
     step = 1e-3
     forces = []
@@ -237,6 +246,7 @@ def test_an_axial_force_may_belong_to_two_operating_points() -> None:
         {"tolerance": 1.0},
         {"tolerance": float("nan")},
         {"order": 5},
+        {"order": -4},
         {"work_limit": 0},
     ],
 )
@@ -304,6 +314,30 @@ def test_lists_are_lists_tuples_arrays_or_texts() -> None:
     for truth in (True, np.True_):
         with pytest.raises(TypeError):
             sheave.Case(slack_tension=truth)
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    of_pint = {"engine.speeds": q(np.array([200.0, 300.0]), "rad/s"), "engine.torques": [q(20, "N*m"), 21.0]}
+    assert sheave.Case(of_pint) == text
+    with pytest.raises(sheave.CaseError, match="an array"):
+        sheave.Case(slack_tension=q(np.array([1.0, 2.0]), "N"))
+
+
+def test_tables_are_dictionaries_of_what_stands_over_what() -> None:
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    given = {"belt.bending_stiffness": {"temperature": [298.15, 333.15], "value": [0.4, 0.26]}}
+    for table in (
+        {"temperature": ["25 degC", "60 degC"], "value": ["0.4 N*m^2", "0.26 N*m^2"]},
+        {"temperature": q(np.array([25.0, 60.0]), "degC"), "value": q([0.4, 0.26], "N*m^2")},
+        {"temperature": np.array([298.15, 333.15]), "value": (0.4, 0.26)},
+        given["belt.bending_stiffness"],
+    ):
+        case = sheave.Case(bending_stiffness=table)
+        assert case.given == {
+            key: {axis: pytest.approx(row) for axis, row in one.items()} for key, one in given.items()
+        }
+    with pytest.raises(sheave.CaseError, match="`temperatures` has no place in it"):
+        sheave.Case(bending_stiffness={"temperatures": [298.15], "value": [0.4]})
 
 
 def test_other_threads_run_meanwhile() -> None:
