@@ -541,6 +541,11 @@ class Study:
         progress: Optional[Callable[[int], Any]] = None,
     ) -> Table:
         """Solves all points, or those from ``start`` to below ``stop``."""
+    def limits(self, *, least_speed_efficiency: float = 0.95, jobs: Optional[int] = None) -> Table:
+        """The limits at every point: the largest torque, unless the load is what varies, and the smallest clamps,
+        unless the clamp is."""
+    def optima(self, *, jobs: Optional[int] = None) -> Table:
+        """The clamp of best overall efficiency at every point."""
 
 @final
 class BeltMap:
@@ -571,7 +576,7 @@ class BeltMap:
         """The case in the middle of the map, resolved to SI units."""
     def at(self, *coordinates: float, **by_key: float) -> dict[str, float]:
         """Everything at one point: its coordinates in the order of ``keys``, or by key. Raises MapError outside."""
-    def interpolate(self, quantity: str, points: _Array) -> tuple[_Array, _Array]:
+    def interpolate(self, quantity: str, points: ArrayLike) -> tuple[_Array, _Array]:
         """A quantity at many points of shape (m, axes): values (m,) and derivatives (m, axes); NaN outside."""
     def table_bytes(self) -> bytes:
         """The table of the map as the library of a Functional Mock-up Unit reads it."""
@@ -676,6 +681,7 @@ def keys() -> list[dict[str, Any]]:
 
 def rebuild_case(given: Mapping[str, Any], swaps: Sequence[str]) -> Case: ...
 def rebuild_study(case: Case, axes: Sequence[str], tolerance: float, order: int) -> Study: ...
+def rebuild_table(columns: Sequence[str], rows: str, axes: Sequence[tuple[list[str], int]]) -> Table: ...
 def bare_seconds(case: Case, near: Result, repeats: int, tolerance: float) -> list[tuple[float, float]]: ...
 def limit(
     case: _CaseLike = None,

@@ -1,6 +1,6 @@
 //! Belt maps.
 
-use crate::{case, convert, error, file, interrupt, result};
+use crate::{case, convert, error, file, interrupt, result, study};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -32,9 +32,7 @@ pub fn map(
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<BeltMap> {
     let case = case::read(py, case, keys)?;
-    if jobs == Some(0) {
-        return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
-    }
+    study::some_thread(jobs)?;
     // As the command does: points are solved a hundred times as accurately as the map is read. What is no accuracy, the
     // plan refuses.
     let solve = result::options(tolerance.unwrap_or((0.01 * accuracy).clamp(1e-12, 1e-1)), 4);
@@ -180,15 +178,23 @@ impl BeltMap {
         &self,
         py: Python<'py>,
         quantity: &str,
-        points: PyReadonlyArray2<'py, f64>,
+        points: &Bound<'py, PyAny>,
     ) -> PyResult<Interpolated<'py>> {
         let wanted = Quantity::from_name(quantity).filter(|quantity| self.0.quantities().contains(quantity));
         let wanted = wanted.ok_or_else(|| PyValueError::new_err(format!("the map does not tell `{quantity}`")))?;
-        let (points, axes) = (points.as_array(), self.0.axes().len());
-        if points.ncols() != axes {
-            let given = points.ncols();
+        let axes = self.0.axes().len();
+        let array = py.import("numpy")?.call_method1("asarray", (points, "float64"))?;
+        let shape: Vec<usize> = array.getattr("shape")?.extract()?;
+        let [_, given] = shape[..] else {
+            return Err(PyValueError::new_err(format!(
+                "points: expected an array of shape (m, {axes}), not {shape:?}"
+            )));
+        };
+        if given != axes {
             return Err(PyValueError::new_err(format!("{given} coordinates are given: the map has {axes} axes")));
         }
+        let points: PyReadonlyArray2<'py, f64> = array.extract()?;
+        let points = points.as_array();
         let (mut values, mut slopes) = (Vec::with_capacity(points.nrows()), Vec::with_capacity(points.len()));
         for point in points.outer_iter() {
             let at = self.0.at(&point.to_vec());

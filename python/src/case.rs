@@ -356,15 +356,19 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_instance_of::<PyBool>() || ["bool", "bool_"].contains(&kind.to_str()?) {
         return Err(wrong());
     }
-    if value.hasattr("to_base_units")? {
+    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
+    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
+    let quantity = value.hasattr("to_base_units")?;
+    let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
+    if quantity && is_array {
+        return Ok(format!("[{}]", value.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
+    }
+    if quantity {
         let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;
         return text.extract();
     }
-    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
-    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
     let listed = if is_array { value.call_method0("tolist")? } else { value.clone() };
     if listed.is_instance_of::<PyList>() || listed.is_instance_of::<PyTuple>() {
-        let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
         return Ok(format!("[{}]", listed.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     let number: f64 = value.extract().map_err(|_| wrong())?;

@@ -17,11 +17,7 @@ pub fn limit<'py>(
     tolerance: f64,
     keys: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    if !(0.0..1.0).contains(&least_speed_efficiency) {
-        return Err(PyValueError::new_err(format!(
-            "least_speed_efficiency = {least_speed_efficiency}: expected a number from 0 to below 1"
-        )));
-    }
+    let least_speed_efficiency = share(least_speed_efficiency)?;
     let case = case::resolved(py, &case::read(py, case, keys)?)?;
     let options = LimitOptions { solve: result::options(tolerance, 4)?, least_speed_efficiency };
     let edition = case.edition.name();
@@ -50,6 +46,18 @@ pub fn limit<'py>(
         })
     });
     convert::python(py, &json!({ "edition": edition, "largest_torque": one(&largest), "smallest_clamp": smallest }))
+}
+
+/// A least speed efficiency, checked.
+///
+/// # Errors
+/// `ValueError`.
+pub fn share(least_speed_efficiency: f64) -> PyResult<f64> {
+    if (0.0..1.0).contains(&least_speed_efficiency) {
+        return Ok(least_speed_efficiency);
+    }
+    let given = least_speed_efficiency;
+    Err(PyValueError::new_err(format!("least_speed_efficiency = {given}: expected a number from 0 to below 1")))
 }
 
 /// The clamp of best overall efficiency for the torque of a case, as a dictionary.

@@ -32,7 +32,7 @@ pub fn drive<'py>(
     vehicle_speed: Option<&Bound<'py, PyAny>>,
     direction: &str,
     tolerance: f64,
-    order: usize,
+    order: i64,
     keys: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, BeltSolution)> {
     let given = case::read_unswapped(py, "drive", case, keys)?;
@@ -77,7 +77,7 @@ pub fn drive<'py>(
 pub fn shift(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
-    points: usize,
+    points: i64,
     direction: &str,
     start: Option<&Bound<'_, PyAny>>,
     stop: Option<&Bound<'_, PyAny>>,
@@ -86,9 +86,10 @@ pub fn shift(
     progress: Option<&Bound<'_, PyAny>>,
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<ShiftBranches> {
-    if !(2..=2000).contains(&points) {
-        return Err(PyValueError::new_err(format!("points = {points}: expected a number from 2 to 2000")));
-    }
+    let points = usize::try_from(points)
+        .ok()
+        .filter(|number| (2..=2000).contains(number))
+        .ok_or_else(|| PyValueError::new_err(format!("points = {points}: expected a number from 2 to 2000")))?;
     let given = case::read_unswapped(py, "shift", case, keys)?;
     let case = given.resolve().map_err(|error| error::case(py, &error))?;
     let directions = match direction {

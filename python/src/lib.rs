@@ -49,7 +49,7 @@ mod _sheave {
     #[pymodule_export]
     use crate::study::{Study, rebuild_study};
     #[pymodule_export]
-    use crate::table::Table;
+    use crate::table::{Table, rebuild_table};
     #[pymodule_export]
     use crate::tune::{Ranked, tune};
     use pyo3::prelude::*;

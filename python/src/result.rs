@@ -33,7 +33,7 @@ pub fn solve(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
     tolerance: f64,
-    order: usize,
+    order: i64,
     sensitivities: bool,
     near: Option<&Bound<'_, Result>>,
     branch: Option<&str>,
@@ -117,7 +117,7 @@ pub fn bare_seconds(
 ///
 /// # Errors
 /// `ValueError`.
-pub fn options(tolerance: f64, order: usize) -> PyResult<SolveOptions> {
+pub fn options(tolerance: f64, order: i64) -> PyResult<SolveOptions> {
     if !(1e-12..=1e-1).contains(&tolerance) {
         return Err(PyValueError::new_err(format!(
             "tolerance = {tolerance}: expected a number from 1e-12 to 1e-1, such as 1e-6"
@@ -296,13 +296,13 @@ impl Result {
     /// Every state and derived field along the belt, at the nodes of the meshes and at `between` points between each
     /// two of them.
     #[pyo3(signature = (between=1))]
-    fn profile(&self, py: Python<'_>, between: usize) -> PyResult<Profile> {
+    fn profile(&self, py: Python<'_>, between: i64) -> PyResult<Profile> {
         /// Points between two nodes: a picture needs some ten.
         const MOST: usize = 1000;
-        if between > MOST {
-            return Err(PyValueError::new_err(format!("between = {between}: expected at most {MOST}")));
+        match usize::try_from(between) {
+            Ok(between) if between <= MOST => Profile::new(py, &self.outcome, between),
+            _ => Err(PyValueError::new_err(format!("between = {between}: expected a number from 0 to {MOST}"))),
         }
-        Profile::new(py, &self.outcome, between)
     }
 
     /// The figures of the result as data: name, caption, axes and series, in the units of the axes.

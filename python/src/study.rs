@@ -2,15 +2,16 @@
 
 use crate::interrupt;
 use crate::table::Table;
-use crate::{case, error, result};
+use crate::{case, design, error, result};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyString};
 use sheave::Cancel;
 use sheave::case::{Key, Setting, ValueKind};
+use sheave::design::{LimitOptions, limit_map, optimum_map};
 use sheave::drive::SolveOptions;
 use sheave::quantity::Dimension;
-use sheave::study::{self, Axis, Row, TableBuilder};
+use sheave::study::{self, Axis, Row, StudyError, TableBuilder};
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -37,7 +38,7 @@ impl Study {
         case: Option<&Bound<'_, PyAny>>,
         over: Option<&Bound<'_, PyAny>>,
         tolerance: f64,
-        order: usize,
+        order: i64,
         keys: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let (case, mut all) = case::read_study(py, case, keys)?;
@@ -104,6 +105,23 @@ impl Study {
         self.table(py, start..stop, jobs, progress)
     }
 
+    /// The limits at every point, as `sheave limit --over` has them: the largest torque, unless the load is what varies,
+    /// and the smallest clamps, unless the clamp is; the drive is followed to a speed efficiency of
+    /// `least_speed_efficiency`. A point without an answer has a row that says why.
+    #[pyo3(signature = (*, least_speed_efficiency=0.95, jobs=None))]
+    fn limits(&self, py: Python<'_>, least_speed_efficiency: f64, jobs: Option<usize>) -> PyResult<Table> {
+        let least_speed_efficiency = design::share(least_speed_efficiency)?;
+        let options = LimitOptions { solve: *self.study.options(), least_speed_efficiency };
+        self.answers(py, jobs, move |study| limit_map(study, jobs, &options))
+    }
+
+    /// The clamp of best overall efficiency at every point, as `sheave optimum --over` has it. A point without an answer
+    /// has a row that says why.
+    #[pyo3(signature = (*, jobs=None))]
+    fn optima(&self, py: Python<'_>, jobs: Option<usize>) -> PyResult<Table> {
+        self.answers(py, jobs, move |study| optimum_map(study, jobs, study.options()))
+    }
+
     fn __repr__(&self) -> String {
         let axes = self.axes();
         let axes: Vec<String> = axes.iter().map(|(keys, points)| format!("{} ({points})", keys.join(" & "))).collect();
@@ -117,6 +135,18 @@ impl Study {
         study.map(|study| Self { study: Arc::new(study), case }).map_err(|error| error::study(py, &error))
     }
 
+    fn answers(
+        &self,
+        py: Python<'_>,
+        jobs: Option<usize>,
+        find: impl FnOnce(&study::Study) -> Result<study::Table, StudyError> + Send + 'static,
+    ) -> PyResult<Table> {
+        some_thread(jobs)?;
+        let study = self.study.clone();
+        let table = interrupt::watched(py, &Cancel::new(), move || find(&study), |_| Ok(()))?;
+        Ok(Table::new(table.map_err(|error| error::study(py, &error))?, self.axes()))
+    }
+
     fn table(
         &self,
         py: Python<'_>,
@@ -124,9 +154,7 @@ impl Study {
         jobs: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Table> {
-        if jobs == Some(0) {
-            return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
-        }
+        some_thread(jobs)?;
         let study = self.study.clone();
         let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
         let (held, count) = (cancel.clone(), solved.clone());
@@ -153,6 +181,15 @@ impl Study {
     }
 }
 
+/// # Errors
+/// `ValueError` for no thread at all.
+pub fn some_thread(jobs: Option<usize>) -> PyResult<()> {
+    match jobs {
+        Some(0) => Err(PyValueError::new_err("jobs = 0: expected at least one thread")),
+        _ => Ok(()),
+    }
+}
+
 /// A study from what `Study.__reduce__` gives: for `pickle`.
 #[pyfunction]
 pub fn rebuild_study(
@@ -160,7 +197,7 @@ pub fn rebuild_study(
     case: &Bound<'_, case::Case>,
     axes: Vec<String>,
     tolerance: f64,
-    order: usize,
+    order: i64,
 ) -> PyResult<Study> {
     let axes = axes.iter().map(|text| Axis::parse(text).map_err(|error| error::study(py, &error)));
     let axes = axes.collect::<PyResult<_>>()?;
@@ -232,8 +269,9 @@ fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> Py
 
 /// Whether some of a sequence's items are truths, which would pass for numbers.
 fn has_truths(values: &Bound<'_, PyAny>) -> PyResult<bool> {
-    if values.hasattr("dtype")? {
-        return values.getattr("dtype")?.getattr("kind")?.eq("b");
+    // Of numpy and pandas; others say otherwise what they hold.
+    if let Ok(kind) = values.getattr("dtype").and_then(|kind| kind.getattr("kind")) {
+        return kind.eq("b");
     }
     for item in values.try_iter()? {
         if item?.is_instance_of::<PyBool>() {

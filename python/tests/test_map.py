@@ -64,6 +64,12 @@ def test_many_points_are_read_at_once_with_derivatives(belt_map: sheave.BeltMap)
     points = np.array([[1.0, 9.0], [1.1, 17.0], [2.0, 9.0]])
     values, slopes = belt_map.interpolate("primary.axial_force", points)
     assert np.isnan(values).tolist() == [False, False, True] and slopes.shape == (3, 2)
+    same, _ = belt_map.interpolate("primary.axial_force", [[1, 9], [1.1, 17]])
+    assert same.tolist() == values[:2].tolist()
+    refused: list[Any] = [[1.0, 9.0], [[1.0, 9.0, 3.0]], [["a", "b"]]]
+    for wrong in refused:
+        with pytest.raises(ValueError):
+            belt_map.interpolate("primary.axial_force", wrong)
     step = 1e-6
     for axis in range(2):
         moved = points[:2].copy()
