@@ -132,7 +132,7 @@ impl BeltMap {
     /// Writes the map; the ending of the name says in which form. The file appears whole.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let format = MapFormat::of(&path)
-            .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv or .parquet"))?;
+            .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv, .parquet or .nc"))?;
         file::write(py, &path, |to| format.write(&self.0, to))
     }
 

@@ -64,7 +64,7 @@ def test_many_points_are_read_at_once_with_derivatives(belt_map: sheave.BeltMap)
     points = np.array([[1.0, 9.0], [1.1, 17.0], [2.0, 9.0]])
     values, slopes = belt_map.interpolate("primary.axial_force", points)
     assert np.isnan(values).tolist() == [False, False, True] and slopes.shape == (3, 2)
-    same, _ = belt_map.interpolate("primary.axial_force", [[1, 9], [1.1, 17]])
+    same, _ = belt_map.interpolate("primary.axial_force", [[1.0, 9.0], [1.1, 17.0]])
     assert same.tolist() == values[:2].tolist()
     refused: list[Any] = [[1.0, 9.0], [[1.0, 9.0, 3.0]], [["a", "b"]]]
     for wrong in refused:
@@ -84,6 +84,12 @@ def test_a_map_is_read_as_it_was_written(belt_map: sheave.BeltMap, tmp_path: Pat
     assert again.at(1.07, 11.0) == pytest.approx(belt_map.at(1.07, 11.0), rel=1e-12)
     with pytest.raises(sheave.MapError):
         sheave.BeltMap.read(tmp_path / "nowhere.csv")
+    belt_map.write(tmp_path / "map.nc")
+    data = pytest.importorskip("xarray").open_dataset(tmp_path / "map.nc", engine="scipy")
+    assert any("axial_force" in str(name) for name in data.variables)
+    data.close()
+    with pytest.raises(ValueError, match=r"\.nc"):
+        belt_map.write(tmp_path / "map.txt")
 
 
 @pytest.fixture(scope="module")
