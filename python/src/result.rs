@@ -59,14 +59,14 @@ pub fn solve(
     let near = near.map(|near| near.get().outcome.clone());
     let work = move || {
         let solved = solved(&resolved, near.as_deref(), wanted, &options);
-        solved.map_err(|failure| (verdict(&resolved, &failure, &options), failure))
+        solved.map_err(|failure| match verdict(&resolved, &failure, &options) {
+            // The message of these says so already.
+            Verdict::Pushed | Verdict::Open => error::solve(&failure),
+            proof => error::unsolved(&proof),
+        })
     };
-    match interrupt::run(py, work)? {
-        Ok(outcome) => Ok(Result { outcome: Arc::new(outcome), wanted: wanted.unwrap_or_default() }),
-        // The message of these says so already.
-        Err((Verdict::Pushed | Verdict::Open, failure)) => Err(error::solve(&failure)),
-        Err((proof, _)) => Err(error::unsolved(&proof)),
-    }
+    let outcome = interrupt::run(py, work)??;
+    Ok(Result { outcome: Arc::new(outcome), wanted: wanted.unwrap_or_default() })
 }
 
 /// The case's solution: from one nearby if that leads to it, else from nothing.
