@@ -282,6 +282,12 @@ def test_what_is_said_of_calls_speaks_of_them() -> None:
     assert caught.value.hint and "`sheave.sweep(FILE)`" in caught.value.hint
 
 
+def test_summaries_speak_of_keys() -> None:
+    result = sheave.solve(slack_tension="60 N", primary_torque="80 N*m", tolerance=1e-3)
+    for page in (result.summary, result._repr_html_()):
+        assert 'slip_reserve="20%" solves for it' in page and "--reserve" not in page
+
+
 def test_cases_are_plain_values() -> None:
     case = sheave.Case(slack_tension="120 N", edition="thesis", primary_speed="30000 rpm")
     assert case.given["edition"] == "thesis"
