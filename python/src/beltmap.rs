@@ -215,6 +215,11 @@ impl BeltMap {
         Ok((values.to_pyarray(py), PyArray2::from_array(py, &shaped)))
     }
 
+    /// Refused: a file has every digit.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err("a map cannot be pickled: `write` it as .csv, and `BeltMap.read` it again"))
+    }
+
     /// Unit of each axis, as files state it, by key.
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -2,7 +2,7 @@
 
 use crate::profile::Profile;
 use crate::{case, convert, error, figure, interrupt};
-use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sheave::case::Clamp;
@@ -327,6 +327,11 @@ impl Result {
             Ok::<_, String>(error::in_page(&page))
         };
         py.detach(page).map_err(PyValueError::new_err)
+    }
+
+    /// Refused: a result holds the solution with all that the solver knows of it.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err("a result cannot be pickled: send its `to_dict()` or its `json`"))
     }
 
     fn _repr_html_(&self) -> PyResult<String> {

@@ -301,6 +301,12 @@ def test_cases_are_plain_values() -> None:
     assert table["drive.center_distance"]["default"] == pytest.approx(0.214)
 
 
+def test_what_cannot_be_pickled_says_what_can(base: sheave.Result) -> None:
+    with pytest.raises(TypeError, match="to_dict"):
+        pickle.dumps(base)
+    assert pickle.loads(pickle.dumps(base.to_dict())) == base.to_dict()
+
+
 def test_cases_are_equal_by_what_they_give(root: Path) -> None:
     case = sheave.Case(ratio=1.2, slack_tension="120 N")
     assert pickle.loads(pickle.dumps(case)) == case == sheave.Case(slack_tension=120.0, ratio=1.2)
