@@ -1,5 +1,8 @@
 """Whole drives: equilibria, shift curves, the search for a tune."""
 
+import os
+import signal
+import time
 from pathlib import Path
 from typing import Any
 
@@ -187,6 +190,29 @@ def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, gx9: sh
     assert not none.tunes and "slip reserve" in none._repr_html_()
     with pytest.raises(sheave.DesignError, match="slip reserve"):
         _ = none.best
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_ctrl_c_ends_a_search_of_many_combinations(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
+    parts = {
+        "mass": {"primary.actuator.mass": np.linspace(0.1, 0.2, 30).tolist()},
+        "helix": {"secondary.actuator.helix_angle": [f"{angle} deg" for angle in np.linspace(25, 40, 30)]},
+        "pretension": {"secondary.spring.pretension": [f"{angle} deg" for angle in np.linspace(45, 75, 30)]},
+    }
+    sent: list[float] = []
+
+    def interrupt(_: int) -> None:
+        if not sent:
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            sheave.tune(gx9, parts=parts, map=tuning.map, target="3200 rpm", points=5, best=0, progress=interrupt)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert time.monotonic() - sent[0] < 5
 
 
 def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
