@@ -86,7 +86,7 @@ def sweep(
     case: CaseLike = None,
     /,
     *,
-    over: Any,
+    over: Any = None,
     jobs: Optional[int] = None,
     tolerance: float = 1e-6,
     order: int = 4,
@@ -100,9 +100,11 @@ def sweep(
         sweep(over={"drive.ratio": numpy.linspace(0.8, 1.6, 9), "slack_tension": ["100 N", "150 N"]})
         sweep(over=["drive.ratio=0.8..1.6:9", "operating_point.slack_tension=100,150 N"])
 
-    Numbers are in SI units. ``jobs`` is the number of threads, all cores without it. ``progress`` is True or False for
-    a bar of tqdm, or a function that is called with the number of points solved; without it there is a bar in
-    notebooks. Rows depend on the grid alone, not on ``jobs``. All other arguments are keys of the case.
+    Numbers are in SI units, whatever units others beside them have. The case may be a study file, which says itself
+    what varies: ``over`` then takes the place of what it says of the same keys, or may be left out. ``jobs`` is the
+    number of threads, all cores without it. ``progress`` is True or False for a bar of tqdm, or a function that is
+    called with the number of points solved; without it there is a bar in notebooks. Rows depend on the grid alone, not
+    on ``jobs``. All other arguments are keys of the case.
 
     Raises ``CaseError``, ``StudyError``; a point without a solution has a row whose ``failure`` says why.
     """
@@ -161,10 +163,12 @@ class Limit:
     """The drive there."""
     reason: Optional[str] = None
     """Why the solution was lost, where it was."""
+    belt_temperature: Optional[float] = None
+    """Temperature of the belt, K; None where the case does not say what cools it."""
 
     @classmethod
     def _of(cls, fields: Mapping[str, Any]) -> Limit:
-        return cls(fields["value"], fields["kind"], DriveState(**fields["state"]), fields["reason"])
+        return cls(**{**fields, "state": DriveState(**fields["state"])})
 
 
 @dataclass(frozen=True)
@@ -224,6 +228,10 @@ class BestClamp:
     """Derivative of the overall efficiency with respect to the slack tension there, 1/N."""
     evaluations: int
     """Solutions that it took."""
+    efficiency_with_losses: Optional[float] = None
+    """Efficiency with hysteresis, drag and gears, which is then what is best; None where friction alone counts."""
+    belt_temperature: Optional[float] = None
+    """Temperature of the belt, K; None where the case does not say what cools it."""
 
 
 def optimum(case: CaseLike = None, /, *, tolerance: float = 1e-6, **keys: Any) -> BestClamp:
@@ -239,9 +247,9 @@ def map(
     case: CaseLike = None,
     /,
     *,
-    over: Union[Mapping[str, Any], Sequence[str]],
+    over: Union[Mapping[str, Any], Sequence[str], str],
     accuracy: float = 1e-3,
-    tolerance: float = 1e-5,
+    tolerance: Optional[float] = None,
     max_points: int = 20_000,
     least_speed_efficiency: float = 0.9,
     jobs: Optional[int] = None,
@@ -254,17 +262,18 @@ def map(
 
         map(over={"ratio": "0.7..3.2", "torque": "0..30 N*m", "clamp": [500, 1000, 2000]})
 
-    The keys may be shortened to their last part; ``ratio``, ``torque``, ``speed`` and ``clamp`` (the axial force on the
-    secondary) are usual. Breakpoints are added until the error at points that took no part is within ``accuracy``.
+    Breakpoints are numbers in SI units, texts with units, or quantities of pint. The keys may be shortened to their
+    last part; ``ratio``, ``torque``, ``speed`` and ``clamp`` (the axial force on the secondary) are usual. Breakpoints
+    are added until the error at points that took no part is within ``accuracy``; points are solved to ``tolerance``, a
+    hundredth of the accuracy without it.
 
     Raises ``CaseError``, ``MapError``, ``StudyError``.
     """
-    texts = [f"{key}={_places(values)}" for key, values in over.items()] if isinstance(over, Mapping) else list(over)
     # How many points it takes is known at the end only.
     with progress_bar(progress, max_points) as tell:
         return _sheave.map(
             case,
-            over=texts,
+            over=over,
             accuracy=accuracy,
             tolerance=tolerance,
             max_points=max_points,
@@ -273,13 +282,6 @@ def map(
             progress=tell,
             **keys,
         )
-
-
-def _places(values: Any) -> str:
-    """A range, or breakpoints, as text."""
-    if isinstance(values, str):
-        return values
-    return ",".join(value if isinstance(value, str) else repr(float(value)) for value in values)
 
 
 @dataclass(frozen=True)

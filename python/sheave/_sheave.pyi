@@ -118,6 +118,19 @@ class Efficiency:
         """All fields by name."""
 
 @final
+class OtherSolution:
+    """The other of two operating points of a prescribed axial force."""
+
+    @property
+    def slack_tension(self) -> float:
+        """Tractive tension at the exit of the primary, N."""
+    @property
+    def friction_utilization(self) -> float:
+        """Share of the friction at hand that is used."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields by name."""
+
+@final
 class BeltResult:
     """The belt as a whole."""
 
@@ -163,8 +176,41 @@ class Energy:
         """All fields by name."""
 
 @final
+class Hysteresis:
+    """Power that hysteresis takes in one region, W."""
+
+    @property
+    def bending(self) -> float:
+        """Of bending the belt."""
+    @property
+    def groove(self) -> float:
+        """Of squeezing it in the groove."""
+    @property
+    def cord(self) -> float:
+        """Of stretching its cord."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields by name."""
+
+@final
+class Harmonics:
+    """How many harmonics were summed."""
+
+    @property
+    def bending(self) -> int:
+        """Of the curvature."""
+    @property
+    def groove(self) -> int:
+        """Of the penetration."""
+    @property
+    def cord(self) -> int:
+        """Of the strain."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields by name."""
+
+@final
 class Losses:
-    """Power lost besides friction, W."""
+    """Power lost besides friction, W. What hysteresis takes in a region may be negative, where the belt gives back more
+    than it takes."""
 
     @property
     def bending(self) -> float:
@@ -184,6 +230,30 @@ class Losses:
     @property
     def total(self) -> float:
         """All of these."""
+    @property
+    def primary(self) -> Hysteresis:
+        """Hysteresis in the primary's contact."""
+    @property
+    def slack_span(self) -> Hysteresis:
+        """Hysteresis in the span from the primary to the secondary."""
+    @property
+    def secondary(self) -> Hysteresis:
+        """Hysteresis in the secondary's contact."""
+    @property
+    def tight_span(self) -> Hysteresis:
+        """Hysteresis in the span from the secondary to the primary."""
+    @property
+    def primary_drag(self) -> float:
+        """Power that drags at the primary."""
+    @property
+    def secondary_drag(self) -> float:
+        """Power that drags at the secondary."""
+    @property
+    def power_out(self) -> float:
+        """Power that arrives."""
+    @property
+    def harmonics(self) -> Harmonics:
+        """How many harmonics were summed."""
     def to_dict(self) -> dict[str, Any]:
         """All fields by name."""
 
@@ -201,11 +271,33 @@ class Heat:
     def secondary(self) -> float:
         """Friction's heat that goes into the sheaves of the secondary, W."""
     @property
+    def hotter(self) -> str:
+        """The pulley whose sheaves take more heat: "primary" or "secondary"."""
+    @property
     def bending_stiffness(self) -> float:
         """Bending stiffness at the temperature, N·m²."""
     @property
     def radial_stiffness(self) -> float:
         """Radial stiffness at the temperature, N/m²."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields by name."""
+
+@final
+class MeshIntervals:
+    """Intervals of the meshes by region."""
+
+    @property
+    def primary(self) -> int:
+        """Contact with the primary."""
+    @property
+    def secondary(self) -> int:
+        """Contact with the secondary."""
+    @property
+    def tight_span(self) -> int:
+        """Span from the secondary to the primary."""
+    @property
+    def slack_span(self) -> int:
+        """Span from the primary to the secondary."""
     def to_dict(self) -> dict[str, Any]:
         """All fields by name."""
 
@@ -219,6 +311,9 @@ class SolverReport:
     @property
     def tolerance(self) -> float:
         """Relative tolerance on the defect."""
+    @property
+    def mesh_intervals(self) -> MeshIntervals:
+        """Intervals of the final meshes."""
     @property
     def max_residual(self) -> float:
         """Largest relative defect on the final meshes."""
@@ -357,6 +452,12 @@ class Result:
     def inputs(self) -> dict[str, Any]:
         """The case, resolved to SI units, with what was found."""
     @property
+    def other_solution(self) -> Optional[OtherSolution]:
+        """The other operating point of an axial force that belongs to two; None where only one was found."""
+    @property
+    def uncertainty(self) -> Optional[dict[str, float]]:
+        """Estimated errors of the outputs, SI, without sign, by output; None where the equations are singular."""
+    @property
     def sensitivities(self) -> Optional[dict[str, dict[str, float]]]:
         """Derivatives of the outputs with respect to everything given, SI over SI: by output, then by key."""
     def sensitivity(self, output: str, key: str) -> float:
@@ -420,7 +521,7 @@ class Study:
     """A study that is not yet solved: a case, what varies in it, and how accurately it is solved."""
 
     def __new__(
-        cls, case: _CaseLike = None, /, *, over: Any, tolerance: float = 1e-6, order: int = 4, **keys: Any
+        cls, case: _CaseLike = None, /, *, over: Any = None, tolerance: float = 1e-6, order: int = 4, **keys: Any
     ) -> Study: ...
     def __len__(self) -> int: ...
     @property
@@ -440,6 +541,11 @@ class Study:
         progress: Optional[Callable[[int], Any]] = None,
     ) -> Table:
         """Solves all points, or those from ``start`` to below ``stop``."""
+    def limits(self, *, least_speed_efficiency: float = 0.95, jobs: Optional[int] = None) -> Table:
+        """The limits at every point: the largest torque, unless the load is what varies, and the smallest clamps,
+        unless the clamp is."""
+    def optima(self, *, jobs: Optional[int] = None) -> Table:
+        """The clamp of best overall efficiency at every point."""
 
 @final
 class BeltMap:
@@ -470,7 +576,7 @@ class BeltMap:
         """The case in the middle of the map, resolved to SI units."""
     def at(self, *coordinates: float, **by_key: float) -> dict[str, float]:
         """Everything at one point: its coordinates in the order of ``keys``, or by key. Raises MapError outside."""
-    def interpolate(self, quantity: str, points: _Array) -> tuple[_Array, _Array]:
+    def interpolate(self, quantity: str, points: ArrayLike) -> tuple[_Array, _Array]:
         """A quantity at many points of shape (m, axes): values (m,) and derivatives (m, axes); NaN outside."""
     def table_bytes(self) -> bytes:
         """The table of the map as the library of a Functional Mock-up Unit reads it."""
@@ -551,6 +657,8 @@ def solve(
     order: int = 4,
     sensitivities: bool = False,
     near: Optional[Result] = None,
+    branch: Optional[str] = None,
+    work_limit: int = ...,
     **keys: Any,
 ) -> Result:
     """Solves a case.
@@ -558,7 +666,12 @@ def solve(
     ``case`` is a path, the text of a case file, a dictionary of keys or a Case; without it, the base case is solved.
     ``tolerance`` bounds the relative defect (1e-12 to 0.1), ``order`` is that of the collocation (4, 6 or 8). With
     ``sensitivities``, the result has the derivatives of all outputs with respect to everything given. ``near`` is a
-    result of a similar case from which the search starts. All other arguments are keys of the case.
+    result of a similar case from which the search starts; if that does not lead to a solution, it starts from nothing.
+    Where an axial force is given that belongs to two operating points, ``branch`` says which is meant: that of the
+    tighter belt ("tight", as without a word) or of the looser ("loose"); ``other_solution`` has what is known of the
+    other. From a result nearby, the other is looked for only where ``branch`` is given. ``work_limit`` is the work that
+    the search may take, in Newton iterations, each counted once for every interval of the mesh. All other arguments are
+    keys of the case.
 
     Raises CaseError, SolveError.
     """
@@ -568,6 +681,7 @@ def keys() -> list[dict[str, Any]]:
 
 def rebuild_case(given: Mapping[str, Any], swaps: Sequence[str]) -> Case: ...
 def rebuild_study(case: Case, axes: Sequence[str], tolerance: float, order: int) -> Study: ...
+def rebuild_table(columns: Sequence[str], rows: str, axes: Sequence[tuple[list[str], int]]) -> Table: ...
 def bare_seconds(case: Case, near: Result, repeats: int, tolerance: float) -> list[tuple[float, float]]: ...
 def limit(
     case: _CaseLike = None,
@@ -582,9 +696,9 @@ def map(
     case: _CaseLike = None,
     /,
     *,
-    over: Sequence[str],
+    over: Any,
     accuracy: float = 1e-3,
-    tolerance: float = 1e-5,
+    tolerance: Optional[float] = None,
     max_points: int = 20_000,
     least_speed_efficiency: float = 0.9,
     jobs: Optional[int] = None,

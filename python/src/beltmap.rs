@@ -1,13 +1,14 @@
 //! Belt maps.
 
-use crate::{case, convert, error, file, interrupt, result};
+use crate::{case, convert, error, file, interrupt, result, study};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyString};
 use sheave::Cancel;
 use sheave::beltmap::{self, Keep, MapAxis, MapError, MapFormat, MapOptions, MapPlan, Progress, Quantity};
+use sheave::drive::SolveOptions;
 use sheave::study::Row;
 use std::io;
 use std::path::PathBuf;
@@ -16,14 +17,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Makes a map: see `sheave.map`.
 #[pyfunction]
-#[pyo3(signature = (case=None, /, *, over, accuracy=1e-3, tolerance=1e-5, max_points=20_000, least_speed_efficiency=0.9,
-    jobs=None, progress=None, **keys))]
+#[pyo3(signature = (case=None, /, *, over, accuracy=1e-3, tolerance=None, max_points=20_000,
+    least_speed_efficiency=0.9, jobs=None, progress=None, **keys))]
 pub fn map(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
-    over: Vec<String>,
+    over: &Bound<'_, PyAny>,
     accuracy: f64,
-    tolerance: f64,
+    tolerance: Option<f64>,
     max_points: usize,
     least_speed_efficiency: f64,
     jobs: Option<usize>,
@@ -31,10 +32,13 @@ pub fn map(
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<BeltMap> {
     let case = case::read(py, case, keys)?;
-    let solve = result::options(tolerance, 4)?;
+    study::some_thread(jobs)?;
+    // As the command does: points are solved a hundred times as accurately as the map is read. What is no accuracy, the
+    // plan refuses.
+    let solve = result::options(tolerance.unwrap_or((0.01 * accuracy).clamp(1e-12, 1e-1)), 4);
+    let solve = if accuracy.is_nan() { SolveOptions::default() } else { solve? };
     let options = MapOptions { accuracy, solve, max_points, least_speed_efficiency, jobs };
-    let axes: Result<Vec<_>, _> = over.iter().map(|text| MapAxis::parse(text)).collect();
-    let plan = axes.and_then(|axes| MapPlan::new(case, axes, options)).map_err(|error| refused(py, &error))?;
+    let plan = MapPlan::new(case, axes(py, over)?, options).map_err(|error| refused(py, &error))?;
     let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
     let kept = Counting::new(cancel.clone(), solved.clone());
     let tell = |_: Python<'_>| match progress {
@@ -43,6 +47,33 @@ pub fn map(
     };
     let map = interrupt::watched(py, &cancel, move || plan.build(&kept), tell)?;
     map.map(|map| BeltMap(Arc::new(map))).map_err(|error| refused(py, &error))
+}
+
+/// What a map is over, from a dictionary of keys and their ranges or breakpoints, a text or several.
+fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
+    let parsed = |text: &str| MapAxis::parse(text).map_err(|error| refused(py, &error));
+    if let Ok(text) = over.cast::<PyString>() {
+        return Ok(vec![parsed(text.to_str()?)?]);
+    }
+    let Some(named) = case::dictionary(over)? else {
+        let texts: Vec<String> = over.extract().map_err(|_| {
+            let kind = over.get_type();
+            PyTypeError::new_err(format!("over: expected a dictionary of keys and their ranges, or texts, not {kind}"))
+        })?;
+        return texts.iter().map(|text| parsed(text)).collect();
+    };
+    let axis = |(key, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name: String = key.extract().map_err(|_| PyTypeError::new_err("over: keys are texts"))?;
+        // As in keyword arguments.
+        let path = if name.contains('.') { name.clone() } else { name.replace("__", ".") };
+        if let Ok(text) = values.cast::<PyString>() {
+            return parsed(&format!("{path}={}", text.to_str()?));
+        }
+        // What is no key of a map, the text is refused for.
+        let Some(key) = MapAxis::key_named(&path) else { return parsed(&format!("{path}=0..1")) };
+        MapAxis::new(key, case::values(py, &name, key, &values)?).map_err(|error| refused(py, &error))
+    };
+    named.iter().map(axis).collect()
 }
 
 /// Values and derivatives.
@@ -101,7 +132,7 @@ impl BeltMap {
     /// Writes the map; the ending of the name says in which form. The file appears whole.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let format = MapFormat::of(&path)
-            .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv or .parquet"))?;
+            .ok_or_else(|| PyValueError::new_err("expected a file name that ends in .csv, .parquet or .nc"))?;
         file::write(py, &path, |to| format.write(&self.0, to))
     }
 
@@ -147,15 +178,23 @@ impl BeltMap {
         &self,
         py: Python<'py>,
         quantity: &str,
-        points: PyReadonlyArray2<'py, f64>,
+        points: &Bound<'py, PyAny>,
     ) -> PyResult<Interpolated<'py>> {
         let wanted = Quantity::from_name(quantity).filter(|quantity| self.0.quantities().contains(quantity));
         let wanted = wanted.ok_or_else(|| PyValueError::new_err(format!("the map does not tell `{quantity}`")))?;
-        let (points, axes) = (points.as_array(), self.0.axes().len());
-        if points.ncols() != axes {
-            let given = points.ncols();
+        let axes = self.0.axes().len();
+        let array = py.import("numpy")?.call_method1("asarray", (points, "float64"))?;
+        let shape: Vec<usize> = array.getattr("shape")?.extract()?;
+        let [_, given] = shape[..] else {
+            return Err(PyValueError::new_err(format!(
+                "points: expected an array of shape (m, {axes}), not {shape:?}"
+            )));
+        };
+        if given != axes {
             return Err(PyValueError::new_err(format!("{given} coordinates are given: the map has {axes} axes")));
         }
+        let points: PyReadonlyArray2<'py, f64> = array.extract()?;
+        let points = points.as_array();
         let (mut values, mut slopes) = (Vec::with_capacity(points.nrows()), Vec::with_capacity(points.len()));
         for point in points.outer_iter() {
             let at = self.0.at(&point.to_vec());
@@ -174,6 +213,11 @@ impl BeltMap {
         let shaped = ArrayView2::from_shape((values.len(), axes), &slopes);
         let shaped = shaped.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok((values.to_pyarray(py), PyArray2::from_array(py, &shaped)))
+    }
+
+    /// Refused: a file has every digit.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err("a map cannot be pickled: `write` it as .csv, and `BeltMap.read` it again"))
     }
 
     /// Unit of each axis, as files state it, by key.

@@ -114,7 +114,9 @@ pub fn dyno<'py>(
             ..logs::Options::default()
         };
         let mut reduced = logs::reduce(&paths, &options, None, |_| ())?;
-        warnings.append(&mut reduced.warnings);
+        warnings.extend(reduced.warnings.iter().map(|warning| error::for_python(warning)));
+        let files = reduced.records.iter_mut().flat_map(|record| &mut record.files);
+        files.filter_map(|file| file.problem.as_mut()).for_each(|problem| *problem = error::for_python(problem));
         Ok((reduced, warnings))
     };
     let (reduced, warnings) =

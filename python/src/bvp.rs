@@ -5,6 +5,7 @@ use numpy::ndarray::{ArrayView2, ArrayView3};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, ToPyArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
 use sheave::Cancel;
 use sheave::solver::problem::Constant;
 use sheave::solver::{Accuracy, Guess, Layout, Options, Order, Points, Problem, Region, RegionGuess, Scope, Solution};
@@ -171,9 +172,16 @@ impl<'py> Callables<'py> {
             return write(&jacobian.call1((x, y))?, "jacobian", n, dy);
         }
         let both = jacobian.call1((x, y, p.to_pyarray(self.py)))?;
-        let (by_states, by_parameters): (Bound<'py, PyAny>, Bound<'py, PyAny>) = both.extract()?;
-        write(&by_states, "jacobian[0]", n, dy)?;
-        write(&by_parameters, "jacobian[1]", k, dc)
+        // A pair may be a list; an array of two matrices is none.
+        let pair = both.is_instance_of::<PyTuple>() || both.is_instance_of::<PyList>();
+        let parts: Vec<Bound<'py, PyAny>> = if pair { both.extract()? } else { Vec::new() };
+        let [by_states, by_parameters] = &parts[..] else {
+            return Err(PyTypeError::new_err(
+                "jacobian: with parameters, expected a pair of df/dy, of shape (n, n, m), and df/dp, of shape (n, k, m)",
+            ));
+        };
+        write(by_states, "jacobian[0]", n, dy)?;
+        write(by_parameters, "jacobian[1]", k, dc)
     }
 
     fn boundary_derivatives(&self, ends: &[f64], p: &[f64], g: &[f64], dz: &mut [f64]) -> PyResult<()> {

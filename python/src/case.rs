@@ -3,9 +3,10 @@
 use crate::{convert, error};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyList, PyMapping, PyString, PyTuple};
 use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
-use std::path::PathBuf;
+use sheave::study::{Axis, StudyFile};
+use std::path::{Path, PathBuf};
 
 /// How messages name what a call gives by itself.
 const ARGUMENT: &str = "argument";
@@ -35,12 +36,19 @@ impl Case {
     fn with_keys(
         &self,
         py: Python<'_>,
-        keys: Option<&Bound<'_, PyDict>>,
+        keys: Option<&Bound<'_, PyAny>>,
         more: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let mut case = self.0.clone();
-        for keys in [keys, more].into_iter().flatten() {
-            set(py, &mut case, &settings(keys)?)?;
+        if let Some(keys) = keys {
+            let dict = dictionary(keys)?.ok_or_else(|| {
+                let kind = keys.get_type();
+                PyTypeError::new_err(format!("with_: expected a dictionary of keys, or keys by name, not {kind}"))
+            })?;
+            set(py, &mut case, &settings(&dict)?)?;
+        }
+        if let Some(more) = more {
+            set(py, &mut case, &settings(more)?)?;
         }
         Ok(Self(case))
     }
@@ -169,28 +177,85 @@ pub fn read(py: Python<'_>, case: Option<&Bound<'_, PyAny>>, keys: Option<&Bound
 }
 
 fn one(py: Python<'_>, given: &Bound<'_, PyAny>) -> PyResult<case::Case> {
-    if let Ok(case) = given.cast::<Case>() {
-        return Ok(case.get().0.clone());
-    }
-    if let Ok(keys) = given.cast::<PyDict>() {
-        let mut case = case::Case::base();
-        set(py, &mut case, &settings(keys)?)?;
-        return Ok(case);
-    }
-    let read = match given.cast::<PyString>() {
-        // A text with a line's end or an assignment is a case file, not the name of one.
-        Ok(text) if text.to_str()?.contains(['\n', '=']) => case::Case::from_toml(TEXT, text.to_str()?),
-        _ => {
-            let path: PathBuf = given.extract().map_err(|_| {
-                let kind = given.get_type();
-                PyTypeError::new_err(format!(
-                    "a case is a path, the text of a case file, a dictionary of keys or a Case, not {kind}"
-                ))
-            })?;
-            case::Case::read(&path)
-        }
+    let read = match written(py, given)? {
+        Written::Made(case) => return Ok(case),
+        Written::Content(text) => case::Case::from_toml(TEXT, &text),
+        Written::Path(path) => case::Case::read(&path),
     };
     read.map_err(|error| error::case(py, &error))
+}
+
+/// As [`read`], of what may also be a study file: with what that varies.
+///
+/// # Errors
+/// As [`read`], and `StudyError`.
+pub fn read_study(
+    py: Python<'_>,
+    case: Option<&Bound<'_, PyAny>>,
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<(case::Case, Vec<Axis>)> {
+    let read = match case.map(|given| written(py, given)).transpose()? {
+        None => Ok(StudyFile { case: case::Case::base(), axes: Vec::new() }),
+        Some(Written::Made(case)) => Ok(StudyFile { case, axes: Vec::new() }),
+        Some(Written::Content(text)) => StudyFile::from_toml(TEXT, &text),
+        Some(Written::Path(path)) => StudyFile::read(&path),
+    };
+    let StudyFile { mut case, axes } = read.map_err(|error| error::study(py, &error))?;
+    if let Some(keys) = keys {
+        set(py, &mut case, &settings(keys)?)?;
+    }
+    Ok((case, axes))
+}
+
+/// What a call is about, as far as it is read.
+enum Written {
+    /// A case.
+    Made(case::Case),
+    /// The text of a file.
+    Content(String),
+    /// The name of one.
+    Path(PathBuf),
+}
+
+fn written(py: Python<'_>, given: &Bound<'_, PyAny>) -> PyResult<Written> {
+    if let Ok(case) = given.cast::<Case>() {
+        return Ok(Written::Made(case.get().0.clone()));
+    }
+    if let Some(keys) = dictionary(given)? {
+        let mut case = case::Case::base();
+        set(py, &mut case, &settings(&keys)?)?;
+        return Ok(Written::Made(case));
+    }
+    match given.cast::<PyString>() {
+        Ok(text) if is_content(text.to_str()?) => Ok(Written::Content(text.to_str()?.to_owned())),
+        _ => given.extract().map(Written::Path).map_err(|_| {
+            let kind = given.get_type();
+            PyTypeError::new_err(format!(
+                "a case is a path, the text of a case file, a dictionary of keys or a Case, not {kind}"
+            ))
+        }),
+    }
+}
+
+/// A mapping of any type as a dictionary; none for what is no mapping.
+///
+/// # Errors
+/// What the mapping raises.
+pub fn dictionary<'py>(given: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyDict>>> {
+    if let Ok(dict) = given.cast::<PyDict>() {
+        return Ok(Some(dict.clone()));
+    }
+    let Ok(mapping) = given.cast::<PyMapping>() else { return Ok(None) };
+    let dict = PyDict::new(given.py());
+    dict.update(mapping)?;
+    Ok(Some(dict))
+}
+
+/// Whether a text is the content of a case file, not the name of one: it has a line's end, or an assignment in its only
+/// line. Names may have "=" in them, too: those of files that are there, and whatever ends in .toml, as no assignment
+/// does.
+pub fn is_content(text: &str) -> bool {
+    text.contains('\n') || text.contains('=') && !text.ends_with(".toml") && !Path::new(text).is_file()
 }
 
 /// A key's name, and its value as a case file has it.
@@ -209,10 +274,14 @@ pub fn settings(keys: &Bound<'_, PyDict>) -> PyResult<Settings> {
 /// Those of one section, whose name with its dot is `prefix`.
 fn add(settings: &mut Settings, prefix: &str, keys: &Bound<'_, PyDict>) -> PyResult<()> {
     for (name, value) in keys {
-        let name = format!("{prefix}{}", name.extract::<String>()?);
-        match value.cast::<PyDict>() {
+        let kind = name.get_type();
+        let name: String = name.extract().map_err(|_| {
+            PyTypeError::new_err(format!("a key is a text, such as \"slack_tension\", not {name} ({kind})"))
+        })?;
+        let name = format!("{prefix}{name}");
+        match dictionary(&value)? {
             // A table of values, over temperature or frequency.
-            Ok(table) if path_of(&name).is_ok_and(|path| Key::from_path(&path).is_some()) => {
+            Some(table) if path_of(&name).is_ok_and(|path| Key::from_path(&path).is_some()) => {
                 let entry = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
                     let key: String = key.extract()?;
                     Ok(format!("{key} = {}", in_toml(text_of(&name, &value)?)))
@@ -220,9 +289,9 @@ fn add(settings: &mut Settings, prefix: &str, keys: &Bound<'_, PyDict>) -> PyRes
                 let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
                 settings.push((name, format!("{{ {} }}", entries.join(", "))));
             }
-            Ok(section) => add(settings, &format!("{name}."), section)?,
-            Err(_) if value.is_none() => {}
-            Err(_) => {
+            Some(section) => add(settings, &format!("{name}."), &section)?,
+            None if value.is_none() => {}
+            None => {
                 let text = text_of(&name, &value)?;
                 settings.push((name, text));
             }
@@ -287,15 +356,19 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_instance_of::<PyBool>() || ["bool", "bool_"].contains(&kind.to_str()?) {
         return Err(wrong());
     }
-    if value.hasattr("to_base_units")? {
+    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
+    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
+    let quantity = value.hasattr("to_base_units")?;
+    let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
+    if quantity && is_array {
+        return Ok(format!("[{}]", value.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
+    }
+    if quantity {
         let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;
         return text.extract();
     }
-    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
-    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
     let listed = if is_array { value.call_method0("tolist")? } else { value.clone() };
     if listed.is_instance_of::<PyList>() || listed.is_instance_of::<PyTuple>() {
-        let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
         return Ok(format!("[{}]", listed.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
     }
     let number: f64 = value.extract().map_err(|_| wrong())?;
@@ -305,6 +378,69 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
 /// A value's text within an array or a table: in quotes, unless it is a number or an array.
 fn in_toml(text: String) -> String {
     if text.starts_with('[') || text.parse::<f64>().is_ok() { text } else { format!("{text:?}") }
+}
+
+/// The case of a call that prescribes no output of the belt, in whose place a constant would be found.
+///
+/// # Errors
+/// As [`read`]; `CaseError` for a case with an exchange.
+pub fn read_unswapped(
+    py: Python<'_>,
+    function: &str,
+    case: Option<&Bound<'_, PyAny>>,
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<case::Case> {
+    let case = read(py, case, keys)?;
+    if let Some(swap) = case.swaps().next() {
+        return Err(error::case_message(
+            &format!(
+                "swap \"{swap}\": `sheave.{function}` prescribes no output of the belt; expected a case without swap, \
+                 or solve, sweep, limit or optimum"
+            ),
+            None,
+        ));
+    }
+    Ok(case)
+}
+
+/// Values of a key in SI units, each given by itself: a number, a text with a unit, or a quantity of pint.
+///
+/// # Errors
+/// `StudyError`, `CaseError`; `TypeError` for a value that is none.
+pub fn values(py: Python<'_>, name: &str, key: Key, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    // Of each by itself: in one text, a number without a unit has that of the last.
+    let value = |item: PyResult<Bound<'_, PyAny>>| {
+        let item = item?;
+        let text = text_of(name, &item)?;
+        if let Ok(number) = text.parse::<f64>()
+            && !item.is_instance_of::<PyString>()
+        {
+            return Ok(number);
+        }
+        if text.contains([',', '&']) || text.contains("..") {
+            return Err(PyValueError::new_err(format!("over: `{name}` = {text}: expected one value an item")));
+        }
+        let axis = Axis::parse(&format!("{}={text}", key.path())).map_err(|error| error::study(py, &error))?;
+        let first = axis.at(0).find_map(|(_, setting)| match setting {
+            case::Setting::Number(number) => Some(number),
+            _ => None,
+        });
+        first.ok_or_else(|| PyValueError::new_err(format!("over: `{name}` = {text}: expected a quantity")))
+    };
+    let none = || {
+        let kind = given.get_type();
+        PyTypeError::new_err(format!(
+            "over: `{name}`: expected a range or values as text, or several values, not {kind}"
+        ))
+    };
+    if dictionary(given)?.is_some() {
+        return Err(none());
+    }
+    let values = given.try_iter().map_err(|_| none())?.map(value).collect::<PyResult<Vec<_>>>()?;
+    if values.is_empty() {
+        return Err(PyValueError::new_err(format!("over: `{name}` has no values")));
+    }
+    Ok(values)
 }
 
 /// The case resolved, and fit for the solver.

@@ -17,11 +17,7 @@ pub fn limit<'py>(
     tolerance: f64,
     keys: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    if !(0.0..1.0).contains(&least_speed_efficiency) {
-        return Err(PyValueError::new_err(format!(
-            "least_speed_efficiency = {least_speed_efficiency}: expected a number from 0 to below 1"
-        )));
-    }
+    let least_speed_efficiency = share(least_speed_efficiency)?;
     let case = case::resolved(py, &case::read(py, case, keys)?)?;
     let options = LimitOptions { solve: result::options(tolerance, 4)?, least_speed_efficiency };
     let edition = case.edition.name();
@@ -34,10 +30,13 @@ pub fn limit<'py>(
             Err(error) => Err(error),
         }
     };
-    let (largest, smallest) = interrupt::run(py, work)?.map_err(|error| error::design(py, &error))?;
+    let (largest, smallest) = interrupt::run(py, work)?.map_err(|error| error::design(&error))?;
     let one = |limit: &Limit| {
         let reason = if let LimitKind::Lost(reason) = &limit.kind { Some(reason.as_str()) } else { None };
-        json!({ "value": limit.value, "kind": limit.kind.name(), "reason": reason, "state": limit.state })
+        let (kind, temperature) = (limit.kind.name(), limit.belt_temperature);
+        json!({
+            "value": limit.value, "kind": kind, "reason": reason, "state": limit.state, "belt_temperature": temperature,
+        })
     };
     let smallest = smallest.map(|limits| {
         json!({
@@ -47,6 +46,18 @@ pub fn limit<'py>(
         })
     });
     convert::python(py, &json!({ "edition": edition, "largest_torque": one(&largest), "smallest_clamp": smallest }))
+}
+
+/// A least speed efficiency, checked.
+///
+/// # Errors
+/// `ValueError`.
+pub fn share(least_speed_efficiency: f64) -> PyResult<f64> {
+    if (0.0..1.0).contains(&least_speed_efficiency) {
+        return Ok(least_speed_efficiency);
+    }
+    let given = least_speed_efficiency;
+    Err(PyValueError::new_err(format!("least_speed_efficiency = {given}: expected a number from 0 to below 1")))
 }
 
 /// The clamp of best overall efficiency for the torque of a case, as a dictionary.
@@ -62,11 +73,12 @@ pub fn optimum<'py>(
     let options = result::options(tolerance, 4)?;
     let edition = case.edition.name();
     let best = interrupt::run(py, move || design::optimum(&case, &options))?;
-    let best = best.map_err(|error| error::design(py, &error))?;
+    let best = best.map_err(|error| error::design(&error))?;
     convert::python(
         py,
         &json!({
             "edition": edition, "state": best.state, "bound": best.bound, "gradient": best.gradient,
+            "efficiency_with_losses": best.efficiency_with_losses, "belt_temperature": best.belt_temperature,
             "evaluations": best.evaluations,
         }),
     )

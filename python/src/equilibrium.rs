@@ -9,12 +9,13 @@ use pyo3::types::{PyBool, PyDict};
 use serde_json::{Value, json};
 use sheave::Cancel;
 use sheave::case::{Key, Resolved, Setting};
+use sheave::drive::Branch;
 use sheave::equilibrium::{
     self, Direction, DriveReport, EquilibriumError, Measured, ShiftBranch, ShiftCurve, ShiftOptions, ShiftPoint,
     UnknownDirection,
 };
 use sheave::plot::{Figure, Stack};
-use sheave::quantity::{self, Dimension};
+use sheave::quantity::{self, Dimension, rpm};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -31,10 +32,10 @@ pub fn drive<'py>(
     vehicle_speed: Option<&Bound<'py, PyAny>>,
     direction: &str,
     tolerance: f64,
-    order: usize,
+    order: i64,
     keys: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, BeltSolution)> {
-    let given = case::read(py, case, keys)?;
+    let given = case::read_unswapped(py, "drive", case, keys)?;
     let case = given.resolve().map_err(|error| error::case(py, &error))?;
     let direction = one_direction(direction)?;
     let speed = match (speed, vehicle_speed) {
@@ -53,7 +54,7 @@ pub fn drive<'py>(
         let mut warnings = equilibrium::unused_keys(&given);
         warnings.extend(sheave::result::warnings(&outcome));
         let report = DriveReport::new(&case, &found, outcome.clone(), true)?;
-        warnings.extend(equilibrium::beyond_engine(&case, report.primary_speed));
+        warnings.extend(equilibrium::beyond_engine(&case, report.primary_speed, report.primary_speed));
         warnings.extend(equilibrium::beyond_open(report.primary_travel));
         Ok((report, outcome, warnings))
     };
@@ -66,7 +67,7 @@ pub fn drive<'py>(
         members.insert("summary".to_owned(), json!(report.summary()));
         members.insert("slip".to_owned(), json!(report.slip_words()));
     }
-    Ok((convert::python(py, &told)?, BeltSolution { outcome: Arc::new(outcome) }))
+    Ok((convert::python(py, &told)?, BeltSolution { outcome: Arc::new(outcome), wanted: Branch::Tight }))
 }
 
 /// The shift curve of a whole drive, branch by branch; measured speeds from a CSV file stand beside it.
@@ -76,7 +77,7 @@ pub fn drive<'py>(
 pub fn shift(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
-    points: usize,
+    points: i64,
     direction: &str,
     start: Option<&Bound<'_, PyAny>>,
     stop: Option<&Bound<'_, PyAny>>,
@@ -85,10 +86,11 @@ pub fn shift(
     progress: Option<&Bound<'_, PyAny>>,
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<ShiftBranches> {
-    if !(2..=2000).contains(&points) {
-        return Err(PyValueError::new_err(format!("points = {points}: expected a number from 2 to 2000")));
-    }
-    let given = case::read(py, case, keys)?;
+    let points = usize::try_from(points)
+        .ok()
+        .filter(|number| (2..=2000).contains(number))
+        .ok_or_else(|| PyValueError::new_err(format!("points = {points}: expected a number from 2 to 2000")))?;
+    let given = case::read_unswapped(py, "shift", case, keys)?;
     let case = given.resolve().map_err(|error| error::case(py, &error))?;
     let directions = match direction {
         "both" => vec![Direction::Up, Direction::Back],
@@ -96,6 +98,15 @@ pub fn shift(
     };
     let from = start.map(|speed| of_secondary("start", speed)).transpose()?;
     let to = stop.map(|speed| of_secondary("stop", speed)).transpose()?;
+    if let (Some(from), Some(to)) = (from, to)
+        && from >= to
+    {
+        return Err(PyValueError::new_err(format!(
+            "start is {:.0} rpm and stop is {:.0} rpm: expected a higher speed to end at than to begin at",
+            rpm(from),
+            rpm(to)
+        )));
+    }
     let measured = data.map(|path| measured(&path)).transpose()?.unwrap_or_default();
     let options = ShiftOptions { points, directions, from, to, solve: result::options(tolerance, 4)? };
     let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
@@ -118,8 +129,9 @@ pub fn shift(
     tell(py)?;
     let mut warnings = equilibrium::unused_keys(&given);
     let reports = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    let fastest = reports.map(|report| report.primary_speed).fold(0.0, f64::max);
-    warnings.extend(equilibrium::beyond_engine(&case, fastest));
+    let speeds = || reports.clone().map(|report| report.primary_speed);
+    let ends = speeds().reduce(f64::min).zip(speeds().reduce(f64::max));
+    warnings.extend(ends.and_then(|(slowest, fastest)| equilibrium::beyond_engine(&case, slowest, fastest)));
     Ok(ShiftBranches { case, branches, measured, warnings })
 }
 
@@ -194,7 +206,7 @@ impl ShiftBranches {
 }
 
 fn measured(path: &std::path::Path) -> PyResult<Vec<Measured>> {
-    let wrong = |reason: String| error::bench_message(format!("{} {reason}", path.display()));
+    let wrong = |reason: String| error::bench_message(&format!("{} {reason}", path.display()));
     let file = std::fs::File::open(path).map_err(|error| wrong(format!("cannot be read: {error}")))?;
     equilibrium::read_measured(file).map_err(|error| wrong(error.to_string()))
 }

@@ -43,12 +43,13 @@ mod _sheave {
     use crate::profile::{Profile, Region};
     #[pymodule_export]
     use crate::result::{
-        BeltResult, Efficiency, Energy, Heat, Losses, Pulley, Result, SolverReport, Span, bare_seconds, solve,
+        BeltResult, Efficiency, Energy, Harmonics, Heat, Hysteresis, Losses, MeshIntervals, OtherSolution, Pulley,
+        Result, SolverReport, Span, bare_seconds, solve,
     };
     #[pymodule_export]
     use crate::study::{Study, rebuild_study};
     #[pymodule_export]
-    use crate::table::Table;
+    use crate::table::{Table, rebuild_table};
     #[pymodule_export]
     use crate::tune::{Ranked, tune};
     use pyo3::prelude::*;

@@ -2,11 +2,13 @@
 
 use crate::profile::Profile;
 use crate::{case, convert, error, figure, interrupt};
-use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use sheave::case::Clamp;
 use sheave::clock::Stopwatch;
-use sheave::drive::{Failure, SolveOptions, solve_from};
+use sheave::design::{Verdict, verdict};
+use sheave::drive::{Branch, Failure, SolveOptions, WORK_LIMIT, branch, solve_from};
 use sheave::result::{self, Outcome};
 use sheave::solver::Order;
 use std::sync::Arc;
@@ -16,45 +18,76 @@ use std::sync::Arc;
 /// `case` is a path, the text of a case file, a dictionary of keys or a Case; without it, the base case is solved.
 /// `tolerance` bounds the relative defect (1e-12 to 0.1), `order` is that of the collocation (4, 6 or 8). With
 /// `sensitivities`, the result has the derivatives of all outputs with respect to everything given. `near` is a result
-/// of a similar case from which the search starts; if that does not lead to a solution, it starts from nothing. All
-/// other arguments are keys of the case. Other threads run meanwhile; Ctrl-C ends the search.
+/// of a similar case from which the search starts; if that does not lead to a solution, it starts from nothing. Where
+/// an axial force is given that belongs to two operating points, `branch` says which is meant: that of the tighter belt
+/// ("tight", as without a word) or of the looser ("loose"); `other_solution` has what is known of the other. From a
+/// result nearby, the other is looked for only where `branch` is given. `work_limit` is the work that
+/// the search may take, in Newton iterations, each counted once for every interval of the mesh. All other arguments are
+/// keys of the case. Other threads run meanwhile; Ctrl-C ends the search.
 ///
 /// Raises CaseError, SolveError.
 #[pyfunction]
-#[pyo3(signature = (case=None, /, *, tolerance=1e-6, order=4, sensitivities=false, near=None, **keys))]
+#[pyo3(signature = (case=None, /, *, tolerance=1e-6, order=4, sensitivities=false, near=None, branch=None,
+    work_limit=WORK_LIMIT, **keys))]
 pub fn solve(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
     tolerance: f64,
-    order: usize,
+    order: i64,
     sensitivities: bool,
     near: Option<&Bound<'_, Result>>,
+    branch: Option<&str>,
+    work_limit: usize,
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Result> {
+    let wanted = match branch {
+        None => None,
+        Some("tight") => Some(Branch::Tight),
+        Some("loose") => Some(Branch::Loose),
+        Some(other) => {
+            return Err(PyValueError::new_err(format!("branch = \"{other}\": expected \"tight\" or \"loose\"")));
+        }
+    };
+    if work_limit == 0 {
+        return Err(PyValueError::new_err(format!(
+            "work_limit = 0: expected a whole number above 0, such as {WORK_LIMIT}"
+        )));
+    }
     let case = case::read(py, case, keys)?;
     let resolved = case::resolved(py, &case)?;
-    let options = SolveOptions { sensitivities, ..options(tolerance, order)? };
+    let options = SolveOptions { sensitivities, work_limit, ..options(tolerance, order)? };
     let near = near.map(|near| near.get().outcome.clone());
-    let work = move || solved(&resolved, near.as_deref(), &options);
-    match interrupt::run(py, work)? {
-        Ok(outcome) => Ok(Result { outcome: Arc::new(outcome) }),
-        Err(failure) => Err(error::solve(py, &failure)),
-    }
+    let work = move || {
+        let solved = solved(&resolved, near.as_deref(), wanted, &options);
+        solved.map_err(|failure| match verdict(&resolved, &failure, &options) {
+            // The message of these says so already.
+            Verdict::Pushed | Verdict::Open => error::solve(&failure),
+            proof => error::unsolved(&proof),
+        })
+    };
+    let outcome = interrupt::run(py, work)??;
+    Ok(Result { outcome: Arc::new(outcome), wanted: wanted.unwrap_or_default() })
 }
 
 /// The case's solution: from one nearby if that leads to it, else from nothing.
 fn solved(
     case: &sheave::case::Resolved,
     near: Option<&Outcome>,
+    wanted: Option<Branch>,
     options: &SolveOptions,
 ) -> std::result::Result<Outcome, Failure> {
     let near = near.filter(|near| near.result.inputs.model == case.model && case.operating_point.margin.is_none());
     let warm = near.and_then(|near| {
         let start = Stopwatch::start();
         let solved = solve_from(&near.solved, case, options).ok()?;
-        Some(result::interpret(case, options, solved, start))
+        // The look for another solution takes far longer than a step from nearby: without a word, only from the looser.
+        let loose = || matches!(branch(&solved), Ok(Some(Branch::Loose)));
+        Some(match wanted {
+            None if !loose() => result::interpret(case, options, solved, start),
+            _ => result::interpret_on_branch(case, wanted.unwrap_or_default(), options, solved, start),
+        })
     });
-    warm.unwrap_or_else(|| result::run(case, options))
+    warm.unwrap_or_else(|| result::run_on_branch(case, wanted.unwrap_or_default(), options))
 }
 
 /// Seconds of each of some solutions of a case near a result by the library alone, to hold a call against; and of these
@@ -72,7 +105,7 @@ pub fn bare_seconds(
         let start = std::time::Instant::now();
         let resolved = case.resolve()?;
         case.check_posed(&resolved)?;
-        let outcome = solved(&resolved, Some(near), &options)?;
+        let outcome = solved(&resolved, Some(near), None, &options)?;
         let seconds = start.elapsed().as_secs_f64();
         Ok((seconds, outcome.result.solver.wall_time.unwrap_or(f64::NAN)))
     };
@@ -84,7 +117,7 @@ pub fn bare_seconds(
 ///
 /// # Errors
 /// `ValueError`.
-pub fn options(tolerance: f64, order: usize) -> PyResult<SolveOptions> {
+pub fn options(tolerance: f64, order: i64) -> PyResult<SolveOptions> {
     if !(1e-12..=1e-1).contains(&tolerance) {
         return Err(PyValueError::new_err(format!(
             "tolerance = {tolerance}: expected a number from 1e-12 to 1e-1, such as 1e-6"
@@ -103,6 +136,8 @@ pub fn options(tolerance: f64, order: usize) -> PyResult<SolveOptions> {
 #[pyclass(frozen, module = "sheave")]
 pub struct Result {
     pub(crate) outcome: Arc<Outcome>,
+    /// The operating point that was asked for, where an axial force belongs to two.
+    pub(crate) wanted: Branch,
 }
 
 #[pymethods]
@@ -197,6 +232,20 @@ impl Result {
         convert::object(py, &self.outcome.result.inputs)
     }
 
+    /// The other operating point of an axial force that belongs to two: `branch` of `sheave.solve` gives all of it. None
+    /// where only one was found.
+    #[getter]
+    fn other_solution(&self) -> Option<OtherSolution> {
+        self.outcome.result.other_solution.map(OtherSolution)
+    }
+
+    /// Estimated errors of the outputs, SI, without sign, by output with dots; extremes along a contact or a span have
+    /// none. None where the equations are singular.
+    #[getter]
+    fn uncertainty(&self) -> Option<std::collections::BTreeMap<String, f64>> {
+        self.outcome.result.uncertainty.clone()
+    }
+
     /// Derivatives of the outputs with respect to everything given, SI over SI: by output with dots, then by key. None
     /// unless they were asked for.
     #[getter]
@@ -217,7 +266,12 @@ impl Result {
     /// What is to be known before the result is used.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        result::warnings(&self.outcome)
+        let result = &self.outcome.result;
+        let clamp = &result.inputs.operating_point.clamp;
+        let force = matches!(clamp, Clamp::PrimaryAxialForce(_) | Clamp::SecondaryAxialForce(_));
+        let only = force && self.wanted == Branch::Loose && result.other_solution.is_none();
+        let only = only.then(|| "Only one operating point was found for this axial force: this one.".to_owned());
+        result::warnings(&self.outcome).iter().map(|said| error::for_python(said)).chain(only).collect()
     }
 
     /// The result as the one JSON object that `sheave solve --json` prints.
@@ -236,19 +290,19 @@ impl Result {
     /// A summary in engineering units, as a person reads it.
     #[getter]
     fn summary(&self) -> String {
-        result::summary(&self.outcome.result)
+        error::for_python(&result::summary(&self.outcome.result))
     }
 
     /// Every state and derived field along the belt, at the nodes of the meshes and at `between` points between each
     /// two of them.
     #[pyo3(signature = (between=1))]
-    fn profile(&self, py: Python<'_>, between: usize) -> PyResult<Profile> {
+    fn profile(&self, py: Python<'_>, between: i64) -> PyResult<Profile> {
         /// Points between two nodes: a picture needs some ten.
         const MOST: usize = 1000;
-        if between > MOST {
-            return Err(PyValueError::new_err(format!("between = {between}: expected at most {MOST}")));
+        match usize::try_from(between) {
+            Ok(between) if between <= MOST => Profile::new(py, &self.outcome, between),
+            _ => Err(PyValueError::new_err(format!("between = {between}: expected a number from 0 to {MOST}"))),
         }
-        Profile::new(py, &self.outcome, between)
     }
 
     /// The figures of the result as data: name, caption, axes and series, in the units of the axes.
@@ -269,9 +323,15 @@ impl Result {
         let outcome = self.outcome.clone();
         let page = move || {
             let figures = sheave::plot::drive(&outcome).map_err(|error| error.to_string())?;
-            sheave::report::page(&outcome, &figures).map_err(|error| error.to_string())
+            let page = sheave::report::page(&outcome, &figures).map_err(|error| error.to_string())?;
+            Ok::<_, String>(error::in_page(&page))
         };
         py.detach(page).map_err(PyValueError::new_err)
+    }
+
+    /// Refused: a result holds the solution with all that the solver knows of it.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err("a result cannot be pickled: send its `to_dict()` or its `json`"))
     }
 
     fn _repr_html_(&self) -> PyResult<String> {
@@ -280,7 +340,7 @@ impl Result {
             format!(
                 "<tr><th style=\"text-align:left\">{}</th><td style=\"text-align:left\">{}</td></tr>",
                 escaped(answer.question),
-                escaped(&answer.answer)
+                escaped(&error::in_page(&answer.answer))
             )
         };
         let rows: String = result::answers(&self.outcome.result).iter().map(cell).collect();
@@ -327,12 +387,23 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
+/// A field as it is, or as a dictionary where it has fields of its own.
+fn plain(field: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyAny>> {
+    if field.hasattr("to_dict")? { field.call_method0("to_dict") } else { Ok(field) }
+}
+
 /// A class of Python with the fields of a struct of the library.
 macro_rules! view {
     ($(#[$about:meta])* $name:ident of $inner:ty { $($(#[$doc:meta])* $field:ident : $kind:ty,)* }) => {
         $(#[$about])*
         #[pyclass(frozen, module = "sheave")]
         pub struct $name($inner);
+
+        impl From<$inner> for $name {
+            fn from(inner: $inner) -> Self {
+                Self(inner)
+            }
+        }
 
         #[pymethods]
         impl $name {
@@ -347,7 +418,7 @@ macro_rules! view {
             /// All fields by name.
             fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
                 let dict = PyDict::new(py);
-                $(dict.set_item(stringify!($field), self.$field())?;)*
+                $(dict.set_item(stringify!($field), plain(self.$field().into_pyobject(py)?.into_any())?)?;)*
                 Ok(dict)
             }
 
@@ -438,6 +509,16 @@ view! {
 }
 
 view! {
+    /// The other of two operating points of a prescribed axial force.
+    OtherSolution of result::OtherSolution {
+        /// Tractive tension at the exit of the primary, N.
+        slack_tension: f64,
+        /// Share of the friction at hand that is used.
+        friction_utilization: f64,
+    }
+}
+
+view! {
     /// The belt as a whole.
     BeltResult of result::BeltResult {
         /// Mass flow, kg/s (3.5).
@@ -471,7 +552,32 @@ view! {
 }
 
 view! {
-    /// Power lost besides friction, W.
+    /// Power that hysteresis takes in one region, W.
+    Hysteresis of sheave::losses::Hysteresis {
+        /// Of bending the belt.
+        bending: f64,
+        /// Of squeezing it in the groove.
+        groove: f64,
+        /// Of stretching its cord.
+        cord: f64,
+    }
+}
+
+view! {
+    /// How many harmonics were summed.
+    Harmonics of sheave::losses::Harmonics {
+        /// Of the curvature.
+        bending: usize,
+        /// Of the penetration.
+        groove: usize,
+        /// Of the strain.
+        cord: usize,
+    }
+}
+
+view! {
+    /// Power lost besides friction, W. What hysteresis takes in a region may be negative, where the belt gives back more
+    /// than it takes.
     Losses of sheave::losses::Losses {
         /// Of bending the belt.
         bending: f64,
@@ -485,6 +591,36 @@ view! {
         gears: f64,
         /// All of these.
         total: f64,
+        /// Hysteresis in the primary's contact.
+        primary: Hysteresis,
+        /// Hysteresis in the span from the primary to the secondary.
+        slack_span: Hysteresis,
+        /// Hysteresis in the secondary's contact.
+        secondary: Hysteresis,
+        /// Hysteresis in the span from the secondary to the primary.
+        tight_span: Hysteresis,
+        /// Power that drags at the primary.
+        primary_drag: f64,
+        /// Power that drags at the secondary.
+        secondary_drag: f64,
+        /// Power that arrives.
+        power_out: f64,
+        /// How many harmonics were summed.
+        harmonics: Harmonics,
+    }
+}
+
+/// A pulley by its name.
+#[derive(IntoPyObject)]
+#[pyo3(transparent)]
+pub struct Hotter(&'static str);
+
+impl From<sheave::losses::Hotter> for Hotter {
+    fn from(hotter: sheave::losses::Hotter) -> Self {
+        Self(match hotter {
+            sheave::losses::Hotter::Primary => "primary",
+            sheave::losses::Hotter::Secondary => "secondary",
+        })
     }
 }
 
@@ -497,10 +633,26 @@ view! {
         primary: f64,
         /// Friction's heat that goes into the sheaves of the secondary, W.
         secondary: f64,
+        /// The pulley whose sheaves take more heat: "primary" or "secondary".
+        hotter: Hotter,
         /// Bending stiffness at the temperature, N·m².
         bending_stiffness: f64,
         /// Radial stiffness at the temperature, N/m².
         radial_stiffness: f64,
+    }
+}
+
+view! {
+    /// Intervals of the meshes by region.
+    MeshIntervals of result::MeshIntervals {
+        /// Contact with the primary.
+        primary: usize,
+        /// Contact with the secondary.
+        secondary: usize,
+        /// Span from the secondary to the primary.
+        tight_span: usize,
+        /// Span from the primary to the secondary.
+        slack_span: usize,
     }
 }
 
@@ -511,6 +663,8 @@ view! {
         order: usize,
         /// Relative tolerance on the defect.
         tolerance: f64,
+        /// Intervals of the final meshes.
+        mesh_intervals: MeshIntervals,
         /// Largest relative defect on the final meshes.
         max_residual: f64,
         /// Largest boundary residual, scaled.

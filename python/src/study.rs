@@ -2,15 +2,16 @@
 
 use crate::interrupt;
 use crate::table::Table;
-use crate::{case, error, result};
+use crate::{case, design, error, result};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyString};
 use sheave::Cancel;
 use sheave::case::{Key, Setting, ValueKind};
+use sheave::design::{LimitOptions, limit_map, optimum_map};
 use sheave::drive::SolveOptions;
 use sheave::quantity::Dimension;
-use sheave::study::{self, Axis, Row, TableBuilder};
+use sheave::study::{self, Axis, Row, StudyError, TableBuilder};
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -25,25 +26,29 @@ pub struct Study {
 
 #[pymethods]
 impl Study {
-    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them. Numbers are in SI
-    /// units. All other arguments are keys of the case.
+    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them; beside it, or in its
+    /// place, the case may be a study file, which says itself what varies. Numbers are in SI units. All other arguments
+    /// are keys of the case.
     ///
     /// Raises CaseError, StudyError.
     #[new]
-    #[pyo3(signature = (case=None, /, *, over, tolerance=1e-6, order=4, **keys))]
+    #[pyo3(signature = (case=None, /, *, over=None, tolerance=1e-6, order=4, **keys))]
     fn new(
         py: Python<'_>,
         case: Option<&Bound<'_, PyAny>>,
-        over: &Bound<'_, PyAny>,
+        over: Option<&Bound<'_, PyAny>>,
         tolerance: f64,
-        order: usize,
+        order: i64,
         keys: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let case = case::read(py, case, keys)?;
+        let (case, mut all) = case::read_study(py, case, keys)?;
         let options = result::options(tolerance, order)?;
-        let axes = axes(py, over)?;
+        let given = over.map(|over| axes(py, over)).transpose()?.unwrap_or_default();
+        // What the call varies is not varied by the file as well.
+        all.retain(|axis| !given.iter().any(|other| other.keys().iter().any(|key| axis.keys().contains(key))));
+        all.extend(given);
         // Every point is checked: of a large grid, while others may run.
-        Self::of(py, case, axes, options)
+        Self::of(py, case, all, options)
     }
 
     /// Made anew from its case, its axes and its options.
@@ -100,6 +105,23 @@ impl Study {
         self.table(py, start..stop, jobs, progress)
     }
 
+    /// The limits at every point, as `sheave limit --over` has them: the largest torque, unless the load is what varies,
+    /// and the smallest clamps, unless the clamp is; the drive is followed to a speed efficiency of
+    /// `least_speed_efficiency`. A point without an answer has a row that says why.
+    #[pyo3(signature = (*, least_speed_efficiency=0.95, jobs=None))]
+    fn limits(&self, py: Python<'_>, least_speed_efficiency: f64, jobs: Option<usize>) -> PyResult<Table> {
+        let least_speed_efficiency = design::share(least_speed_efficiency)?;
+        let options = LimitOptions { solve: *self.study.options(), least_speed_efficiency };
+        self.answers(py, jobs, move |study| limit_map(study, jobs, &options))
+    }
+
+    /// The clamp of best overall efficiency at every point, as `sheave optimum --over` has it. A point without an answer
+    /// has a row that says why.
+    #[pyo3(signature = (*, jobs=None))]
+    fn optima(&self, py: Python<'_>, jobs: Option<usize>) -> PyResult<Table> {
+        self.answers(py, jobs, move |study| optimum_map(study, jobs, study.options()))
+    }
+
     fn __repr__(&self) -> String {
         let axes = self.axes();
         let axes: Vec<String> = axes.iter().map(|(keys, points)| format!("{} ({points})", keys.join(" & "))).collect();
@@ -109,8 +131,20 @@ impl Study {
 
 impl Study {
     fn of(py: Python<'_>, case: sheave::case::Case, axes: Vec<Axis>, options: SolveOptions) -> PyResult<Self> {
-        let study = py.detach(|| study::Study::new(case.clone(), axes, options));
+        let study = interrupt::run(py, || study::Study::new(case.clone(), axes, options))?;
         study.map(|study| Self { study: Arc::new(study), case }).map_err(|error| error::study(py, &error))
+    }
+
+    fn answers(
+        &self,
+        py: Python<'_>,
+        jobs: Option<usize>,
+        find: impl FnOnce(&study::Study) -> Result<study::Table, StudyError> + Send + 'static,
+    ) -> PyResult<Table> {
+        some_thread(jobs)?;
+        let study = self.study.clone();
+        let table = interrupt::watched(py, &Cancel::new(), move || find(&study), |_| Ok(()))?;
+        Ok(Table::new(table.map_err(|error| error::study(py, &error))?, self.axes()))
     }
 
     fn table(
@@ -120,9 +154,7 @@ impl Study {
         jobs: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Table> {
-        if jobs == Some(0) {
-            return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
-        }
+        some_thread(jobs)?;
         let study = self.study.clone();
         let (cancel, solved) = (Cancel::new(), Arc::new(AtomicUsize::new(0)));
         let (held, count) = (cancel.clone(), solved.clone());
@@ -149,6 +181,15 @@ impl Study {
     }
 }
 
+/// # Errors
+/// `ValueError` for no thread at all.
+pub fn some_thread(jobs: Option<usize>) -> PyResult<()> {
+    match jobs {
+        Some(0) => Err(PyValueError::new_err("jobs = 0: expected at least one thread")),
+        _ => Ok(()),
+    }
+}
+
 /// A study from what `Study.__reduce__` gives: for `pickle`.
 #[pyfunction]
 pub fn rebuild_study(
@@ -156,7 +197,7 @@ pub fn rebuild_study(
     case: &Bound<'_, case::Case>,
     axes: Vec<String>,
     tolerance: f64,
-    order: usize,
+    order: i64,
 ) -> PyResult<Study> {
     let axes = axes.iter().map(|text| Axis::parse(text).map_err(|error| error::study(py, &error)));
     let axes = axes.collect::<PyResult<_>>()?;
@@ -190,7 +231,7 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<Axis>> {
     if let Ok(text) = over.cast::<PyString>() {
         return Ok(vec![parsed(text.to_str()?)?]);
     }
-    if let Ok(values) = over.cast::<PyDict>() {
+    if let Some(values) = case::dictionary(over)? {
         return values.iter().map(|(key, values)| axis(py, &key, &values)).collect();
     }
     let texts: Vec<String> = over.extract().map_err(|_| {
@@ -208,27 +249,34 @@ fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> Py
     if let Ok(text) = values.cast::<PyString>() {
         return parsed(format!("{path}={}", text.to_str()?));
     }
-    // An array of pint: a quantity each.
-    let quantities = values.hasattr("to_base_units")?;
-    if !quantities
-        && !values.is_instance_of::<PyDict>()
-        && let (Some(known), Ok(numbers)) = (Key::from_path(&path), values.extract::<Vec<f64>>())
+    if let Some(known) = Key::from_path(&path)
+        && let ValueKind::Quantity { .. } = known.entry().kind
     {
-        if numbers.is_empty() {
-            return Err(PyValueError::new_err(format!("over: `{name}` has no values")));
-        }
+        // Numbers at once; quantities of pint have units, and truths are no numbers.
+        let plain = !values.hasattr("to_base_units")?;
+        let numbers = match values.extract::<Vec<f64>>() {
+            Ok(numbers) if plain && !numbers.is_empty() && !has_truths(values)? => numbers,
+            _ => case::values(py, &name, known, values)?,
+        };
         return Axis::of(known, numbers).map_err(|error| error::study(py, &error));
     }
-    let items: Vec<Bound<'_, PyAny>> = match values.cast::<PyList>() {
-        Ok(list) => list.iter().collect(),
-        Err(_) => match values.cast::<PyTuple>() {
-            Ok(tuple) => tuple.iter().collect(),
-            Err(_) => values.try_iter()?.collect::<PyResult<_>>()?,
-        },
-    };
-    let texts = items.iter().map(|item| case::text_of(&name, item)).collect::<PyResult<Vec<_>>>()?;
+    let texts = values.try_iter()?.map(|item| case::text_of(&name, &item?)).collect::<PyResult<Vec<_>>>()?;
     if let Some(text) = texts.iter().find(|text| text.contains([',', '&']) || text.contains("..")) {
         return Err(PyValueError::new_err(format!("over: `{name}` = {text}: expected one value an item")));
     }
     parsed(format!("{path}={}", texts.join(",")))
+}
+
+/// Whether some of a sequence's items are truths, which would pass for numbers.
+fn has_truths(values: &Bound<'_, PyAny>) -> PyResult<bool> {
+    // Of numpy and pandas; others say otherwise what they hold.
+    if let Ok(kind) = values.getattr("dtype").and_then(|kind| kind.getattr("kind")) {
+        return kind.eq("b");
+    }
+    for item in values.try_iter()? {
+        if item?.is_instance_of::<PyBool>() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }

@@ -10,6 +10,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
+use serde_json::Value;
 use sheave::study::{self, Cell, Format};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -136,6 +137,16 @@ impl Table {
         tables(slf, "to_xarray")
     }
 
+    /// Made anew from its cells, with every digit.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let (py, this) = (slf.py(), slf.get());
+        let rebuild = py.import("sheave._sheave")?.getattr("rebuild_table")?;
+        let row = |row: &Vec<Cell>| row.iter().map(Cell::to_json).collect();
+        let rows: Vec<Vec<Value>> = this.table.rows.iter().map(row).collect();
+        let rows = serde_json::to_string(&rows).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok((rebuild, (this.columns(), rows, this.axes()).into_pyobject(py)?.into_any()))
+    }
+
     fn __repr__(&self) -> String {
         let axes = self.axes.iter().map(|(keys, points)| format!("{} ({points})", keys.join(" & ")));
         let axes = axes.collect::<Vec<_>>().join(" × ");
@@ -145,6 +156,21 @@ impl Table {
         };
         format!("<sheave.Table: {} points over {axes}{failures}>", self.table.rows.len())
     }
+}
+
+/// A table from what `Table.__reduce__` gives: for `pickle`.
+#[pyfunction]
+pub fn rebuild_table(columns: Vec<String>, rows: &str, axes: Vec<(Vec<String>, usize)>) -> PyResult<Table> {
+    let rows: Vec<Vec<Value>> =
+        serde_json::from_str(rows).map_err(|error| PyValueError::new_err(format!("rows: {error}")))?;
+    let cell = |value| match value {
+        Value::Bool(truth) => Cell::Truth(truth),
+        Value::Number(number) => Cell::Number(number),
+        Value::String(text) => Cell::Text(text.into()),
+        Value::Null | Value::Array(_) | Value::Object(_) => Cell::Empty,
+    };
+    let rows = rows.into_iter().map(|row| row.into_iter().map(cell).collect()).collect();
+    Ok(Table::new(study::Table { columns, rows }, axes))
 }
 
 /// What Python's libraries make of the table is written in Python.

@@ -3,7 +3,7 @@
 use crate::beltmap::{BeltMap, Counting};
 use crate::equilibrium::positive;
 use crate::table::Table;
-use crate::{case, convert, error, figure, interrupt, result};
+use crate::{case, convert, error, figure, interrupt, result, study};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -37,9 +37,7 @@ pub fn tune(
     progress: Option<&Bound<'_, PyAny>>,
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Ranked> {
-    if jobs == Some(0) {
-        return Err(PyValueError::new_err("jobs = 0: expected at least one thread"));
-    }
+    study::some_thread(jobs)?;
     let case = case::read(py, case, keys)?;
     let target = positive("target", target, Dimension::ANGULAR_SPEED)?;
     let read = if as_text { PartsBox::from_toml(TEXT, parts) } else { PartsBox::read(parts.as_ref()) };
@@ -83,7 +81,7 @@ fn refused(py: Python<'_>, error: &TuneError) -> PyErr {
         TuneError::Axis { .. } | TuneError::OtherMap { .. } => error::map(&error.to_string()),
         TuneError::Parameter { .. } | TuneError::Threads(_) => PyValueError::new_err(error.to_string()),
         // What is wrong with the drive, or with the box of parts.
-        other => error::case_message(other.to_string(), None),
+        other => error::case_message(&other.to_string(), None),
     }
 }
 

@@ -236,3 +236,71 @@ def test_complex_numbers_are_refused() -> None:
 
     with pytest.raises(TypeError, match="returned complex numbers"):
         bvp.solve(turning, fixed_ends, x, np.zeros((2, 11)))
+
+
+def test_hints_name_what_there_is_here() -> None:
+    """Not the functions and options of the Rust library."""
+    x = np.linspace(0, 1, 11)
+    zeros = np.zeros((2, 11))
+
+    def singular(x: Array, y: Array) -> Array:
+        with np.errstate(all="ignore"):
+            return np.vstack((y[1], -2 * y[1] / x - y[0]))
+
+    def layer(_: Array, y: Array) -> Array:
+        return np.vstack((y[1], y[0] / 1e-12))
+
+    def stiff(_: Array, y: Array) -> Array:
+        return np.vstack((y[1], np.exp(300 * y[0])))
+
+    def free(a: Array, b: Array) -> Array:
+        return np.array([a[1], b[1]])
+
+    def fixed(a: Array, b: Array) -> Array:
+        return np.array([a[0] - 1, b[0]])
+
+    problems: list[tuple[Any, Any, dict[str, Any]]] = [
+        (singular, lambda a, b: np.array([a[1], b[0] - 1]), {}),
+        (lambda x, y: np.vstack((y[1], -10 * np.exp(y[0]))), fixed_ends, {}),
+        (lambda x, y: np.vstack((y[1], 0 * y[0])), free, {}),
+        (layer, fixed, {"max_nodes": 12, "tol": 1e-8}),
+        (bratu, fixed_ends, {"max_nodes": 12, "tol": 1e-11}),
+        (bratu, fixed_ends, {"work_limit": 20}),
+        (stiff, fixed, {}),
+    ]
+    said = []
+    for f, ends, options in problems:
+        with pytest.raises(sheave.SolveError) as caught:
+            bvp.solve(f, ends, x, zeros, **options)
+        hint = caught.value.hint
+        assert hint is not None
+        said.append(hint)
+        for word in ("::", "Order", "solve_automatically", "accept_inaccurate", "boundary_tolerance", "arclength"):
+            assert word not in hint, hint
+    assert 'order="gauss"' in said[0] and "max_nodes" in said[3] and "work_limit" in said[5]
+
+
+def test_a_jacobian_with_parameters_is_a_pair() -> None:
+    x = np.linspace(0, 1, 11)
+    guess = np.vstack((np.sin(np.pi * x) / np.pi, np.cos(np.pi * x)))
+
+    def f(_: Array, y: Array, p: Array) -> Array:
+        return np.vstack((y[1], -p[0] * y[0]))
+
+    def ends(a: Array, b: Array, _: Array) -> Array:
+        return np.array([a[0], b[0], a[1] - 1])
+
+    def by_states(_: Array, y: Array, p: Array) -> Array:
+        one, zero = np.ones_like(y[0]), np.zeros_like(y[0])
+        return np.array([[zero, one], [-p[0] * one, zero]])
+
+    def by_parameters(_: Array, y: Array, __: Array) -> Array:
+        return np.array([[np.zeros_like(y[0])], [-y[0]]])
+
+    def pair(*at: Array) -> Any:
+        return [by_states(*at), by_parameters(*at)]
+
+    found = bvp.solve(f, ends, x, guess, [9.0], jacobian=pair)
+    assert found.p is not None and found.p[0] == pytest.approx(np.pi**2, rel=1e-5)
+    with pytest.raises(TypeError, match="expected a pair of df/dy"):
+        bvp.solve(f, ends, x, guess, [9.0], jacobian=by_states)

@@ -35,6 +35,22 @@ def test_the_best_clamp_is_better_than_its_neighbours() -> None:
         sheave.optimum(primary_torque="-5 N*m")
 
 
+def test_limits_and_optima_say_how_warm_the_belt_is(root: Path) -> None:
+    path = root / "examples" / "heat.toml"
+    limits = sheave.limit(path, tolerance=1e-3)
+    smallest = limits.smallest_clamp
+    assert smallest is not None
+    warm = smallest.slack_tension.belt_temperature
+    assert warm is not None and limits.largest_torque.belt_temperature is not None
+    assert 300 < warm < limits.largest_torque.belt_temperature < 600
+    best = sheave.optimum(path, tolerance=1e-3, include="on")
+    assert best.belt_temperature is not None and 300 < best.belt_temperature < 400
+    assert best.efficiency_with_losses is not None
+    assert best.efficiency_with_losses < best.state.overall_efficiency
+    cold = sheave.optimum(tolerance=1e-3)
+    assert cold.belt_temperature is None and cold.efficiency_with_losses is None
+
+
 def test_a_belt_is_found_from_bench_tests(root: Path) -> None:
     belt = sheave.belt(root / "examples" / "belts" / "cvtech.toml")
     assert 0.5 < belt.length < 1.5 and belt.longitudinal_stiffness > 1e4
@@ -60,6 +76,12 @@ def test_logs_become_operating_points_and_are_compared(root: Path, tmp_path: Pat
     assert len(compared.to_pandas()) == len(compared.points)
     with pytest.raises(ValueError, match="torque_at"):
         sheave.dyno(logs, torque_at="nowhere")
+    with pytest.raises(sheave.BenchError) as caught:
+        sheave.dyno([path for path in logs if path.name.startswith(("P", "S"))], window=600.0)
+    assert "(window)" in str(caught.value) and "--" not in str(caught.value)
+    with pytest.raises(sheave.BenchError) as caught:
+        sheave.compare(data=data, tolerance=1e-3)
+    assert "--" not in str(caught.value)
     with pytest.raises(sheave.BenchError):
         sheave.dyno(root / "README.md")
     with pytest.raises(sheave.BenchError):

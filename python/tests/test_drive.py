@@ -1,5 +1,8 @@
 """Whole drives: equilibria, shift curves, the search for a tune."""
 
+import os
+import signal
+import time
 from pathlib import Path
 from typing import Any
 
@@ -189,6 +192,29 @@ def test_a_tuning_is_shown_and_its_map_used_again(tuning: sheave.Tuning, gx9: sh
         _ = none.best
 
 
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_ctrl_c_ends_a_search_of_many_combinations(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
+    parts = {
+        "mass": {"primary.actuator.mass": np.linspace(0.1, 0.2, 30).tolist()},
+        "helix": {"secondary.actuator.helix_angle": [f"{angle} deg" for angle in np.linspace(25, 40, 30)]},
+        "pretension": {"secondary.spring.pretension": [f"{angle} deg" for angle in np.linspace(45, 75, 30)]},
+    }
+    sent: list[float] = []
+
+    def interrupt(_: int) -> None:
+        if not sent:
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            sheave.tune(gx9, parts=parts, map=tuning.map, target="3200 rpm", points=5, best=0, progress=interrupt)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert time.monotonic() - sent[0] < 5
+
+
 def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
     wrong = {"helix": {"secondary.actuator.helix_angel": ["34 deg"]}}
     with pytest.raises(sheave.CaseError, match=r"did you mean `secondary\.actuator\.helix_angle`"):
@@ -205,3 +231,17 @@ def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
         sheave.tune(parts={"a": {"b": {}}}, target="3400 rpm")
     with pytest.raises(sheave.CaseError, match=r"`a` sets `belt\.length`: expected keys of \[primary\.actuator\]"):
         sheave.tune(gx9, parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")
+
+
+def test_a_shift_curve_ends_at_a_higher_speed_than_it_begins(gx9: sheave.Case) -> None:
+    for start, stop in (("3000 rpm", "1000 rpm"), ("2000 rpm", "2000 rpm")):
+        with pytest.raises(ValueError, match=r"start is .* expected a higher speed to end at"):
+            sheave.shift(gx9, start=start, stop=stop, points=3)
+
+
+def test_a_drive_prescribes_no_output_of_its_belt(gx9: sheave.Case) -> None:
+    swapped = gx9.swap("belt.bending_stiffness for efficiency.overall = 0.96")
+    with pytest.raises(sheave.CaseError, match=r"`sheave\.drive` prescribes no output"):
+        sheave.drive(swapped, speed="2000 rpm")
+    with pytest.raises(sheave.CaseError, match=r"`sheave\.shift` prescribes no output"):
+        sheave.shift(swapped)

@@ -34,10 +34,42 @@ def test_a_map_says_what_a_solution_says(belt_map: sheave.BeltMap) -> None:
         belt_map.at(1.07, 11.0, ratio=1.0, primary_torque=11.0)
 
 
+def test_maps_are_over_what_keys_are_otherwise() -> None:
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    ratios, newtons = [0.9, 1.0, 1.1], [1000.0, 1200.0, 1400.0]
+    for over in (
+        {"drive__ratio": ratios, "clamp": newtons},
+        {"ratio": tuple(ratios), "secondary_axial_force": [q(1, "kN"), 1200.0, "1.4 kN"]},
+        {"ratio": np.array(ratios), "operating_point__secondary_axial_force": q(np.array([1.0, 1.2, 1.4]), "kN")},
+        ["ratio=0.9,1,1.1", "clamp=1000..1400 N"],
+    ):
+        made = sheave.map(over=over, accuracy=0.1, max_points=100)
+        assert made.breakpoints["drive.ratio"].tolist() == pytest.approx(ratios)
+        assert made.breakpoints["operating_point.secondary_axial_force"].tolist() == pytest.approx(newtons)
+    # As the command solves its points: to a hundredth of the accuracy.
+    assert made.report["tolerance"] == pytest.approx(1e-3)
+    with pytest.raises(sheave.CaseError, match="kg"):
+        sheave.map(over={"ratio": ratios, "clamp": [q(1, "kg"), q(2, "kg")]})
+    with pytest.raises(TypeError, match="several values"):
+        sheave.map(over={"ratio": ratios, "clamp": 1000.0})
+    with pytest.raises(ValueError, match="ratioo"):
+        sheave.map(over={"ratioo": ratios, "clamp": newtons})
+    with pytest.raises(sheave.MapError) as caught:
+        sheave.map(over=[])
+    assert "--" not in str(caught.value)
+
+
 def test_many_points_are_read_at_once_with_derivatives(belt_map: sheave.BeltMap) -> None:
     points = np.array([[1.0, 9.0], [1.1, 17.0], [2.0, 9.0]])
     values, slopes = belt_map.interpolate("primary.axial_force", points)
     assert np.isnan(values).tolist() == [False, False, True] and slopes.shape == (3, 2)
+    same, _ = belt_map.interpolate("primary.axial_force", [[1.0, 9.0], [1.1, 17.0]])
+    assert same.tolist() == values[:2].tolist()
+    refused: list[Any] = [[1.0, 9.0], [[1.0, 9.0, 3.0]], [["a", "b"]]]
+    for wrong in refused:
+        with pytest.raises(ValueError):
+            belt_map.interpolate("primary.axial_force", wrong)
     step = 1e-6
     for axis in range(2):
         moved = points[:2].copy()
@@ -52,6 +84,12 @@ def test_a_map_is_read_as_it_was_written(belt_map: sheave.BeltMap, tmp_path: Pat
     assert again.at(1.07, 11.0) == pytest.approx(belt_map.at(1.07, 11.0), rel=1e-12)
     with pytest.raises(sheave.MapError):
         sheave.BeltMap.read(tmp_path / "nowhere.csv")
+    belt_map.write(tmp_path / "map.nc")
+    data = pytest.importorskip("xarray").open_dataset(tmp_path / "map.nc", engine="scipy")
+    assert any("axial_force" in str(name) for name in data.variables)
+    data.close()
+    with pytest.raises(ValueError, match=r"\.nc"):
+        belt_map.write(tmp_path / "map.txt")
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,10 @@ import pickle
 import signal
 import threading
 import time
+from collections import UserDict
+from collections.abc import Callable
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -29,6 +32,30 @@ def test_a_case_is_a_path_a_text_a_dictionary_or_nothing(root: Path) -> None:
     assert given[0].primary.exit_tension == pytest.approx(120, rel=1e-6)
     path = root / "examples" / "baja.toml"
     assert sheave.solve(path, tolerance=1e-3).edition == sheave.solve(str(path), tolerance=1e-3).edition
+
+
+def test_a_name_may_have_an_equals_sign(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    folder = tmp_path / "ratio=1.2"
+    folder.mkdir()
+    for name in ("case.toml", "case"):
+        (folder / name).write_text("[drive]\nratio = 1.2\n")
+        assert sheave.Case(str(folder / name)).given == {"drive.ratio": 1.2}
+        assert sheave.Case(f"ratio=1.2/{name}").given == {"drive.ratio": 1.2}
+    with pytest.raises(sheave.CaseError, match="cannot read"):
+        sheave.Case("ratio=1.3/case.toml")
+    assert sheave.Case("drive.ratio = 1.2").given == {"drive.ratio": 1.2}
+
+
+def test_any_mapping_is_a_dictionary() -> None:
+    keys = {"drive": MappingProxyType({"ratio": 1.2}), "slack_tension": "120 N"}
+    given = {"drive.ratio": 1.2, "operating_point.slack_tension": 120.0}
+    assert sheave.Case(MappingProxyType(keys)).given == sheave.Case(UserDict(keys)).given == given
+    assert sheave.Case().with_(UserDict(keys)).given == given
+    with pytest.raises(TypeError, match="a key is a text"):
+        sheave.Case({1: 2})  # type: ignore[dict-item]
+    with pytest.raises(TypeError, match="dictionary of keys"):
+        sheave.Case().with_([1])  # type: ignore[arg-type]
 
 
 def test_keys_take_the_place_of_those_that_say_the_same_in_another_way(root: Path) -> None:
@@ -69,6 +96,34 @@ def test_results_say_what_the_json_says(base: sheave.Result) -> None:
     assert base.slip_reserve == 1 - base.friction_utilization
     assert base.inputs["drive"]["primary_radius"] == pytest.approx(0.068309)
     assert "axial" in str(base) and "sheave.Result" in repr(base)
+
+
+def test_results_have_attributes_for_all_of_the_json(root: Path) -> None:
+    def check(told: dict[str, object], result: object, path: str) -> None:
+        for name, value in told.items():
+            assert hasattr(result, name), f"{path}.{name}"
+            part = getattr(result, name)
+            if isinstance(value, dict) and not isinstance(part, dict):
+                check(value, part, f"{path}.{name}")
+            else:
+                assert part == value, f"{path}.{name}"
+
+    result = sheave.solve(root / "examples" / "heat.toml", tolerance=1e-3, sensitivities=True)
+    told = result.to_dict()
+    for envelope in ("schema", "command", "converged"):
+        told.pop(envelope)
+    check(told, result, "result")
+    assert result.losses is not None and result.losses.to_dict()["harmonics"]["bending"] > 0
+    assert result.uncertainty is not None and 0 < result.uncertainty["primary.axial_force"] < 1
+
+
+def test_losses_are_told_at_any_tolerance(root: Path) -> None:
+    """Also where the harmonics lead to no such accuracy: what is left out of them is left out of the heat as well."""
+    path = root / "examples" / "heat.toml"
+    usual, tight = (sheave.solve(path, tolerance=tolerance) for tolerance in (1e-8, 1e-10))
+    assert usual.losses is not None and tight.losses is not None
+    assert tight.losses.total == pytest.approx(usual.losses.total, rel=1e-6)
+    assert tight.belt.temperature == pytest.approx(usual.belt.temperature, rel=1e-7)
 
 
 def test_sensitivities_are_those_of_differences(base: sheave.Result) -> None:
@@ -153,12 +208,46 @@ def test_what_has_no_solution_says_why() -> None:
     assert caught.value.hint and "sheave.limit" in caught.value.hint
 
 
+def test_what_cannot_be_solved_is_proven_where_it_can_be() -> None:
+    """As the command says it: not where the search ended, but what the drive would take."""
+    with pytest.raises(sheave.SolveError, match=r"takes a slack tension of at least 20\.\d+ N, and 1\.00 N is given"):
+        sheave.solve(slack_tension="1 N", primary_torque="80 N*m", tolerance=1e-2)
+    with pytest.raises(sheave.SolveError, match="work limit") as caught:
+        sheave.solve(work_limit=10)
+    assert caught.value.hint and "`work_limit`" in caught.value.hint
+
+
+def test_an_axial_force_may_belong_to_two_operating_points() -> None:
+    keys = {"primary_axial_force": "110 N", "primary_torque": "3 N*m"}
+    tight = sheave.solve(keys, tolerance=1e-4)
+    loose = sheave.solve(keys, tolerance=1e-4, branch="loose")
+    assert tight.primary.axial_force == pytest.approx(loose.primary.axial_force, rel=1e-3)
+    assert tight.primary.exit_tension > 10 * loose.primary.exit_tension
+    for one, other in ((tight, loose), (loose, tight)):
+        assert one.other_solution is not None
+        assert one.other_solution.slack_tension == pytest.approx(other.primary.exit_tension, rel=1e-2)
+        assert one.other_solution.friction_utilization == pytest.approx(other.friction_utilization, rel=1e-2)
+        assert one.to_dict()["other_solution"] == one.other_solution.to_dict()
+    assert any('branch="loose"' in warning for warning in tight.warnings)
+    # From the looser nearby the tighter is found, unless the looser is asked for.
+    near = sheave.solve(keys, tolerance=1e-4, near=loose)
+    assert near.primary.exit_tension == pytest.approx(tight.primary.exit_tension, rel=1e-2)
+    near = sheave.solve(keys, tolerance=1e-4, near=tight, branch="loose")
+    assert near.primary.exit_tension == pytest.approx(loose.primary.exit_tension, rel=1e-2)
+    only = sheave.solve(primary_axial_force="1050 N", tolerance=1e-2, branch="loose")
+    assert only.other_solution is None and any("Only one operating point" in warning for warning in only.warnings)
+    with pytest.raises(ValueError, match='"tight" or "loose"'):
+        sheave.solve(keys, branch="both")
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         {"tolerance": 1.0},
         {"tolerance": float("nan")},
         {"order": 5},
+        {"order": -4},
+        {"work_limit": 0},
     ],
 )
 def test_options_are_checked(arguments: dict[str, float]) -> None:
@@ -182,6 +271,23 @@ def test_a_result_nearby_is_a_start(base: sheave.Result) -> None:
     assert other.edition == "thesis"
 
 
+def test_what_is_said_of_calls_speaks_of_them() -> None:
+    calls: list[Callable[[], object]] = [lambda: sheave.Case().without("rtaio"), lambda: sheave.Case().swap("nonsense")]
+    for call in calls:
+        with pytest.raises(sheave.CaseError) as caught:
+            call()
+        assert [place.source for place in caught.value.places] == ["argument"] and "--" not in str(caught.value)
+    with pytest.raises(sheave.CaseError) as caught:
+        sheave.solve("[sweep]\nover = ['drive.ratio=1..1.2:3']\n")
+    assert caught.value.hint and "`sheave.sweep(FILE)`" in caught.value.hint
+
+
+def test_summaries_speak_of_keys() -> None:
+    result = sheave.solve(slack_tension="60 N", primary_torque="80 N*m", tolerance=1e-3)
+    for page in (result.summary, result._repr_html_()):
+        assert 'slip_reserve="20%" solves for it' in page and "--reserve" not in page
+
+
 def test_cases_are_plain_values() -> None:
     case = sheave.Case(slack_tension="120 N", edition="thesis", primary_speed="30000 rpm")
     assert case.given["edition"] == "thesis"
@@ -193,6 +299,12 @@ def test_cases_are_plain_values() -> None:
     assert case.resolve()["operating_point"]["slack_tension"] == 120
     table = {row["key"]: row for row in sheave.keys()}
     assert table["drive.center_distance"]["default"] == pytest.approx(0.214)
+
+
+def test_what_cannot_be_pickled_says_what_can(base: sheave.Result) -> None:
+    with pytest.raises(TypeError, match="to_dict"):
+        pickle.dumps(base)
+    assert pickle.loads(pickle.dumps(base.to_dict())) == base.to_dict()
 
 
 def test_cases_are_equal_by_what_they_give(root: Path) -> None:
@@ -214,6 +326,30 @@ def test_lists_are_lists_tuples_arrays_or_texts() -> None:
     for truth in (True, np.True_):
         with pytest.raises(TypeError):
             sheave.Case(slack_tension=truth)
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    of_pint = {"engine.speeds": q(np.array([200.0, 300.0]), "rad/s"), "engine.torques": [q(20, "N*m"), 21.0]}
+    assert sheave.Case(of_pint) == text
+    with pytest.raises(sheave.CaseError, match="an array"):
+        sheave.Case(slack_tension=q(np.array([1.0, 2.0]), "N"))
+
+
+def test_tables_are_dictionaries_of_what_stands_over_what() -> None:
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    given = {"belt.bending_stiffness": {"temperature": [298.15, 333.15], "value": [0.4, 0.26]}}
+    for table in (
+        {"temperature": ["25 degC", "60 degC"], "value": ["0.4 N*m^2", "0.26 N*m^2"]},
+        {"temperature": q(np.array([25.0, 60.0]), "degC"), "value": q([0.4, 0.26], "N*m^2")},
+        {"temperature": np.array([298.15, 333.15]), "value": (0.4, 0.26)},
+        given["belt.bending_stiffness"],
+    ):
+        case = sheave.Case(bending_stiffness=table)
+        assert case.given == {
+            key: {axis: pytest.approx(row) for axis, row in one.items()} for key, one in given.items()
+        }
+    with pytest.raises(sheave.CaseError, match="`temperatures` has no place in it"):
+        sheave.Case(bending_stiffness={"temperatures": [298.15], "value": [0.4]})
 
 
 def test_other_threads_run_meanwhile() -> None:
@@ -262,6 +398,24 @@ def test_ctrl_c_ends_a_computation() -> None:
         signal.signal(signal.SIGINT, before)
     assert time.monotonic() - start < 60
     assert sheave.solve(tolerance=1e-2).primary.torque == pytest.approx(18)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_ctrl_c_ends_the_check_of_a_grid() -> None:
+    """All points of a study are checked when it is made: a million take seconds."""
+    over = {"ratio": np.linspace(0.7, 1.7, 1000), "slack_tension": np.linspace(60, 300, 1000)}
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            sheave.Study(over=over)
+    finally:
+        timer.cancel()
+        signal.signal(signal.SIGINT, before)
+    assert time.monotonic() - start < 1.5
+    assert len(sheave.Study(over={"ratio": [1.0, 1.1]})) == 2
 
 
 class Enough(Exception):

@@ -3,6 +3,7 @@
 import json
 import pickle
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -38,6 +39,43 @@ def test_grids_are_said_in_several_ways(table: sheave.Table) -> None:
     assert editions["edition"] == ["thesis", "consistent"]
 
 
+def test_each_value_has_its_own_unit() -> None:
+    """Numbers are in SI units, whatever units others have."""
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    newtons = [100.0, 150.0, 200.0]
+    for values in (
+        [100.0, "150 N", "0.2 kN"],
+        [q(0.1, "kN"), 150, "200 N"],
+        q(np.array([0.1, 0.15, 0.2]), "kN"),
+        (np.float32(100), np.int64(150), 200),
+        pytest.importorskip("pandas").Series(newtons),
+        pytest.importorskip("polars").Series(newtons),
+        (value for value in newtons),
+    ):
+        study = sheave.Study(over=MappingProxyType({"slack_tension": values}), tolerance=1e-2)
+        assert study.run()["operating_point.slack_tension"].tolist() == pytest.approx(newtons)
+    for wrong in (1.0, q(1, "kN"), [True, False], np.array([True]), {"a": 1}):
+        with pytest.raises(TypeError):
+            sheave.Study(over={"slack_tension": wrong})
+
+
+def test_a_study_file_says_what_varies(root: Path) -> None:
+    path = root / "examples" / "slack_tension.toml"
+    study = sheave.Study(path)
+    assert len(study) > 2 and study.axes[0][0] == ["operating_point.slack_tension"]
+    again = sheave.Study(path, over={"slack_tension": [100.0, 200.0], "drive.ratio": [1.0, 1.1, 1.2]})
+    assert dict((tuple(keys), points) for keys, points in again.axes) == {
+        **{tuple(keys): points for keys, points in study.axes},
+        ("operating_point.slack_tension",): 2,
+        ("drive.ratio",): 3,
+    }
+    text = "[sweep]\nover = ['drive.ratio = 0.9..1.1:2']\n"
+    assert sheave.sweep(text, tolerance=1e-2)["drive.ratio"].tolist() == [0.9, 1.1]
+    with pytest.raises(sheave.StudyError, match="nothing is varied"):
+        sheave.sweep(slack_tension="120 N")
+
+
 def test_arrays_are_views(table: sheave.Table) -> None:
     column = table["efficiency.overall"]
     assert np.shares_memory(column, table["efficiency.overall"]) and not column.flags.writeable
@@ -68,6 +106,30 @@ def test_tables_become_datasets_of_xarray(table: sheave.Table) -> None:
     assert float(picked) == table["primary.axial_force"][2]
     joined = sheave.sweep(over="drive.ratio=0.9,1&operating_point.slack_tension=100,200", tolerance=1e-2).to_xarray()
     assert joined.operating_point__slack_tension.dims == ("drive__ratio",)
+
+
+def test_tables_can_be_pickled(table: sheave.Table) -> None:
+    failing = sheave.sweep(over={"drive.center_distance": ["214 mm", "100 mm"]}, tolerance=1e-2)
+    for one in (table, failing):
+        copy = pickle.loads(pickle.dumps(one))
+        assert copy.columns == one.columns and copy.axes == one.axes and copy.failures == one.failures
+        for column in one.columns:
+            np.testing.assert_array_equal(copy[column], one[column])
+
+
+def test_limits_and_optima_over_a_grid() -> None:
+    study = sheave.Study(over={"ratio": [0.9, 1.0], "primary_torque": [10.0, 18.0]}, tolerance=1e-3)
+    limits, best = study.limits(), study.optima(jobs=1)
+    assert limits.axes == best.axes == study.axes and limits.failures == best.failures == 0
+    one = sheave.limit(ratio=1.0, primary_torque=18.0, tolerance=1e-3).smallest_clamp
+    assert one is not None
+    assert limits["smallest_clamp.slack_tension.value"][3] == pytest.approx(one.slack_tension.value, rel=1e-3)
+    # What is varied is not sought.
+    assert not any(column.startswith("largest_torque") for column in limits.columns)
+    clamp = sheave.optimum(ratio=1.0, primary_torque=18.0, tolerance=1e-3).state.slack_tension
+    assert best["state.slack_tension"][3] == pytest.approx(clamp, rel=1e-2)
+    with pytest.raises(ValueError, match="least_speed_efficiency"):
+        study.limits(least_speed_efficiency=1.0)
 
 
 def test_points_without_a_solution_keep_their_rows() -> None:

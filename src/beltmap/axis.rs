@@ -55,7 +55,7 @@ impl MapAxis {
         } else {
             String::new()
         };
-        let path: &str = match known(name.trim()) {
+        let path: &str = match Self::key_named(name.trim()) {
             Some(key) => key.path(),
             None => name.trim(),
         };
@@ -64,6 +64,15 @@ impl MapAxis {
         let value = |setting: Setting| if let Setting::Number(value) = setting { Some(value) } else { None };
         let number = |point: usize| axis.at(point).find_map(|(_, setting)| value(setting));
         Self::new(*key, (0..axis.points()).filter_map(number))
+    }
+
+    /// The key that a map knows by a name: its path, its last part where that says which, or one of the usual short names
+    /// (see [`MapAxis::parse`]).
+    pub fn key_named(name: &str) -> Option<Key> {
+        let short = SHORT.iter().find(|(short, _)| *short == name).map(|(_, key)| *key);
+        let mut alike = crate::case::TABLE.iter().filter(|entry| entry.name() == name);
+        let only = alike.next().filter(|_| alike.next().is_none()).map(|entry| entry.key);
+        Key::from_path(name).or(short).or(only)
     }
 
     /// The axis of a key with breakpoints in SI, in any order.
@@ -135,14 +144,6 @@ impl MapAxis {
         let inside = first <= value && value <= last;
         inside.then(|| self.breakpoints.partition_point(|at| *at <= value).clamp(1, self.len() - 1) - 1)
     }
-}
-
-/// The key that a name means.
-fn known(name: &str) -> Option<Key> {
-    let short = SHORT.iter().find(|(short, _)| *short == name).map(|(_, key)| *key);
-    let mut alike = crate::case::TABLE.iter().filter(|entry| entry.name() == name);
-    let only = alike.next().filter(|_| alike.next().is_none()).map(|entry| entry.key);
-    Key::from_path(name).or(short).or(only)
 }
 
 /// How a key enters the problem; none for those that a map cannot be over.

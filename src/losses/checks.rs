@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::series::{Summand, Track, series, side_by_side};
+use super::series::{MAX_HARMONICS, Summand, Track, series, side_by_side};
 
 /// A field with smooth bumps and a kink, given by value and derivative, on four tracks with uneven meshes.
 fn tracks(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, nodes: usize) -> Vec<Track> {
@@ -67,7 +67,7 @@ fn a_jump_has_no_sum() {
     assert!(series(&field, |_| 1.0, 1e-6).is_none());
     // Beside it, a sum that ends does end.
     let smooth = tracks(|u| (TAU * u).cos(), |u| -TAU * (TAU * u).sin(), 60);
-    let summand = |tracks| Summand { tracks, weight: &|_| 1.0, tolerance: 1e-6 };
+    let summand = |tracks| Summand { tracks, weight: &|_| 1.0, tolerance: 1e-6, most: 1e-6 };
     let both = side_by_side(&[summand(&field), summand(&smooth)]);
     assert!(both[0].is_none() && both[1].is_some());
 }
@@ -82,6 +82,20 @@ fn both_ways_to_integrate_agree_where_they_meet() {
 }
 
 /// Fields on the same nodes, on others, absent from a region, and one whose sum ends much later.
+/// The terms of a field with kinks fall as n⁻³: at a tolerance that no number of harmonics leads to, the sum has what
+/// all of them say.
+#[test]
+fn a_kink_is_summed_as_far_as_the_harmonics_lead() {
+    let kinked = tracks(|u| (PI * u).sin().abs(), |u| PI * (PI * u).cos() * (PI * u).sin().signum(), 60);
+    let summed = |tolerance, most| {
+        side_by_side(&[Summand { tracks: &kinked, weight: &|_| 1.0, tolerance, most }]).pop().flatten()
+    };
+    assert!(summed(1e-13, 1e-13).is_none());
+    let (all, some) = (summed(1e-13, 1e-6).expect("as far as they lead"), summed(1e-6, 1e-6).expect("ends"));
+    assert_eq!(all.harmonics, MAX_HARMONICS);
+    assert!((all.total - some.total).abs() < 1.5e-6 && all.rest < 1e-6, "{} and {}", all.total, some.total);
+}
+
 #[test]
 fn fields_side_by_side_are_summed_as_each_by_itself() {
     let wave = |n: f64| {
@@ -93,7 +107,12 @@ fn fields_side_by_side_are_summed_as_each_by_itself() {
     let mut fourth = tracks(|u| (PI * u).sin().powi(4), |u| 4.0 * PI * (PI * u).cos() * (PI * u).sin().powi(3), 80);
     fourth[3] = Track::default();
     let fields = [(&first, 1e-5), (&second, 1e-9), (&third, 1e-7), (&fourth, 1e-4)];
-    let summands = fields.map(|(tracks, tolerance)| Summand { tracks, weight: &|n| 1.0 + 0.1 / n as f64, tolerance });
+    let summands = fields.map(|(tracks, tolerance)| Summand {
+        tracks,
+        weight: &|n| 1.0 + 0.1 / n as f64,
+        tolerance,
+        most: tolerance,
+    });
     let found = side_by_side(&summands);
     let mut ends = Vec::new();
     for (found, of) in found.into_iter().zip(summands) {

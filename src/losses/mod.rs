@@ -32,6 +32,26 @@ use tracks::Tracks;
 /// tangent, is below the tolerance: as many harmonics at any loss tangent, so that losses are exactly linear in it.
 const TYPICAL_TANGENT: f64 = 1.0 / 8.2;
 
+/// Share of the power that a drive takes in that sums may leave out at any tolerance when all harmonics are summed: the
+/// terms of a field with kinks fall as n⁻³, and a tenth of what is left out takes three times as many.
+const ENOUGH: f64 = 1e-6;
+
+/// What sums may leave out, W.
+#[derive(Debug, Clone, Copy)]
+struct LeftOut {
+    /// Where they end.
+    wanted: f64,
+    /// What is borne after the last harmonic.
+    most: f64,
+}
+
+impl LeftOut {
+    /// For a solution's relative tolerance and the power that its drive takes in.
+    fn new(tolerance: f64, driving: f64) -> Self {
+        Self { wanted: tolerance * driving, most: tolerance.max(ENOUGH) * driving }
+    }
+}
+
 /// Why there are no losses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum NoLosses {
@@ -126,7 +146,7 @@ struct Sums {
 }
 
 /// The losses of a solved case besides friction, loss tangents taken at a temperature in K, sums to `tolerance` times
-/// the power that the drive takes in.
+/// the power that the drive takes in, as far as [`MAX_HARMONICS`] lead.
 ///
 /// # Errors
 /// [`NoLosses`], if what the case asks for cannot be told of this solution.
@@ -136,7 +156,7 @@ pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64
     let driving = power_in.max(-power_out);
     let overall = outputs.get(Output::EfficiencyOverall)?;
     let overall = if power_in >= -power_out { overall } else { 1.0 / overall };
-    let sums = hysteresis(case, solved, temperature, tolerance * driving)?;
+    let sums = hysteresis(case, solved, temperature, LeftOut::new(tolerance, driving))?;
     let sum = |part: fn(&Hysteresis) -> f64| sums.as_ref().map_or(0.0, |(total, ..)| part(total));
     let total = Hysteresis { bending: sum(|h| h.bending), groove: sum(|h| h.groove), cord: sum(|h| h.cord) };
     let taken = total.bending + total.groove + total.cord;
@@ -193,13 +213,13 @@ fn evaluate<I, O: Identity, const N: usize>(kernel: &FormulaKernel<I, O>, inputs
 /// given.
 type Dissipated = Option<(Hysteresis, [Hysteresis; 4], Harmonics)>;
 
-fn hysteresis(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64) -> Result<Dissipated, NoLosses> {
+fn hysteresis(case: &Resolved, solved: &Solved, temperature: f64, left_out: LeftOut) -> Result<Dissipated, NoLosses> {
     let given = &case.losses;
     if given.loss_tangent.is_zero() && given.cord_loss_tangent.is_zero() {
         return Ok(None);
     }
     let tracks = Tracks::new(&solved.belt, &solved.solution).ok_or(NoLosses::String)?;
-    let sums = sums(&tracks, &weights(solved, tracks.length), case, temperature, tolerance)?;
+    let sums = sums(&tracks, &weights(solved, tracks.length), case, temperature, left_out)?;
     let of = |part: &dyn Fn(&Series) -> f64| Hysteresis {
         bending: part(&sums.bending),
         groove: part(&sums.groove),
@@ -246,7 +266,7 @@ fn sums(
     weights: &Weights,
     case: &Resolved,
     temperature: f64,
-    tolerance: f64,
+    left_out: LeftOut,
 ) -> Result<Sums, NoLosses> {
     let (rubber, cord) = (&case.losses.loss_tangent, &case.losses.cord_loss_tangent);
     let fields: [(&'static str, &[Track], f64, &LossTangent); 3] = [
@@ -259,10 +279,9 @@ fn sums(
     });
     let summands = fields.iter().zip(&at).filter(|((.., tangent), _)| !tangent.is_zero());
     let summands: Vec<Summand<'_>> = summands
-        .map(|(&(_, tracks, _, tangent), weight)| Summand {
-            tracks,
-            weight,
-            tolerance: tolerance * tangent.largest() / TYPICAL_TANGENT,
+        .map(|(&(_, tracks, _, tangent), weight)| {
+            let share = tangent.largest() / TYPICAL_TANGENT;
+            Summand { tracks, weight, tolerance: left_out.wanted * share, most: left_out.most * share }
         })
         .collect();
     let mut found = side_by_side(&summands).into_iter();

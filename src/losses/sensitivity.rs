@@ -7,7 +7,9 @@ use solver::{Functional, Linearisation, Points, Problem, Scope, SolveError};
 use super::output::{LossOutput, LossValues};
 use super::series::{Series, Track};
 use super::tracks::{CURVATURE, CURVATURE_SLOPE, Followed, Input, PENETRATION_SLOPE, STRAIN, STRAIN_SLOPE, Tracks};
-use super::{NoLosses, Sums, TrackGradient, WEIGHT_CONSTANTS, Weights, balance_inputs, sums, weight_inputs, weights};
+use super::{
+    LeftOut, NoLosses, Sums, TrackGradient, WEIGHT_CONSTANTS, Weights, balance_inputs, sums, weight_inputs, weights,
+};
 use crate::case::{Key, LossTangent, Rated, Resolved};
 use crate::drive::{RegionId, Solved};
 use crate::model::{Constant, InternalError, Output};
@@ -55,7 +57,7 @@ const BALANCE_KEYS: [(Key, usize); 5] = [
     (Key::GearEfficiency, 9),
 ];
 
-/// Derivatives of a solved case's losses, sums to `tolerance` times the power that the drive takes in.
+/// Derivatives of a solved case's losses, sums as those of [`losses`](super::losses).
 ///
 /// # Errors
 /// [`NoDerivatives`].
@@ -72,8 +74,8 @@ pub fn gradients(
     let linearisation = Linearisation::new(&solved.belt, &solved.solution)?;
     let (power_in, power_out) = (values.get(Output::EnergyPowerIn)?, values.get(Output::EnergyPowerOut)?);
     let driving = power_in.max(-power_out);
-    let tolerance = tolerance * driving;
-    let (taken, adjoints) = adjoints(case, solved, temperature, tolerance)?;
+    let left_out = LeftOut::new(tolerance, driving);
+    let (taken, adjoints) = adjoints(case, solved, temperature, left_out)?;
     let dissipated: f64 = taken.iter().sum();
     let [bending, groove, cord] = adjoints.each_ref().map(|adjoint| linearisation.gradient(&adjoint.functional));
     let hysteresis: Vec<f64> = bending.iter().zip(&groove).zip(&cord).map(|((a, b), c)| a + b + c).collect();
@@ -207,7 +209,7 @@ fn adjoints(
     case: &Resolved,
     solved: &Solved,
     temperature: f64,
-    tolerance: f64,
+    left_out: LeftOut,
 ) -> Result<([f64; 3], [Adjoint; 3]), NoDerivatives> {
     let given = &case.losses;
     let nothing = || Adjoint { functional: Functional::default(), temperature: 0.0 };
@@ -216,7 +218,7 @@ fn adjoints(
     }
     let tracks = Tracks::new(&solved.belt, &solved.solution).ok_or(NoLosses::String)?;
     let weights = weights(solved, tracks.length);
-    let Sums { bending, groove, cord } = sums(&tracks, &weights, case, temperature, tolerance)?;
+    let Sums { bending, groove, cord } = sums(&tracks, &weights, case, temperature, left_out)?;
     let (rubber, core) = (&given.loss_tangent, &given.cord_loss_tangent);
     let of = |sum: &Series, tracks_of: &[Track], what: What, weight: f64, tangent: &LossTangent| {
         if tangent.is_zero() {

@@ -389,8 +389,10 @@ pub(super) struct Summand<'a> {
     pub tracks: &'a [Track],
     /// What multiplies |B_n|²/n.
     pub weight: &'a dyn Fn(usize) -> f64,
-    /// What may be missing, absolute.
+    /// What may be missing where the sum ends, absolute.
     pub tolerance: f64,
+    /// What may be missing after [`MAX_HARMONICS`].
+    pub most: f64,
 }
 
 /// A sum as far as it has come.
@@ -441,7 +443,7 @@ impl Running {
 /// Σ_n weight(n) |B_n|²/n for a field that is given region by region around the loop, until what is missing is below
 /// `tolerance`, absolute. `None` if it does not end within [`MAX_HARMONICS`], as that of a field with jumps does not.
 pub fn series(tracks: &[Track], weight: impl Fn(usize) -> f64, tolerance: f64) -> Option<Series> {
-    side_by_side(&[Summand { tracks, weight: &weight, tolerance }]).pop().flatten()
+    side_by_side(&[Summand { tracks, weight: &weight, tolerance, most: tolerance }]).pop().flatten()
 }
 
 /// [`series`] of several fields, so that those on the same nodes share what they can.
@@ -461,5 +463,6 @@ pub(super) fn side_by_side(fields: &[Summand<'_>]) -> Vec<Option<Series>> {
             *wanted = !sum.add(n, parts, field);
         }
     }
-    sums.into_iter().zip(wanted).map(|(running, wanted)| (!wanted).then_some(running.sum)).collect()
+    let ended = sums.into_iter().map(|running| running.sum).zip(fields);
+    ended.map(|(sum, field)| (sum.rest <= field.most.max(field.tolerance)).then_some(sum)).collect()
 }

@@ -80,7 +80,21 @@ pub fn run_on_branch(case: &Resolved, wanted: Branch, options: &SolveOptions) ->
     {
         return run(case, options);
     }
-    let solved = solve(case, options)?;
+    interpret_on_branch(case, wanted, options, solve(case, options)?, start)
+}
+
+/// As [`interpret`]; where the clamp is an axial force that belongs to two solutions, whichever `solved` is, the one
+/// that `wanted` says, and the other beside it.
+///
+/// # Errors
+/// As [`run`].
+pub fn interpret_on_branch(
+    case: &Resolved,
+    wanted: Branch,
+    options: &SolveOptions,
+    solved: Solved,
+    start: Stopwatch,
+) -> Result<Outcome, Failure> {
     let other = other_solution(&case.model, &solved, options)?;
     let is_tighter = |a: &Solved, b: &Solved| a.constant(Constant::SlackTension) > b.constant(Constant::SlackTension);
     let (chosen, other) = match other {

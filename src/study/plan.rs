@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, MAX_POINTS, SOURCE};
 use super::error::StudyError;
+use crate::cancel::is_cancelled;
 use crate::case::{Case, CaseError, Key, Resolved, Setting};
 use crate::drive::SolveOptions;
 use std::ops::Range;
@@ -36,7 +37,8 @@ impl Study {
     /// the case that say the same in another way: the ratio that of both radii, a tension that of an axial force.
     ///
     /// # Errors
-    /// What is wrong with the grid, or with the case at some point of it: see [`StudyError`].
+    /// What is wrong with the grid, or with the case at some point of it: see [`StudyError`]. Checking a million points
+    /// takes a while, and ends where it is cancelled (see [`cancellable`](crate::cancellable)).
     pub fn new(
         mut case: Case,
         axes: impl IntoIterator<Item = Axis>,
@@ -68,9 +70,12 @@ impl Study {
     /// Resolves the case at every point. Whether a question has an answer whatever the numbers depends on which keys
     /// are given and on the names among them: it is asked once for each such set, for it takes far longer than
     /// resolving.
-    fn check(&self) -> Result<(), CaseError> {
+    fn check(&self) -> Result<(), StudyError> {
         let mut asked: Vec<Vec<(Key, Option<&str>)>> = Vec::new();
         for index in 0..self.points() {
+            if is_cancelled() {
+                return Err(StudyError::Cancelled);
+            }
             let (_, case) = self.case_at(index)?;
             let Ok(resolved) = resolved(&case)? else { continue };
             let name = |setting: Setting| if let Setting::Name(name) = setting { Some(name) } else { None };

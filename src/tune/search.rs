@@ -247,12 +247,14 @@ impl TunePlan {
         self.check_map(map)?;
         let screen = Screen::new(map)?;
         let jobs = self.options.jobs.unwrap_or(0);
+        let cancelled = || TuneError::from(MapError::Study(StudyError::Cancelled));
         let screened = threads::map(jobs, self.parts.candidates(), |candidate| {
-            let found = self.screened(&screen, candidate);
+            let found = (!is_cancelled()).then(|| self.screened(&screen, candidate));
             done();
             found
         });
-        let screened = screened.map_err(|_| TuneError::Threads(jobs))?;
+        let screened: Option<Vec<_>> = screened.map_err(|_| TuneError::Threads(jobs))?.into_iter().collect();
+        let screened = screened.ok_or_else(cancelled)?;
         let mut ranking = Ranking {
             target: self.options.target,
             candidates: self.parts.candidates(),
@@ -277,7 +279,7 @@ impl TunePlan {
         let confirmed = threads::map(jobs, best, |at| ranking.tunes.get(at).map(|tune| self.confirm(tune)));
         let confirmed = confirmed.map_err(|_| TuneError::Threads(jobs))?;
         if is_cancelled() {
-            return Err(MapError::Study(StudyError::Cancelled).into());
+            return Err(cancelled());
         }
         for (tune, confirmed) in ranking.tunes.iter_mut().zip(confirmed) {
             tune.confirmed = confirmed;
