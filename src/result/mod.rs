@@ -21,6 +21,7 @@ pub use answers::{Answer, Light, WANTED_RESERVE, answers, answers_in, tension_fo
 pub use beside::beside;
 pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
+#[cfg(feature = "ode")]
 pub(crate) use doubt::is_buckled;
 pub use envelope::{FailureKind, FailureReport, envelope, failed};
 pub use profile::write_profile;
