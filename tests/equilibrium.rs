@@ -328,3 +328,37 @@ fn a_whole_drive_needs_no_radii() {
     case.set("drive.primary_radius", "68 mm").unwrap();
     assert!(case.resolve().unwrap_err().to_string().contains("overlap"));
 }
+
+/// At high speeds the equations have a solution with a belt far off the secondary, and starts from nothing may lead there
+/// or nowhere: the drive is found from a slower road, as along its curve.
+#[test]
+fn a_fast_drive_is_found_where_its_belt_lies() {
+    let first = with(&[
+        ("primary.actuator.mass", "93 g"),
+        ("secondary.actuator.helix_angle", "45.5 deg"),
+        ("secondary.spring.pretension", "104 deg"),
+        ("primary.spring.preload", "205 N"),
+        ("primary.spring.rate", "11.0 N/mm"),
+        ("secondary.actuator.friction_angle", "4.5 deg"),
+        ("engine.throttle", "0.83"),
+        ("sheave.friction_coefficient", "0.48"),
+    ]);
+    let second = with(&[
+        ("primary.actuator.mass", "170 g"),
+        ("secondary.actuator.helix_angle", "42.4 deg"),
+        ("secondary.spring.pretension", "42 deg"),
+        ("primary.spring.preload", "180 N"),
+        ("primary.spring.rate", "16.3 N/mm"),
+        ("secondary.actuator.friction_angle", "2.9 deg"),
+        ("engine.throttle", "0.97"),
+        ("sheave.friction_coefficient", "0.57"),
+    ]);
+    for (case, speed, there) in [(first, 6757.0, 0.579), (second, 6937.0, 0.573)] {
+        let found = equilibrium(&case, speed * RPM, Direction::Back, &options()).unwrap();
+        assert!((ratio(&found) - there).abs() < 2e-3, "{}", ratio(&found));
+        let near = equilibrium(&case, 5500.0 * RPM, Direction::Back, &options()).unwrap();
+        let near = equilibrium_from(&near, &case, 6200.0 * RPM, Direction::Back, &options()).unwrap();
+        let along = equilibrium_from(&near, &case, speed * RPM, Direction::Back, &options()).unwrap();
+        assert!((ratio(&found) / ratio(&along) - 1.0).abs() < 1e-5);
+    }
+}

@@ -70,9 +70,9 @@ pub enum EquilibriumError {
         "no state of the drive is consistent with its stops: {0} were tried in turn, and each was left for another"
     )]
     Cycle(usize),
-    /// The equations of an end of a phase hold, and the drive does not come to it.
+    /// The equations hold, and the drive does not come to such a state.
     #[error("{phase}: {why}")]
-    NoEnd {
+    Implausible {
         /// Where the sheaves were taken to stand.
         phase: Phase,
         /// What is wrong with it.
@@ -93,7 +93,7 @@ impl EquilibriumError {
             | Self::Disengaged { .. }
             | Self::BeyondEngine { .. }
             | Self::Cycle(_)
-            | Self::NoEnd { .. }
+            | Self::Implausible { .. }
             | Self::Internal(_) => false,
         }
     }
@@ -135,7 +135,7 @@ impl EquilibriumError {
             | Self::Speed(_)
             | Self::Actuator { .. }
             | Self::Cycle(_)
-            | Self::NoEnd { .. }
+            | Self::Implausible { .. }
             | Self::Internal(_) => None,
         }
     }

@@ -25,11 +25,14 @@ const FORCE_SLACK: f64 = 1e-6;
 /// Over the last speed for which the engine's torque is known, the speed at which no equilibrium is sought. Below, one
 /// may be found at the high stop: a belt that is hardly loaded climbs on the primary, and the engine turns the slower.
 const BEYOND_ENGINE: f64 = 2.0;
-/// Radius of the secondary over that which the belt's length leaves beside the primary's, at least: sunk and stretched
-/// belts have 0.9 and more.
+/// Radius of the secondary over that which the belt's length leaves beside the primary's, at least: belts that are
+/// clamped well have 0.9 and more, those that hardly carry the torque, and bulge, 0.73 and more.
 const LEAST_RADIUS: f64 = 0.7;
 /// Share of the speed by which two states of a belt that slips are two.
 const JUMP: f64 = 0.03;
+/// Shares of the secondary's speed from which an equilibrium is followed where none is found from nothing, and steps.
+const SLOWER: [f64; 2] = [0.9, 0.75];
+const SLOWER_STEPS: u32 = 3;
 /// By what the secondary's speed changes with each step towards one at which the belt slips as a clutch does, and steps
 /// at most: down to a hundredth of the speed at which the primary closes.
 const CLUTCH_STEP: f64 = 0.8;
@@ -58,11 +61,49 @@ pub(super) struct Whole<'a> {
 
 /// The equilibrium of a drive whose secondary turns at `secondary_speed` in rad/s, from nothing. Of the case, belt,
 /// sheaves, center distance, actuators and engine count; its operating point and its radii do not. Where the search
-/// comes to one at which the belt slips, it looks elsewhere for another that holds: a drive may have both.
+/// comes to one at which the belt slips, it looks elsewhere for another that holds: a drive may have both. Where it
+/// comes to none, it goes on from a slower secondary.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
 pub fn equilibrium(
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<Equilibrium, EquilibriumError> {
+    let error = match from_nothing(case, secondary_speed, direction, options) {
+        Err(
+            error @ (EquilibriumError::Failure { .. }
+            | EquilibriumError::Implausible { .. }
+            | EquilibriumError::Cycle(_)),
+        ) if !error.is_bad_input() && !error.is_cancelled() => error,
+        done => return done,
+    };
+    for share in SLOWER {
+        let Ok(mut near) = from_nothing(case, share * secondary_speed, direction, options) else { continue };
+        let steps = (1..=SLOWER_STEPS).map(|step| libm::pow(share, 1.0 - f64::from(step) / f64::from(SLOWER_STEPS)));
+        let mut reached = true;
+        for part in steps {
+            let whole = Whole::new(case, Given::SecondarySpeed(part * secondary_speed), direction)?;
+            match whole.settle_from(&near.solved, near.phase, options) {
+                Ok(found) => near = found,
+                Err(error) if error.is_cancelled() => return Err(error),
+                Err(_) => {
+                    reached = false;
+                    break;
+                }
+            }
+        }
+        if reached {
+            return Ok(near);
+        }
+    }
+    Err(error)
+}
+
+/// As [`equilibrium`], by starts at the speed itself.
+fn from_nothing(
     case: &Resolved,
     secondary_speed: f64,
     direction: Direction,
@@ -125,9 +166,9 @@ pub fn equilibrium_from(
         Ok(found) if found.holds()? || !loses_less(near, &found)? => return Ok(found),
         Ok(found) => found,
         Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
-        Err(_) => return equilibrium(case, secondary_speed, direction, options),
+        Err(_) => return from_nothing(case, secondary_speed, direction, options),
     };
-    match equilibrium(case, secondary_speed, direction, options) {
+    match from_nothing(case, secondary_speed, direction, options) {
         Ok(found) if loses_less(&found, &slipping)? => Ok(found),
         Err(error) if error.is_cancelled() => Err(error),
         Ok(_) | Err(_) => Ok(slipping),
@@ -182,23 +223,19 @@ impl<'a> Whole<'a> {
         let found = self.read(solved.map_err(|failure| self.failed(phase, failure))?, phase)?;
         match self.given {
             Given::SpeedEfficiency(_) if self.other(&found).is_some() => {
-                Err(EquilibriumError::NoEnd { phase, why: "the secondary opens before the belt takes the drive off" })
-            }
-            Given::Corner(Stop::PrimaryClosed | Stop::SecondaryOpen) if self.lies_deep(&found) => {
-                let why =
-                    "the only state found there has the belt far deeper in the secondary than its length leaves it";
-                Err(EquilibriumError::NoEnd { phase, why })
+                let why = "the secondary opens before the belt takes the drive off";
+                Err(EquilibriumError::Implausible { phase, why })
             }
             Given::Corner(_) | Given::SpeedEfficiency(_) | Given::SecondarySpeed(_) => Ok(found),
         }
     }
 
-    /// Whether a belt at the high stop lies on a radius of the secondary that has nothing to do with its length: the
-    /// equations have such solutions, with spans that swing far out.
-    fn lies_deep(&self, found: &Equilibrium) -> bool {
+    /// Whether a belt lies on a radius of the secondary that has nothing to do with its length: the equations have such
+    /// solutions at high speeds, with spans that swing far out.
+    fn lies_deep(&self, solved: &Solved) -> bool {
         let (length, center) = (self.case.belt.length, self.case.drive.center_distance);
-        let beside = radius_beside(found.solved.constant(Constant::PrimaryRadius), length, center);
-        beside.is_ok_and(|radius| found.solved.constant(Constant::SecondaryRadius) < LEAST_RADIUS * radius)
+        let beside = radius_beside(solved.constant(Constant::PrimaryRadius), length, center);
+        beside.is_ok_and(|radius| solved.constant(Constant::SecondaryRadius) < LEAST_RADIUS * radius)
     }
 
     /// Refuses a drive whose engine would have to turn far beyond what is known of it, whose primary is open, or whose
@@ -309,6 +346,10 @@ impl<'a> Whole<'a> {
     }
 
     fn read(&self, solved: Solved, phase: Phase) -> Result<Equilibrium, EquilibriumError> {
+        if self.lies_deep(&solved) {
+            let why = "the only state found has the belt far deeper in the secondary than its length leaves it";
+            return Err(EquilibriumError::Implausible { phase, why });
+        }
         Equilibrium::of(self.actuation, solved, phase, self.direction)
     }
 
@@ -358,7 +399,7 @@ impl<'a> Whole<'a> {
         for speed in speeds.iter().take(closed + 1).rev().chain([&secondary_speed]) {
             let found = match &near {
                 Some(near) => self.at(*speed).settle_from(&near.solved, near.phase, options),
-                None => equilibrium(self.case, *speed, self.direction, options),
+                None => from_nothing(self.case, *speed, self.direction, options),
             };
             match found {
                 Ok(found) => near = Some(found),
