@@ -80,23 +80,14 @@ pub fn equilibrium(
         ) if !error.is_bad_input() && !error.is_cancelled() => error,
         done => return done,
     };
+    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     for share in SLOWER {
-        let Ok(mut near) = from_nothing(case, share * secondary_speed, direction, options) else { continue };
-        let steps = (1..=SLOWER_STEPS).map(|step| libm::pow(share, 1.0 - f64::from(step) / f64::from(SLOWER_STEPS)));
-        let mut reached = true;
-        for part in steps {
-            let whole = Whole::new(case, Given::SecondarySpeed(part * secondary_speed), direction)?;
-            match whole.settle_from(&near.solved, near.phase, options) {
-                Ok(found) => near = found,
-                Err(error) if error.is_cancelled() => return Err(error),
-                Err(_) => {
-                    reached = false;
-                    break;
-                }
-            }
-        }
-        if reached {
-            return Ok(near);
+        let Ok(near) = from_nothing(case, share * secondary_speed, direction, options) else { continue };
+        let left = |step: u32| 1.0 - f64::from(step) / f64::from(SLOWER_STEPS);
+        let speeds = (1..=SLOWER_STEPS).map(|step| secondary_speed * libm::pow(share, left(step)));
+        match whole.along(near, speeds, options) {
+            Err(error) if !error.is_cancelled() => {}
+            done => return done,
         }
     }
     Err(error)
@@ -394,20 +385,24 @@ impl<'a> Whole<'a> {
             let faster = self.at(*speed);
             faster.in_reach(&faster.rough()).is_ok()
         });
-        let Some(closed) = closed else { return Err(open) };
-        let mut near: Option<Equilibrium> = None;
-        for speed in speeds.iter().take(closed + 1).rev().chain([&secondary_speed]) {
-            let found = match &near {
-                Some(near) => self.at(*speed).settle_from(&near.solved, near.phase, options),
-                None => from_nothing(self.case, *speed, self.direction, options),
-            };
-            match found {
-                Ok(found) => near = Some(found),
-                Err(error) if error.is_cancelled() => return Err(error),
-                Err(_) => return Err(open),
-            }
-        }
-        near.ok_or(open)
+        let Some((slower, &[closed, ..])) = closed.and_then(|closed| speeds.split_at_checked(closed)) else {
+            return Err(open);
+        };
+        let speeds = slower.iter().rev().chain([&secondary_speed]).copied();
+        let found =
+            from_nothing(self.case, closed, self.direction, options).and_then(|near| self.along(near, speeds, options));
+        found.map_err(|error| if error.is_cancelled() { error } else { open })
+    }
+
+    /// From a state of the drive on to others, speed by speed of the secondary, to that at the last.
+    fn along(
+        &self,
+        near: Equilibrium,
+        speeds: impl IntoIterator<Item = f64>,
+        options: &SolveOptions,
+    ) -> Result<Equilibrium, EquilibriumError> {
+        let mut speeds = speeds.into_iter();
+        speeds.try_fold(near, |near, speed| self.at(speed).settle_from(&near.solved, near.phase, options))
     }
 
     /// The same drive at another speed of the secondary, rad/s.
