@@ -67,9 +67,6 @@ fn the_equilibrium_is_one_of_every_part() {
 fn sensitivities_are_those_of_differences() {
     let (case, found) = first();
     let exact = sensitivities(&case, &found).unwrap();
-    let ratio = |found: &Equilibrium| {
-        found.solved.constant(Constant::SecondaryRadius) / found.solved.constant(Constant::PrimaryRadius)
-    };
     for (key, value, share) in [
         (Key::FlyweightMass, 0.134, 5e-3),
         (Key::PrimarySpringPreload, 300.254_96, 5e-3),
@@ -236,8 +233,8 @@ fn ratios(case: &Resolved, from: f64, to: f64, points: usize) -> Vec<f64> {
     branch.points.iter().map(|point| point.report.as_ref().unwrap().ratio).collect()
 }
 
-/// A steep helix with friction leaves two equilibria at one speed: one at which the belt holds, and one at a ratio below
-/// 1 at which half of the speed is lost. Search and curve take the one that holds, and so the curve has no jump.
+/// A steep helix with friction leaves two equilibria at one speed: one at which the belt holds, and one at a ratio
+/// below 1 at which half of the speed is lost. Search and curve take the one that holds, and so the curve has no jump.
 #[test]
 fn of_two_equilibria_the_one_that_holds_is_found() {
     let steep = with(&[
@@ -265,8 +262,8 @@ fn of_two_equilibria_the_one_that_holds_is_found() {
     }
 }
 
-/// A drive that begins to shift before its belt holds has no take-off at its low stop; and a state in which the belt has
-/// left the secondary is no full shift, though its equations hold.
+/// A drive that begins to shift before its belt holds has no take-off at its low stop; and a state in which the belt
+/// has left the secondary is no full shift, though its equations hold.
 #[test]
 fn a_curve_has_no_ends_to_which_the_drive_does_not_come() {
     let case = with(&[
@@ -303,7 +300,8 @@ fn a_drive_that_slips_as_a_clutch_is_found_from_nothing() {
     assert!(found.output(Output::EfficiencySpeed).unwrap() < 0.5);
 }
 
-/// A primary that is open cannot let the belt lie deeper: with such radii at the low stop the secondary would not close.
+/// A primary that is open cannot let the belt lie deeper: with such radii at the low stop the secondary would not
+/// close.
 #[test]
 fn stops_that_no_belt_meets_are_refused() {
     let mut case = gx9();
@@ -329,8 +327,8 @@ fn a_whole_drive_needs_no_radii() {
     assert!(case.resolve().unwrap_err().to_string().contains("overlap"));
 }
 
-/// At high speeds the equations have a solution with a belt far off the secondary, and starts from nothing may lead there
-/// or nowhere: the drive is found from a slower road, as along its curve.
+/// At high speeds the equations have a solution with a belt far off the secondary, and starts from nothing may lead
+/// there or nowhere: the drive is found from a slower road, as along its curve.
 #[test]
 fn a_fast_drive_is_found_where_its_belt_lies() {
     let first = with(&[

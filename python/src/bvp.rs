@@ -177,7 +177,8 @@ impl<'py> Callables<'py> {
         let parts: Vec<Bound<'py, PyAny>> = if pair { both.extract()? } else { Vec::new() };
         let [by_states, by_parameters] = &parts[..] else {
             return Err(PyTypeError::new_err(
-                "jacobian: with parameters, expected a pair of df/dy, of shape (n, n, m), and df/dp, of shape (n, k, m)",
+                "jacobian: with parameters, expected a pair of df/dy, of shape (n, n, m), and df/dp, of shape \
+                 (n, k, m)",
             ));
         };
         write(by_states, "jacobian[0]", n, dy)?;

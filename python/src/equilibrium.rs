@@ -54,7 +54,7 @@ pub fn drive<'py>(
         let mut warnings = equilibrium::unused_keys(&given);
         warnings.extend(sheave::result::warnings(&outcome));
         let report = DriveReport::new(&case, &found, outcome.clone(), true)?;
-        warnings.extend(equilibrium::beyond_engine(&case, report.primary_speed, report.primary_speed));
+        warnings.extend(equilibrium::beyond_engine(&case, [report.primary_speed]));
         warnings.extend(equilibrium::beyond_open(report.primary_travel));
         Ok((report, outcome, warnings))
     };
@@ -129,9 +129,7 @@ pub fn shift(
     tell(py)?;
     let mut warnings = equilibrium::unused_keys(&given);
     let reports = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    let speeds = || reports.clone().map(|report| report.primary_speed);
-    let ends = speeds().reduce(f64::min).zip(speeds().reduce(f64::max));
-    warnings.extend(ends.and_then(|(slowest, fastest)| equilibrium::beyond_engine(&case, slowest, fastest)));
+    warnings.extend(equilibrium::beyond_engine(&case, reports.map(|report| report.primary_speed)));
     Ok(ShiftBranches { case, branches, measured, warnings })
 }
 

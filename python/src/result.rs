@@ -232,8 +232,8 @@ impl Result {
         convert::object(py, &self.outcome.result.inputs)
     }
 
-    /// The other operating point of an axial force that belongs to two: `branch` of `sheave.solve` gives all of it. None
-    /// where only one was found.
+    /// The other operating point of an axial force that belongs to two: `branch` of `sheave.solve` gives all of it.
+    /// None where only one was found.
     #[getter]
     fn other_solution(&self) -> Option<OtherSolution> {
         self.outcome.result.other_solution.map(OtherSolution)
@@ -576,8 +576,8 @@ view! {
 }
 
 view! {
-    /// Power lost besides friction, W. What hysteresis takes in a region may be negative, where the belt gives back more
-    /// than it takes.
+    /// Power lost besides friction, W. What hysteresis takes in a region may be negative, where the belt gives back
+    /// more than it takes.
     Losses of sheave::losses::Losses {
         /// Of bending the belt.
         bending: f64,

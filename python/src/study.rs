@@ -26,9 +26,9 @@ pub struct Study {
 
 #[pymethods]
 impl Study {
-    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them; beside it, or in its
-    /// place, the case may be a study file, which says itself what varies. Numbers are in SI units. All other arguments
-    /// are keys of the case.
+    /// `over` is a dictionary of keys and their values, or texts as `sheave sweep --over` takes them; beside it, or in
+    /// its place, the case may be a study file, which says itself what varies. Numbers are in SI units. All other
+    /// arguments are keys of the case.
     ///
     /// Raises CaseError, StudyError.
     #[new]
@@ -105,8 +105,8 @@ impl Study {
         self.table(py, start..stop, jobs, progress)
     }
 
-    /// The limits at every point, as `sheave limit --over` has them: the largest torque, unless the load is what varies,
-    /// and the smallest clamps, unless the clamp is; the drive is followed to a speed efficiency of
+    /// The limits at every point, as `sheave limit --over` has them: the largest torque, unless the load is what
+    /// varies, and the smallest clamps, unless the clamp is; the drive is followed to a speed efficiency of
     /// `least_speed_efficiency`. A point without an answer has a row that says why.
     #[pyo3(signature = (*, least_speed_efficiency=0.95, jobs=None))]
     fn limits(&self, py: Python<'_>, least_speed_efficiency: f64, jobs: Option<usize>) -> PyResult<Table> {
@@ -115,8 +115,8 @@ impl Study {
         self.answers(py, jobs, move |study| limit_map(study, jobs, &options))
     }
 
-    /// The clamp of best overall efficiency at every point, as `sheave optimum --over` has it. A point without an answer
-    /// has a row that says why.
+    /// The clamp of best overall efficiency at every point, as `sheave optimum --over` has it. A point without an
+    /// answer has a row that says why.
     #[pyo3(signature = (*, jobs=None))]
     fn optima(&self, py: Python<'_>, jobs: Option<usize>) -> PyResult<Table> {
         self.answers(py, jobs, move |study| optimum_map(study, jobs, study.options()))

@@ -66,8 +66,8 @@ impl MapAxis {
         Self::new(*key, (0..axis.points()).filter_map(number))
     }
 
-    /// The key that a map knows by a name: its path, its last part where that says which, or one of the usual short names
-    /// (see [`MapAxis::parse`]).
+    /// The key that a map knows by a name: its path, its last part where that says which, or one of the usual short
+    /// names (see [`MapAxis::parse`]).
     pub fn key_named(name: &str) -> Option<Key> {
         let short = SHORT.iter().find(|(short, _)| *short == name).map(|(_, key)| *key);
         let mut alike = crate::case::TABLE.iter().filter(|entry| entry.name() == name);

@@ -84,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     };
     let mut warnings: Vec<String> = warnings.into_iter().chain(sheave::result::warnings(&outcome)).collect();
     let report = DriveReport::new(&resolved, &found, outcome, true).map_err(stop)?;
-    warnings.extend(beyond_engine(&resolved, report.primary_speed, report.primary_speed));
+    warnings.extend(beyond_engine(&resolved, [report.primary_speed]));
     warnings.extend(beyond_open(report.primary_travel));
     warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     if arguments.json {

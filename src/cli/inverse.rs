@@ -8,15 +8,13 @@ use super::solve::{share, tolerance};
 use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
-use sheave::actuator::AngleFrom;
-use sheave::case::{Key, Resolved, Setting};
+use sheave::actuator::{AngleFrom, Mechanism, PrimaryActuator};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::inverse::{
     Check, Inverse, InverseError, InverseOptions, InversePoint, Made, Outline, Shape, dxf, inverse, inverse_figures,
     inverse_summary, inverse_table, surface,
 };
 use sheave::equilibrium::{Direction, unused_keys};
-use sheave::model::FlyweightKind;
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, rpm};
 use sheave::study::Format;
@@ -157,8 +155,9 @@ impl Common {
         if resolved.thermal.is_some() {
             warnings.push("The belt is as stiff as the case gives it: its temperature is left out.".to_owned());
         }
-        if roller.is_some() && kind_of(&resolved).is_some_and(|kind| kind != FlyweightKind::Arm.name()) {
-            return Err(Stop::Usage(NO_ROLLER.to_owned()));
+        let actuation = resolved.parts.actuation.as_ref();
+        if roller.is_some() && actuation.is_some_and(|parts| !has_roller(&parts.primary)) {
+            return Err(Stop::Usage("--roller-radius is for primary.actuator.type = \"arm\"".to_owned()));
         }
         output::folder_place(self.out.as_deref())?;
         let found = inverse(&case, &options).map_err(stop)?;
@@ -219,15 +218,12 @@ impl Common {
     }
 }
 
-/// Said of a roller where there is none.
-const NO_ROLLER: &str = "--roller-radius is for primary.actuator.type = \"arm\"";
-
-/// The name of what presses on the primary.
-fn kind_of(case: &Resolved) -> Option<&'static str> {
-    case.settings().into_iter().find_map(|(key, setting)| match setting {
-        Setting::Name(name) if key == Key::Flyweights => Some(name),
-        Setting::Name(_) | Setting::Number(_) | Setting::List(_) | Setting::Table(_) => None,
-    })
+/// Whether a roller on an arm presses on the primary.
+const fn has_roller(primary: &PrimaryActuator) -> bool {
+    match primary {
+        PrimaryActuator::Flyweights { flyweights, .. } => matches!(flyweights.mechanism, Mechanism::RollerArm(_)),
+        PrimaryActuator::Force(_) | PrimaryActuator::Position(_) => false,
+    }
 }
 
 /// The file's text: what it is for, and the keys.
@@ -253,22 +249,16 @@ fn outlines(found: &Inverse, roller: Option<f64>) -> Result<Vec<(&'static str, V
     let mut all = Vec::new();
     for part in &found.parts {
         let mut curves = part.outlines.clone();
-        match (&part.shape, roller) {
-            (Shape::Roller(path), Some(radius)) => {
-                let surface = surface(path, radius).map_err(|place| {
-                    Stop::NoSolution(format!(
-                        "the ramp of a roller of {:.2} mm crosses itself at {:.2} mm: the path of the roller's centre \
-                         is bent more tightly than the roller; give a smaller --roller-radius",
-                        1e3 * radius,
-                        1e3 * place
-                    ))
-                })?;
-                curves.push(surface);
-            }
-            (Shape::Coefficient(_) | Shape::Ramp(_) | Shape::Cam(_), Some(_)) => {
-                return Err(Stop::Usage(NO_ROLLER.to_owned()));
-            }
-            (Shape::Roller(_) | Shape::Coefficient(_) | Shape::Ramp(_) | Shape::Cam(_) | Shape::Helix(..), _) => {}
+        if let (Shape::Roller(path), Some(radius)) = (&part.shape, roller) {
+            let surface = surface(path, radius).map_err(|place| {
+                Stop::NoSolution(format!(
+                    "the ramp of a roller of {:.2} mm crosses itself at {:.2} mm: the path of the roller's centre is \
+                     bent more tightly than the roller; give a smaller --roller-radius",
+                    1e3 * radius,
+                    1e3 * place
+                ))
+            })?;
+            curves.push(surface);
         }
         all.push((name_of(part.section), curves));
     }

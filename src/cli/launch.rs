@@ -85,9 +85,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let found = launch(&curve, &vehicle, &options).map_err(stop)?;
     let mut warnings = unused_keys(&case);
     warnings.extend(branch.remarks.iter().cloned());
-    let speeds = || found.points.iter().map(|point| point.engine_speed);
-    let ends = speeds().reduce(f64::min).zip(speeds().reduce(f64::max));
-    warnings.extend(ends.and_then(|(slowest, fastest)| beyond_engine(&resolved, slowest, fastest)));
+    warnings.extend(beyond_engine(&resolved, found.points.iter().map(|point| point.engine_speed)));
     let reports = || branch.points.iter().filter_map(|point| point.report.as_ref().ok());
     let missing = branch.points.len() - reports().count();
     if missing > 0 {

@@ -121,9 +121,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let branches = arguments.branches(&resolved, &options, true)?;
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    let speeds = || found.clone().map(|report| report.primary_speed);
-    let ends = speeds().reduce(f64::min).zip(speeds().reduce(f64::max));
-    warnings.extend(ends.and_then(|(slowest, fastest)| beyond_engine(&resolved, slowest, fastest)));
+    warnings.extend(beyond_engine(&resolved, found.map(|report| report.primary_speed)));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));

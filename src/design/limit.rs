@@ -157,8 +157,7 @@ pub(super) fn torque_of(case: &Resolved, options: &LimitOptions) -> Result<Found
 /// See [`DesignError`].
 pub fn smallest_slack_tension(case: &Resolved, options: &LimitOptions) -> Result<(Limit, Branch), DesignError> {
     primary_speed(case)?;
-    let mut case = case.clone();
-    case.operating_point.margin = None;
+    let case = without_margin(case);
     in_balance(&case, options, |case| tension_of(case, options))
 }
 
@@ -173,8 +172,7 @@ pub(super) fn tension_of(case: &Resolved, options: &LimitOptions) -> Result<Foun
 /// See [`DesignError`].
 pub fn smallest_clamps(case: &Resolved, options: &LimitOptions) -> Result<(ClampLimits, Branch), DesignError> {
     primary_speed(case)?;
-    let mut case = case.clone();
-    case.operating_point.margin = None;
+    let case = without_margin(case);
     // At one temperature the start of all three curves is the same.
     let start = match case.thermal {
         None => Some(clamped(&case, &options.solve)?.1),
@@ -296,6 +294,13 @@ pub(super) fn clamped(case: &Resolved, options: &SolveOptions) -> Result<(Resolv
         tension *= TIGHTER;
     }
     Err(first.unwrap_or(Failure::NoStart).into())
+}
+
+/// The case without a margin against slip in the place of its clamp, where the clamp is what is sought.
+pub(super) fn without_margin(case: &Resolved) -> Resolved {
+    let mut case = case.clone();
+    case.operating_point.margin = None;
+    case
 }
 
 /// The largest torque of a margin is that at which there is none left.

@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 use solver::{Functional, Linearisation};
 
 use super::error::DesignError;
-use super::limit::clamped;
+use super::limit::{clamped, without_margin};
 use super::state::DriveState;
 use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
@@ -104,9 +104,7 @@ pub fn optimum(case: &Resolved, options: &SolveOptions) -> Result<Optimum, Desig
         return Err(DesignError::Given { key, expected });
     }
     // The clamp is what is sought: a margin against slip in its place does not matter, no more than a tension would.
-    let mut case = case.clone();
-    case.operating_point.margin = None;
-    let (case, start) = clamped(&case, options)?;
+    let (case, start) = clamped(&without_margin(case), options)?;
     let mut search = Search { case, options: *options, evaluations: 0 };
     let reference = search.case.stiffnesses.reference;
     let start = search.trial((start, reference))?;

@@ -33,8 +33,9 @@ pub enum EquilibriumError {
     },
     /// The flyweights do not overcome their spring.
     #[error(
-        "the flyweights press with {force:.1} N less than their spring at {:.0} rpm, to which a belt that does not slip \
-         would hold the engine: the primary is open, and no state was found in which the belt slips and carries torque",
+        "the flyweights press with {force:.1} N less than their spring at {:.0} rpm, to which a belt that does not \
+         slip would hold the engine: the primary is open, and no state was found in which the belt slips and carries \
+         torque",
         rpm(*speed)
     )]
     Disengaged {

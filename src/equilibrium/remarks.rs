@@ -14,10 +14,14 @@ pub fn unused_keys(case: &Case) -> Vec<String> {
     case.keys().filter(found).map(told).collect()
 }
 
-/// A sentence where an engine would have to run at a speed for which its torque is not given; `slowest` and `fastest`
-/// are the ends of what it runs at, rad/s, the same where it is one speed.
-pub fn beyond_engine(case: &Resolved, slowest: f64, fastest: f64) -> Option<String> {
+/// A sentence where an engine would have to run at speeds in rad/s for which its torque is not given.
+pub fn beyond_engine(case: &Resolved, speeds: impl IntoIterator<Item = f64>) -> Option<String> {
     let (low, high) = case.parts.engine.as_ref()?.range();
+    let ends = |ends: Option<(f64, f64)>, speed: f64| {
+        let (slowest, fastest) = ends.unwrap_or((speed, speed));
+        Some((slowest.min(speed), fastest.max(speed)))
+    };
+    let (slowest, fastest) = speeds.into_iter().fold(None, ends)?;
     let at = match (slowest < low, fastest > high) {
         (false, false) => return None,
         _ if slowest == fastest => format!("at {:.0} rpm", rpm(slowest)),

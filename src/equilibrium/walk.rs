@@ -4,7 +4,7 @@ use super::curve::{Corners, Search, ShiftBranch, ShiftOptions, ShiftPoint, engag
 use super::error::EquilibriumError;
 use super::heat::equilibrium_outcome;
 use super::point::{Direction, Equilibrium};
-use super::question::{Given, Whole};
+use super::question::has_all_parts;
 use super::report::DriveReport;
 use crate::case::Resolved;
 
@@ -66,8 +66,7 @@ impl ShiftWalk {
         options: &ShiftOptions,
         near: Option<&Self>,
     ) -> Result<Self, EquilibriumError> {
-        // Says what the case lacks.
-        Whole::new(case, Given::SecondarySpeed(1.0), direction)?;
+        has_all_parts(case)?;
         let mut branch = ShiftBranch {
             direction,
             engagement: engagement_speed(case, direction)?,

@@ -80,8 +80,8 @@ pub enum Unfit {
         /// Axial force of the belt that the secondary's actuator holds, N.
         needs: f64,
     },
-    /// No cell of the map has a value at a speed, whatever the tension: each reaches beyond slip, or has a corner at which
-    /// the belt was not solved.
+    /// No cell of the map has a value at a speed, whatever the tension: each reaches beyond slip, or has a corner at
+    /// which the belt was not solved.
     #[error(
         "at ratio {ratio:.2}, the map knows no belt that holds at {:.0} rpm, with slack tensions up to {tension:.0} N: \
          its cells there reach beyond slip, or have a corner without a solution",

@@ -177,7 +177,8 @@ fn doubts(files: &[Record], reports: &[RecordReport], options: &Options) -> Vec<
     units.dedup();
     if !units.is_empty() {
         doubts.push(format!(
-            "the column {}: speeds are read in rpm, torque in N·m (--secondary-factor makes another speed the secondary's)",
+            "the column {}: speeds are read in rpm, torque in N·m (--secondary-factor makes another speed the \
+             secondary's)",
             listed(&units)
         ));
     }

@@ -81,7 +81,29 @@ impl InverseOptions {
     /// # Errors
     /// [`InverseError::Parameter`] says which, and what is expected.
     pub fn check(&self) -> Result<(), InverseError> {
-        allowed(self)
+        let wrong = |what, given: String, expected: &str| {
+            Err(InverseError::Parameter { what, given, expected: expected.to_owned() })
+        };
+        if !(self.target.is_finite() && self.target > 0.0) {
+            return wrong("the target", format!("{} rad/s", self.target), "a speed above zero, such as \"3400 rpm\"");
+        }
+        if !(0.0..1.0).contains(&self.reserve) {
+            return wrong("the reserve", self.reserve.to_string(), "a share from 0 to below 1");
+        }
+        if self.made == Made::Both && self.reserve <= 0.0 {
+            return wrong(
+                "the reserve",
+                self.reserve.to_string(),
+                "a share above 0, for both profiles are made from it",
+            );
+        }
+        if !(5..=1000).contains(&self.points) {
+            return wrong("the number of points", self.points.to_string(), "a number from 5 to 1000");
+        }
+        if !(1..=1000).contains(&self.checked) {
+            return wrong("the number of checked places", self.checked.to_string(), "a number from 1 to 1000");
+        }
+        Ok(())
     }
 }
 
@@ -145,7 +167,7 @@ impl Inverse {
 /// # Errors
 /// See [`InverseError`]: what was asked is wrong, or such a profile cannot be made.
 pub fn inverse(case: &Case, options: &InverseOptions) -> Result<Inverse, InverseError> {
-    allowed(options)?;
+    options.check()?;
     let mut resolved = case.resolve()?;
     resolved.thermal = None;
     let clamp = match options.made {
@@ -176,32 +198,6 @@ pub fn inverse(case: &Case, options: &InverseOptions) -> Result<Inverse, Inverse
     let parts = parts.collect();
     let check = check::check(&with, &points, options)?;
     Ok(Inverse { options: *options, torque: held.torque, points, parts, case: with, check })
-}
-
-fn allowed(options: &InverseOptions) -> Result<(), InverseError> {
-    let wrong = |what, given: String, expected: &str| {
-        Err(InverseError::Parameter { what, given, expected: expected.to_owned() })
-    };
-    if !(options.target.is_finite() && options.target > 0.0) {
-        return wrong("the target", format!("{} rad/s", options.target), "a speed above zero, such as \"3400 rpm\"");
-    }
-    if !(0.0..1.0).contains(&options.reserve) {
-        return wrong("the reserve", options.reserve.to_string(), "a share from 0 to below 1");
-    }
-    if options.made == Made::Both && options.reserve <= 0.0 {
-        return wrong(
-            "the reserve",
-            options.reserve.to_string(),
-            "a share above 0, for both profiles are made from it",
-        );
-    }
-    if !(5..=1000).contains(&options.points) {
-        return wrong("the number of points", options.points.to_string(), "a number from 5 to 1000");
-    }
-    if !(1..=1000).contains(&options.checked) {
-        return wrong("the number of checked places", options.checked.to_string(), "a number from 1 to 1000");
-    }
-    Ok(())
 }
 
 /// Refuses a clamp that leaves less than is asked for.
