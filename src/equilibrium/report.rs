@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium, ReportedPhase, Stop};
+use super::point::{ARRIVING, Direction, Equilibrium, ReportedPhase, Stop};
 use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
@@ -15,9 +15,6 @@ use crate::result::{DriveResult, Light, Outcome};
 /// Share of the friction at hand below which the belt counts as slipping: what presses does not carry the torque, or
 /// hardly does.
 pub const SLIPPING: f64 = 0.05;
-/// Share of the speed below which it does, too: a belt that holds loses up to a tenth and more of it, by creep and by
-/// sinking into small radii.
-pub const ARRIVING: f64 = 0.8;
 
 /// The equilibrium of a drive, SI.
 #[derive(Debug, Clone, Serialize)]
