@@ -6,8 +6,9 @@ use serde::Serialize;
 
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium, Phase, ReportedPhase, Stop};
-use super::question::{Given, Whole, equilibrium, equilibrium_from};
+use super::question::{Given, Whole};
 use super::report::DriveReport;
+use super::search::{equilibrium, equilibrium_from};
 use super::walk::ShiftWalk;
 use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;

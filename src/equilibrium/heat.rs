@@ -2,7 +2,7 @@
 
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium};
-use super::question::{equilibrium, equilibrium_from};
+use super::search::{equilibrium, equilibrium_from};
 use crate::case::{Resolved, Thermal};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions};

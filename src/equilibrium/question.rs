@@ -1,17 +1,16 @@
-//! From a drive and a speed of its secondary to its equilibrium.
+//! What is asked of a belt within a whole drive, and whether a state of it is consistent with the drive's stops.
 
 use std::sync::Arc;
 
 use super::error::EquilibriumError;
-use super::estimate::{Estimate, elsewhere, estimate, highest_ratio};
+use super::estimate::{Estimate, estimate, highest_ratio};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 use super::point::{Direction, Equilibrium, Phase, Stop};
 use crate::actuator::{ActuatorError, PrimaryActuator, travel_by_radius};
 use crate::case::geometry::radius_beside;
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{
-    Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question,
-    solve_question_from,
+    Closing, Constant, Failure, Output, Question, SolveOptions, Solved, approach_question, solve_question_from,
 };
 use crate::powertrain::Engine;
 
@@ -28,15 +27,6 @@ const BEYOND_ENGINE: f64 = 2.0;
 /// Radius of the secondary over that which the belt's length leaves beside the primary's, at least: belts that are
 /// clamped well have 0.9 and more, those that hardly carry the torque, and bulge, 0.73 and more.
 const LEAST_RADIUS: f64 = 0.7;
-/// Share of the speed by which two states of a belt that slips are two.
-const JUMP: f64 = 0.03;
-/// Shares of the secondary's speed from which an equilibrium is followed where none is found from nothing, and steps.
-const SLOWER: [f64; 2] = [0.9, 0.75];
-const SLOWER_STEPS: u32 = 3;
-/// By what the secondary's speed changes with each step towards one at which the belt slips as a clutch does, and steps
-/// at most: down to a hundredth of the speed at which the primary closes.
-const CLUTCH_STEP: f64 = 0.8;
-const CLUTCH_STEPS: i32 = 21;
 
 /// What is given of a drive, beside its parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,118 +42,11 @@ pub(super) enum Given {
 /// A drive with all its parts.
 #[derive(Clone, Copy)]
 pub(super) struct Whole<'a> {
-    case: &'a Resolved,
-    actuation: &'a Actuation,
-    engine: &'a Engine,
+    pub case: &'a Resolved,
+    pub actuation: &'a Actuation,
+    pub engine: &'a Engine,
     given: Given,
-    direction: Direction,
-}
-
-/// The equilibrium of a drive whose secondary turns at `secondary_speed` in rad/s, from nothing. Of the case, belt,
-/// sheaves, center distance, actuators and engine count; its operating point and its radii do not. Where the search
-/// comes to one at which the belt slips, it looks elsewhere for another that holds: a drive may have both. Where it
-/// comes to none, it goes on from a slower secondary.
-///
-/// # Errors
-/// See [`EquilibriumError`].
-pub fn equilibrium(
-    case: &Resolved,
-    secondary_speed: f64,
-    direction: Direction,
-    options: &SolveOptions,
-) -> Result<Equilibrium, EquilibriumError> {
-    let error = match from_nothing(case, secondary_speed, direction, options) {
-        Err(
-            error @ (EquilibriumError::Failure { .. }
-            | EquilibriumError::Implausible { .. }
-            | EquilibriumError::Cycle(_)),
-        ) if !error.is_bad_input() && !error.is_cancelled() => error,
-        done => return done,
-    };
-    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    for share in SLOWER {
-        let Ok(near) = from_nothing(case, share * secondary_speed, direction, options) else { continue };
-        let left = |step: u32| 1.0 - f64::from(step) / f64::from(SLOWER_STEPS);
-        let speeds = (1..=SLOWER_STEPS).map(|step| secondary_speed * libm::pow(share, left(step)));
-        match whole.along(near, speeds, options) {
-            Err(error) if !error.is_cancelled() => {}
-            done => return done,
-        }
-    }
-    Err(error)
-}
-
-/// As [`equilibrium`], by starts at the speed itself.
-fn from_nothing(
-    case: &Resolved,
-    secondary_speed: f64,
-    direction: Direction,
-    options: &SolveOptions,
-) -> Result<Equilibrium, EquilibriumError> {
-    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    let near = whole.rough();
-    match whole.in_reach(&near) {
-        Ok(()) => {}
-        Err(open @ EquilibriumError::Disengaged { .. }) => return whole.engaging(secondary_speed, open, options),
-        Err(error) => return Err(error),
-    }
-    let from = |near: &Estimate| {
-        let question = whole.question(near.phase, &start(case, near));
-        let solved = solve_question(&case.model, &question, options);
-        whole.settle(whole.read(solved.map_err(|failure| whole.failed(near.phase, failure))?, near.phase)?, options)
-    };
-    let first = match from(&near) {
-        Ok(found) if found.holds()? => return Ok(found),
-        Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
-        other => other,
-    };
-    // A start may lead nowhere, or to a belt that slips, because the drive is not where it was taken to be.
-    let mut best = first;
-    for other in elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction) {
-        match from(&other) {
-            Ok(found) if found.holds()? => return Ok(found),
-            Ok(found) => {
-                if best.as_ref().map_or(Ok(true), |best| loses_less(&found, best))? {
-                    best = Ok(found);
-                }
-            }
-            Err(error) if error.is_cancelled() => return Err(error),
-            Err(_) => {}
-        }
-    }
-    best
-}
-
-/// Whether a belt loses clearly less of the speed than another one.
-fn loses_less(found: &Equilibrium, other: &Equilibrium) -> Result<bool, EquilibriumError> {
-    Ok(found.output(Output::EfficiencySpeed)? > other.output(Output::EfficiencySpeed)? + JUMP)
-}
-
-/// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
-/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did: the better of
-/// both is told.
-///
-/// # Errors
-/// See [`EquilibriumError`].
-pub fn equilibrium_from(
-    near: &Equilibrium,
-    case: &Resolved,
-    secondary_speed: f64,
-    direction: Direction,
-    options: &SolveOptions,
-) -> Result<Equilibrium, EquilibriumError> {
-    let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    let slipping = match whole.settle_from(&near.solved, near.phase, options) {
-        Ok(found) if found.holds()? || !loses_less(near, &found)? => return Ok(found),
-        Ok(found) => found,
-        Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
-        Err(_) => return from_nothing(case, secondary_speed, direction, options),
-    };
-    match from_nothing(case, secondary_speed, direction, options) {
-        Ok(found) if loses_less(&found, &slipping)? => Ok(found),
-        Err(error) if error.is_cancelled() => Err(error),
-        Ok(_) | Err(_) => Ok(slipping),
-    }
+    pub direction: Direction,
 }
 
 /// Refuses a case that lacks a part of a whole drive.
@@ -231,7 +114,7 @@ impl<'a> Whole<'a> {
 
     /// Refuses a drive whose engine would have to turn far beyond what is known of it, whose primary is open, or whose
     /// secondary cannot press: a search would end nowhere, after long, and would not know why.
-    fn in_reach(&self, near: &Estimate) -> Result<(), EquilibriumError> {
+    pub fn in_reach(&self, near: &Estimate) -> Result<(), EquilibriumError> {
         if let Given::SecondarySpeed(secondary_speed) = self.given {
             let ratio = highest_ratio(self.case, self.actuation, self.engine, secondary_speed, self.direction);
             let last_speed = self.engine.range().1;
@@ -265,7 +148,7 @@ impl<'a> Whole<'a> {
     }
 
     /// What is asked of the belt in a phase: constants as in `at`, five or four of them unknown.
-    fn question(&self, phase: Phase, at: &Resolved) -> Question {
+    pub fn question(&self, phase: Phase, at: &Resolved) -> Question {
         let slope = travel_by_radius(self.case.sheave.half_angle);
         let mut question = Question::of(at);
         let closed = self.actuation.closed_radius;
@@ -336,7 +219,7 @@ impl<'a> Whole<'a> {
         Closing { free, law: Arc::new(law) }
     }
 
-    fn read(&self, solved: Solved, phase: Phase) -> Result<Equilibrium, EquilibriumError> {
+    pub fn read(&self, solved: Solved, phase: Phase) -> Result<Equilibrium, EquilibriumError> {
         if self.lies_deep(&solved) {
             let why = "the only state found has the belt far deeper in the secondary than its length leaves it";
             return Err(EquilibriumError::Implausible { phase, why });
@@ -344,7 +227,7 @@ impl<'a> Whole<'a> {
         Equilibrium::of(self.actuation, solved, phase, self.direction)
     }
 
-    fn failed(&self, phase: Phase, failure: Failure) -> EquilibriumError {
+    pub fn failed(&self, phase: Phase, failure: Failure) -> EquilibriumError {
         EquilibriumError::Failure { phase, failure: Box::new(failure) }
     }
 
@@ -371,31 +254,8 @@ impl<'a> Whole<'a> {
         }
     }
 
-    /// The equilibrium of a drive whose primary would be open if the belt did not slip: the engine runs away from the
-    /// secondary until it closes the primary on the belt, which slips as a clutch does. It is sought from a faster
-    /// secondary, at which the primary is closed, by steps; where those lead nowhere, the primary is told to be `open`.
-    fn engaging(
-        &self,
-        secondary_speed: f64,
-        open: EquilibriumError,
-        options: &SolveOptions,
-    ) -> Result<Equilibrium, EquilibriumError> {
-        let speeds: Vec<f64> = (1..=CLUTCH_STEPS).map(|step| secondary_speed / CLUTCH_STEP.powi(step)).collect();
-        let closed = speeds.iter().position(|speed| {
-            let faster = self.at(*speed);
-            faster.in_reach(&faster.rough()).is_ok()
-        });
-        let Some((slower, &[closed, ..])) = closed.and_then(|closed| speeds.split_at_checked(closed)) else {
-            return Err(open);
-        };
-        let speeds = slower.iter().rev().chain([&secondary_speed]).copied();
-        let found =
-            from_nothing(self.case, closed, self.direction, options).and_then(|near| self.along(near, speeds, options));
-        found.map_err(|error| if error.is_cancelled() { error } else { open })
-    }
-
     /// From a state of the drive on to others, speed by speed of the secondary, to that at the last.
-    fn along(
+    pub fn along(
         &self,
         near: Equilibrium,
         speeds: impl IntoIterator<Item = f64>,
@@ -406,12 +266,12 @@ impl<'a> Whole<'a> {
     }
 
     /// The same drive at another speed of the secondary, rad/s.
-    fn at(&self, secondary_speed: f64) -> Self {
+    pub fn at(&self, secondary_speed: f64) -> Self {
         Self { given: Given::SecondarySpeed(secondary_speed), ..*self }
     }
 
     /// Goes on from a state to the one that is consistent with all stops.
-    fn settle(&self, found: Equilibrium, options: &SolveOptions) -> Result<Equilibrium, EquilibriumError> {
+    pub fn settle(&self, found: Equilibrium, options: &SolveOptions) -> Result<Equilibrium, EquilibriumError> {
         let mut here = found;
         for _ in 0..STATES {
             let Some(phase) = self.other(&here) else { return Ok(here) };
@@ -423,7 +283,7 @@ impl<'a> Whole<'a> {
     }
 
     /// From the solution of a drive nearby, taken to be in the same phase first.
-    fn settle_from(
+    pub fn settle_from(
         &self,
         near: &Solved,
         phase: Phase,
@@ -438,7 +298,7 @@ impl<'a> Whole<'a> {
 }
 
 /// The case as an ordinary operating point at a rough equilibrium.
-fn start(case: &Resolved, near: &Estimate) -> Resolved {
+pub(super) fn start(case: &Resolved, near: &Estimate) -> Resolved {
     let mut posed = ordinary(case);
     posed.drive.primary_radius = near.primary_radius;
     posed.drive.secondary_radius = near.secondary_radius;
