@@ -17,6 +17,7 @@ use crate::magnitude::Magnitudes;
 use crate::measure::{Error, undefined};
 use crate::newton::Converged;
 use crate::options::Order;
+use crate::orientation::Determinant;
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::solve::check;
@@ -155,6 +156,11 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         factorisation.factor(&system, &work, system.scales(&x));
         stats.factorisations += 1;
         Ok(Self { system, x, work, factorisation, stats })
+    }
+
+    /// See [`Factorisation::determinant`].
+    pub(crate) fn determinant(&self) -> Determinant {
+        self.factorisation.determinant(&self.system)
     }
 
     /// What the linearisation cost.
@@ -356,4 +362,37 @@ fn packed(nodes: &[f64], scales: &[f64]) -> Lanes {
         .flat_map(|t| (0..n).map(move |i| (t, i)))
         .map(|(t, i)| Lane(lanes[i * rows + t]).times(scales[i]))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bvp::Bvp;
+    use crate::options::{Options, Order};
+
+    /// `u'' = -ω² u`, u = 0 at both ends: with Φ what takes the left end to the right one, the rows `[-Φ 1]` and those of
+    /// the boundary conditions span the volume `Φ_12`, and the first alone `√det(1 + ΦΦᵀ)`.
+    #[test]
+    fn the_determinant_does_not_hang_on_the_mesh() {
+        let omega = 4.0_f64;
+        let (sine, cosine) = omega.sin_cos();
+        let phi = [[cosine, sine / omega], [-omega * sine, cosine]];
+        // det(1 + ΦΦᵀ) = 1 + Σ Φ_ij² + det² Φ, and det Φ = 1.
+        let volume = (2.0 + phi.iter().flatten().map(|x| x * x).sum::<f64>()).sqrt();
+        let exact = (phi[0][1].abs() / volume).ln();
+        for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
+            for intervals in [20, 33, 64] {
+                let rest = Bvp::new(
+                    &["u", "slope"],
+                    (0.0, 1.0),
+                    move |_, y, _, f| (f[0], f[1]) = (y[1], -y[0] * omega * omega),
+                    |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+                );
+                let rest = rest.guess(intervals, |_, y| y.fill(0.0));
+                let solution = rest.solve(&Options { order, ..Options::default() }).unwrap();
+                let found = Linearisation::new(&rest, &solution).unwrap().determinant().logarithm;
+                assert!((found - exact).abs() < 2e-3, "{order:?} {intervals}: {found} for {exact}");
+            }
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use solver::bvp::Bvp;
 use solver::continuation::{BranchOptions, PathOptions, PointKind, Ramp, follow, trace};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{BranchCheck, Guess, Layout, Options, Order, Orientation, Problem, Region, Solution, solve};
@@ -157,8 +158,9 @@ fn branch_points_in_the_middle_of_steps_are_located_by_few_solves() {
         range: (0.0, 5.5),
         // From λ = 0.95 a step leads to 1.05: in its middle the matrix is singular.
         largest_step: 0.1,
-        // On the mesh as it is.
+        // On the mesh as it is, and in steps as long as that.
         settle_branch_points: false,
+        resolve_branch_points: false,
         ..BranchOptions::default()
     };
     let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
@@ -241,4 +243,115 @@ fn loads_of_buckling_do_not_hang_on_the_mesh_of_the_guess() {
     let branch = trace(&problem, &guess, 0, &[], &options, &[]).unwrap();
     let found = branch.branch_points().next().map(|point| point.parameter);
     assert!(found.is_some_and(|found| (found / 25.0 - 1.0).abs() < options.solve.tolerance), "{found:?}");
+}
+
+/// Branch points of the state of rest up to a value, at default steps: those of a determinant that is known, and those
+/// of its sign at the steps' ends.
+fn branch_points_of_rest(bvp: &impl Problem, start: &Guess, order: Order, to: f64) -> [Vec<f64>; 2] {
+    [true, false].map(|resolve_branch_points| {
+        let solve = Options { order, ..Options::default() };
+        let range = (-1.0, to);
+        let options = BranchOptions { solve, range, resolve_branch_points, ..BranchOptions::default() };
+        let branch = trace(bvp, start, 0, &[], &options, &[]).unwrap();
+        assert_eq!(
+            branch.points.last().map(|point| point.kind),
+            Some(PointKind::End),
+            "{} points",
+            branch.points.len()
+        );
+        branch.branch_points().map(|point| point.parameter).collect()
+    })
+}
+
+/// Two struts, of which one buckles at the squares of whole numbers, the other at loads less by `apart`.
+fn struts(apart: f64, intervals: usize) -> (impl Problem, Guess) {
+    let struts = Bvp::new(
+        &["u", "du", "v", "dv"],
+        (0.0, std::f64::consts::PI),
+        move |_, y, p, f| {
+            (f[0], f[1]) = (y[1], p[0] * (y[0] * y[0] * y[0] - y[0]));
+            (f[2], f[3]) = (y[3], (p[0] + apart) * (y[2] * y[2] * y[2] - y[2]));
+        },
+        |a, b, _, g| (g[0], g[1], g[2], g[3]) = (a[0], b[0], a[2], b[2]),
+    );
+    let struts = struts.given("load", 0.1).guess(intervals, |_, y| y.fill(0.0));
+    let start = struts.start();
+    (struts, start)
+}
+
+/// Pairs that a step may pass with a determinant of the same sign before and behind.
+#[test]
+fn branch_points_that_one_step_would_pass_are_told_apart() {
+    let mut passed = 0;
+    for order in [Order::Six, Order::Eight] {
+        for apart in [2.0, 1.0, 0.5, 0.2, 0.05, 0.01] {
+            let (struts, start) = struts(apart, 24);
+            let [found, by_sign] = branch_points_of_rest(&struts, &start, order, 12.0);
+            let mut wanted: Vec<f64> = [1.0, 4.0, 9.0].into_iter().flat_map(|load| [load, load - apart]).collect();
+            wanted.retain(|load| *load > 0.1);
+            wanted.sort_by(f64::total_cmp);
+            assert_eq!(found.len(), wanted.len(), "{order:?} {apart}: {found:?} for {wanted:?}");
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found / wanted - 1.0).abs() < 1e-5, "{order:?} {apart}: {found} for {wanted}");
+            }
+            passed += wanted.len() - by_sign.len();
+        }
+    }
+    assert!(passed > 20, "steps that would pass pairs: {passed}");
+}
+
+/// On ten intervals of order 4 both of a pair are far from where they are on fine ones, by as much as they are apart:
+/// each settles to its own.
+#[test]
+fn branch_points_that_are_close_do_not_settle_to_each_other() {
+    for apart in [1.0, 0.5] {
+        let (struts, start) = struts(apart, 10);
+        let [found, _] = branch_points_of_rest(&struts, &start, Order::Four, 26.0);
+        let pairs = [1.0, 4.0, 9.0, 16.0, 25.0].into_iter().flat_map(|load| [load - apart, load]);
+        let wanted: Vec<f64> = pairs.filter(|load| *load > 0.1).collect();
+        assert_eq!(found.len(), wanted.len(), "{apart}: {found:?} for {wanted:?}");
+        for (found, wanted) in found.iter().zip(&wanted) {
+            assert!((found / wanted - 1.0).abs() < 1e-5, "{apart}: {found} for {wanted}");
+        }
+    }
+}
+
+/// No step parts them, and none is made shorter for ever.
+#[test]
+fn branch_points_of_even_multiplicity_do_not_hold_up_the_branch() {
+    let (struts, start) = struts(0.0, 24);
+    for order in [Order::Six, Order::Eight] {
+        let [found, _] = branch_points_of_rest(&struts, &start, order, 12.0);
+        assert!(found.is_empty(), "{order:?}: {found:?}");
+    }
+}
+
+/// `u_t = r u - (1 + ∂²)² u - u³` (J. Swift and P. C. Hohenberg, Phys. Rev. A 15 (1977) 319-328), u and its curvature
+/// zero at both ends: rest loses its stability to n half waves on the length L at `r = (1 - (nπ/L)²)²`, many of them
+/// close together.
+#[test]
+fn patterns_of_swift_and_hohenberg_are_all_met() {
+    for (length, intervals) in [(10.0, 32), (20.0, 32), (31.4, 48)] {
+        let patterns = Bvp::new(
+            &["u", "slope", "curvature", "third"],
+            (0.0, length),
+            |_, y, p, f| {
+                let fourth = (p[0] - 1.0) * y[0] - 2.0 * y[2] - y[0] * y[0] * y[0];
+                (f[0], f[1], f[2], f[3]) = (y[1], y[2], y[3], fourth);
+            },
+            |a, b, _, g| (g[0], g[1], g[2], g[3]) = (a[0], b[0], a[2], b[2]),
+        );
+        let patterns = patterns.given("r", -0.1).guess(intervals, |_, y| y.fill(0.0));
+        let half_waves = |n: u32| (1.0 - (f64::from(n) * std::f64::consts::PI / length).powi(2)).powi(2);
+        let mut wanted: Vec<f64> = (1..60).map(half_waves).filter(|r| *r < 1.0).collect();
+        wanted.sort_by(f64::total_cmp);
+        for order in [Order::Six, Order::Eight] {
+            let [found, by_sign] = branch_points_of_rest(&patterns, &patterns.start(), order, 1.0);
+            assert_eq!(found.len(), wanted.len(), "{order:?} {length}: {found:?} for {wanted:?}");
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found - wanted).abs() < 2e-5, "{order:?} {length}: {found} for {wanted}");
+            }
+            assert!(by_sign.len() < wanted.len(), "{order:?} {length}");
+        }
+    }
 }

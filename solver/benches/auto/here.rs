@@ -94,8 +94,13 @@ fn trace(demo: &'static Demo, configuration: &Configuration) -> Option<Vec<Branc
             }
         }
         Wanted::BranchPoints { to, .. } => {
-            // On the mesh that the configuration says, as AUTO does.
-            let options = BranchOptions { range: (0.0, to), settle_branch_points: false, ..options };
+            // On the mesh and in the steps that the configuration says, as AUTO does.
+            let options = BranchOptions {
+                range: (0.0, to),
+                settle_branch_points: false,
+                resolve_branch_points: false,
+                ..options
+            };
             let mut silent = |_: &Event| ControlFlow::Continue(());
             trace_observed(&problem, &start, 0, &[], &options, &[], &mut silent).ok().map(|branch| branch.points)
         }

@@ -14,6 +14,7 @@ use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
 use crate::orientation::{Determinant, Orientation};
 use crate::problem::Problem;
+use nalgebra::DMatrix;
 use region::{Backward, FactorRegion, Forward};
 
 /// One region: the stretches side by side, then the stretches one after another.
@@ -175,11 +176,15 @@ impl Factorisation {
         Orientation::of(self.signed(self.border.determinant_sign()))
     }
 
-    /// The determinant, but for a positive factor that is nearly the same at neighbouring solutions on one mesh: its
-    /// sign and the logarithm of its magnitude.
-    pub(crate) fn determinant(&self) -> Determinant {
-        let orientation = self.orientation();
-        Determinant { orientation, logarithm: self.border.determinant_logarithm() }
+    /// The determinant in a form that does not depend on the mesh, once that resolves the solution: the volume that the
+    /// rows of the dense system span, over that of the regions' rows alone. The reduced equations of a region have the
+    /// ends and constants of all solutions of its differential equations for null space, by whatever matrix they are
+    /// multiplied: what is left is the angle between that space and that of the boundary conditions, times the size of
+    /// their gradients.
+    pub(crate) fn determinant<P: Problem + ?Sized>(&self, system: &System<'_, P>) -> Determinant {
+        let (states, size) = (system.plan.states(), columns(system));
+        let logarithm = self.border.determinant_logarithm() - volume_logarithm(states, size, &self.dense);
+        Determinant { orientation: self.orientation(), logarithm }
     }
 
     /// What the interior's elimination makes of the sign of the dense system's determinant.
@@ -320,6 +325,12 @@ impl Factorisation {
         }
         Correction { u, inner, c: c.to_vec() }
     }
+}
+
+/// Logarithm of the volume that the first rows of a matrix span, which is given by rows of `columns` entries.
+fn volume_logarithm(rows: usize, columns: usize, matrix: &[f64]) -> f64 {
+    let transposed = DMatrix::from_column_slice(columns, rows, &matrix[..rows * columns]);
+    transposed.qr().unpack_r().diagonal().iter().map(|r| libm::log(r.abs())).sum()
 }
 
 /// Ends and unknowns.

@@ -188,7 +188,14 @@ impl Attempt<'_> {
         let mut start = self.guess.clone();
         start.constants.push(0.0);
         let on_path = Options { control: Control::Defect, ..self.options.loosened(1e-2) };
-        let options = BranchOptions { solve: on_path, range: (-1.0, 1.0), max_points: 300, ..BranchOptions::default() };
+        // What else branches off on the way is of no concern.
+        let options = BranchOptions {
+            solve: on_path,
+            range: (-1.0, 1.0),
+            max_points: 300,
+            resolve_branch_points: false,
+            ..BranchOptions::default()
+        };
         let (unknowns, budget) = (self.unknowns, self.budget);
         let branch = match trace_within(&homotopy, &start, t, unknowns, &options, &[], self.observer, budget) {
             Ok(branch) => branch,

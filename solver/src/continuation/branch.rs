@@ -33,9 +33,14 @@ pub struct BranchOptions {
     /// Points, located ones included.
     pub max_points: usize,
     /// Whether simple branch points, where another branch crosses, are looked for and located. They are seen by the
-    /// orientation of the problem that arclength extends, which changes there: two of them within one step are seen as
-    /// none, so that `largest_step` must be short enough to part them.
+    /// orientation of the problem that arclength extends, which changes there.
     pub branch_points: bool,
+    /// Whether steps are made so short that the determinant whose sign is the orientation is known between their ends:
+    /// two branch points within one step leave its sign as it was, and are seen as none. It takes shorter steps, and
+    /// looks into their middle, where the determinant is not what it was expected to be, and nothing where it grows or
+    /// decays steadily. Without, `largest_step` must be short enough to part them. Not done where
+    /// `largest_contraction` is infinite, for kinks make the determinant jump. Default: yes.
+    pub resolve_branch_points: bool,
     /// Whether each branch point is located anew on meshes of halved intervals, six times over at most, until its
     /// parameter has settled to the tolerance: what bifurcates may ask for a finer mesh than the branch does. Without,
     /// it is the branch point of the mesh on which it is met. Default: yes.
@@ -56,6 +61,7 @@ impl Default for BranchOptions {
             max_iterations: 12,
             max_points: 200,
             branch_points: true,
+            resolve_branch_points: true,
             settle_branch_points: true,
         }
     }

@@ -5,6 +5,7 @@ mod finer;
 mod location;
 mod near;
 mod places;
+mod resolution;
 
 use super::arclength::{Arclength, Direction, Reference, constant_squares, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
@@ -24,6 +25,7 @@ use crate::solve::{check, solve_within};
 use crate::start::{self, Start};
 use crate::stats::Stats;
 use near::Near;
+use resolution::{Passed, Resolved};
 
 /// One tracing: what it was asked, and what it has found.
 pub(super) struct Tracer<'a, 'e> {
@@ -77,6 +79,8 @@ struct Stepped {
     next: Advanced,
     /// Whether there is a branch point before its end.
     crossed: bool,
+    /// By how much the next may be longer for the determinant to be known along it.
+    longer: f64,
     /// What is special on the way, as far as the range goes: kind, distance, and the point, if it is not the end.
     located: Vec<(PointKind, f64, Option<Reference>)>,
 }
@@ -87,6 +91,8 @@ enum Rejected {
     Failed(SolveError),
     /// What it led to is far from where it began.
     Far,
+    /// The determinant is not known along it, or has more zeros than one: the length that it is to have.
+    Unresolved(f64),
 }
 
 impl From<SolveError> for Rejected {
@@ -98,6 +104,8 @@ impl From<SolveError> for Rejected {
 /// So often in a row a step is halved whose first correction has not contracted: if it still does not, contractions
 /// tell nothing.
 const SHORTENED: usize = 2;
+/// So often in a row a step is made shorter for the determinant: where the right-hand side has a kink, it jumps.
+const RESOLVED: usize = 12;
 
 impl<'a, 'e> Tracer<'a, 'e> {
     pub(super) fn new(
@@ -145,24 +153,38 @@ impl<'a, 'e> Tracer<'a, 'e> {
     fn trace(&mut self, mut here: Reference, mut arclength: f64, mut step: f64) -> Result<(), SolveError> {
         self.push(PointKind::Regular, arclength, &here);
         let mut previous: Option<(f64, Reference)> = None;
-        let mut shortened = 0;
+        let mut passed = Passed::default();
+        let (mut shortened, mut unresolved) = (0, 0);
         while self.points.len() < self.options.max_points {
-            let stepped = self.step(previous.as_ref(), &here, step, shortened < SHORTENED);
-            let Stepped { next, crossed, located } = match stepped {
+            let resolves = self.options.branch_points && self.options.resolve_branch_points;
+            let known = (resolves && unresolved < RESOLVED).then_some(&passed);
+            let stepped = self.step((previous.as_ref(), known), (arclength, &here), step, shortened < SHORTENED);
+            let Stepped { next, crossed, longer, located } = match stepped {
                 Ok(stepped) => stepped,
                 Err(Rejected::Failed(cause)) if cause.is_interruption() => return Err(cause),
                 Err(rejected) => {
-                    step *= 0.5;
                     match rejected {
-                        Rejected::Failed(cause) if step < self.options.smallest_step => return Err(cause),
-                        Rejected::Failed(_) => {}
-                        Rejected::Far => shortened += 1,
+                        Rejected::Unresolved(shorter) => {
+                            step = shorter;
+                            unresolved += 1;
+                        }
+                        Rejected::Far => {
+                            step *= 0.5;
+                            shortened += 1;
+                        }
+                        Rejected::Failed(cause) => {
+                            step *= 0.5;
+                            if step < self.options.smallest_step {
+                                return Err(cause);
+                            }
+                        }
                     }
                     self.announce(&Event::Rejected { lambda: here.value(self.parameter) })?;
                     continue;
                 }
             };
-            shortened = 0;
+            (shortened, unresolved) = (0, 0);
+            passed.push(arclength, &here);
             // The sense of the first step is given, so that a branch point is told from one that is crossed.
             let [before, after] = [&here, &next.point].map(|point| point.determinant.orientation);
             let turned = if crossed { next.check } else { next.check.across(before, after) };
@@ -178,7 +200,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             self.push(PointKind::Regular, arclength, &next);
             let g = |theta: f64| (1.0 + 4.0 * theta).sqrt() - 1.0;
             let factor = (g(self.options.contraction) / g(contraction.max(1e-6))).sqrt();
-            let longer = (step * factor.clamp(0.3, 2.0)).min(self.options.largest_step);
+            let longer = (step * factor.min(longer).clamp(0.3, 2.0)).min(self.options.largest_step);
             if self.observer.wants_checkpoints() {
                 let (guess, direction) = (Guess::from(&next.solution), Some(next.direction.clone()));
                 self.observer.checkpoint(&Checkpoint { position: arclength, step: longer, guess, direction });
@@ -194,8 +216,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
     /// straight to: see [`BranchOptions::largest_contraction`].
     fn step(
         &mut self,
-        previous: Option<&(f64, Reference)>,
-        here: &Reference,
+        (previous, passed): (Option<&(f64, Reference)>, Option<&Passed>),
+        (arclength, here): (f64, &Reference),
         step: f64,
         wary: bool,
     ) -> Result<Stepped, Rejected> {
@@ -204,6 +226,16 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let straight = next.contraction <= largest && !matches!(next.check, BranchCheck::Turned { .. });
         if wary && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
+        }
+        let mut longer = f64::INFINITY;
+        if let Some(passed) = passed.filter(|_| largest < f64::INFINITY) {
+            match self.resolved(passed, (arclength, here), step, &next)? {
+                Resolved::Shorter(step) if step >= self.options.smallest_step => {
+                    return Err(Rejected::Unresolved(step));
+                }
+                Resolved::Shorter(_) => {}
+                Resolved::Yes(factor) => longer = factor,
+            }
         }
         let crossings = self.crossings(here, &next.point);
         let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
@@ -219,7 +251,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             let value = |found: &Option<Reference>| found.as_ref().unwrap_or(&next.point).value(self.parameter);
             located.retain(|(kind, _, found)| *kind == PointKind::End || !self.is_outside(value(found)));
         }
-        Ok(Stepped { next, crossed, located })
+        Ok(Stepped { next, crossed, longer, located })
     }
 
     fn announce(&mut self, event: &Event) -> Result<(), SolveError> {
@@ -367,13 +399,15 @@ impl<'a, 'e> Tracer<'a, 'e> {
             };
             budget.charge(linearisation.stats());
             stats += *linearisation.stats();
-            let determinant = linearisation.factorisation.determinant();
+            let determinant = linearisation.determinant();
             Ok((solution, linearisation.sensitivity(arclength.step()), determinant, inner))
         });
         self.stats += stats;
         let (solution, tangent, determinant, inner) = found?;
         let solution = solution.restricted(self.problem.layout(), self.unknowns);
         let (mut point, speed) = self.reference(solution, &tangent, 1.0, determinant);
+        // As if the distance were taken along the point's own direction.
+        point.determinant.logarithm += libm::log(speed);
         point.inner = inner;
         Ok(Advanced { point, judged: care != Care::Glance, speed, contraction, check })
     }

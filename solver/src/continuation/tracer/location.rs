@@ -131,13 +131,13 @@ impl Search {
 }
 
 /// A polynomial in Newton's form, by divided differences; places where the derivative is known count twice.
-struct Polynomial {
+pub(super) struct Polynomial {
     places: Vec<f64>,
     coefficients: Vec<f64>,
 }
 
 impl Polynomial {
-    fn through(known: &[Known]) -> Self {
+    pub(super) fn through(known: &[Known]) -> Self {
         let (mut places, mut differences, mut slopes) = (Vec::new(), Vec::new(), Vec::new());
         for known in known {
             for slope in [Some(None), known.slope.map(Some)].into_iter().flatten() {
@@ -160,7 +160,7 @@ impl Polynomial {
     }
 
     /// Value and derivative.
-    fn at(&self, at: f64) -> (f64, f64) {
+    pub(super) fn at(&self, at: f64) -> (f64, f64) {
         let terms = self.coefficients.iter().zip(&self.places).rev();
         terms.fold((0.0, 0.0), |(value, slope), (coefficient, place)| {
             (coefficient + (at - place) * value, value + (at - place) * slope)

@@ -31,7 +31,7 @@ const NEARLY: f64 = 1e-3;
 impl Tracer<'_, '_> {
     /// A place between two points that are `step` apart, not far from the line between them; with care where a glance
     /// fails.
-    fn look(
+    pub(super) fn look(
         &mut self,
         (here, step, next): (&Reference, f64, &Reference),
         at: f64,
@@ -61,11 +61,11 @@ impl Tracer<'_, '_> {
     ) -> Result<(f64, Option<Reference>), SolveError> {
         let kind = crossing.kind;
         if kind == PointKind::BranchPoint {
-            let mut found = self.locate_branch_point(before, here, step, next)?;
+            let (mut at, mut point, slope) = self.locate_branch_point(before, here, step, next)?;
             if self.options.settle_branch_points {
-                found = self.settled(here, step, found)?;
+                (at, point) = self.settled((here, step), (at, point), slope)?;
             }
-            return Ok((found.0, Some(found.1)));
+            return Ok((at, Some(point)));
         }
         if self.watched(kind, &next.point) == 0.0 {
             return Ok((step, None));
@@ -91,14 +91,14 @@ impl Tracer<'_, '_> {
     }
 
     /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
-    /// its direction.
+    /// its direction; and the slope of the determinant, relative to that at `here`.
     fn locate_branch_point(
         &mut self,
         before: Option<&(f64, Reference)>,
         here: &Reference,
         step: f64,
         next: &Advanced,
-    ) -> Result<(f64, Reference), SolveError> {
+    ) -> Result<(f64, Reference, f64), SolveError> {
         let kind = PointKind::BranchPoint;
         let mut search = self.search(kind, before, here, (step, next));
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
@@ -137,7 +137,8 @@ impl Tracer<'_, '_> {
         if value(near.point) > VANISHED * value(here).max(value(&next.point)) {
             return Err(SolveError::Astray { at: near.point.value(self.parameter) });
         }
-        Ok((place, self.moved(near.point, near.speed * (place - near.at))?))
+        let slope = near.point.determinant.relative(&here.determinant) / (near.at - place);
+        Ok((place, self.moved(near.point, near.speed * (place - near.at))?, slope))
     }
 
     fn search(

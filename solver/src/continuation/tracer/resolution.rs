@@ -1,0 +1,249 @@
+//! Whether a step is short enough for the determinant to be known between its ends.
+//!
+//! Two branch points within one step leave the sign of the determinant as it was. In the form that does not depend on
+//! the mesh the determinant is a smooth function of the arclength, and steps are taken that resolve it, as they resolve
+//! the solution. The polynomial through the points before must foretell it at a step's end; where it does so only
+//! roughly, or the determinant is small there, a look in the middle must find what the ends and the points before say
+//! of it. What the polynomial through all of them may miss is the bound below which it may hide zeros: a step ends
+//! between the first two that it may have.
+//!
+//! What is smaller than the points of a branch are apart may still be missed: the zeros of functions that are known at
+//! points alone are never certain.
+
+use super::location::{Known, Polynomial};
+use super::{Advanced, Care, Near, Tracer};
+use crate::continuation::arclength::Reference;
+use crate::error::SolveError;
+use crate::orientation::Determinant;
+use std::iter;
+
+/// The determinants at the points before the last one.
+#[derive(Debug, Default)]
+pub(super) struct Passed {
+    /// Arclength and determinant, the last ones first.
+    last: [Option<(f64, Determinant)>; BEFORE],
+}
+
+/// Points before the last one that a polynomial goes through, at most.
+const BEFORE: usize = 2;
+/// Where the logarithm of the determinant goes on as steadily as this, there is no zero.
+const STEADY: f64 = 0.25;
+/// All errors of polynomials are in parts of the largest determinant that they go through. A step is too long where the
+/// determinant at its end is foretold worse than this,
+const LARGEST: f64 = 0.15;
+/// or that in its middle is interpolated worse than this.
+const INTERPOLATED: f64 = 0.1;
+/// It is looked at there if it is foretold worse than this,
+const LOOKED_INTO: f64 = 0.03;
+/// or smaller than this at one of the ends.
+const SMALL: f64 = 0.1;
+/// The next step is to be foretold as well as this.
+const AIM: f64 = 0.1;
+/// Inside a step the polynomial through its ends and its middle as well misses by so many times less, at least, than it
+/// foretold the end: a bound for a look that finds by chance what is expected.
+const INSIDE: f64 = 8.0;
+/// The polynomial is searched at so many places of a step,
+const PLACES: i32 = 32;
+/// and between the outermost and the ends at places that come nearer by halves so often.
+const HALVINGS: i32 = 6;
+/// Where the determinant may be zero on a longer stretch, in parts of the step, than this, it may cross zero there more
+/// than once.
+const WIDE: f64 = 0.2;
+
+/// What is known of the determinant along a step.
+pub(super) enum Resolved {
+    /// Enough. The factor by which the next step may be longer, for the determinant to be foretold there, too.
+    Yes(f64),
+    /// Too little, or more zeros than one: the step is to be so long.
+    Shorter(f64),
+}
+
+impl Passed {
+    /// Leaves a point behind.
+    pub(super) fn push(&mut self, arclength: f64, at: &Reference) {
+        self.last.rotate_right(1);
+        self.last[0] = Some((arclength, at.determinant));
+    }
+}
+
+impl Tracer<'_, '_> {
+    /// Whether the determinant is known along the step from `here`, at the arclength that is given, to `next`.
+    pub(super) fn resolved(
+        &mut self,
+        passed: &Passed,
+        (arclength, here): (f64, &Reference),
+        step: f64,
+        next: &Advanced,
+    ) -> Result<Resolved, SolveError> {
+        let before = passed.last.iter().flatten().map(|(place, determinant)| (place - arclength, *determinant));
+        let mut known: Vec<(f64, Determinant)> = before.collect();
+        let is_foretold = known.len() == BEFORE;
+        known.push((0.0, here.determinant));
+        let end = (step, next.point.determinant);
+        let foretold = missed(&known, end);
+        if !foretold.is_finite() {
+            return Ok(Resolved::Yes(f64::INFINITY));
+        }
+        // A polynomial of degree `BEFORE` misses by a power one higher of the step.
+        let longer = libm::pow(AIM / foretold.max(f64::MIN_POSITIVE), 1.0 / (BEFORE as f64 + 1.0));
+        let is_steady = is_steady(&known, end);
+        known.push(end);
+        let is_small = relative(&known).iter().rev().take(2).any(|end| end.value.abs() < SMALL);
+        if is_steady && !is_small {
+            return Ok(Resolved::Yes(longer.max(1.0)));
+        }
+        if is_foretold && foretold > LARGEST {
+            return Ok(Resolved::Shorter(0.5 * step));
+        }
+        let mut bound = foretold;
+        if !is_foretold || is_small || foretold > LOOKED_INTO {
+            // What cannot be looked at is taken for what the ends say.
+            let Some(look) = self.middle(here, step, next)? else { return Ok(Resolved::Yes(1.0)) };
+            let interpolated = missed(&known, look);
+            if interpolated > INTERPOLATED {
+                return Ok(Resolved::Shorter(0.5 * step));
+            }
+            bound = interpolated.max(foretold / INSIDE);
+            known.push(look);
+        }
+        let shorter = between_zeros(&Polynomial::through(&relative(&known)), step, bound);
+        Ok(shorter.map_or(Resolved::Yes(longer), Resolved::Shorter))
+    }
+
+    /// Place and determinant in the middle of a step; none where there is no point of the branch to be found.
+    fn middle(
+        &mut self,
+        here: &Reference,
+        step: f64,
+        next: &Advanced,
+    ) -> Result<Option<(f64, Determinant)>, SolveError> {
+        let near = (Near { point: here, at: 0.0, speed: 1.0 }, Some(next.near(step)));
+        match self.look((here, step, &next.point), 0.5 * step, near, Care::Glance) {
+            Err(cause) if cause.is_interruption() => Err(cause),
+            Err(_) => Ok(None),
+            Ok(look) => Ok(Some((0.5 * step, look.point.determinant))),
+        }
+    }
+}
+
+/// Determinants relative to the largest of them.
+fn relative(known: &[(f64, Determinant)]) -> Vec<Known> {
+    let larger = |a: Determinant, b: Determinant| if b.logarithm > a.logarithm { b } else { a };
+    let largest = known.iter().map(|(_, determinant)| *determinant).reduce(larger).unwrap_or(Determinant::UNKNOWN);
+    known
+        .iter()
+        .map(|(at, determinant)| Known { at: *at, value: determinant.relative(&largest), slope: None })
+        .collect()
+}
+
+/// Whether the determinant grows or decays along a step as it did between all points known before, the last at the end.
+fn is_steady(known: &[(f64, Determinant)], end: (f64, Determinant)) -> bool {
+    let same_sign = known.iter().all(|(_, determinant)| determinant.orientation == end.1.orientation);
+    let known: Vec<Known> =
+        known.iter().map(|(at, determinant)| Known { at: *at, value: determinant.logarithm, slope: None }).collect();
+    let missed = |known: &[Known]| (Polynomial::through(known).at(end.0).0 - end.1.logarithm).abs();
+    match known[..] {
+        [before, .., here] => same_sign && missed(&known) < STEADY && missed(&[before, here]) < STEADY,
+        _ => false,
+    }
+}
+
+/// What a polynomial through known determinants misses another by, in parts of the largest.
+fn missed(known: &[(f64, Determinant)], other: (f64, Determinant)) -> f64 {
+    let all: Vec<(f64, Determinant)> = known.iter().copied().chain([other]).collect();
+    match relative(&all).split_last() {
+        Some((other, known)) => (Polynomial::through(known).at(other.at).0 - other.value).abs(),
+        None => f64::NAN,
+    }
+}
+
+/// A place in (0, step) between two zeros of the polynomial, or between two that what it misses may hide: `bound` in
+/// the middle of the step, and nothing at its ends.
+fn between_zeros(polynomial: &Polynomial, step: f64, bound: f64) -> Option<f64> {
+    let halves = (0..HALVINGS).map(|k| libm::exp2(-f64::from(k)) / f64::from(PLACES));
+    let inner = (2..PLACES - 1).map(|k| f64::from(k) / f64::from(PLACES));
+    let parts = halves.clone().rev().chain(inner).chain(halves.map(|part| 1.0 - part));
+    let parts = iter::once(0.0).chain(parts).chain(iter::once(1.0));
+    let value = |part: f64| polynomial.at(part * step).0;
+    // The last place where the sign is certain, and the value there.
+    let (mut last, mut sign) = (0.0, value(0.0));
+    // Where the polynomial may vanish since then: the place with the smallest value.
+    let mut hidden: Option<(f64, f64)> = None;
+    let mut crossed: Option<f64> = None;
+    for part in parts {
+        let here = value(part);
+        if here.abs() < 4.0 * bound * part * (1.0 - part) {
+            hidden = hidden.filter(|(_, least)| *least <= here.abs()).or(Some((part, here.abs())));
+            continue;
+        }
+        let touched = hidden.take();
+        let zero = if here * sign < 0.0 { Some(0.5 * (last + part)) } else { touched.map(|(place, _)| place) };
+        if let Some(zero) = zero {
+            match crossed {
+                Some(first) => return Some(0.5 * (first + zero) * step),
+                // Two of them.
+                None if here * sign > 0.0 => return Some(zero * step),
+                // Three of them, perhaps.
+                None if part - last > WIDE => return Some(if last > 0.0 { last } else { 0.5 * part } * step),
+                None => crossed = Some(zero),
+            }
+        }
+        (last, sign) = (part, here);
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orientation::Orientation;
+
+    fn determinant(value: f64) -> Determinant {
+        Determinant { orientation: Orientation::of(value), logarithm: value.abs().ln() }
+    }
+
+    fn at(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<(f64, Determinant)> {
+        places.iter().map(|place| (*place, determinant(f(*place)))).collect()
+    }
+
+    #[test]
+    fn a_step_ends_between_the_first_two_zeros() {
+        let places = [-2.0, -1.0, 0.0, 0.5, 1.0];
+        let within = |f: &dyn Fn(f64) -> f64, bound: f64| {
+            between_zeros(&Polynomial::through(&relative(&at(&places, f))), 1.0, bound)
+        };
+        assert!(within(&|x| (x - 0.4) * (x - 0.7), 0.0).is_some_and(|at| at > 0.4 && at < 0.7));
+        let three = |x: f64| (x - 0.2) * (x - 0.6) * (x - 0.8);
+        assert!(within(&three, 0.0).is_some_and(|at| at > 0.2 && at < 0.6));
+        // One zero, or none.
+        assert_eq!(within(&|x| x - 0.3, 1e-3), None);
+        assert_eq!(within(&|x| 1.0 + x * x, 1e-2), None);
+        // Two that the error may hide: closer than the places at which the polynomial is searched, or just not there.
+        let close = |x: f64| (x - 0.503) * (x - 0.509);
+        assert_eq!(within(&close, 0.0), None);
+        assert!(within(&close, 1e-4).is_some_and(|at| (at - 0.506).abs() < 0.02));
+        assert!(within(&|x| (x - 0.3).powi(2) + 1e-6, 1e-3).is_some_and(|at| (at - 0.3).abs() < 0.02));
+        // One that may be three.
+        assert!(within(&|x| (x - 0.52).powi(3), 1e-3).is_some_and(|at| at > 0.0 && at < 0.52));
+    }
+
+    #[test]
+    fn exponentials_are_steady_and_functions_with_zeros_are_not() {
+        let places = [-1.5, -1.0, 0.0];
+        let steady = |f: &dyn Fn(f64) -> f64| is_steady(&at(&places, f), (1.0, determinant(f(1.0))));
+        assert!(steady(&|x: f64| (2.0 * x).exp()) && steady(&|x: f64| -(-0.7 * x).exp()));
+        assert!(!steady(&|x| (x - 0.4) * (x - 0.7)) && !steady(&|x| x - 0.5));
+        assert!(!is_steady(&at(&[0.0], |_| 1.0), (1.0, determinant(1.0))), "nothing is known before");
+    }
+
+    #[test]
+    fn what_is_missed_does_not_hang_on_the_size_of_the_determinant() {
+        let shifted = |by: f64| -> Vec<(f64, Determinant)> {
+            let all = at(&[-1.0, 0.0, 1.0], |x| 2.0 + x * x);
+            all.into_iter().map(|(x, d)| (x, Determinant { logarithm: d.logarithm + by, ..d })).collect()
+        };
+        let miss = |all: &[(f64, Determinant)]| missed(&all[..2], all[2]);
+        assert!((miss(&shifted(0.0)) - miss(&shifted(5000.0))).abs() < 1e-9);
+        assert!(miss(&shifted(0.0)) > 0.1);
+    }
+}
