@@ -47,6 +47,22 @@ fn read(paths: &[PathBuf], options: &Options) -> (Vec<SteadyPoint>, Vec<RecordRe
 }
 
 #[test]
+fn logs_and_tables_of_spreadsheets_in_other_encodings_say_how_to_save_them() {
+    let utf16 = |text: &str| -> Vec<u8> { text.encode_utf16().flat_map(u16::to_le_bytes).collect() };
+    let log = by_header(&utf16("\u{feff}timestamp_ms,primary_rpm"), &Names::default()).unwrap_err();
+    assert!(log.contains("UTF-16"), "{log}");
+    let log = by_header(b"timestamp_ms,primary_rpm\r0,1000\r10,1000\r", &Names::default()).unwrap_err();
+    assert!(log.contains("carriage returns alone"), "{log}");
+    let calibration = calibration::parse("c", &utf16("\u{feff}torque,adc\n0,1\n")).unwrap_err();
+    assert!(calibration.to_string().contains("`c`, line 1: it is written in UTF-16"), "{calibration}");
+    let dimensions = [sheave::quantity::Dimension::LENGTH, sheave::quantity::Dimension::FORCE];
+    let belt = sheave::bench::belt::parse_columns("b", &utf16("\u{feff}mm,N\n0,1\n"), dimensions).unwrap_err();
+    assert!(belt.to_string().contains("`b`, line 1: it is written in UTF-16"), "{belt}");
+    // As the CSV reader has it, lines may end in carriage returns alone there.
+    assert!(sheave::bench::belt::parse_columns("b", b"mm,N\r0,1\r1,2\r", dimensions).is_ok());
+}
+
+#[test]
 fn the_truth_of_made_steps_comes_out() {
     let folder = tempfile::tempdir().unwrap();
     let known = known();

@@ -370,8 +370,8 @@ mod tests {
     use crate::bvp::Bvp;
     use crate::options::{Options, Order};
 
-    /// `u'' = -ω² u`, u = 0 at both ends: with Φ what takes the left end to the right one, the rows `[-Φ 1]` and those of
-    /// the boundary conditions span the volume `Φ_12`, and the first alone `√det(1 + ΦΦᵀ)`.
+    /// `u'' = -ω² u`, u = 0 at both ends: with Φ what takes the left end to the right one, the rows `[-Φ 1]` and those
+    /// of the boundary conditions span the volume `Φ_12`, and the first alone `√det(1 + ΦΦᵀ)`.
     #[test]
     fn the_determinant_does_not_hang_on_the_mesh() {
         let omega = 4.0_f64;

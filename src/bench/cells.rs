@@ -31,6 +31,18 @@ pub fn text(cell: &str) -> Cow<'_, str> {
     }
 }
 
+/// What keeps the first line of a file from being read as that of a table, if anything does: how some programs for
+/// spreadsheets save theirs. Without it every line would be told to be no text, or all of them to be one.
+pub fn encoding_fault(first_line: &[u8]) -> Option<&'static str> {
+    if first_line.starts_with(&[0xff, 0xfe]) || first_line.starts_with(&[0xfe, 0xff]) {
+        Some("it is written in UTF-16: save it as text in UTF-8")
+    } else if first_line.trim_ascii_end().contains(&b'\r') {
+        Some("its lines end in carriage returns alone: save it with line feeds, as CSV for Windows or Unix")
+    } else {
+        None
+    }
+}
+
 /// The texts of all cells of a line.
 pub fn texts(line: &str) -> Vec<Cow<'_, str>> {
     split(line).map(text).collect()
@@ -50,6 +62,16 @@ pub fn cell(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_of_other_encodings_are_told_from_tables() {
+        let utf16: Vec<u8> = "\u{feff}rpm,torque\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert!(encoding_fault(&utf16).is_some_and(|fault| fault.contains("UTF-16")));
+        assert!(encoding_fault(b"rpm,torque\r1000,20\r").is_some_and(|fault| fault.contains("carriage returns")));
+        for sound in ["rpm,torque\r", "\u{feff}rpm,torque", "", "\r"] {
+            assert_eq!(encoding_fault(sound.as_bytes()), None, "{sound:?}");
+        }
+    }
 
     #[test]
     fn quotes_keep_commas_and_are_taken_off() {

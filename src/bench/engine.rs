@@ -51,6 +51,9 @@ impl EngineCurve {
     /// # Errors
     /// As [`EngineCurve::read`].
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, BenchError> {
+        if let Some(fault) = bytes.split(|byte| *byte == b'\n').next().and_then(cells::encoding_fault) {
+            return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
+        }
         let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
         let mut points: Vec<(f64, f64)> = Vec::new();
         let mut width = 2;
@@ -159,6 +162,15 @@ fn unit(name: &str) -> Option<(Tabulated, f64)> {
 mod tests {
     use super::*;
     use std::f64::consts::TAU;
+
+    #[test]
+    fn a_table_in_another_encoding_is_told_to_be_one() {
+        let utf16: Vec<u8> = "\u{feff}rpm,hp\r\n1000,2\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let error = EngineCurve::parse("e", &utf16).unwrap_err().to_string();
+        assert!(error.contains("`e`, line 1: it is written in UTF-16"), "{error}");
+        let error = EngineCurve::parse("e", b"rpm,hp\r1000,2\r3000,4\r").unwrap_err().to_string();
+        assert!(error.contains("carriage returns alone"), "{error}");
+    }
 
     #[test]
     fn both_kinds_of_tables_are_read() {

@@ -1,5 +1,6 @@
 //! Tables of two measured columns, such as those of a testing machine.
 
+use crate::bench::cells;
 use crate::bench::error::{BenchError, BenchProblem};
 use crate::quantity::{self, Dimension};
 use std::path::Path;
@@ -31,6 +32,10 @@ pub fn read(path: &Path, dimensions: [Dimension; 2]) -> Result<Columns, BenchErr
 /// # Errors
 /// A header without units of these dimensions, no row that can be read.
 pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Columns, BenchError> {
+    // Lines may end as they like here: the first two bytes tell the encoding.
+    if let Some(fault) = bytes.get(..2).and_then(cells::encoding_fault) {
+        return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
+    }
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(bytes);
     let (mut units, mut rows, mut bad) = (None, Vec::new(), None);
     let mut record = csv::ByteRecord::new();

@@ -135,6 +135,9 @@ pub fn by_header(line: &[u8], names: &Names) -> Result<Format, String> {
 
 /// As [`by_header`]; with a calibration, the column that is named for the torque has raw values.
 pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<Format, String> {
+    if let Some(fault) = cells::encoding_fault(line) {
+        return Err(fault.to_owned());
+    }
     let text = std::str::from_utf8(line).map_err(|_| "the first line is no text".to_owned())?;
     let cells: Vec<Cell> = cells::split(text.trim_start_matches('\u{feff}')).map(Cell::read).collect();
     let rich = cells.iter().any(|cell| cell.range.is_some());
