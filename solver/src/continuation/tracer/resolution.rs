@@ -2,10 +2,10 @@
 //!
 //! Two branch points within one step leave the sign of the determinant as it was. In the form that does not depend on
 //! the mesh the determinant is a smooth function of the arclength, and steps are taken that resolve it, as they resolve
-//! the solution. The polynomial through the points before must foretell it at a step's end; where it does so only
-//! roughly, or the determinant is small there, a look in the middle must find what the ends and the points before say
-//! of it. What the polynomial through all of them may miss is the bound below which it may hide zeros: a step ends
-//! between the first two that it may have.
+//! the solution. The polynomial through the points before is extrapolated to a step's end, and must be right there;
+//! where it is so only roughly, or the determinant is small there, the polynomial through the ends as well must be right
+//! in the middle. The error there bounds what the polynomial through all of them may hide: a step ends between the first
+//! two zeros that the determinant may have.
 //!
 //! What is smaller than the points of a branch are apart may still be missed: the zeros of functions that are known at
 //! points alone are never certain.
@@ -26,21 +26,21 @@ pub(super) struct Passed {
 
 /// Points before the last one that a polynomial goes through, at most.
 const BEFORE: usize = 2;
-/// Where the logarithm of the determinant goes on as steadily as this, there is no zero.
+/// Where the logarithm of the determinant is extrapolated as well as this, there is no zero.
 const STEADY: f64 = 0.25;
 /// All errors of polynomials are in parts of the largest determinant that they go through. A step is too long where the
-/// determinant at its end is foretold worse than this,
+/// error of extrapolation at its end is larger than this,
 const LARGEST: f64 = 0.15;
-/// or that in its middle is interpolated worse than this.
+/// or that of interpolation in its middle is larger than this.
 const INTERPOLATED: f64 = 0.1;
-/// It is looked at there if it is foretold worse than this,
+/// It is looked at there if the error of extrapolation is larger than this,
 const LOOKED_INTO: f64 = 0.03;
-/// or smaller than this at one of the ends.
+/// or the determinant smaller than this at one of the ends.
 const SMALL: f64 = 0.1;
-/// The next step is to be foretold as well as this.
+/// The error of extrapolation that the next step aims at.
 const AIM: f64 = 0.1;
-/// Inside a step the polynomial through its ends and its middle as well misses by so many times less, at least, than it
-/// foretold the end: a bound for a look that finds by chance what is expected.
+/// Inside a step the polynomial through its ends and its middle as well is taken to be so many times more exact than
+/// the extrapolated one at its end, and no more: a look may by chance find what is expected.
 const INSIDE: f64 = 8.0;
 /// The polynomial is searched at so many places of a step,
 const PLACES: i32 = 32;
@@ -52,7 +52,7 @@ const WIDE: f64 = 0.2;
 
 /// What is known of the determinant along a step.
 pub(super) enum Resolved {
-    /// Enough. The factor by which the next step may be longer, for the determinant to be foretold there, too.
+    /// Enough. The factor by which the next step may be longer, for the determinant to be known there, too.
     Yes(f64),
     /// Too little, or more zeros than one: the step is to be so long.
     Shorter(f64),
@@ -77,33 +77,33 @@ impl Tracer<'_, '_> {
     ) -> Result<Resolved, SolveError> {
         let before = passed.last.iter().flatten().map(|(place, determinant)| (place - arclength, *determinant));
         let mut known: Vec<(f64, Determinant)> = before.collect();
-        let is_foretold = known.len() == BEFORE;
+        let can_extrapolate = known.len() == BEFORE;
         known.push((0.0, here.determinant));
         let end = (step, next.point.determinant);
-        let foretold = missed(&known, end);
-        if !foretold.is_finite() {
+        let extrapolated = error(&known, end);
+        if !extrapolated.is_finite() {
             return Ok(Resolved::Yes(f64::INFINITY));
         }
-        // A polynomial of degree `BEFORE` misses by a power one higher of the step.
-        let longer = libm::pow(AIM / foretold.max(f64::MIN_POSITIVE), 1.0 / (BEFORE as f64 + 1.0));
+        // The error of a polynomial of degree `BEFORE` goes with a power one higher of the step.
+        let longer = libm::pow(AIM / extrapolated.max(f64::MIN_POSITIVE), 1.0 / (BEFORE as f64 + 1.0));
         let is_steady = is_steady(&known, end);
         known.push(end);
         let is_small = relative(&known).iter().rev().take(2).any(|end| end.value.abs() < SMALL);
         if is_steady && !is_small {
             return Ok(Resolved::Yes(longer.max(1.0)));
         }
-        if is_foretold && foretold > LARGEST {
+        if can_extrapolate && extrapolated > LARGEST {
             return Ok(Resolved::Shorter(0.5 * step));
         }
-        let mut bound = foretold;
-        if !is_foretold || is_small || foretold > LOOKED_INTO {
+        let mut bound = extrapolated;
+        if !can_extrapolate || is_small || extrapolated > LOOKED_INTO {
             // What cannot be looked at is taken for what the ends say.
             let Some(look) = self.middle(here, step, next)? else { return Ok(Resolved::Yes(1.0)) };
-            let interpolated = missed(&known, look);
+            let interpolated = error(&known, look);
             if interpolated > INTERPOLATED {
                 return Ok(Resolved::Shorter(0.5 * step));
             }
-            bound = interpolated.max(foretold / INSIDE);
+            bound = interpolated.max(extrapolated / INSIDE);
             known.push(look);
         }
         let shorter = between_zeros(&Polynomial::through(&relative(&known)), step, bound);
@@ -141,15 +141,15 @@ fn is_steady(known: &[(f64, Determinant)], end: (f64, Determinant)) -> bool {
     let same_sign = known.iter().all(|(_, determinant)| determinant.orientation == end.1.orientation);
     let known: Vec<Known> =
         known.iter().map(|(at, determinant)| Known { at: *at, value: determinant.logarithm, slope: None }).collect();
-    let missed = |known: &[Known]| (Polynomial::through(known).at(end.0).0 - end.1.logarithm).abs();
+    let error = |known: &[Known]| (Polynomial::through(known).at(end.0).0 - end.1.logarithm).abs();
     match known[..] {
-        [before, .., here] => same_sign && missed(&known) < STEADY && missed(&[before, here]) < STEADY,
+        [before, .., here] => same_sign && error(&known) < STEADY && error(&[before, here]) < STEADY,
         _ => false,
     }
 }
 
-/// What a polynomial through known determinants misses another by, in parts of the largest.
-fn missed(known: &[(f64, Determinant)], other: (f64, Determinant)) -> f64 {
+/// The error of the polynomial through known determinants at another, in parts of the largest.
+fn error(known: &[(f64, Determinant)], other: (f64, Determinant)) -> f64 {
     let all: Vec<(f64, Determinant)> = known.iter().copied().chain([other]).collect();
     match relative(&all).split_last() {
         Some((other, known)) => (Polynomial::through(known).at(other.at).0 - other.value).abs(),
@@ -157,8 +157,8 @@ fn missed(known: &[(f64, Determinant)], other: (f64, Determinant)) -> f64 {
     }
 }
 
-/// A place in (0, step) between two zeros of the polynomial, or between two that what it misses may hide: `bound` in
-/// the middle of the step, and nothing at its ends.
+/// A place in (0, step) between two zeros of the polynomial, or between two that its error may hide: at most
+/// `bound` in the middle of the step, and none at its ends.
 fn between_zeros(polynomial: &Polynomial, step: f64, bound: f64) -> Option<f64> {
     let halves = (0..HALVINGS).map(|k| libm::exp2(-f64::from(k)) / f64::from(PLACES));
     let inner = (2..PLACES - 1).map(|k| f64::from(k) / f64::from(PLACES));
@@ -237,13 +237,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missed_does_not_hang_on_the_size_of_the_determinant() {
+    fn errors_do_not_hang_on_the_size_of_the_determinant() {
         let shifted = |by: f64| -> Vec<(f64, Determinant)> {
             let all = at(&[-1.0, 0.0, 1.0], |x| 2.0 + x * x);
             all.into_iter().map(|(x, d)| (x, Determinant { logarithm: d.logarithm + by, ..d })).collect()
         };
-        let miss = |all: &[(f64, Determinant)]| missed(&all[..2], all[2]);
-        assert!((miss(&shifted(0.0)) - miss(&shifted(5000.0))).abs() < 1e-9);
-        assert!(miss(&shifted(0.0)) > 0.1);
+        let error = |all: &[(f64, Determinant)]| error(&all[..2], all[2]);
+        assert!((error(&shifted(0.0)) - error(&shifted(5000.0))).abs() < 1e-9);
+        assert!(error(&shifted(0.0)) > 0.1);
     }
 }
