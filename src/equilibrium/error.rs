@@ -65,6 +65,9 @@ pub enum EquilibriumError {
         phase: Phase,
         /// Why.
         failure: Box<Failure>,
+        /// Whether a belt without bending stiffness has a slip threshold that is smaller than its equilibria are
+        /// found with.
+        sharp: bool,
     },
     /// No state is consistent with all stops.
     #[error(
@@ -107,7 +110,7 @@ impl EquilibriumError {
     /// What to try, where there is more to say than the message says.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::Failure { failure, .. } => match failure.trouble() {
+            Self::Failure { failure, sharp, .. } => match failure.trouble() {
                 Some(Trouble::Slip { .. } | Trouble::Pushed { .. } | Trouble::Lifted { .. }) => Some(
                     "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
                      spring or a smaller helix angle clamp it tighter",
@@ -119,6 +122,10 @@ impl EquilibriumError {
                 Some(Trouble::Stiff { .. }) => Some(
                     "check the unit of `belt.bending_stiffness`, and that the actuators press: a belt so loose does \
                      not wrap its pulleys",
+                ),
+                Some(Trouble::Work | Trouble::Unknown) if *sharp => Some(
+                    "without bending stiffness equilibria are found with a larger slip threshold: try \
+                     `sheave.slip_threshold` of 0.005 m/s, or another edition",
                 ),
                 Some(Trouble::Work | Trouble::Unknown) => Some(
                     "there may be no equilibrium at this speed: `sheave shift` shows at which there is one; the engine \
@@ -150,5 +157,23 @@ fn told(failure: &Failure) -> String {
              and a slack tension of {slack_tension:.2} N"
         ),
         other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_belt_without_bending_stiffness_is_told_of_its_slip_threshold() {
+        let lost = |sharp: bool, trouble: Trouble| {
+            let cause = Box::new(solver::SolveError::Cancelled);
+            let failure = Failure::Unreached { trouble, reached: Vec::new(), torque: 1.0, slack_tension: 1.0, cause };
+            EquilibriumError::Failure { phase: Phase::Shift, failure: Box::new(failure), sharp }
+        };
+        let hint = |sharp, trouble| lost(sharp, trouble).hint().unwrap();
+        assert!(hint(true, Trouble::Unknown).contains("`sheave.slip_threshold` of 0.005 m/s"));
+        assert!(hint(true, Trouble::Work).contains("or another edition"));
+        assert!(!hint(false, Trouble::Unknown).contains("slip_threshold"));
     }
 }

@@ -59,7 +59,7 @@ pub fn equilibrium_outcome(
         here = solve(Some(&here), &at_temperature(case, &thermal, temperature))?;
     }
     let failure = Box::new(Failure::Temperature { temperature });
-    Err(EquilibriumError::Failure { phase: here.phase, failure })
+    Err(EquilibriumError::Failure { phase: here.phase, failure, sharp: false })
 }
 
 /// What the belt does in an equilibrium.
@@ -71,8 +71,11 @@ fn read(
 ) -> Result<Outcome, EquilibriumError> {
     let mut posed = found.operating_case(case);
     posed.thermal = None;
-    interpret(&posed, options, found.solved.clone(), start)
-        .map_err(|failure| EquilibriumError::Failure { phase: found.phase, failure: Box::new(failure) })
+    interpret(&posed, options, found.solved.clone(), start).map_err(|failure| EquilibriumError::Failure {
+        phase: found.phase,
+        failure: Box::new(failure),
+        sharp: false,
+    })
 }
 
 /// Heat into the belt, W: its hysteresis, and its share of the friction loss.

@@ -28,6 +28,9 @@ const BEYOND_ENGINE: f64 = 2.0;
 /// clamped well have 0.9 and more, those that hardly carry the torque, and bulge, 0.73 and more.
 const LEAST_RADIUS: f64 = 0.7;
 
+/// The slip threshold, m/s, from which on equilibria of belts without bending stiffness are found.
+const STRING_THRESHOLD: f64 = 5e-3;
+
 /// What is given of a drive, beside its parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Given {
@@ -228,7 +231,9 @@ impl<'a> Whole<'a> {
     }
 
     pub fn failed(&self, phase: Phase, failure: Failure) -> EquilibriumError {
-        EquilibriumError::Failure { phase, failure: Box::new(failure) }
+        let has_bending = self.case.edition.model().bending.is_some();
+        let sharp = !has_bending && self.case.sheave.slip_threshold < STRING_THRESHOLD;
+        EquilibriumError::Failure { phase, failure: Box::new(failure), sharp }
     }
 
     /// The phase that a state is to be left for; none if it is consistent with all stops.

@@ -62,7 +62,8 @@ struct Rates {
 pub fn sensitivities(case: &Resolved, at: &Equilibrium) -> Result<Vec<PartSensitivity>, EquilibriumError> {
     let solved = &at.solved;
     let condensation = Condensation::new(&solved.belt, &solved.solution).map_err(|error| {
-        EquilibriumError::Failure { phase: at.phase, failure: Box::new(crate::drive::Failure::Sensitivities(error)) }
+        let failure = Box::new(crate::drive::Failure::Sensitivities(error));
+        EquilibriumError::Failure { phase: at.phase, failure, sharp: false }
     })?;
     let layout = solved.belt.layout();
     let first = layout.ends() + layout.integrals();
