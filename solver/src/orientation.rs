@@ -34,7 +34,12 @@ pub(crate) struct Determinant {
 }
 
 impl Determinant {
-    pub(crate) const UNKNOWN: Self = Self { orientation: None, logarithm: f64::NAN };
+    pub(crate) const UNKNOWN: Self = Self::of_sign(None);
+
+    /// One of which no more is known than its sign.
+    pub(crate) const fn of_sign(orientation: Option<Orientation>) -> Self {
+        Self { orientation, logarithm: f64::NAN }
+    }
 
     /// Relative to the magnitude of another; NaN if it is singular or unknown.
     pub(crate) fn relative(&self, to: &Self) -> f64 {

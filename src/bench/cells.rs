@@ -1,5 +1,6 @@
 //! Cells of a line of a table, separated by commas; what stands in quotes may have commas of its own (RFC 4180).
 
+use crate::bench::error::{BenchError, BenchProblem};
 use std::borrow::Cow;
 
 /// The cells of a line as they stand there, quotes and all. Where a quote is not closed, none counts.
@@ -40,6 +41,14 @@ pub fn encoding_fault(first_line: &[u8]) -> Option<&'static str> {
         Some("its lines end in carriage returns alone: save it with line feeds, as CSV for Windows or Unix")
     } else {
         None
+    }
+}
+
+/// Refuses a table that [`encoding_fault`] speaks against.
+pub fn check_encoding(name: &str, bytes: &[u8]) -> Result<(), BenchError> {
+    match bytes.split(|byte| *byte == b'\n').next().and_then(encoding_fault) {
+        Some(fault) => Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into()),
+        None => Ok(()),
     }
 }
 

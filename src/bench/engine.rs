@@ -51,9 +51,7 @@ impl EngineCurve {
     /// # Errors
     /// As [`EngineCurve::read`].
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, BenchError> {
-        if let Some(fault) = bytes.split(|byte| *byte == b'\n').next().and_then(cells::encoding_fault) {
-            return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
-        }
+        cells::check_encoding(name, bytes)?;
         let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
         let mut points: Vec<(f64, f64)> = Vec::new();
         let mut width = 2;

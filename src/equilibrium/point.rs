@@ -10,8 +10,8 @@ use crate::case::{Actuation, Resolved};
 use crate::drive::Solved;
 use crate::model::{Constant, InternalError, Output};
 
-/// Share of the speed below which a belt counts as slipping: one that holds loses up to a tenth and more of it, by creep
-/// and by sinking into small radii.
+/// Share of the speed below which a belt counts as slipping: one that holds loses up to a tenth and more of it, by
+/// creep and by sinking into small radii.
 pub const ARRIVING: f64 = 0.8;
 
 /// Which way a drive shifts, or is about to.

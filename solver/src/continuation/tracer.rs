@@ -390,7 +390,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let (contraction, check) = (run.contraction, run.check);
         let mut stats = run.stats;
         drop(run);
-        let budget = self.budget;
+        let (budget, watches_determinant) = (self.budget, self.options.branch_points);
         let found = outcome.and_then(|(solution, system, converged)| {
             let inner = converged.x.inner.clone();
             let linearisation = match converged.at_once {
@@ -399,7 +399,10 @@ impl<'a, 'e> Tracer<'a, 'e> {
             };
             budget.charge(linearisation.stats());
             stats += *linearisation.stats();
-            let determinant = linearisation.determinant();
+            let determinant = match watches_determinant {
+                true => linearisation.determinant(),
+                false => Determinant::of_sign(linearisation.factorisation.orientation()),
+            };
             Ok((solution, linearisation.sensitivity(arclength.step()), determinant, inner))
         });
         self.stats += stats;

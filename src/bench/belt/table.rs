@@ -33,9 +33,7 @@ pub fn read(path: &Path, dimensions: [Dimension; 2]) -> Result<Columns, BenchErr
 /// A header without units of these dimensions, no row that can be read.
 pub fn parse(name: &str, bytes: &[u8], dimensions: [Dimension; 2]) -> Result<Columns, BenchError> {
     // Lines may end as they like here: the first two bytes tell the encoding.
-    if let Some(fault) = bytes.get(..2).and_then(cells::encoding_fault) {
-        return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
-    }
+    cells::check_encoding(name, bytes.get(..2).unwrap_or_default())?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(bytes);
     let (mut units, mut rows, mut bad) = (None, Vec::new(), None);
     let mut record = csv::ByteRecord::new();

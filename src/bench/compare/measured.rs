@@ -90,9 +90,7 @@ pub fn read(path: &Path, engine: Option<&EngineCurve>) -> Result<Table, BenchErr
 /// # Errors
 /// As [`read`].
 pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<Table, BenchError> {
-    if let Some(fault) = bytes.split(|byte| *byte == b'\n').next().and_then(cells::encoding_fault) {
-        return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
-    }
+    cells::check_encoding(name, bytes)?;
     let mut places: Option<[Option<usize>; COLUMNS.len()]> = None;
     let mut width = 0;
     let (mut points, mut bad) = (Vec::new(), Vec::new());

@@ -23,9 +23,7 @@ pub fn read(path: &Path) -> Result<Line, BenchError> {
 /// # Errors
 /// As [`read`].
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Line, BenchError> {
-    if let Some(fault) = bytes.split(|byte| *byte == b'\n').next().and_then(cells::encoding_fault) {
-        return Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into());
-    }
+    cells::check_encoding(name, bytes)?;
     let (mut points, mut stored, mut measured, mut headed) = (Vec::new(), None, false, false);
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
         let bad =

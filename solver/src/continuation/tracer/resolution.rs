@@ -3,9 +3,9 @@
 //! Two branch points within one step leave the sign of the determinant as it was. In the form that does not depend on
 //! the mesh the determinant is a smooth function of the arclength, and steps are taken that resolve it, as they resolve
 //! the solution. The polynomial through the points before is extrapolated to a step's end, and must be right there;
-//! where it is so only roughly, or the determinant is small there, the polynomial through the ends as well must be right
-//! in the middle. The error there bounds what the polynomial through all of them may hide: a step ends between the first
-//! two zeros that the determinant may have.
+//! where it is so only roughly, or the determinant is small there, the polynomial through the ends as well must be
+//! right in the middle. The error there bounds what the polynomial through all of them may hide: a step ends between
+//! the first two zeros that the determinant may have.
 //!
 //! What is smaller than the points of a branch are apart may still be missed: the zeros of functions that are known at
 //! points alone are never certain.
