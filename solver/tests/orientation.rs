@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::Bvp;
-use solver::continuation::{BranchOptions, PathOptions, PointKind, Ramp, follow, trace};
+use solver::continuation::{BranchOptions, PathOptions, PointKind, Ramp, follow, trace, trace_crossing};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{BranchCheck, Guess, Layout, Options, Order, Orientation, Problem, Region, Solution, solve};
 
@@ -300,11 +300,11 @@ fn branch_points_that_one_step_would_pass_are_told_apart() {
     assert!(passed > 20, "steps that would pass pairs: {passed}");
 }
 
-/// On ten intervals of order 4 both of a pair are far from where they are on fine ones, by as much as they are apart:
-/// each settles to its own.
+/// On ten intervals of order 4 both of a pair are far from where they are on fine ones, by up to 0.4, and as far or
+/// farther than from each other: each settles to its own.
 #[test]
 fn branch_points_that_are_close_do_not_settle_to_each_other() {
-    for apart in [1.0, 0.5] {
+    for apart in [1.0, 0.5, 0.1, 1e-2, 1e-3] {
         let (struts, start) = struts(apart, 10);
         let [found, _] = branch_points_of_rest(&struts, &start, Order::Four, 26.0);
         let pairs = [1.0, 4.0, 9.0, 16.0, 25.0].into_iter().flat_map(|load| [load - apart, load]);
@@ -316,13 +316,67 @@ fn branch_points_that_are_close_do_not_settle_to_each_other() {
     }
 }
 
-/// No step parts them, and none is made shorter for ever.
+/// Where two struts are alike, either buckles: the determinant has a double zero, and keeps its sign.
 #[test]
-fn branch_points_of_even_multiplicity_do_not_hold_up_the_branch() {
+fn branch_points_of_even_multiplicity_are_found() {
+    for (order, intervals) in ORDERS.into_iter().flat_map(|order| [(order, 10), (order, 24)]) {
+        let (struts, start) = struts(0.0, intervals);
+        let [found, by_sign] = branch_points_of_rest(&struts, &start, order, 26.0);
+        assert!(are(&found, &[1.0, 4.0, 9.0, 16.0, 25.0]), "{order:?}: {found:?}");
+        assert!(by_sign.is_empty(), "{order:?}: {by_sign:?}");
+    }
+    // Of the branches that leave one is found, to both sides.
     let (struts, start) = struts(0.0, 24);
-    for order in [Order::Six, Order::Eight] {
-        let [found, _] = branch_points_of_rest(&struts, &start, order, 12.0);
-        assert!(found.is_empty(), "{order:?}: {found:?}");
+    let options = BranchOptions { range: (0.0, 4.0), ..BranchOptions::default() };
+    let rest = trace(&struts, &start, 0, &[], &options, &[]).unwrap();
+    let buckling = rest.branch_points().next().unwrap();
+    for half in trace_crossing(&struts, buckling, 0, &[], &options, &[]).unwrap() {
+        let end = half.points.last().unwrap();
+        assert!(end.kind == PointKind::End && end.solution.regions()[0].eval(0.5)[0].abs() > 0.1);
+    }
+}
+
+fn are(found: &[f64], wanted: &[f64]) -> bool {
+    found.len() == wanted.len() && found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 2e-6 * b.max(1.0))
+}
+
+/// `u'' + λ u - u³ = 0` on a ring: from λ = k² waves branch off that may stand anywhere, a sine and a cosine; from 0 the
+/// constant. Meshes that are not uniform take the two apart: the mesh that settles them has them at one place again.
+#[test]
+fn waves_on_a_ring_branch_off_by_twos() {
+    for (order, graded) in ORDERS.into_iter().flat_map(|order| [(order, 0.0), (order, 0.3)]) {
+        let ring = Bvp::new(
+            &["u", "slope"],
+            (0.0, std::f64::consts::TAU),
+            |_, y, p, f| (f[0], f[1]) = (y[1], y[0] * y[0] * y[0] - p[0] * y[0]),
+            |a, b, _, g| (g[0], g[1]) = (a[0] - b[0], a[1] - b[1]),
+        );
+        let ring = ring.given("lambda", -0.5).guess(20, |_, y| y.fill(0.0));
+        let mut start = ring.start();
+        start.regions[0].mesh.iter_mut().for_each(|s| *s += graded * s.sin());
+        let [found, by_sign] = branch_points_of_rest(&ring, &start, order, 27.0);
+        assert!(are(&found, &[0.0, 1.0, 4.0, 9.0, 16.0, 25.0]), "{order:?}, {graded}: {found:?}");
+        assert!(by_sign.len() < 6, "{order:?}, {graded}: {by_sign:?}");
+    }
+}
+
+/// `u'' + λ u + β v - u³ = 0` and `v'' + λ v - β u - v³ = 0`: the zeros of the determinant are complex, k² ± iβ. It
+/// comes as close to zero as β is small, and touches it nowhere.
+#[test]
+fn a_determinant_that_comes_close_to_zero_is_no_branch_point() {
+    for (order, bound) in ORDERS.into_iter().flat_map(|order| [1e-1, 1e-2, 1e-3, 1e-4].map(|bound| (order, bound))) {
+        let strings = Bvp::new(
+            &["u", "du", "v", "dv"],
+            (0.0, std::f64::consts::PI),
+            move |_, y, p, f| {
+                (f[0], f[1]) = (y[1], y[0] * y[0] * y[0] - p[0] * y[0] - bound * y[2]);
+                (f[2], f[3]) = (y[3], y[2] * y[2] * y[2] - p[0] * y[2] + bound * y[0]);
+            },
+            |a, b, _, g| (g[0], g[1], g[2], g[3]) = (a[0], b[0], a[2], b[2]),
+        );
+        let strings = strings.given("lambda", 0.1).guess(24, |_, y| y.fill(0.0));
+        let [found, _] = branch_points_of_rest(&strings, &strings.start(), order, 26.0);
+        assert!(found.is_empty(), "{order:?}, {bound}: {found:?}");
     }
 }
 

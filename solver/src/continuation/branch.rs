@@ -32,14 +32,17 @@ pub struct BranchOptions {
     pub max_iterations: usize,
     /// Points, located ones included.
     pub max_points: usize,
-    /// Whether simple branch points, where another branch crosses, are looked for and located. They are seen by the
-    /// orientation of the problem that arclength extends, which changes there.
+    /// Whether branch points, where another branch crosses, are looked for and located. Simple ones are seen by the
+    /// orientation of the problem that arclength extends, which changes there; those of even multiplicity, where it
+    /// does not, by the determinant whose sign it is: see
+    /// [`resolve_branch_points`](Self::resolve_branch_points).
     pub branch_points: bool,
     /// Whether steps are made so short that the determinant whose sign is the orientation is known between their ends:
-    /// two branch points within one step leave its sign as it was, and are seen as none. It takes shorter steps, and
-    /// looks into their middle, where the determinant is not what it was expected to be, and nothing where it grows or
-    /// decays steadily. Without, `largest_step` must be short enough to part them. Not done where
-    /// `largest_contraction` is infinite, for kinks make the determinant jump. Default: yes.
+    /// two branch points within one step leave its sign as it was, and are seen as none, as is one where several
+    /// branches leave and the determinant touches zero. It takes shorter steps, and looks into their middle, where the
+    /// determinant is not what it was expected to be, and nothing where it grows or decays steadily. Without,
+    /// `largest_step` must be short enough to part the branch points. Not done where `largest_contraction` is infinite,
+    /// for kinks make the determinant jump. Default: yes.
     pub resolve_branch_points: bool,
     /// Whether each branch point is located anew on meshes of halved intervals, six times over at most, until its
     /// parameter has settled to the tolerance: what bifurcates may ask for a finer mesh than the branch does. Without,

@@ -6,6 +6,7 @@ mod location;
 mod near;
 mod places;
 mod resolution;
+mod touching;
 
 use super::arclength::{Arclength, Direction, Reference, constant_squares, normalise};
 use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
@@ -227,19 +228,21 @@ impl<'a, 'e> Tracer<'a, 'e> {
         if wary && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
         }
-        let mut longer = f64::INFINITY;
+        let (mut longer, mut located) = (f64::INFINITY, Vec::new());
         if let Some(passed) = passed.filter(|_| largest < f64::INFINITY) {
             match self.resolved(passed, (arclength, here), step, &next)? {
                 Resolved::Shorter(step) if step >= self.options.smallest_step => {
                     return Err(Rejected::Unresolved(step));
                 }
                 Resolved::Shorter(_) => {}
-                Resolved::Yes(factor) => longer = factor,
+                Resolved::Yes { longer: factor, touches } => {
+                    longer = factor;
+                    located.extend(touches.into_iter().map(|(at, point)| (PointKind::BranchPoint, at, Some(point))));
+                }
             }
         }
         let crossings = self.crossings(here, &next.point);
         let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
-        let mut located = Vec::new();
         for crossing in crossings {
             let (at, found) = self.locate(previous, here, step, &next, &crossing)?;
             located.push((crossing.kind, at, found));

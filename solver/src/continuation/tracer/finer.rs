@@ -4,6 +4,7 @@
 //! Along a trivial solution, which asks for no mesh, a buckling load would be as exact as the mesh of the guess makes
 //! it. Where the determinant vanishes is therefore sought on halved intervals, too, until the parameter there settles.
 
+use super::location::{Known, Polynomial};
 use super::places::{DISTANCE, SETTLED};
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
@@ -11,17 +12,24 @@ use crate::orientation::Determinant;
 use crate::start::{self, Start};
 
 /// Times that all intervals are halved at most.
-const HALVINGS: usize = 6;
+pub(super) const HALVINGS: usize = 6;
 /// What is left of the error on a halved mesh is the last change over this at most: the methods' orders are four and
 /// more, for which it is a fifteenth of it.
-const SHRINKS: f64 = 8.0;
+pub(super) const SHRINKS: f64 = 8.0;
+/// A place is settled that changes by no more than this part of the tolerance.
+const NEGLIGIBLE: f64 = 1e-2;
 /// Looks for one place at most.
 const LOOKS: usize = 16;
 /// A finer mesh may move a branch point by so much of arclength, or by a step that is longer.
-const REACH: f64 = 0.1;
+pub(super) const REACH: f64 = 0.1;
 /// Two branch points that are close may be one on either side of where they are sought. On a finer mesh the determinant
 /// rises or falls through the same one as on the coarser, and not with much less than its slope there.
-const FLATTEST: f64 = 0.25;
+const FLATTEST: f64 = 0.1;
+
+/// Where it is steeper than this part of that slope, secants would come nearer to the zero by halves only.
+const STEEPEST: f64 = 4.0;
+/// Where two looks do not tell in which direction it lies, the third is so far from the first, in parts of the step.
+const FAR: f64 = 1e-2;
 
 /// The determinant at one place beside a branch point.
 struct Look {
@@ -40,11 +48,9 @@ impl Tracer<'_, '_> {
         (mut place, mut point): (f64, Reference),
         slope: f64,
     ) -> Result<(f64, Reference), SolveError> {
-        let scale = self.problem.layout().constants[self.parameter].scale.unwrap_or(1.0);
-        let tolerance = self.options.solve.tolerance * point.value(self.parameter).abs().max(scale);
+        let tolerance = self.location_tolerance(&point);
         for _ in 0..HALVINGS {
-            let most = point.solution.regions().iter().map(|region| 2 * region.intervals()).max();
-            if most.is_none_or(|most| most > self.options.solve.max_intervals) {
+            if !self.can_be_halved(&point) {
                 break;
             }
             let finer = match self.finer((here, step), (place, &point), slope, tolerance) {
@@ -60,6 +66,23 @@ impl Tracer<'_, '_> {
             }
         }
         Ok((place.clamp(0.0, step), point))
+    }
+
+    /// How exact the parameter of a branch point is to be.
+    pub(super) fn location_tolerance(&self, point: &Reference) -> f64 {
+        let scale = self.problem.layout().constants[self.parameter].scale.unwrap_or(1.0);
+        self.options.solve.tolerance * point.value(self.parameter).abs().max(scale)
+    }
+
+    /// A change of arclength that is of no account for a branch point: the tolerance is about a relative change.
+    pub(super) fn settled_distance(&self) -> f64 {
+        NEGLIGIBLE * self.options.solve.tolerance
+    }
+
+    /// Whether a point's mesh may have twice its intervals.
+    pub(super) fn can_be_halved(&self, point: &Reference) -> bool {
+        let most = point.solution.regions().iter().map(|region| 2 * region.intervals()).max();
+        most.is_some_and(|most| most <= self.options.solve.max_intervals)
     }
 
     /// The branch point on halved intervals; none if the coarser mesh has it to the tolerance, or it is not found.
@@ -80,6 +103,20 @@ impl Tracer<'_, '_> {
         Ok(Some((finer, self.moved(&judged.point, judged.speed * (finer - look.at))?)))
     }
 
+    /// The point of the branch on halved intervals at some distance from one that is known.
+    pub(super) fn on_halved(
+        &mut self,
+        (here, reach): (&Reference, f64),
+        (place, point): (f64, &Reference),
+        beside: f64,
+    ) -> Result<Advanced, SolveError> {
+        let mut guess = point.moved(beside);
+        guess.constants.push(place + beside);
+        let halved = start::halved(&Start::from(&guess));
+        let found = self.advance_with(here, halved, Care::Glance)?;
+        self.between(found, point.solution.constants(), reach)
+    }
+
     /// Where the determinant vanishes on halved intervals, by secants from where it does on those of a point; and the
     /// last look beside it.
     fn place_on_halved(
@@ -89,14 +126,12 @@ impl Tracer<'_, '_> {
         slope: f64,
     ) -> Result<Option<(f64, Look)>, SolveError> {
         let (beside, reach) = (DISTANCE * step, REACH.max(step));
-        let mut guess = point.moved(beside);
-        guess.constants.push(place + beside);
-        let halved = start::halved(&Start::from(&guess));
         let expected = point.solution.constants();
-        let first = self.advance_with(here, halved, Care::Glance)?;
-        let first = self.between(first, expected, reach)?;
+        let settled = (SETTLED * step).max(self.settled_distance());
+        let first = self.on_halved((here, reach), (place, point), beside)?;
         let unit = here.determinant;
         let mut last = Look::new(&unit, place + beside, first);
+        let mut known = vec![last.known()];
         let (mut zero, mut next) = (place, place - beside);
         for _ in 0..LOOKS {
             let near = (last.advanced.near(last.at), None);
@@ -105,11 +140,16 @@ impl Tracer<'_, '_> {
             let look = Look::new(&unit, next, advanced);
             let (before, secant) = (zero, (look.value - last.value) / (look.at - last.at));
             let is_steep = secant / slope >= FLATTEST;
-            zero = look.at - look.value / if is_steep { secant } else { slope };
+            known.push(look.known());
+            zero = match known[..] {
+                _ if is_steep && secant / slope <= STEEPEST => look.at - look.value / secant,
+                [.., a, b, c] => look.at + to_zero(&Polynomial::through(&[a, b, c]), look.at, slope),
+                _ => place - FAR * step,
+            };
             if !zero.is_finite() || (zero - place).abs() > reach {
                 break;
             }
-            if is_steep && (zero - before).abs() <= SETTLED * step {
+            if is_steep && (zero - before).abs() <= settled {
                 return Ok(Some((zero, look)));
             }
             next = zero + beside;
@@ -122,5 +162,34 @@ impl Tracer<'_, '_> {
 impl Look {
     fn new(unit: &Determinant, at: f64, advanced: Advanced) -> Self {
         Self { at, value: advanced.point.determinant.relative(unit), advanced }
+    }
+
+    fn known(&self) -> Known {
+        Known { at: self.at, value: self.value, slope: None }
+    }
+}
+
+/// How far it is from a place to where a parabola goes through zero with a slope of this sign; to its extremum, if it
+/// does so nowhere.
+fn to_zero(parabola: &Polynomial, at: f64, sign: f64) -> f64 {
+    let (value, slope, curvature) = parabola.at_with_curvature(at);
+    let slope_there = libm::sqrt((slope * slope - 2.0 * curvature * value).max(0.0)).copysign(sign);
+    if slope * slope_there > 0.0 { -2.0 * value / (slope + slope_there) } else { (slope_there - slope) / curvature }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_two_zeros_that_with_the_wanted_slope_is_sought() {
+        let known = [-0.5, -0.49, 0.7].map(|at| Known { at, value: (at - 1.0) * (at - 3.0), slope: None });
+        let parabola = Polynomial::through(&known);
+        for at in [-1.0, 0.5, 1.5, 2.5, 4.0] {
+            let [falling, rising] = [-2.0, 0.1].map(|slope| at + to_zero(&parabola, at, slope));
+            assert!((falling - 1.0).abs() < 1e-10 && (rising - 3.0).abs() < 1e-10, "{at}: {falling}, {rising}");
+        }
+        let above = Polynomial::through(&known.map(|known| Known { value: known.value + 1.5, ..known }));
+        assert!((to_zero(&above, 0.0, 1.0) - 2.0).abs() < 1e-10, "no zero: its extremum");
     }
 }

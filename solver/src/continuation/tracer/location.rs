@@ -161,9 +161,16 @@ impl Polynomial {
 
     /// Value and derivative.
     pub(super) fn at(&self, at: f64) -> (f64, f64) {
+        let (value, slope, _) = self.at_with_curvature(at);
+        (value, slope)
+    }
+
+    /// Value, derivative and second derivative.
+    pub(super) fn at_with_curvature(&self, at: f64) -> (f64, f64, f64) {
         let terms = self.coefficients.iter().zip(&self.places).rev();
-        terms.fold((0.0, 0.0), |(value, slope), (coefficient, place)| {
-            (coefficient + (at - place) * value, value + (at - place) * slope)
+        terms.fold((0.0, 0.0, 0.0), |(value, slope, curvature), (coefficient, place)| {
+            let from = at - place;
+            (coefficient + from * value, value + from * slope, 2.0 * slope + from * curvature)
         })
     }
 }

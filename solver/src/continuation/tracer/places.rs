@@ -188,7 +188,7 @@ impl Tracer<'_, '_> {
 }
 
 /// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other side.
-fn around<'r>(
+pub(super) fn around<'r>(
     here: &'r Reference,
     (step, next): (f64, &'r Advanced),
     seen: &'r [(f64, Advanced)],

@@ -11,6 +11,7 @@
 //! points alone are never certain.
 
 use super::location::{Known, Polynomial};
+use super::touching::{Extremum, valleys};
 use super::{Advanced, Care, Near, Tracer};
 use crate::continuation::arclength::Reference;
 use crate::error::SolveError;
@@ -49,11 +50,18 @@ const HALVINGS: i32 = 6;
 /// Where the determinant may be zero on a longer stretch, in parts of the step, than this, it may cross zero there more
 /// than once.
 const WIDE: f64 = 0.2;
+/// Looks that are closer to each other than this part of the step are one.
+pub(super) const APART: f64 = 0.02;
 
 /// What is known of the determinant along a step.
 pub(super) enum Resolved {
-    /// Enough. The factor by which the next step may be longer, for the determinant to be known there, too.
-    Yes(f64),
+    /// Enough.
+    Yes {
+        /// The factor by which the next step may be longer, for the determinant to be known there, too.
+        longer: f64,
+        /// Distances and points at which it touches zero.
+        touches: Vec<(f64, Reference)>,
+    },
     /// Too little, or more zeros than one: the step is to be so long.
     Shorter(f64),
 }
@@ -82,7 +90,7 @@ impl Tracer<'_, '_> {
         let end = (step, next.point.determinant);
         let extrapolated = error(&known, end);
         if !extrapolated.is_finite() {
-            return Ok(Resolved::Yes(f64::INFINITY));
+            return Ok(Resolved::longer(f64::INFINITY));
         }
         // The error of a polynomial of degree `BEFORE` goes with a power one higher of the step.
         let longer = libm::pow(AIM / extrapolated.max(f64::MIN_POSITIVE), 1.0 / (BEFORE as f64 + 1.0));
@@ -90,7 +98,7 @@ impl Tracer<'_, '_> {
         known.push(end);
         let is_small = relative(&known).iter().rev().take(2).any(|end| end.value.abs() < SMALL);
         if is_steady && !is_small {
-            return Ok(Resolved::Yes(longer.max(1.0)));
+            return Ok(Resolved::longer(longer.max(1.0)));
         }
         if can_extrapolate && extrapolated > LARGEST {
             return Ok(Resolved::Shorter(0.5 * step));
@@ -98,7 +106,7 @@ impl Tracer<'_, '_> {
         let mut bound = extrapolated;
         if !can_extrapolate || is_small || extrapolated > LOOKED_INTO {
             // What cannot be looked at is taken for what the ends say.
-            let Some(look) = self.middle(here, step, next)? else { return Ok(Resolved::Yes(1.0)) };
+            let Some(look) = self.middle(here, step, next)? else { return Ok(Resolved::longer(1.0)) };
             let interpolated = error(&known, look);
             if interpolated > INTERPOLATED {
                 return Ok(Resolved::Shorter(0.5 * step));
@@ -106,8 +114,38 @@ impl Tracer<'_, '_> {
             bound = interpolated.max(extrapolated / INSIDE);
             known.push(look);
         }
+        let mut touches = Vec::new();
+        for extremum in self.extrema((here, step, next), &mut known)? {
+            match extremum {
+                Extremum::Between(place) => return Ok(Resolved::Shorter(place)),
+                Extremum::Touches(touch) => touches.push(touch),
+                Extremum::Neither => {}
+            }
+        }
+        for touch in &touches {
+            known = divided(&known, touch.met, step);
+        }
         let shorter = between_zeros(&Polynomial::through(&relative(&known)), step, bound);
-        Ok(shorter.map_or(Resolved::Yes(longer), Resolved::Shorter))
+        let within = touches.into_iter().filter(|touch| touch.met >= 0.0 && touch.met < step);
+        let touches = within.map(|touch| (touch.at.clamp(0.0, step), touch.point)).collect();
+        Ok(shorter.map_or(Resolved::Yes { longer, touches }, Resolved::Shorter))
+    }
+
+    /// What the extrema of the determinant are where it may touch zero, on the step and next to its ends: as many as
+    /// there are up to one between two zeros, where the step is to end.
+    fn extrema(
+        &mut self,
+        step: (&Reference, f64, &Advanced),
+        known: &mut Vec<(f64, Determinant)>,
+    ) -> Result<Vec<Extremum>, SolveError> {
+        let mut extrema = Vec::new();
+        for place in valleys(&Polynomial::through(&relative(known)), step.1) {
+            extrema.push(self.extremum(step, known, place)?);
+            if let Some(Extremum::Between(_)) = extrema.last() {
+                break;
+            }
+        }
+        Ok(extrema)
     }
 
     /// Place and determinant in the middle of a step; none where there is no point of the branch to be found.
@@ -126,14 +164,33 @@ impl Tracer<'_, '_> {
     }
 }
 
+impl Resolved {
+    fn longer(factor: f64) -> Self {
+        Self::Yes { longer: factor, touches: Vec::new() }
+    }
+}
+
 /// Determinants relative to the largest of them.
 fn relative(known: &[(f64, Determinant)]) -> Vec<Known> {
     let larger = |a: Determinant, b: Determinant| if b.logarithm > a.logarithm { b } else { a };
     let largest = known.iter().map(|(_, determinant)| *determinant).reduce(larger).unwrap_or(Determinant::UNKNOWN);
-    known
-        .iter()
-        .map(|(at, determinant)| Known { at: *at, value: determinant.relative(&largest), slope: None })
-        .collect()
+    relative_to(&largest, known)
+}
+
+/// Determinants relative to another.
+pub(super) fn relative_to(unit: &Determinant, known: &[(f64, Determinant)]) -> Vec<Known> {
+    let known = known.iter();
+    known.map(|(at, determinant)| Known { at: *at, value: determinant.relative(unit), slope: None }).collect()
+}
+
+/// Determinants without their double zero at a place, as far as they are known away from it.
+fn divided(known: &[(f64, Determinant)], place: f64, step: f64) -> Vec<(f64, Determinant)> {
+    let away = known.iter().filter(|(at, _)| (at - place).abs() > APART * step);
+    away.map(|&(at, determinant)| {
+        let logarithm = determinant.logarithm - 2.0 * libm::log((at - place).abs());
+        (at, Determinant { logarithm, ..determinant })
+    })
+    .collect()
 }
 
 /// Whether the determinant grows or decays along a step as it did between all points known before, the last at the end.
@@ -225,6 +282,18 @@ mod tests {
         assert!(within(&|x| (x - 0.3).powi(2) + 1e-6, 1e-3).is_some_and(|at| (at - 0.3).abs() < 0.02));
         // One that may be three.
         assert!(within(&|x| (x - 0.52).powi(3), 1e-3).is_some_and(|at| at > 0.0 && at < 0.52));
+    }
+
+    #[test]
+    fn a_double_zero_hides_no_other() {
+        let without = |f: &dyn Fn(f64) -> f64| {
+            let known = divided(&at(&[-1.0, 0.0, 0.401, 0.8, 1.0], f), 0.4, 1.0);
+            between_zeros(&Polynomial::through(&relative(&known)), 1.0, 1e-3)
+        };
+        assert_eq!(without(&|x| (x - 0.4).powi(2)), None);
+        assert_eq!(without(&|x| (x - 0.4).powi(2) * (x - 0.6)), None, "one zero");
+        let three = without(&|x| (x - 0.4).powi(2) * (x - 0.1) * (x - 0.9));
+        assert!(three.is_some_and(|at| at > 0.1 && at < 0.9), "{three:?}");
     }
 
     #[test]
