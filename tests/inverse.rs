@@ -270,6 +270,27 @@ fn what_cannot_be_made_is_refused_with_the_reason() {
     assert!(matches!(error, InverseError::Missing { what: "stop at high ratio", .. }), "{error}");
 }
 
+/// The equations have states with the belt on a radius of the secondary that has nothing to do with its length.
+#[test]
+fn no_profile_is_made_from_a_belt_far_deeper_than_its_length_leaves_it() {
+    let error = inverse(&gx9(), &options(3500.0, Made::Helix)).map(|_| ()).unwrap_err();
+    let InverseError::Deep { ratio, left, .. } = error else { panic!("{error}") };
+    assert!(ratio < 0.7 * left && left > 0.55, "{ratio} {left}");
+    assert!(!error.is_bad_input() && error.to_string().contains("deeper in the secondary"), "{error}");
+}
+
+/// A profile over travels at which no primary stands, and one with which the engine leaves the target, are told.
+#[test]
+fn what_a_profile_is_not_good_for_is_said() {
+    let found = made(&gx9(), &InverseOptions { points: 7, checked: 1, ..options(3950.0, Made::Ramp) });
+    let told = found.remarks();
+    assert!(found.points[0].primary_travel < -MM && told[0].contains("3.11 mm farther open"), "{told:?}");
+    let coarse = made(&gx9(), &InverseOptions { points: 5, checked: 9, ..options(3000.0, Made::Ramp) });
+    let told = coarse.remarks();
+    let missed = format!("leaves the target by up to {:.0} rpm", coarse.check.largest_deviation / RPM);
+    assert!(coarse.check.largest_deviation > 30.0 * RPM && told[0].contains(&missed), "{told:?}");
+}
+
 /// Nobody makes a helix of a belt that buckles, or that slips, without being told.
 #[test]
 fn what_the_belt_does_on_the_way_is_said() {

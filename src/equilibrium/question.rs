@@ -109,7 +109,7 @@ impl<'a> Whole<'a> {
 
     /// Whether a belt lies on a radius of the secondary that has nothing to do with its length: the equations have such
     /// solutions at high speeds, with spans that swing far out.
-    fn lies_deep(&self, solved: &Solved) -> bool {
+    pub fn lies_deep(&self, solved: &Solved) -> bool {
         let (length, center) = (self.case.belt.length, self.case.drive.center_distance);
         let beside = radius_beside(solved.constant(Constant::PrimaryRadius), length, center);
         beside.is_ok_and(|radius| solved.constant(Constant::SecondaryRadius) < LEAST_RADIUS * radius)

@@ -36,11 +36,12 @@ pub fn beyond_engine(case: &Resolved, speeds: impl IntoIterator<Item = f64>) -> 
     ))
 }
 
+/// What a belt sinks on a primary that is open, m.
+pub(super) const SUNK: f64 = 1e-4;
+
 /// A sentence where a primary would have to stand farther open than it can, its travel in m being negative: the belt
 /// has sunk below the radius at which the sheaves are open, as where it slips like a clutch.
 pub fn beyond_open(primary_travel: f64) -> Option<String> {
-    /// What a belt sinks on a primary that is open, m.
-    const SUNK: f64 = 1e-4;
     (primary_travel < -SUNK).then(|| {
         format!(
             "The belt has sunk below the radius at which the primary is open, as if that stood {:.2} mm farther open: \

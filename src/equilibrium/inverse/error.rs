@@ -46,6 +46,19 @@ pub enum InverseError {
         /// Why.
         failure: Box<Failure>,
     },
+    /// The belt lies on a radius of the secondary that has nothing to do with its length.
+    #[error(
+        "at ratio {left:.2}, {clamp} no belt at the target's speed and full torque: the only state found has the belt \
+         far deeper in the secondary than its length leaves it, at ratio {ratio:.2}"
+    )]
+    Deep {
+        /// Ratio of the radii found.
+        ratio: f64,
+        /// Nominal ratio that the belt's length leaves.
+        left: f64,
+        /// What was to clamp it, with a verb.
+        clamp: &'static str,
+    },
     /// The reserve against slip is too small.
     #[error(
         "at ratio {ratio:.2}, {:.1} % of the friction at hand is in reserve, and {:.1} % are asked for: {remedy}",
@@ -128,7 +141,8 @@ impl InverseError {
             Self::Case(_) | Self::Missing { .. } | Self::Parameter { .. } => true,
             Self::Equilibrium(error) => error.is_bad_input(),
             Self::Belt { failure, .. } => failure.is_bad_input(),
-            Self::Reserve { .. }
+            Self::Deep { .. }
+            | Self::Reserve { .. }
             | Self::Actuator { .. }
             | Self::WrongSign { .. }
             | Self::Slope { .. }

@@ -31,10 +31,14 @@ use serde::Serialize;
 
 use crate::case::{Case, Key};
 use crate::drive::SolveOptions;
+use crate::equilibrium::remarks::SUNK;
 use crate::equilibrium::{Direction, SLIPPING};
-use crate::quantity::unsigned_zero;
+use crate::quantity::{rpm, unsigned_zero};
 use points::Held;
 use shape::{flyweight_shape, helix_shape};
+
+/// Share of the target's speed by which the engine may leave it before it is said.
+const KEPT: f64 = 0.005;
 
 /// Which profile is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -143,8 +147,9 @@ impl Inverse {
         self.points.iter().map(|point| point.slip_reserve).fold(f64::INFINITY, f64::min)
     }
 
-    /// Sentences about belts along the shift that are none to make a profile from: those that slip, and those that are
-    /// wound round their pulleys as none is whose spans are nearly straight.
+    /// Sentences about belts along the shift that are none to make a profile from: those that slip, those that are
+    /// wound round their pulleys as none is whose spans are nearly straight, and those that have sunk below the radius
+    /// at which the primary is open; and about a profile with which the engine does not keep to the target.
     pub fn remarks(&self) -> Vec<String> {
         let between = |told: &str, holds: &dyn Fn(&InversePoint) -> bool| {
             let ratios = || self.points.iter().filter(|point| holds(point)).map(|point| point.ratio);
@@ -158,7 +163,33 @@ impl Inverse {
         };
         let buckled = between("the belt buckles", &|point| point.buckled);
         let slips = between("the belt slips, or is about to", &|point| !point.buckled && point.slip_reserve < SLIPPING);
-        buckled.into_iter().chain(slips).collect()
+        buckled.into_iter().chain(slips).chain(self.sunk()).chain(self.missed()).collect()
+    }
+
+    /// Where a primary would have to stand farther open than it can.
+    fn sunk(&self) -> Option<String> {
+        let sunk = || self.points.iter().filter(|point| point.primary_travel < -SUNK);
+        let farthest = sunk().map(|point| point.primary_travel).reduce(f64::min)?;
+        Some(format!(
+            "At {} of the {} places of the shift the belt lies below the radius at which the primary is open, as if \
+             that stood {:.2} mm farther open: the drive does not come there, and the profile is of use from where the \
+             primary is open.",
+            sunk().count(),
+            self.points.len(),
+            -1e3 * farthest
+        ))
+    }
+
+    /// Where the drive that is solved forward leaves the target.
+    fn missed(&self) -> Option<String> {
+        let (missed, target) = (self.check.largest_deviation, self.options.target);
+        (missed > KEPT * target).then(|| {
+            format!(
+                "With the profile as it is made the engine leaves the target by up to {:.0} rpm: make it with more \
+                 points, or look at `sheave shift` at what the drive does there.",
+                rpm(missed)
+            )
+        })
     }
 }
 

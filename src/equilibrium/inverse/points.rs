@@ -186,7 +186,8 @@ impl<'a> Held<'a> {
         let mut why = None;
         for tension in self.likely(radius).into_iter().chain(FIRST.map(|share| share * pull)) {
             let solved = solve_question(&self.case.model, &self.question(place, tension), self.options);
-            match solved.map_err(|failure| self.failed(self.ratio(radius), failure)) {
+            let solved = solved.map_err(|failure| self.failed(self.ratio(radius), failure));
+            match solved.and_then(|solved| self.in_place(solved)) {
                 Ok(solved) => return self.settled(solved, place),
                 Err(error) if error.is_bad_input() || crate::cancel::is_cancelled() => return Err(error),
                 Err(error) => _ = why.get_or_insert(error),
@@ -227,12 +228,15 @@ impl<'a> Held<'a> {
     }
 
     fn failed(&self, ratio: f64, failure: Failure) -> InverseError {
-        let clamp = match self.clamp {
+        InverseError::Belt { ratio, clamp: self.clamps(), failure: Box::new(failure) }
+    }
+
+    const fn clamps(&self) -> &'static str {
+        match self.clamp {
             ClampedBy::Secondary => "helix and spring clamp",
             ClampedBy::Primary => "flyweights and spring clamp",
             ClampedBy::Reserve(_) => "the reserve that is asked for is left by",
-        };
-        InverseError::Belt { ratio, clamp, failure: Box::new(failure) }
+        }
     }
 
     /// The next place, from a solution nearby; where that is too far, by way of the place half-way.
@@ -262,7 +266,17 @@ impl<'a> Held<'a> {
             Place::Primary(radius) => self.ratio(radius),
             Place::Secondary(radius) => radius / self.whole_primary(radius),
         };
-        solved.map_err(|failure| self.failed(ratio, failure))
+        solved.map_err(|failure| self.failed(ratio, failure)).and_then(|solved| self.in_place(solved))
+    }
+
+    /// Refuses a belt on a radius of the secondary that has nothing to do with its length: no drive comes to it.
+    fn in_place(&self, solved: Solved) -> Result<Solved, InverseError> {
+        if !self.whole.lies_deep(&solved) {
+            return Ok(solved);
+        }
+        let (primary, secondary) =
+            (solved.constant(Constant::PrimaryRadius), solved.constant(Constant::SecondaryRadius));
+        Err(InverseError::Deep { ratio: secondary / primary, left: self.ratio(primary), clamp: self.clamps() })
     }
 
     fn whole_primary(&self, secondary: f64) -> f64 {
