@@ -177,6 +177,29 @@ fn a_shift_curve_with_friction_has_its_phases() {
     assert_eq!(phases, wanted);
 }
 
+/// The ends of the phases are those of the belt as warm as it becomes there, as the points of the curve are.
+#[test]
+fn the_ends_of_the_phases_are_those_of_a_warm_belt() {
+    let heat = [("thermal.ambient", "25 degC"), ("thermal.heat_transfer", "20 W/K")];
+    let case = heat.iter().fold(gx9(), |case, (key, value)| case.with(key, value).unwrap());
+    let solve = SolveOptions { tolerance: 1e-4, ..options() };
+    let options = ShiftOptions { points: 2, solve, ..ShiftOptions::default() };
+    let along =
+        |case: &Case| shift_branch(&resolved(case), UP, &options, &mut |_: &_| ControlFlow::Continue(())).unwrap();
+    let (warm, given) = (along(&case), along(&gx9()));
+    assert!(warm.remarks.is_empty(), "{:?}", warm.remarks);
+    for (end, as_given) in
+        [(warm.take_off, given.take_off), (warm.shift_out, given.shift_out), (warm.full_shift, given.full_shift)]
+    {
+        let (end, as_given) = (end.unwrap(), as_given.unwrap());
+        let point = warm.points.iter().find(|point| point.secondary_speed == end.secondary_speed).unwrap();
+        let report = point.report.as_ref().unwrap();
+        let apart = (report.primary_speed - end.primary_speed).abs();
+        assert!(apart < 0.1 * RPM && (report.ratio / end.ratio - 1.0).abs() < 1e-3, "{end:?} {report:?}");
+        assert!((as_given.primary_speed - end.primary_speed).abs() > 5.0 * RPM, "{end:?} {as_given:?}");
+    }
+}
+
 /// Beyond the travel the primary rests on its stop, which carries what the belt does not.
 #[test]
 fn a_stop_carries_what_is_too_much() {

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
+use super::heat::warm_corner;
 use super::point::{Direction, Equilibrium, Phase, ReportedPhase, Stop};
 use super::question::{Given, Whole};
 use super::report::DriveReport;
@@ -249,9 +250,9 @@ impl Search<'_> {
 
     /// An end of a phase; where it is out of reach at once, from states ever nearer to it.
     fn corner(&mut self, from: &Equilibrium, given: Given, what: &str) -> Option<Equilibrium> {
-        let whole = Whole::new(self.case, given, self.direction).ok()?;
         let solve = &self.options.solve;
-        let error = match whole.corner(from, solve) {
+        let end = |from: &Equilibrium| warm_corner(from, self.case, given, self.direction, solve);
+        let error = match end(from) {
             Ok(found) => return Some(found),
             Err(error) => error,
         };
@@ -264,7 +265,7 @@ impl Search<'_> {
             let Ok(speed) = here.output(Output::SecondarySpeed) else { break };
             let Ok(next) = equilibrium_from(&here, self.case, toward * speed, self.direction, solve) else { break };
             here = next;
-            if let Ok(found) = whole.corner(&here, solve) {
+            if let Ok(found) = end(&here) {
                 return Some(found);
             }
         }

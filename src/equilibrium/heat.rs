@@ -2,6 +2,7 @@
 
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium};
+use super::question::{Given, Whole};
 use super::search::{equilibrium, equilibrium_from};
 use crate::case::{Resolved, Thermal};
 use crate::clock::Stopwatch;
@@ -27,11 +28,40 @@ pub fn equilibrium_outcome(
     direction: Direction,
     options: &SolveOptions,
 ) -> Result<(Equilibrium, Outcome), EquilibriumError> {
-    let start = Stopwatch::start();
-    let solve = |near: Option<&Equilibrium>, case: &Resolved| match near {
+    settled(near, case, options, &|near, case| match near {
         Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
         None => equilibrium(case, secondary_speed, direction, options),
+    })
+}
+
+/// The equilibrium at an end of a phase with the belt as warm as its losses make it there, from one of the same drive.
+pub(super) fn warm_corner(
+    from: &Equilibrium,
+    case: &Resolved,
+    given: Given,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<Equilibrium, EquilibriumError> {
+    if case.thermal.is_none() {
+        return Whole::new(case, given, direction)?.corner(from, options);
+    }
+    let solve = |near: Option<&Equilibrium>, case: &Resolved| {
+        Whole::new(case, given, direction)?.corner(near.unwrap_or(from), options)
     };
+    settled(Some(from), case, options, &solve).map(|(found, _)| found)
+}
+
+/// What finds an equilibrium of a drive whose belt has the stiffnesses that are given, from one nearby or from nothing.
+type SolveAt<'a> = dyn Fn(Option<&Equilibrium>, &Resolved) -> Result<Equilibrium, EquilibriumError> + 'a;
+
+/// What `solve` finds with the belt as warm as its losses make it.
+fn settled(
+    near: Option<&Equilibrium>,
+    case: &Resolved,
+    options: &SolveOptions,
+    solve: &SolveAt<'_>,
+) -> Result<(Equilibrium, Outcome), EquilibriumError> {
+    let start = Stopwatch::start();
     let Some(thermal) = case.thermal else {
         let found = solve(near, case)?;
         let outcome = read(&found, case, options, start)?;
