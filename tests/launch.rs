@@ -74,6 +74,21 @@ fn power_against_drag_ends_at_the_top_speed() {
     assert!(found.energy.unaccounted.abs() < 1e-6 * found.energy.engine, "{:?}", found.energy);
 }
 
+/// When something happens on the way does not depend on how far the launch is followed.
+#[test]
+fn a_long_distance_changes_nothing_before_it() {
+    let speeds = [50.0, 100.0, 200.0, 400.0];
+    let out = speeds.map(|speed| 40.0 * speed / (1.0 + speed / 200.0));
+    let power = out.map(|power| power / 0.8);
+    let curve = LaunchCurve::from_values(&speeds, [&[300.0; 4], &[2.0; 4], &power, &out]).unwrap();
+    let drag = Vehicle { drag_area: 0.6, ..vehicle() };
+    let over = |distances: Vec<f64>| launch(&curve, &drag, &LaunchOptions { distances, share_of_top: 0.9 }).unwrap();
+    let (short, long) = (over(vec![10.0]), over(vec![10.0, 8000.0]));
+    for (a, b) in [(short.lock_up, long.lock_up), (short.marks[0], long.marks[0]), (short.done, long.done)] {
+        assert!((a.time - b.time).abs() < 1e-4 && (a.distance - b.distance).abs() < 1e-3, "{a:?} {b:?}");
+    }
+}
+
 #[test]
 fn what_does_not_start_or_is_wrong_is_said() {
     let speeds = [50.0, 100.0, 200.0, 400.0];

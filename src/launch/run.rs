@@ -19,6 +19,8 @@ const ENDED: f64 = 1e-6;
 /// Longest launch and longest step of its integration, s.
 const LONGEST: f64 = 600.0;
 const LONGEST_STEP: f64 = 0.25;
+/// Over the time of the top speed, how far a table of what comes before goes.
+const LATER: f64 = 1.05;
 /// Speeds at which the sign of the acceleration is looked at.
 const LOOKED: usize = 400;
 
@@ -228,15 +230,21 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     let reached = crossing(&beyond, |point| (point.speed, point.acceleration), goal).ok_or_else(lost)?;
     let covered = crossing(&beyond, |point| (point.distance, point.speed), far).map_or(0.0, |mark| mark.time);
     let (points, state) = table(reached.time.max(covered).min(end))?;
-    let speeds = |wanted: f64| crossing(&points, |point| (point.speed, point.acceleration), wanted);
-    let marks = options.distances.iter().map(|wanted| {
-        crossing(&points, |point| (point.distance, point.speed), *wanted).ok_or(LaunchError::Endless(LONGEST))
-    });
+    // Over a long distance the rows lie too far apart to tell when something happens on the way to the top speed.
+    let early = if covered > reached.time { table((LATER * reached.time).min(end))?.0 } else { Vec::new() };
+    let mark = |of: &dyn Fn(&LaunchPoint) -> (f64, f64), wanted: f64| {
+        crossing(&early, of, wanted).or_else(|| crossing(&points, of, wanted))
+    };
+    let speeds = |wanted: f64| mark(&|point| (point.speed, point.acceleration), wanted);
+    let marks = options
+        .distances
+        .iter()
+        .map(|wanted| mark(&|point| (point.distance, point.speed), *wanted).ok_or(LaunchError::Endless(LONGEST)));
     Ok(Launch {
         top_speed,
         limited_by_curve,
         lock_up: speeds(take_off).ok_or_else(lost)?,
-        done: reached,
+        done: speeds(goal).unwrap_or(reached),
         marks: marks.collect::<Result<_, _>>()?,
         energy: energy(vehicle, &state.ok_or_else(lost)?),
         points,
