@@ -220,6 +220,21 @@ fn what_the_data_cannot_tell_is_said() {
     assert!(found.warnings.iter().any(|warning| warning.contains(&said)), "{:?}", found.warnings);
 }
 
+/// A measured efficiency above one is the doing of a curve or of a unit, and a scale that makes up for it says nothing.
+#[test]
+fn measured_efficiencies_above_one_are_told() {
+    let warned = |horsepower: [&str; 2]| {
+        let [low, high] = horsepower;
+        let engine = EngineCurve::parse("engine.csv", format!("rpm,hp\n2000,{low}\n3800,{high}\n").as_bytes()).unwrap();
+        let table = "primary_rpm,secondary_rpm,secondary_torque_Nm\n3000,3000,16\n2900,2000,24\n";
+        let found = compared(table, &Case::base(), &engine, &[]);
+        found.warnings.into_iter().find(|warning| warning.contains("above 100 %"))
+    };
+    assert_eq!(warned(["5", "10"]), None);
+    let warning = warned(["2", "4"]);
+    assert!(warning.as_ref().is_some_and(|warning| warning.starts_with("at 2 of 2 points")), "{warning:?}");
+}
+
 #[test]
 fn bad_rows_and_bad_questions_are_named() {
     let engine = made_engine();

@@ -6,6 +6,7 @@ use sheave::bench::dyno::{
     Fault, Lines, Names, Options, RecordReport, Row, Sample, SteadyPoint, Stream, Uniform, by_header, calibration,
     points_csv, process, records, reduce, runs,
 };
+use sheave::bench::engine::EngineCurve;
 use sheave::bench::made::{Disturbance, Known, Step, files};
 use sheave::random::Random;
 use std::f64::consts::TAU;
@@ -382,6 +383,29 @@ fn a_reset_of_the_counter_parts_what_lies_on_both_sides() {
     let (points, reports) = read(&[path], &Options::default());
     assert_eq!((reports[0].files[0].time_jumps, reports[0].gaps), (1, 1));
     assert_eq!(torques(&points), [17.0, 17.0, 30.0, 30.0]);
+}
+
+/// More power than the engine has is the doing of a curve, a unit or a gear, and not of a drive.
+#[test]
+fn more_power_than_the_engine_has_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let told = |torque: f64| {
+        std::fs::write(&path, log(TORQUE, 0, constant(torque, 6))).unwrap();
+        let engine = EngineCurve::parse("engine.csv", b"rpm,hp\n2000,6\n3000,9\n3800,10\n").unwrap();
+        let options = Options { engine: Some(engine), ..Options::default() };
+        let found = reduce(std::slice::from_ref(&path), &options, None, |_| ()).unwrap();
+        let efficiency = found.points[0].efficiency.unwrap().value;
+        (efficiency, found.warnings.into_iter().find(|warning| warning.contains("than the engine's curve gives")))
+    };
+    assert!(matches!(told(17.0), (efficiency, None) if efficiency < 1.0), "{:?}", told(17.0));
+    let (efficiency, warning) = told(60.0);
+    let said = format!(
+        "at 2 of 2 steady points more power leaves the secondary than the engine's curve gives, up to \
+                        {:.0} % of it",
+        100.0 * efficiency
+    );
+    assert!(warning.as_ref().is_some_and(|warning| warning.starts_with(&said)), "{said}: {warning:?}");
 }
 
 #[test]

@@ -439,13 +439,28 @@ fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
     }
 }
 
+/// Points that are compared though more power was measured to leave than to go in.
+fn beyond_one(points: &[Compared]) -> Option<String> {
+    let used = || points.iter().filter(|point| point.used).filter_map(|point| point.efficiency_measured);
+    let beyond = || used().filter(|efficiency| *efficiency > 1.0);
+    let largest = beyond().reduce(f64::max)?;
+    Some(format!(
+        "at {} of {} points the measured efficiency is above 100 %, up to {:.0} %: more power leaves than goes in; \
+         check the engine's curve, and the units of speeds and torque",
+        beyond().count(),
+        used().count(),
+        100.0 * largest
+    ))
+}
+
 fn statistics(
     points: Vec<Compared>,
     of_engine: &[bool],
     bad_rows: Vec<BadRow>,
     fit: Option<Fit>,
-    warnings: Vec<String>,
+    mut warnings: Vec<String>,
 ) -> Comparison {
+    warnings.extend(beyond_one(&points));
     let used = points.iter().zip(of_engine).filter(|(point, _)| point.used);
     let pair = |(point, of_engine): (&Compared, &bool)| {
         Some((point.efficiency_measured?, point.efficiency_model?, *of_engine))

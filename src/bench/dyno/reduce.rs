@@ -83,12 +83,27 @@ pub fn reduce(
         warnings.push(format!("no sample came out of {}", listed(&without)));
     }
     warnings.extend(doubts(&files, &reports, options));
+    warnings.extend(beyond_the_engine(&points));
     if beyond > 0 {
         warnings.push(format!(
             "{beyond} points behind the first {MOST_POINTS} are counted only: choose a longer window, or fewer logs"
         ));
     }
     Ok(Reduced { points, records: reports, chosen, warnings })
+}
+
+/// Steady points at which more power leaves the secondary than the engine's curve gives.
+fn beyond_the_engine(points: &[SteadyPoint]) -> Option<String> {
+    let steady = || points.iter().filter(|point| point.steady).filter_map(|point| point.efficiency);
+    let beyond = || steady().map(|share| share.value).filter(|value| *value > 1.0);
+    let largest = beyond().reduce(f64::max)?;
+    Some(format!(
+        "at {} of {} steady points more power leaves the secondary than the engine's curve gives, up to {:.0} % of it: \
+         check the curve, the torque's unit and calibration, --gear and --torque-at",
+        beyond().count(),
+        steady().count(),
+        100.0 * largest
+    ))
 }
 
 /// Names in a list, of which no more are written out.
