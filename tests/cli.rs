@@ -368,6 +368,36 @@ fn a_belt_that_slips_like_a_clutch_is_told_as_slipping() {
     assert_eq!((&slow["slipping"], &shifting["slipping"]), (&Value::Bool(true), &Value::Bool(false)));
     let warned = |object: &Value| object["warnings"].to_string().contains("slips like a clutch");
     assert!(warned(&slow) && !warned(&shifting), "{slow}");
+    // A whole curve says so as well.
+    let throttle = ["--set", "engine.throttle=0.2", "--tol", "1e-4", "--points", "8", "--json"];
+    for command in [&["shift", "--direction", "up"][..], &["launch"]] {
+        let curve = object(&sheave(&[command, &["examples/drive/gx9.toml"], &throttle].concat()));
+        assert!(warned(&curve), "{curve}");
+    }
+}
+
+/// A table of a part is used beyond its ends, and that is said.
+#[test]
+fn a_table_that_ends_before_its_sheave_is_told() {
+    let varying = |openings: &str, angles: &str| {
+        let (openings, angles) = (
+            format!("secondary.actuator.helix_openings={openings}"),
+            format!("secondary.actuator.helix_angles={angles}"),
+        );
+        let drive = ["examples/drive/gx9.toml", "--unset", "secondary.actuator.helix_angle", "--tol", "1e-4", "--json"];
+        let set = ["--set", &openings, "--set", &angles];
+        let one = sheave(&[&["drive", "--speed", "2500 rpm"], &drive[..], &set].concat());
+        let curve = sheave(&[&["shift", "--direction", "up", "--points", "4"], &drive[..], &set].concat());
+        [one, curve].map(|output| object(&output)["warnings"].to_string())
+    };
+    let told = varying("0, 3, 5 mm", "38, 38, 38 deg");
+    for (warnings, stands) in told.iter().zip(["stands at", "travels from"]) {
+        let said =
+            format!("`secondary.actuator.helix_openings` is given from 0.00 to 5.00 mm, and the sheave {stands}");
+        assert!(warnings.contains(&said), "{told:?}");
+    }
+    let whole = varying("0, 10, 20 mm", "38, 38, 38 deg");
+    assert!(whole.iter().all(|warnings| !warnings.contains("is given from")), "{whole:?}");
 }
 
 /// Without a power in, nothing is a share of it; in engine braking the secondary is the pulley that drives.
@@ -549,6 +579,24 @@ fn the_best_clamp_is_sought_beside_a_margin() {
     let margin = ["optimum", "--set", "operating_point.slip_reserve=30%", "--tol", "1e-5", "--json"];
     let difference = best(&margin) / best(&["optimum", "--tol", "1e-5", "--json"]) - 1.0;
     assert!(difference.abs() < 1e-3, "{difference}");
+}
+
+/// Measured points that no part of the curve lies beside are counted.
+#[test]
+fn measured_points_beyond_the_curve_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("line.csv");
+    let warned = |rows: &str| {
+        std::fs::write(&data, format!("secondary_rpm,primary_rpm,direction\n{rows}")).unwrap();
+        let arguments = ["shift", "examples/drive/gx9.toml", "--direction", "up", "--tol", "1e-4", "--points", "4"];
+        let output = sheave(&[&arguments[..], &["--json", "--data", data.to_str().unwrap()]].concat());
+        assert_eq!(status(&output), 0, "{output:?}");
+        object(&output)["warnings"].to_string()
+    };
+    let told = warned("2000,3000,up\n3000,3100,\n30000,3900,up\n30000,3900,back\n");
+    assert!(told.contains("1 of 3 measured points, up, lie beyond the ends of the curve"), "{told}");
+    let told = warned("2000,3000,up\n3000,3100,up\n");
+    assert!(!told.contains("beyond the ends of the curve"), "{told}");
 }
 
 /// Few points of a curve, many measured ones: how much of the difference is owed to lines is told, and is about right.

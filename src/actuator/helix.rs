@@ -109,6 +109,11 @@ impl Helix {
         Self { radius, turn, torsion_rate: 0.0, pretension: 0.0, friction_angle: 0.0, torque_share: 0.5 }
     }
 
+    /// Openings in m between which the helix is known; for one of a constant angle, more than any sheave's.
+    pub fn openings(&self) -> (f64, f64) {
+        self.turn.domain()
+    }
+
     /// Turn of the movable sheave in rad where it has opened by `opening` in m.
     pub fn turn(&self, opening: f64) -> f64 {
         self.turn.at(opening).value

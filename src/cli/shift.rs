@@ -11,8 +11,8 @@ use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, deviation,
-    has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, beyond_open,
+    beyond_parts, deviation, has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -121,12 +121,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let branches = arguments.branches(&resolved, &options, true)?;
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    warnings.extend(beyond_engine(&resolved, found.map(|report| report.primary_speed)));
+    warnings.extend(beyond_engine(&resolved, found.clone().map(|report| report.primary_speed)));
+    warnings.extend(found.clone().map(|report| report.primary_travel).reduce(f64::min).and_then(beyond_open));
+    warnings.extend(beyond_parts(&resolved, found.map(|report| (report.primary_travel, report.secondary_travel))));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));
     }
     let told = told(&resolved, &branches, &measured)?;
+    for (branch, told) in branches.iter().zip(&told.branches) {
+        let of_branch = |point: &&Measured| point.direction.is_none_or(|direction| direction == branch.direction);
+        let given = measured.iter().filter(of_branch).count();
+        let beyond = given - told.deviation.map_or(0, |found| found.points);
+        if beyond > 0 {
+            warnings.push(format!(
+                "{beyond} of {given} measured points, {}, lie beyond the ends of the curve and are not compared.",
+                branch.direction.name()
+            ));
+        }
+    }
     for found in told.branches.iter().filter_map(|branch| branch.deviation) {
         if found.interpolation > NOTICED * found.rms {
             warnings.push(format!(

@@ -1,5 +1,6 @@
 //! What is worth knowing of a whole drive beside its numbers.
 
+use crate::actuator::{Mechanism, PrimaryActuator, SecondaryActuator};
 use crate::case::{Case, Key, Resolved};
 use crate::quantity::rpm;
 
@@ -49,4 +50,45 @@ pub fn beyond_open(primary_travel: f64) -> Option<String> {
             -1e3 * primary_travel
         )
     })
+}
+
+/// A sentence for each part whose table does not reach as far as its sheave travels, by the travels in m of the primary
+/// and of the secondary: beyond its ends a table goes on as straight as it ends.
+pub fn beyond_parts(case: &Resolved, travels: impl IntoIterator<Item = (f64, f64)>) -> Vec<String> {
+    /// Share of a table's length by which a travel may lie beyond its ends.
+    const BESIDE: f64 = 0.02;
+    let Some(actuation) = &case.parts.actuation else { return Vec::new() };
+    let travels: Vec<(f64, f64)> = travels.into_iter().collect();
+    let flyweights = match &actuation.primary {
+        PrimaryActuator::Flyweights { flyweights, .. } => match &flyweights.mechanism {
+            Mechanism::Coefficient { coefficient: table, .. } | Mechanism::Ramp { radius: table, .. } => {
+                Some(table.domain())
+            }
+            Mechanism::RollerArm(_) | Mechanism::CamArm(_) => None,
+        },
+        PrimaryActuator::Force(_) | PrimaryActuator::Position(_) => None,
+    };
+    let helix = match &actuation.secondary {
+        SecondaryActuator::Helix { helix, .. } => Some(helix.openings()),
+        SecondaryActuator::Force(_) => None,
+    };
+    let told = |key: Key, table: Option<(f64, f64)>, of: fn(&(f64, f64)) -> f64| {
+        let (first, last) = table?;
+        // A belt that has sunk below the radius at which the primary is open is another matter.
+        let reached = || travels.iter().map(|pair| of(pair).max(0.0));
+        let (least, most) = (reached().reduce(f64::min)?, reached().reduce(f64::max)?);
+        let beside = BESIDE * (last - first);
+        (least < first - beside || most > last + beside).then(|| {
+            let [first, last, least, most] = [first, last, least, most].map(|at| format!("{:.2}", 1e3 * at));
+            let stands =
+                if least == most { format!("stands at {most}") } else { format!("travels from {least} to {most}") };
+            format!(
+                "`{}` is given from {first} to {last} mm, and the sheave {stands} mm: beyond its ends the table goes \
+                 on as straight as it ends.",
+                key.path()
+            )
+        })
+    };
+    let primary = told(Key::FlyweightTravels, flyweights, |pair| pair.0);
+    primary.into_iter().chain(told(Key::HelixOpenings, helix, |pair| pair.1)).collect()
 }
