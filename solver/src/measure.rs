@@ -31,6 +31,8 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     estimate: OnceCell<(Error, f64)>,
     /// See [`worst_boundary_residual`](Self::worst_boundary_residual).
     boundary: OnceCell<(f64, usize)>,
+    /// See [`expect_error`](Self::expect_error).
+    least_error: f64,
     /// See [`is_corrected`](Self::is_corrected).
     corrected: bool,
     /// The defects as last measured.
@@ -57,7 +59,8 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     ) -> Result<Self, SolveError> {
         let (extensions, defects) = judged(&system, &converged, limit, stats)?;
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
-        Ok(Self { system, converged, extensions, defects, estimate, boundary, corrected: false, measures })
+        let (least_error, corrected) = (0.0, false);
+        Ok(Self { system, converged, extensions, defects, estimate, boundary, least_error, corrected, measures })
     }
 
     pub(crate) fn regions(&self) -> Vec<RegionSolution> {
@@ -88,7 +91,33 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     ///
     /// Computed once.
     pub(crate) fn error_estimate(&self, stats: &mut Stats) -> f64 {
-        self.estimated_error(stats).1
+        self.estimated_error(stats).1.max(self.least_error)
+    }
+
+    /// What equations that are each off by a part `by` of their terms, of either sign as errors come, change the
+    /// solution by at least, in typical magnitudes: to first order; infinite where nothing is determined.
+    pub(crate) fn reaction(&self, by: f64, stats: &mut Stats) -> f64 {
+        let Converged { work, factorisation, .. } = &self.converged;
+        let system = &self.system;
+        let sizes = system.boundary_sizes(work, &factorisation.scales);
+        let boundary = Numbers::collected(sizes.len(), sizes.iter().map(|size| by * size.terms));
+        let mut rhs = Rhs { boundary, ..Rhs::default() };
+        for (grid, plan) in system.grids.iter().zip(&system.plan.regions) {
+            let mut lanes = Lanes::unset(grid.steps * plan.n);
+            for (at, lane) in lanes.iter_mut().enumerate() {
+                *lane = Lane(std::array::from_fn(|l| if is_odd_one(at * W + l) { -by } else { by }));
+            }
+            rhs.regions.push(lanes);
+            rhs.integrals.push(Numbers::zeros(plan.active.len()));
+        }
+        stats.linear_solves += 1;
+        let largest = self.converged.largest(system, &factorisation.solve(system, rhs));
+        if largest.is_finite() { largest } else { f64::INFINITY }
+    }
+
+    /// An error that the estimate knows nothing of: it is no less than this from here on.
+    pub(crate) fn expect_error(&mut self, error: f64) {
+        self.least_error = error;
     }
 
     fn estimated_error(&self, stats: &mut Stats) -> &(Error, f64) {
@@ -244,6 +273,11 @@ impl Error {
         stats.linear_solves += 1;
         Self { correction: factorisation.solve(system, rhs), integrals }
     }
+}
+
+/// One half of all numbers, without order: by a bit of their multiples of the golden ratio.
+fn is_odd_one(number: usize) -> bool {
+    (number as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40 & 1 == 1
 }
 
 /// Multiplies what is one for each interval, row by row.

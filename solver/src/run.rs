@@ -1,6 +1,7 @@
 //! The main loop: solve on a mesh, measure the defect, improve the mesh.
 
 mod afar;
+mod doubt;
 mod meshes;
 mod outcome;
 mod rest;
@@ -20,7 +21,7 @@ use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
 use crate::options::{Control, Options, Order};
 use crate::orientation::{BranchCheck, Orientation};
-use crate::phase::{Action, Finding, action, phase_after};
+use crate::phase::{Action, Finding, Phase, action, phase_after};
 use crate::problem::{Layout, Problem};
 use crate::progress::{Found, Next, Progress, measured};
 use crate::refine::{Measure, Rounding, Verdict};
@@ -28,6 +29,7 @@ use crate::solution::MeshRecord;
 use crate::start::{Start, carried, transfer};
 use crate::stats::Stats;
 use crate::tableau::Tableau;
+use doubt::Doubt;
 use std::sync::Arc;
 
 /// Defects are held to no less than this: each is known to a few units in the last place at best.
@@ -77,6 +79,8 @@ pub(crate) struct Run<'a, 'o, P: Problem + ?Sized> {
     /// Whether the last solve's solution is the one that its start leads to.
     pub check: BranchCheck,
     orientation: Option<Orientation>,
+    /// Whether that of the last meshes is not that of those before.
+    turned: bool,
     /// Whether the problem says that it is linear: see [`Problem::is_linear`].
     said_linear: bool,
     /// Whether the problem is linear, as it says or as an iteration of this solve has shown.
@@ -119,6 +123,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             needs_determined: true,
             check: BranchCheck::Kept,
             orientation: None,
+            turned: false,
             said_linear,
             linear: said_linear,
             follow,
@@ -133,17 +138,27 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let mut progress = Progress::new(self.options, self.layout.regions.len());
         (self.shortfall, self.order) = (Shortfall::Uncontrolled, self.options.order);
         (self.check, self.orientation, self.linear) = (BranchCheck::Kept, None, self.said_linear);
-        self.meshes_followed = 0;
+        (self.meshes_followed, self.turned) = (0, false);
         let mut meshes = 0;
         loop {
-            let found = self.solve_on(start, &mut progress)?;
+            let mut found = self.solve_on(start, &mut progress)?;
             meshes += 1;
             if let Some(next) = self.promoted(&found, &progress) {
                 start = next;
                 progress.first = false;
                 continue;
             }
-            let finding = self.judge(&found, &progress);
+            let mut finding = self.judge(&found, &progress);
+            match self.doubt(&mut found, finding, meshes < self.options.max_meshes) {
+                Doubt::None => {}
+                _ if progress.phase == Phase::Coarsen => finding = Finding::Inaccurate,
+                Doubt::Again(next) => {
+                    start = next;
+                    progress.first = false;
+                    continue;
+                }
+                Doubt::Inaccurate(because) => (self.shortfall, finding) = (because, Finding::Good),
+            }
             let action = action(progress.phase, finding);
             let is_last = meshes >= self.options.max_meshes && action != Action::Accept;
             let unsolved = is_last.then(|| self.unsolved(&found));
@@ -377,6 +392,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let orientation = converged.factorisation.orientation();
         let check = BranchCheck::of_iteration(converged.contraction, converged.full_steps);
         self.check = self.check.and(check).across(self.orientation, orientation);
+        self.turned = self.orientation.is_some_and(|before| orientation.is_some_and(|after| before != after));
         self.orientation = orientation.or(self.orientation);
         // What is known of a rough solution is where a nonlinear iteration starts on the next mesh.
         let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };

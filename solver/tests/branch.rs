@@ -260,6 +260,11 @@ fn senseless_options_of_a_continuation_are_refused() {
     assert!(error.last.is_some());
     let still = PathOptions { first_step: 0.0, ..PathOptions::default() };
     assert!(matches!(*follow(&problem, &guess, &path, &[], &still).unwrap_err().cause, SolveError::Option { .. }));
+    for easy in [f64::NAN, f64::INFINITY] {
+        let stiffness = Some(Stiffness { constant: 0, easy: Some(easy) });
+        let error = solve_automatically(&problem, &guess, &[], stiffness, &Options::default()).unwrap_err();
+        assert!(matches!(error, SolveError::Option { name: "easy", .. }), "{error}");
+    }
 }
 
 #[test]

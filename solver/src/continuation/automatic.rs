@@ -66,7 +66,7 @@ const POWERS: i32 = 8;
 /// from one that the guess solves.
 ///
 /// # Errors
-/// Why the direct attempt failed, if all else failed too.
+/// Options that make no sense; else why the direct attempt failed, if all else failed too.
 pub fn solve_automatically<P: Problem + ?Sized>(
     problem: &P,
     guess: &Guess,
@@ -102,6 +102,9 @@ fn solve_any(
 ) -> Result<Automatic, SolveError> {
     let varied = stiffness.map(|stiffness| stiffness.constant);
     given("stiffness", varied.as_slice(), problem.layout(), unknowns)?;
+    if let Some(easy) = stiffness.and_then(|stiffness| stiffness.easy).filter(|easy| !easy.is_finite()) {
+        return Err(SolveError::Option { name: "easy", value: easy, expected: "a finite number" });
+    }
     let intervals =
         if stiffness.is_some() { options.max_intervals.min(DIRECT_INTERVALS) } else { options.max_intervals };
     let direct = Options { max_intervals: intervals, ..options.clone() };
