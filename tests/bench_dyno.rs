@@ -408,6 +408,21 @@ fn more_power_than_the_engine_has_is_told() {
     assert!(warning.as_ref().is_some_and(|warning| warning.starts_with(&said)), "{said}: {warning:?}");
 }
 
+/// Before the engine starts nothing scatters: that is no point of a drive.
+#[test]
+fn what_stands_still_is_no_steady_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let still: String = (0..500).map(|at| format!("{},0,0,0\n", 8 * at)).collect();
+    std::fs::write(&path, format!("{TORQUE}\n{still}")).unwrap();
+    let found = |path: &std::path::PathBuf| reduce(std::slice::from_ref(path), &Options::default(), None, |_| ());
+    let error = found(&path).unwrap_err().to_string();
+    assert!(error.contains("no pulley turns"), "{error}");
+    std::fs::write(&path, format!("{TORQUE}\n{still}").to_owned() + &log("", 4000, constant(17.0, 6))[1..]).unwrap();
+    let steady: Vec<SteadyPoint> = found(&path).unwrap().points.into_iter().filter(|point| point.steady).collect();
+    assert!(!steady.is_empty() && steady.iter().all(|point| point.primary_speed.unwrap().mean > 0.0));
+}
+
 #[test]
 fn raw_torque_without_a_calibration_is_named() {
     let folder = tempfile::tempdir().unwrap();

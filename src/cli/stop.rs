@@ -84,8 +84,9 @@ pub fn cancel_on_interrupt() -> Cancel {
         if handle.is_cancelled() {
             std::process::exit(i32::from(INTERRUPTED));
         }
-        handle.cancel();
+        // Once it is cancelled the program may end before anything more is said.
         tell("stopping; Ctrl-C once more stops at once\n");
+        handle.cancel();
     };
     if let Err(error) = ctrlc::set_handler(interrupted) {
         // An interrupt then ends the program as it does by default.

@@ -123,6 +123,9 @@ impl SteadyPoint {
         let reason = checks.iter().zip(&averages).find_map(|((name, samples, trend, deviation), average)| {
             unsteady(name, samples, average.as_ref()?, *trend, *deviation)
         });
+        let speeds = || averages[..2].iter().flatten();
+        let stands = speeds().next().is_some() && speeds().all(|speed| speed.mean == 0.0);
+        let reason = reason.or_else(|| stands.then(|| "no pulley turns".to_owned()));
         let [primary_speed, secondary_speed, secondary_torque] = averages;
         let steady = reason.is_none() && primary_speed.or(secondary_speed).is_some();
         let mut point = Self {
