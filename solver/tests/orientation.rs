@@ -340,8 +340,8 @@ fn are(found: &[f64], wanted: &[f64]) -> bool {
     found.len() == wanted.len() && found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 2e-6 * b.max(1.0))
 }
 
-/// `u'' + λ u - u³ = 0` on a ring: from λ = k² waves branch off that may stand anywhere, a sine and a cosine; from 0 the
-/// constant. Meshes that are not uniform take the two apart: the mesh that settles them has them at one place again.
+/// `u'' + λ u - u³ = 0` on a ring: from λ = k² waves branch off that may stand anywhere, a sine and a cosine, and
+/// from 0 the constant. Meshes that are not uniform take the two apart: where they settle they are at one place.
 #[test]
 fn waves_on_a_ring_branch_off_by_twos() {
     for (order, graded) in ORDERS.into_iter().flat_map(|order| [(order, 0.0), (order, 0.3)]) {
