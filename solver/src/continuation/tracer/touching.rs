@@ -221,8 +221,9 @@ impl Tracer<'_, '_> {
             let change = (finer.point.value(parameter) - touch.point.value(parameter)).abs();
             let before = std::mem::replace(&mut touch, finer);
             let is_one = apart(&touch) <= tolerance;
-            // The methods' orders are four and more.
-            if if is_one { change <= SHRINKS * tolerance } else { touch.width > 0.5 * before.width } {
+            // Two zeros that come together do so with the methods' orders, which are four and more.
+            let stay_apart = !is_one && touch.width > 0.5 * before.width;
+            if stay_apart || (is_one && change <= SHRINKS * tolerance) {
                 break;
             }
         }
