@@ -97,10 +97,15 @@ impl<'p, P: Problem + ?Sized> Linearisation<'p, P> {
         Self::at(system, x, Stats::default())
     }
 
-    /// The direction that the equations determine least, at a solution where they may be singular: the right singular
-    /// vector of the smallest singular value. Given constants stay.
-    pub(crate) fn least_determined(problem: &'p P, solution: &Solution) -> Result<(Tangent, Stats), SolveError> {
-        let found = Self::perhaps_singular_at(problem, &Guess::from(solution), solution.unknowns(), solution.order())?;
+    /// The direction that the equations determine least, where they may be singular: the right singular vector of the
+    /// smallest singular value. Given constants stay. The rest is as in [`near`](Self::near).
+    pub(crate) fn least_determined(
+        problem: &'p P,
+        at: &Guess,
+        unknowns: &[usize],
+        order: Order,
+    ) -> Result<(Tangent, Stats), SolveError> {
+        let found = Self::perhaps_singular_at(problem, at, unknowns, order)?;
         let direction = found.factorisation.null_correction(&found.system);
         Ok((found.unscaled(&direction, vec![0.0; found.x.constants.len()]), found.stats))
     }

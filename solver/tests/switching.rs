@@ -111,3 +111,66 @@ fn elliptic(modulus: f64) -> f64 {
     }
     std::f64::consts::FRAC_PI_2 / a
 }
+
+/// Two lines that cross, y = a λ and y = b λ: where both move with λ, the null vector at a given λ lies between them.
+/// Beside y a state that is zero, so that the derivatives of no condition vanish.
+#[test]
+fn of_two_branches_that_both_move_it_is_the_other_one_that_is_traced() {
+    for (known, other) in [(3.0, 1.0), (1.0, -1.0), (1.0, 3.0), (-2.0, 0.5), (1.0, 0.0)] {
+        let lines = Bvp::new(
+            &["y", "zero"],
+            (0.0, 1.0),
+            |_, _, _, f| f.iter_mut().for_each(|f| *f = 0.0.into()),
+            move |a, b, p, g| {
+                g[0] = (a[0] - p[0] * known) * (a[0] - p[0] * other) + a[1];
+                g[1] = b[1];
+            },
+        )
+        .given("lambda", -0.5)
+        .guess(4, move |_, y| (y[0], y[1]) = (-0.5 * known, 0.0));
+        let options = BranchOptions { range: (-0.6, 0.6), ..BranchOptions::default() };
+        let branch = trace(&lines, &lines.start(), 0, &[], &options, &[]).unwrap();
+        let crossing = branch.branch_points().next().unwrap();
+        let halves = trace_crossing(&lines, crossing, 0, &[], &options, &[]).unwrap();
+        let ends = halves.map(|half| {
+            let end = half.points.last().unwrap();
+            assert_eq!(end.kind, PointKind::End, "{known}, {other}");
+            assert!((end.solution.regions()[0].state(0)[0] - other * end.parameter).abs() < 1e-5, "{known}, {other}");
+            end.parameter
+        });
+        assert!(ends[0] * ends[1] < 0.0, "{known}, {other}: {ends:?}");
+    }
+}
+
+/// AUTO's demo `pp2` at rest: prey without predators loses its stability to that with predators where there is a third
+/// of it, and dies out at p = 3/5. With them there is a third of it whatever p; dead it is whatever p.
+#[test]
+fn predators_and_prey_at_rest_meet_the_state_with_both_and_that_with_none() {
+    let rest = Bvp::new(
+        &["prey", "predators"],
+        (0.0, 1.0),
+        |_, _, _, f| f.iter_mut().for_each(|f| *f = 0.0.into()),
+        |a, _, p, g| {
+            let (u, v) = (a[0], a[1]);
+            g[0] = 3.0 * u * (1.0 - u) - u * v - p[0] * (1.0 - (u * -5.0).exp());
+            g[1] = v * (3.0 * u - 1.0);
+        },
+    )
+    .given("p", 0.0)
+    .guess(4, |_, y| (y[0], y[1]) = (1.0, 0.0));
+    let options = BranchOptions { range: (-0.1, 1.0), max_points: 20, ..BranchOptions::default() };
+    let branch = trace(&rest, &rest.start(), 0, &[], &options, &[]).unwrap();
+    let points: Vec<_> = branch.branch_points().collect();
+    assert_eq!(points.len(), 2);
+    assert!((points[0].parameter - 2.0 / 3.0 / (1.0 - (-5.0_f64 / 3.0).exp())).abs() < 1e-6);
+    assert!((points[1].parameter - 0.6).abs() < 1e-6);
+    for (point, prey) in points.into_iter().zip([1.0 / 3.0, 0.0]) {
+        let options = BranchOptions { max_points: 6, ..options.clone() };
+        for half in trace_crossing(&rest, point, 0, &[], &options, &[]).unwrap() {
+            assert!(half.points.len() > 3);
+            for point in half.points {
+                assert!((amplitude(&point.solution) - prey).abs() < 1e-5, "{prey} at {}", point.parameter);
+            }
+        }
+    }
+}

@@ -37,6 +37,9 @@ pub(crate) struct Reference {
     pub direction: Direction,
     /// Of the problem that arclength extends; unknown where that was not solved.
     pub determinant: Determinant,
+    /// Whether two branches cross here, and the direction is at right angles to one of them: it is not the tangent of
+    /// the other.
+    pub is_crossing: bool,
     /// The solution at the inner stages of its mesh, as an [`Iterate`](crate::collocation::Iterate) has it; empty where
     /// it is not known.
     pub inner: ByRegion<Numbers>,
@@ -62,7 +65,8 @@ struct Sampled {
 
 impl Reference {
     pub(crate) fn new(solution: Solution, direction: Direction, determinant: Determinant) -> Self {
-        Self { solution, direction, determinant, inner: ByRegion::default(), samples: RefCell::default() }
+        let (inner, samples) = (ByRegion::default(), RefCell::default());
+        Self { solution, direction, determinant, is_crossing: false, inner, samples }
     }
 
     /// `ȳ` and the weighted `τ` of one region at a batch of points, the weights of the states being `of_states`.

@@ -1,5 +1,6 @@
 //! A branch of solutions in one constant: what its points are, and how it is traced.
 
+use super::arclength::Direction;
 use crate::error::SolveError;
 use crate::options::{Options, positive};
 use crate::orientation::BranchCheck;
@@ -129,6 +130,8 @@ pub struct BranchPoint {
     pub arclength: f64,
     /// The solution.
     pub solution: Solution,
+    /// Of a branch point, the direction of the branch that it was found on.
+    pub(super) direction: Option<Direction>,
 }
 
 /// A branch traced to the end of its range, or to the wanted number of points.

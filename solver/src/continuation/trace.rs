@@ -59,8 +59,9 @@ pub(super) fn trace_within(
 /// Traces the branch that crosses another at a simple branch point, to both sides of it. The points begin with the
 /// branch point.
 ///
-/// The first step leaves along the null vector of the equations there, so that `first_step` must be large enough for
-/// the two branches to be apart, and small enough for a straight line to be near the branch.
+/// The first step leaves at right angles to the branch that the point was found on, in the plane of both, so that
+/// `first_step` must be large enough for the two branches to be apart, and small enough for a straight line to be near
+/// the branch. The first point's `rate` is that of this direction.
 ///
 /// ```
 /// use solver::bvp::Bvp;

@@ -268,6 +268,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             rate: at.direction.constants[self.parameter],
             arclength,
             solution: at.solution.clone(),
+            direction: (kind == PointKind::BranchPoint).then(|| at.direction.clone()),
         });
     }
 
@@ -455,6 +456,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
         match kind {
             PointKind::Regular => f64::NAN,
             PointKind::BranchPoint => at.determinant.relative(&Determinant::UNKNOWN),
+            // Where two branches cross the direction does not tell which way the parameter goes.
+            PointKind::Fold if at.is_crossing => 0.0,
             PointKind::Fold => at.direction.constants[self.parameter],
             PointKind::Event(index) => self.events.get(index).map_or(f64::NAN, |event| event(&at.solution)),
             PointKind::End => {
