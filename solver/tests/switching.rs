@@ -4,7 +4,7 @@
 
 use solver::bvp::Bvp;
 use solver::continuation::{Branch, BranchOptions, PointKind, trace, trace_crossing};
-use solver::{Guess, Options, Solution, SolveError, solve};
+use solver::{Guess, Options, Order, Solution, SolveError, solve};
 
 /// Sign changes of the first state inside the interval.
 fn nodes(solution: &Solution) -> usize {
@@ -171,6 +171,36 @@ fn predators_and_prey_at_rest_meet_the_state_with_both_and_that_with_none() {
             for point in half.points {
                 assert!((amplitude(&point.solution) - prey).abs() < 1e-5, "{prey} at {}", point.parameter);
             }
+        }
+    }
+}
+
+/// AUTO's demo `bvp` about a state that moves with λ, as far as `amplitude` says: the branch points stay at 1, 2 and 3.
+/// The meshes of such a branch are coarse, and what Newton's iteration leaves moves the determinant's zero.
+#[test]
+fn branch_points_settle_along_a_branch_that_moves() {
+    let pi = std::f64::consts::PI;
+    for (amplitude, order) in [(1.0, Order::Four), (1.0, Order::Eight), (5.0, Order::Four), (5.0, Order::Eight)] {
+        let moved = Bvp::new(
+            &["w", "slope"],
+            (0.0, 1.0),
+            move |x, y, p, f| {
+                let u = y[0] - p[0] * (amplitude * x * (1.0 - x));
+                (f[0], f[1]) = (y[1], u * u - p[0] * p[0] * pi * pi * u - p[0] * (2.0 * amplitude));
+            },
+            |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+        )
+        .given("lambda", 0.5)
+        .guess(40, move |x, y| {
+            (y[0], y[1]) = (0.5 * amplitude * x * (1.0 - x), 0.5 * amplitude * (1.0 - 2.0 * x));
+        });
+        let solve = Options { order, tolerance: 1e-7, ..Options::default() };
+        let options = BranchOptions { solve, range: (0.3, 3.6), ..BranchOptions::default() };
+        let branch = trace(&moved, &moved.start(), 0, &[], &options, &[]).unwrap();
+        let found: Vec<f64> = branch.branch_points().map(|point| point.parameter).collect();
+        assert_eq!(found.len(), 3, "{amplitude}, {order:?}: {found:?}");
+        for (found, wanted) in found.iter().zip([1.0, 2.0, 3.0]) {
+            assert!((found - wanted).abs() < 3e-7, "{amplitude}, {order:?}: {found} for {wanted}");
         }
     }
 }

@@ -132,7 +132,7 @@ impl Tracer<'_, '_> {
         let unit = here.determinant;
         let mut last = Look::new(&unit, place + beside, first);
         let mut known = vec![last.known()];
-        let (mut zero, mut next) = (place, place - beside);
+        let (mut zero, mut next, mut roughly) = (place, place - beside, None);
         for _ in 0..LOOKS {
             let near = (last.advanced.near(last.at), None);
             let advanced = self.advance_from(here, next, near, Care::Glance)?;
@@ -147,15 +147,17 @@ impl Tracer<'_, '_> {
                 _ => place - FAR * step,
             };
             if !zero.is_finite() || (zero - place).abs() > reach {
-                break;
+                return Ok(None);
             }
             if is_steep && (zero - before).abs() <= settled {
                 return Ok(Some((zero, look)));
             }
+            // What the iteration leaves may move it by more than is negligible, look for look.
+            roughly = (is_steep && (zero - before).abs() <= self.options.solve.tolerance).then_some(zero);
             next = zero + beside;
             last = look;
         }
-        Ok(None)
+        Ok(roughly.map(|zero| (zero, last)))
     }
 }
 

@@ -94,6 +94,13 @@ impl Search {
         if (a.max(b) - place).abs() >= (place - a.min(b)).abs() { 1.0 } else { -1.0 }
     }
 
+    /// Zero and slope of the straight line between the ends of the bracket.
+    pub(super) fn secant(&self) -> (f64, f64) {
+        let [(a, fa), (b, fb)] = self.bracket;
+        let slope = (fb - fa) / (b - a);
+        (if fa == fb { 0.5 * (a + b) } else { a - fa / slope }, slope)
+    }
+
     /// The length of the bracket.
     pub(super) fn length(&self) -> f64 {
         (self.bracket[1].0 - self.bracket[0].0).abs()

@@ -102,7 +102,7 @@ impl Tracer<'_, '_> {
         let kind = PointKind::BranchPoint;
         let mut search = self.search(kind, before, here, (step, next));
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
-        let (mut place, mut care, mut change) = (search.next(), Care::Glance, step);
+        let (mut place, mut care, mut change, mut settled) = (search.next(), Care::Glance, step, false);
         for _ in 0..LOOKS {
             let side = search.roomier(place);
             let mut outcome = Err(SolveError::Cancelled);
@@ -123,12 +123,17 @@ impl Tracer<'_, '_> {
             place = search.next();
             let last = std::mem::replace(&mut change, (place - before).abs());
             let expected = change * (change / last).min(1.0);
-            if judged && (!usable || change <= SETTLED * step || expected <= LOCATION * step) {
+            settled = judged && (!usable || change <= SETTLED * step || expected <= LOCATION * step);
+            if settled {
                 break;
             }
             if !usable || change <= NEARLY * step {
                 care = Care::Between;
             }
+        }
+        if !settled {
+            // What the iteration leaves moves it from look to look, and the next place may be half of the bracket.
+            place = search.secant().0;
         }
         seen.retain(|(_, found)| found.judged);
         let (near, _) = around(here, (step, next), &seen, place);
@@ -137,7 +142,10 @@ impl Tracer<'_, '_> {
         if value(near.point) > VANISHED * value(here).max(value(&next.point)) {
             return Err(SolveError::Astray { at: near.point.value(self.parameter) });
         }
-        let slope = near.point.determinant.relative(&here.determinant) / (near.at - place);
+        let slope = match near.at - place {
+            0.0 => search.secant().1,
+            distance => near.point.determinant.relative(&here.determinant) / distance,
+        };
         Ok((place, self.moved(near.point, near.speed * (place - near.at))?, slope))
     }
 
