@@ -237,6 +237,12 @@ pub enum LayoutError {
         /// What is given.
         scale: f64,
     },
+    /// Something is said of a state or parameter that there is not.
+    #[error("{name}: no state and no parameter has this name")]
+    Unnamed {
+        /// The name given.
+        name: String,
+    },
     /// A function is to have a derivative that an equation is stated for.
     #[error("{function}: an order of 0 is given, and at least 1 is expected")]
     Order {

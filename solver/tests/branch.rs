@@ -9,8 +9,8 @@ use solver::continuation::{
 };
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Accuracy, BranchCheck, Event, Guess, Layout, Linearisation, Observer, Options, Order, Problem, Region, RegionGuess,
-    Silent, Solution, SolveError, solve,
+    Accuracy, BranchCheck, Event, Guess, Layout, LayoutError, Linearisation, Observer, Options, Order, Problem, Region,
+    RegionGuess, Silent, Solution, SolveError, solve,
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -93,6 +93,30 @@ fn at_a_fold_there_is_no_tangent_in_the_parameter() {
     let fold = branch.folds().next().unwrap();
     let conditioning = Linearisation::new(&problem, &fold.solution).map(|linearisation| linearisation.conditioning());
     assert!(conditioning.is_err() || conditioning.is_ok_and(|conditioning| conditioning.kappa() > 1e4));
+}
+
+/// Between folds that are closer than steps are long the parameter goes back a little: `λ = x³ - δ x` from far below,
+/// with folds at `λ = ±2 (δ/3)^(3/2)`, and the same where λ is as small as 1e-9.
+#[test]
+fn two_folds_within_one_step_are_seen_by_what_the_parameter_does_at_its_ends() {
+    for (apart, size) in [(0.1, 1.0), (1e-2, 1.0), (1e-3, 1.0), (1e-2, 1e-9)] {
+        let cubic = Bvp::new(
+            &["x"],
+            (0.0, 1.0),
+            |_, _, _, f| f[0] = solver::bvp::Number::from(0.0),
+            move |a, _, p, g| g[0] = a[0].powi(3) - a[0] * apart - p[0] / size,
+        );
+        let cubic = cubic.given("load", -size).guess(4, |_, y| y[0] = -1.0).typical("load", size).unwrap();
+        let options = BranchOptions { range: (-size, size), ..BranchOptions::default() };
+        let branch = trace(&cubic, &cubic.start(), 0, &[], &options, &[]).unwrap();
+        let folds: Vec<f64> = branch.folds().map(|fold| fold.parameter / size).collect();
+        let fold = 2.0 * (apart / 3.0_f64).powf(1.5);
+        assert_eq!(folds.len(), 2, "{apart} {size}: {folds:?}");
+        assert!((folds[0] - fold).abs() < 1e-6 && (folds[1] + fold).abs() < 1e-6, "{apart} {size}: {folds:?}");
+    }
+    let unknown = Bvp::new(&["x"], (0.0, 1.0), |_, y, _, f| f[0] = y[0], |a, _, _, g| g[0] = a[0] - 1.0);
+    assert!(matches!(unknown.clone().typical("y", 1.0), Err(LayoutError::Unnamed { name }) if name == "y"));
+    assert!(matches!(unknown.typical("x", -1.0), Err(LayoutError::Scale { .. })));
 }
 
 /// Stops after so many steps; checkpoints go to a file.

@@ -156,8 +156,32 @@ impl<M: Formulas> Bvp<M> {
         names.push(name);
         let region = &self.layout.regions[0];
         let states: Vec<&str> = region.states.iter().map(|state| state.name.as_str()).collect();
-        self.layout = layout(&states, region.interval, &names, self.unknowns.len());
+        let with_it = layout(&states, region.interval, &names, self.unknowns.len());
+        let before = std::mem::replace(&mut self.layout, with_it);
+        let states = before.regions.into_iter().flat_map(|region| region.states);
+        self.layout.regions[0].states.iter_mut().zip(states).for_each(|(new, state)| *new = state);
+        self.layout.constants.iter_mut().zip(before.constants).for_each(|(new, constant)| *new = constant);
         self
+    }
+
+    /// States the typical magnitude of a state or parameter, by its name: what is smaller counts as zero, within the
+    /// tolerance. It is 1 where none is stated, and the larger of both where larger values are found. Along a branch,
+    /// steps are measured in it too: a parameter that goes from 1e-9 to 1e-7 is to have one of 1e-7.
+    ///
+    /// # Errors
+    /// [`LayoutError::Unnamed`] if nothing has that name, [`LayoutError::Scale`] if the magnitude is not positive.
+    pub fn typical(mut self, name: &str, magnitude: f64) -> Result<Self, LayoutError> {
+        if !(magnitude > 0.0 && magnitude.is_finite()) {
+            return Err(LayoutError::Scale { of: name.to_owned(), scale: magnitude });
+        }
+        let states = self.layout.regions[0].states.iter_mut().map(|state| (&state.name, &mut state.scale));
+        let constants = self.layout.constants.iter_mut().map(|constant| (&constant.name, &mut constant.scale));
+        let mut all = states.chain(constants);
+        let Some((_, scale)) = all.find(|(known, _)| *known == name) else {
+            return Err(LayoutError::Unnamed { name: name.to_owned() });
+        };
+        *scale = Some(magnitude);
+        Ok(self)
     }
 
     /// Adds `S y/(x - a)` to the right-hand side, with `S` by rows: a term that is singular at the left end a, as

@@ -92,7 +92,8 @@ enum Rejected {
     Failed(SolveError),
     /// What it led to is far from where it began.
     Far,
-    /// The determinant is not known along it, or has more zeros than one: the length that it is to have.
+    /// The determinant is not known along it, or has more zeros than one, or the parameter turns round twice: the
+    /// length that it is to have.
     Unresolved(f64),
 }
 
@@ -105,8 +106,13 @@ impl From<SolveError> for Rejected {
 /// So often in a row a step is halved whose first correction has not contracted: if it still does not, contractions
 /// tell nothing.
 const SHORTENED: usize = 2;
-/// So often in a row a step is made shorter for the determinant: where the right-hand side has a kink, it jumps.
+/// So often in a row a step is made shorter for the determinant or for folds: where the right-hand side has a kink, the
+/// determinant jumps.
 const RESOLVED: usize = 12;
+
+/// Two folds are looked for in a step along which the parameter goes back by more than about so many times what it is
+/// exact to.
+const DIP: f64 = 4.0;
 
 impl<'a, 'e> Tracer<'a, 'e> {
     pub(super) fn new(
@@ -159,7 +165,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
         while self.points.len() < self.options.max_points {
             let resolves = self.options.branch_points && self.options.resolve_branch_points;
             let known = (resolves && unresolved < RESOLVED).then_some(&passed);
-            let stepped = self.step((previous.as_ref(), known), (arclength, &here), step, shortened < SHORTENED);
+            let wary = (shortened < SHORTENED, unresolved < RESOLVED);
+            let stepped = self.step((previous.as_ref(), known), (arclength, &here), step, wary);
             let Stepped { next, crossed, longer, located } = match stepped {
                 Ok(stepped) => stepped,
                 Err(Rejected::Failed(cause)) if cause.is_interruption() => return Err(cause),
@@ -213,20 +220,27 @@ impl<'a, 'e> Tracer<'a, 'e> {
         Ok(())
     }
 
-    /// The point at a distance, and what is special between. Where `wary`, only one that the iteration has gone
-    /// straight to: see [`BranchOptions::largest_contraction`].
+    /// The point at a distance, and what is special between. Where it is `wary` of it, only one that the iteration has
+    /// gone straight to (see [`BranchOptions::largest_contraction`]), and of folds one on the way.
     fn step(
         &mut self,
         (previous, passed): (Option<&(f64, Reference)>, Option<&Passed>),
         (arclength, here): (f64, &Reference),
         step: f64,
-        wary: bool,
+        wary: (bool, bool),
     ) -> Result<Stepped, Rejected> {
         let next = self.advance(here, step)?;
         let largest = self.options.largest_contraction;
         let straight = next.contraction <= largest && !matches!(next.check, BranchCheck::Turned { .. });
-        if wary && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
+        if wary.0 && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
+        }
+        if wary.1
+            && largest < f64::INFINITY
+            && let Some(between) = self.between_folds(here, step, &next)
+            && between >= self.options.smallest_step
+        {
+            return Err(Rejected::Unresolved(between));
         }
         let (mut longer, mut located) = (f64::INFINITY, Vec::new());
         if let Some(passed) = passed.filter(|_| largest < f64::INFINITY) {
@@ -428,6 +442,21 @@ impl<'a, 'e> Tracer<'a, 'e> {
             return Ok(found);
         }
         Err(SolveError::Astray { at: found.point.value(self.parameter) })
+    }
+
+    /// A place between two folds in a step: where the parameter goes back fastest, by the cubic that has its values and
+    /// rates at both ends, if it goes in one direction there and in the other between by more than it is exact to.
+    fn between_folds(&self, here: &Reference, step: f64, next: &Advanced) -> Option<f64> {
+        let value = |point: &Reference| point.value(self.parameter);
+        let rate = |point: &Reference| point.direction.constants[self.parameter];
+        let (first, last) = (rate(here), next.speed * rate(&next.point));
+        let mean = (value(&next.point) - value(here)) / step;
+        let part = (2.0 * first + last - 3.0 * mean) / (3.0 * (first + last - 2.0 * mean));
+        let rest = 1.0 - part;
+        let within = first * rest * (1.0 - 3.0 * part) + last * part * (3.0 * part - 2.0) + 6.0 * mean * part * rest;
+        let goes_back = first * last > 0.0 && part > 0.0 && part < 1.0 && within * first < 0.0;
+        let exact = self.location_tolerance(&next.point).max(self.location_tolerance(here));
+        (goes_back && !here.is_crossing && within.abs() * step > DIP * exact).then_some(part * step)
     }
 
     fn is_outside(&self, value: f64) -> bool {
