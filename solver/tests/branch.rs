@@ -4,8 +4,9 @@
 
 use solver::bvp::Bvp;
 use solver::continuation::{
-    BranchOptions, Checkpoint, Direction, How, PathOptions, PointKind, Ramp, Saved, Stiffness, follow, follow_observed,
-    resume_follow, resume_trace, solve_automatically, trace, trace_observed,
+    BranchOptions, Checkpoint, Direction, How, PathOptions, PointKind, Ramp, Saved, Side, Stiffness, follow,
+    follow_observed, resume_follow, resume_trace, solve_automatically, trace, trace_crossing, trace_crossing_observed,
+    trace_observed,
 };
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
@@ -171,6 +172,33 @@ fn a_branch_resumes_from_a_file_next_to_its_fold() {
     let path = Checkpoint { direction: None, ..kept };
     let error = resume_trace(&problem, &path, 0, &[], &options, &[], &mut Silent).unwrap_err();
     assert!(matches!(*error.cause, SolveError::Option { .. }), "{error}");
+}
+
+/// Euler's strut, from its straight state: one side of the buckled branch alone, interrupted, and gone on with.
+#[test]
+fn a_crossing_branch_is_watched_and_resumes_from_a_file() {
+    let strut = Bvp::new(
+        &["angle", "curvature"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0].sin()),
+        |a, b, _, g| (g[0], g[1]) = (a[1], b[1]),
+    )
+    .given("load", 5.0);
+    let options = BranchOptions { range: (5.0, 15.0), ..BranchOptions::default() };
+    let straight = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+    let buckling = straight.branch_points().next().unwrap();
+    let wanted = trace_crossing(&strut, buckling, 0, &[], &options, &[]).unwrap();
+    for (side, wanted) in [Side::First, Side::Second].into_iter().zip(wanted) {
+        let (mut stop, path) = stop_after(4, &format!("crossing-{side:?}.checkpoint"));
+        let lost = trace_crossing_observed(&strut, (buckling, side), 0, &[], &options, &[], &mut stop).unwrap_err();
+        assert!(matches!(*lost.cause, SolveError::Cancelled) && lost.points.len() < wanted.points.len(), "{lost}");
+        let from = Checkpoint::load(&path).unwrap();
+        let rest = resume_trace(&strut, &from, 0, &[], &options, &[], &mut Silent).unwrap();
+        let [end, whole] = [&rest, &wanted].map(|branch| branch.points.last().unwrap());
+        assert!(end.kind == PointKind::End && rest.points[0].arclength == from.position);
+        let [end, whole] = [end, whole].map(|point| point.solution.regions()[0].eval(0.0)[0]);
+        assert!((end - whole).abs() < 1e-4 && whole.abs() > 1.0, "{end} {whole}");
+    }
 }
 
 #[test]

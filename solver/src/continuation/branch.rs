@@ -134,6 +134,15 @@ pub struct BranchPoint {
     pub(super) direction: Option<Direction>,
 }
 
+/// A branch that crosses another leaves the branch point to two sides. Which of them is which means nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// The one that [`trace_crossing`](super::trace_crossing) traces first.
+    First,
+    /// The other.
+    Second,
+}
+
 /// A branch traced to the end of its range, or to the wanted number of points.
 #[derive(Debug, Clone)]
 pub struct Branch {

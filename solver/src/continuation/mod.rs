@@ -18,8 +18,8 @@ mod tracer;
 
 pub use arclength::Direction;
 pub use automatic::{Automatic, How, Stiffness, solve_automatically, solve_automatically_observed};
-pub use branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind};
+pub use branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, PointKind, Side};
 pub use checkpoint::{Checkpoint, CheckpointError, Saved};
 pub use natural::{Followed, PathError, PathOptions, StepRecord, follow, follow_observed, resume_follow};
 pub use path::{Path, Ramp};
-pub use trace::{resume_trace, trace, trace_crossing, trace_observed};
+pub use trace::{resume_trace, trace, trace_crossing, trace_crossing_observed, trace_observed};

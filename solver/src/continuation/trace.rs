@@ -1,6 +1,6 @@
 //! Tracing a branch of solutions through folds, in one constant, by pseudo-arclength; folds and events are located.
 
-use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction};
+use super::branch::{Branch, BranchError, BranchOptions, BranchPoint, EventFunction, Side};
 use super::checkpoint::Checkpoint;
 use super::tracer::Tracer;
 use crate::budget::Budget;
@@ -87,7 +87,8 @@ pub(super) fn trace_within(
 /// ```
 ///
 /// # Errors
-/// As [`trace`]; its cause is [`SolveError::Option`](crate::SolveError::Option) if the point is no branch point.
+/// As [`trace`], of the side that is lost first: each side alone is had from [`trace_crossing_observed`]. The cause is
+/// [`SolveError::Option`](crate::SolveError::Option) if the point is no branch point.
 pub fn trace_crossing<P: Problem + ?Sized>(
     problem: &P,
     at: &BranchPoint,
@@ -97,11 +98,28 @@ pub fn trace_crossing<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
 ) -> Result<[Branch; 2], BranchError> {
     let budget = Budget::new(&options.solve);
-    let side = |sign: f64| {
+    let traced = |side: Side| {
         Tracer::new(&problem, parameter, unknowns, options, events, &mut Silent, &budget)
-            .run(|tracer| Ok((tracer.crossing(at, sign)?, 0.0, options.first_step)))
+            .run(|tracer| Ok((tracer.crossing(at, side)?, 0.0, options.first_step)))
     };
-    Ok([side(1.0)?, side(-1.0)?])
+    Ok([traced(Side::First)?, traced(Side::Second)?])
+}
+
+/// One side of the branch that [`trace_crossing`] traces, watched by an observer that may cancel it.
+///
+/// # Errors
+/// As [`trace_crossing`].
+pub fn trace_crossing_observed<P: Problem + ?Sized>(
+    problem: &P,
+    (at, side): (&BranchPoint, Side),
+    parameter: usize,
+    unknowns: &[usize],
+    options: &BranchOptions,
+    events: &[EventFunction<'_>],
+    observer: &mut dyn Observer,
+) -> Result<Branch, BranchError> {
+    Tracer::new(&problem, parameter, unknowns, options, events, observer, &Budget::new(&options.solve))
+        .run(|tracer| Ok((tracer.crossing(at, side)?, 0.0, options.first_step)))
 }
 
 /// Goes on from a checkpoint of an earlier tracing of the same branch, at folds too. The points begin with the

@@ -2,7 +2,7 @@
 
 use super::Tracer;
 use crate::continuation::arclength::{Arclength, Direction, Reference, normalise};
-use crate::continuation::branch::BranchPoint;
+use crate::continuation::branch::{BranchPoint, Side};
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::linearisation::Linearisation;
@@ -16,7 +16,11 @@ impl Tracer<'_, '_> {
     /// of the crossing branch nearby, and none of the known one. (The null vector of the equations at the parameter's
     /// value will not do: where the solutions of both branches move with the parameter, it lies between the two.)
     /// H. B. Keller, as in [`arclength`](crate::continuation::arclength), method III.
-    pub(in crate::continuation) fn crossing(&mut self, at: &BranchPoint, sign: f64) -> Result<Reference, SolveError> {
+    pub(in crate::continuation) fn crossing(&mut self, at: &BranchPoint, side: Side) -> Result<Reference, SolveError> {
+        let sign = match side {
+            Side::First => 1.0,
+            Side::Second => -1.0,
+        };
         let mut guess = Guess::from(&at.solution);
         self.check(&guess)?;
         let Some(known) = at.direction.clone().filter(|direction| direction.fits(&guess)) else {
