@@ -98,10 +98,7 @@ pub fn trace_crossing<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
 ) -> Result<[Branch; 2], BranchError> {
     let budget = Budget::new(&options.solve);
-    let traced = |side: Side| {
-        Tracer::new(&problem, parameter, unknowns, options, events, &mut Silent, &budget)
-            .run(|tracer| Ok((tracer.crossing(at, side)?, 0.0, options.first_step)))
-    };
+    let traced = |side| side_within(&problem, (at, side), parameter, unknowns, options, events, &mut Silent, &budget);
     Ok([traced(Side::First)?, traced(Side::Second)?])
 }
 
@@ -118,7 +115,20 @@ pub fn trace_crossing_observed<P: Problem + ?Sized>(
     events: &[EventFunction<'_>],
     observer: &mut dyn Observer,
 ) -> Result<Branch, BranchError> {
-    Tracer::new(&problem, parameter, unknowns, options, events, observer, &Budget::new(&options.solve))
+    side_within(&problem, (at, side), parameter, unknowns, options, events, observer, &Budget::new(&options.solve))
+}
+
+fn side_within(
+    problem: &dyn Problem,
+    (at, side): (&BranchPoint, Side),
+    parameter: usize,
+    unknowns: &[usize],
+    options: &BranchOptions,
+    events: &[EventFunction<'_>],
+    observer: &mut dyn Observer,
+    budget: &Budget,
+) -> Result<Branch, BranchError> {
+    Tracer::new(problem, parameter, unknowns, options, events, observer, budget)
         .run(|tracer| Ok((tracer.crossing(at, side)?, 0.0, options.first_step)))
 }
 
