@@ -4,6 +4,8 @@
 //! the derivatives with respect to the step. A fold is where the derivative of such a polynomial for the parameter
 //! vanishes. As long as the function changes its sign, so does the polynomial.
 
+use crate::orientation::Determinant;
+
 /// What is known of the function at one place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Known {
@@ -13,6 +15,9 @@ pub(super) struct Known {
     /// Derivative with respect to `at`.
     pub slope: Option<f64>,
 }
+
+/// Looks that are closer to each other than this part of the step are one.
+pub(super) const APART: f64 = 0.02;
 
 /// What is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,6 +140,19 @@ impl Search {
         }
         b
     }
+}
+
+/// Determinants relative to the largest of them.
+pub(super) fn relative(known: &[(f64, Determinant)]) -> Vec<Known> {
+    let larger = |a: Determinant, b: Determinant| if b.logarithm > a.logarithm { b } else { a };
+    let largest = known.iter().map(|(_, determinant)| *determinant).reduce(larger).unwrap_or(Determinant::UNKNOWN);
+    relative_to(&largest, known)
+}
+
+/// Determinants relative to another.
+pub(super) fn relative_to(unit: &Determinant, known: &[(f64, Determinant)]) -> Vec<Known> {
+    let known = known.iter();
+    known.map(|(at, determinant)| Known { at: *at, value: determinant.relative(unit), slope: None }).collect()
 }
 
 /// A polynomial in Newton's form, by divided differences; places where the derivative is known count twice.

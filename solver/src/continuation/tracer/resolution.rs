@@ -10,7 +10,7 @@
 //! What is smaller than the points of a branch are apart may still be missed: the zeros of functions that are known at
 //! points alone are never certain.
 
-use super::location::{Known, Polynomial};
+use super::location::{APART, Known, Polynomial, relative};
 use super::touching::{Extremum, valleys};
 use super::{Advanced, Care, Near, Tracer};
 use crate::continuation::arclength::Reference;
@@ -50,9 +50,6 @@ const HALVINGS: i32 = 6;
 /// Where the determinant may be zero on a longer stretch, in parts of the step, than this, it may cross zero there more
 /// than once.
 const WIDE: f64 = 0.2;
-/// Looks that are closer to each other than this part of the step are one.
-pub(super) const APART: f64 = 0.02;
-
 /// What is known of the determinant along a step.
 pub(super) enum Resolved {
     /// Enough.
@@ -168,19 +165,6 @@ impl Resolved {
     fn longer(factor: f64) -> Self {
         Self::Yes { longer: factor, touches: Vec::new() }
     }
-}
-
-/// Determinants relative to the largest of them.
-fn relative(known: &[(f64, Determinant)]) -> Vec<Known> {
-    let larger = |a: Determinant, b: Determinant| if b.logarithm > a.logarithm { b } else { a };
-    let largest = known.iter().map(|(_, determinant)| *determinant).reduce(larger).unwrap_or(Determinant::UNKNOWN);
-    relative_to(&largest, known)
-}
-
-/// Determinants relative to another.
-pub(super) fn relative_to(unit: &Determinant, known: &[(f64, Determinant)]) -> Vec<Known> {
-    let known = known.iter();
-    known.map(|(at, determinant)| Known { at: *at, value: determinant.relative(unit), slope: None }).collect()
 }
 
 /// Determinants without their double zero at a place, as far as they are known away from it.

@@ -6,9 +6,8 @@
 //! apart, into two, real or complex, which come together again as the mesh is made finer.
 
 use super::finer::{HALVINGS, REACH, SHRINKS};
-use super::location::{Known, Polynomial};
+use super::location::{APART, Known, Polynomial, relative_to};
 use super::places::{DISTANCE, around};
-use super::resolution::{APART, relative_to};
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
 use crate::orientation::Determinant;
