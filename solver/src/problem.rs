@@ -206,7 +206,12 @@ impl Layout {
 /// The first scale that is stated and is no positive number.
 fn refused_scale<'a>(stated: impl Iterator<Item = (&'a String, Option<f64>)>) -> Option<(&'a String, f64)> {
     let mut scales = stated.filter_map(|(name, scale)| Some((name, scale?)));
-    scales.find(|(_, scale)| !(scale.is_finite() && *scale > 0.0))
+    scales.find(|(_, scale)| !is_scale(*scale))
+}
+
+/// Whether a number may be a typical magnitude.
+pub(crate) fn is_scale(value: f64) -> bool {
+    value.is_finite() && value > 0.0
 }
 
 /// A layout that contradicts itself.

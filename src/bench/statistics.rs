@@ -149,6 +149,26 @@ impl Average {
     }
 }
 
+/// Shares of which some are larger than they can be.
+pub(super) struct AboveOne {
+    /// How many are above one,
+    pub count: usize,
+    /// of how many.
+    pub of: usize,
+    /// The largest.
+    pub largest: f64,
+}
+
+impl AboveOne {
+    /// None if no share is above one.
+    pub fn among(shares: impl Iterator<Item = f64>) -> Option<Self> {
+        let shares: Vec<f64> = shares.collect();
+        let above = || shares.iter().copied().filter(|share| *share > 1.0);
+        let largest = above().reduce(f64::max)?;
+        Some(Self { count: above().count(), of: shares.len(), largest })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

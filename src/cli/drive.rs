@@ -9,8 +9,7 @@ use clap::{Args, ValueEnum};
 use sheave::case::{Case, Key, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Direction, DriveReport, EquilibriumError, beyond_engine, beyond_open, beyond_parts, equilibrium_outcome,
-    unused_keys,
+    Direction, DriveReport, EquilibriumError, beyond_engine, beyond_travel, equilibrium_outcome, unused_keys,
 };
 use sheave::quantity::{Dimension, parse};
 
@@ -86,8 +85,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let mut warnings: Vec<String> = warnings.into_iter().chain(sheave::result::warnings(&outcome)).collect();
     let report = DriveReport::new(&resolved, &found, outcome, true).map_err(stop)?;
     warnings.extend(beyond_engine(&resolved, [report.primary_speed]));
-    warnings.extend(beyond_open(report.primary_travel));
-    warnings.extend(beyond_parts(&resolved, [(report.primary_travel, report.secondary_travel)]));
+    warnings.extend(beyond_travel(&resolved, [(report.primary_travel, report.secondary_travel)]));
     warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     if arguments.json {
         return output::print(&envelope::object("drive", &resolved, &warnings, &report)?);

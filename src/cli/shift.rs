@@ -11,8 +11,8 @@ use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, beyond_open,
-    beyond_parts, deviation, has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, beyond_travel,
+    deviation, has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -122,8 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
     warnings.extend(beyond_engine(&resolved, found.clone().map(|report| report.primary_speed)));
-    warnings.extend(found.clone().map(|report| report.primary_travel).reduce(f64::min).and_then(beyond_open));
-    warnings.extend(beyond_parts(&resolved, found.map(|report| (report.primary_travel, report.secondary_travel))));
+    warnings.extend(beyond_travel(&resolved, found.map(|report| (report.primary_travel, report.secondary_travel))));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));

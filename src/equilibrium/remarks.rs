@@ -52,13 +52,20 @@ pub fn beyond_open(primary_travel: f64) -> Option<String> {
     })
 }
 
+/// What there is to say of where the sheaves of whole drives stand, by the travels in m of the primary and of the
+/// secondary: see [`beyond_open`], of the primary that is farthest open; and of parts whose tables end before.
+pub fn beyond_travel(case: &Resolved, travels: impl IntoIterator<Item = (f64, f64)>) -> Vec<String> {
+    let travels: Vec<(f64, f64)> = travels.into_iter().collect();
+    let open = travels.iter().map(|(primary, _)| *primary).reduce(f64::min).and_then(beyond_open);
+    open.into_iter().chain(beyond_parts(case, &travels)).collect()
+}
+
 /// A sentence for each part whose table does not reach as far as its sheave travels, by the travels in m of the primary
 /// and of the secondary: beyond its ends a table goes on as straight as it ends.
-pub fn beyond_parts(case: &Resolved, travels: impl IntoIterator<Item = (f64, f64)>) -> Vec<String> {
+fn beyond_parts(case: &Resolved, travels: &[(f64, f64)]) -> Vec<String> {
     /// Share of a table's length by which a travel may lie beyond its ends.
     const BESIDE: f64 = 0.02;
     let Some(actuation) = &case.parts.actuation else { return Vec::new() };
-    let travels: Vec<(f64, f64)> = travels.into_iter().collect();
     let flyweights = match &actuation.primary {
         PrimaryActuator::Flyweights { flyweights, .. } => match &flyweights.mechanism {
             Mechanism::Coefficient { coefficient: table, .. } | Mechanism::Ramp { radius: table, .. } => {

@@ -34,7 +34,7 @@ pub use singular::SingularTermError;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::options::Options;
-use crate::problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State};
+use crate::problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State, is_scale};
 use crate::solution::Solution;
 use crate::solve::solve;
 use singular::SingularTerm;
@@ -171,7 +171,7 @@ impl<M: Formulas> Bvp<M> {
     /// # Errors
     /// [`LayoutError::Unnamed`] if nothing has that name, [`LayoutError::Scale`] if the magnitude is not positive.
     pub fn typical(mut self, name: &str, magnitude: f64) -> Result<Self, LayoutError> {
-        if !(magnitude > 0.0 && magnitude.is_finite()) {
+        if !is_scale(magnitude) {
             return Err(LayoutError::Scale { of: name.to_owned(), scale: magnitude });
         }
         let states = self.layout.regions[0].states.iter_mut().map(|state| (&state.name, &mut state.scale));

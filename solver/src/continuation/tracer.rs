@@ -86,6 +86,15 @@ struct Stepped {
     located: Vec<(PointKind, f64, Option<Reference>)>,
 }
 
+/// What makes a step shorter where it is found, until it has done so often enough.
+#[derive(Debug, Clone, Copy)]
+struct Wary {
+    /// That the iteration has not gone straight to the step's end: see [`BranchOptions::largest_contraction`].
+    of_straying: bool,
+    /// That there are two folds on the way.
+    of_folds: bool,
+}
+
 /// Why a step is to be shorter.
 enum Rejected {
     /// It failed, or a special point of it could not be located.
@@ -109,10 +118,6 @@ const SHORTENED: usize = 2;
 /// So often in a row a step is made shorter for the determinant or for folds: where the right-hand side has a kink, the
 /// determinant jumps.
 const RESOLVED: usize = 12;
-
-/// Two folds are looked for in a step along which the parameter goes back by more than about so many times what it is
-/// exact to.
-const DIP: f64 = 4.0;
 
 impl<'a, 'e> Tracer<'a, 'e> {
     pub(super) fn new(
@@ -165,7 +170,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         while self.points.len() < self.options.max_points {
             let resolves = self.options.branch_points && self.options.resolve_branch_points;
             let known = (resolves && unresolved < RESOLVED).then_some(&passed);
-            let wary = (shortened < SHORTENED, unresolved < RESOLVED);
+            let wary = Wary { of_straying: shortened < SHORTENED, of_folds: unresolved < RESOLVED };
             let stepped = self.step((previous.as_ref(), known), (arclength, &here), step, wary);
             let Stepped { next, crossed, longer, located } = match stepped {
                 Ok(stepped) => stepped,
@@ -220,22 +225,21 @@ impl<'a, 'e> Tracer<'a, 'e> {
         Ok(())
     }
 
-    /// The point at a distance, and what is special between. Where it is `wary` of it, only one that the iteration has
-    /// gone straight to (see [`BranchOptions::largest_contraction`]), and of folds one on the way.
+    /// The point at a distance, and what is special between, if nothing is found that it is `wary` of.
     fn step(
         &mut self,
         (previous, passed): (Option<&(f64, Reference)>, Option<&Passed>),
         (arclength, here): (f64, &Reference),
         step: f64,
-        wary: (bool, bool),
+        wary: Wary,
     ) -> Result<Stepped, Rejected> {
         let next = self.advance(here, step)?;
         let largest = self.options.largest_contraction;
         let straight = next.contraction <= largest && !matches!(next.check, BranchCheck::Turned { .. });
-        if wary.0 && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
+        if wary.of_straying && largest < f64::INFINITY && !straight && 0.5 * step >= self.options.smallest_step {
             return Err(Rejected::Far);
         }
-        if wary.1
+        if wary.of_folds
             && largest < f64::INFINITY
             && let Some(between) = self.between_folds(here, step, &next)
             && between >= self.options.smallest_step
@@ -442,21 +446,6 @@ impl<'a, 'e> Tracer<'a, 'e> {
             return Ok(found);
         }
         Err(SolveError::Astray { at: found.point.value(self.parameter) })
-    }
-
-    /// A place between two folds in a step: where the parameter goes back fastest, by the cubic that has its values and
-    /// rates at both ends, if it goes in one direction there and in the other between by more than it is exact to.
-    fn between_folds(&self, here: &Reference, step: f64, next: &Advanced) -> Option<f64> {
-        let value = |point: &Reference| point.value(self.parameter);
-        let rate = |point: &Reference| point.direction.constants[self.parameter];
-        let (first, last) = (rate(here), next.speed * rate(&next.point));
-        let mean = (value(&next.point) - value(here)) / step;
-        let part = (2.0 * first + last - 3.0 * mean) / (3.0 * (first + last - 2.0 * mean));
-        let rest = 1.0 - part;
-        let within = first * rest * (1.0 - 3.0 * part) + last * part * (3.0 * part - 2.0) + 6.0 * mean * part * rest;
-        let goes_back = first * last > 0.0 && part > 0.0 && part < 1.0 && within * first < 0.0;
-        let exact = self.location_tolerance(&next.point).max(self.location_tolerance(here));
-        (goes_back && !here.is_crossing && within.abs() * step > DIP * exact).then_some(part * step)
     }
 
     fn is_outside(&self, value: f64) -> bool {

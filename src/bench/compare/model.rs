@@ -5,6 +5,7 @@ use super::comparison::{Clamp, Compared, Comparison, Fit, FittedConstant, Option
 use super::fit::{self, Linearised, NoModel, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::bench::statistics::AboveOne;
 use crate::case::{Case, Free, Include, Key, Resolved, Setting, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, Failure, SolveOptions, Solved, solve, solve_along};
@@ -441,14 +442,11 @@ fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
 
 /// Points that are compared though more power was measured to leave than to go in.
 fn beyond_one(points: &[Compared]) -> Option<String> {
-    let used = || points.iter().filter(|point| point.used).filter_map(|point| point.efficiency_measured);
-    let beyond = || used().filter(|efficiency| *efficiency > 1.0);
-    let largest = beyond().reduce(f64::max)?;
+    let used = points.iter().filter(|point| point.used).filter_map(|point| point.efficiency_measured);
+    let AboveOne { count, of, largest } = AboveOne::among(used)?;
     Some(format!(
-        "at {} of {} points the measured efficiency is above 100 %, up to {:.0} %: more power leaves than goes in; \
-         check the engine's curve, and the units of speeds and torque",
-        beyond().count(),
-        used().count(),
+        "at {count} of {of} points the measured efficiency is above 100 %, up to {:.0} %: more power leaves than goes \
+         in; check the engine's curve, and the units of speeds and torque",
         100.0 * largest
     ))
 }

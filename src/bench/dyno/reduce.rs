@@ -4,6 +4,7 @@ use super::read::{SAMPLES, is_of};
 use super::{Fault, Options, Record, RecordReport, SteadyPoint, process, records};
 use crate::bench::belt::POOR_FIT;
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::bench::statistics::AboveOne;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -94,14 +95,11 @@ pub fn reduce(
 
 /// Steady points at which more power leaves the secondary than the engine's curve gives.
 fn beyond_the_engine(points: &[SteadyPoint]) -> Option<String> {
-    let steady = || points.iter().filter(|point| point.steady).filter_map(|point| point.efficiency);
-    let beyond = || steady().map(|share| share.value).filter(|value| *value > 1.0);
-    let largest = beyond().reduce(f64::max)?;
+    let steady = points.iter().filter(|point| point.steady).filter_map(|point| point.efficiency);
+    let AboveOne { count, of, largest } = AboveOne::among(steady.map(|share| share.value))?;
     Some(format!(
-        "at {} of {} steady points more power leaves the secondary than the engine's curve gives, up to {:.0} % of it: \
-         check the curve, the torque's unit and calibration, --gear and --torque-at",
-        beyond().count(),
-        steady().count(),
+        "at {count} of {of} steady points more power leaves the secondary than the engine's curve gives, up to {:.0} % \
+         of it: check the curve, the torque's unit and calibration, --gear and --torque-at",
         100.0 * largest
     ))
 }

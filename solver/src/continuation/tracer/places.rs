@@ -1,6 +1,6 @@
 //! The places between two points of a branch where it folds, branches, meets an event or ends.
 
-use super::location::{Known, Search, Sought};
+use super::location::{Known, Polynomial, Search, Sought};
 use super::{Advanced, Care, Crossing, Near, Tracer};
 use crate::collocation::plan::Plan;
 use crate::continuation::arclength::Reference;
@@ -27,6 +27,9 @@ const VANISHED: f64 = 0.05;
 /// After a change of place by so little, in parts of the step, the next look is expected to be the last; those before
 /// are glances.
 const NEARLY: f64 = 1e-3;
+/// Two folds are looked for in a step along which the parameter goes back by more than about so many times what it is
+/// exact to.
+const DIP: f64 = 4.0;
 
 impl Tracer<'_, '_> {
     /// A place between two points that are `step` apart, not far from the line between them; with care where a glance
@@ -147,6 +150,20 @@ impl Tracer<'_, '_> {
             distance => near.point.determinant.relative(&here.determinant) / distance,
         };
         Ok((place, self.moved(near.point, near.speed * (place - near.at))?, slope))
+    }
+
+    /// A place between two folds in a step: where the parameter goes back fastest, by the cubic that has its values and
+    /// rates at both ends, if it goes in one direction there and in the other between by more than it is exact to.
+    pub(super) fn between_folds(&self, here: &Reference, step: f64, next: &Advanced) -> Option<f64> {
+        let ends = [Near { point: here, at: 0.0, speed: 1.0 }, next.near(step)];
+        let cubic = Polynomial::through(&ends.map(|end| self.known(PointKind::Fold, end, here)));
+        let [first, last] = [0.0, step].map(|at| cubic.at_with_curvature(at));
+        // The curvature of a cubic is linear.
+        let place = step * first.2 / (first.2 - last.2);
+        let back = cubic.at(place).1;
+        let goes_back = first.1 * last.1 > 0.0 && place > 0.0 && place < step && back * first.1 < 0.0;
+        let exact = self.location_tolerance(&next.point).max(self.location_tolerance(here));
+        (goes_back && !here.is_crossing && back.abs() * step > DIP * exact).then_some(place)
     }
 
     fn search(

@@ -112,9 +112,9 @@ impl Tracer<'_, '_> {
             known.push(look);
         }
         let mut touches = Vec::new();
-        for extremum in self.extrema((here, step, next), &mut known)? {
-            match extremum {
-                Extremum::Between(place) => return Ok(Resolved::Shorter(place)),
+        for place in valleys(&Polynomial::through(&relative(&known)), step) {
+            match self.extremum((here, step, next), &mut known, place)? {
+                Extremum::Between(zeros) => return Ok(Resolved::Shorter(zeros)),
                 Extremum::Touches(touch) => touches.push(touch),
                 Extremum::Neither => {}
             }
@@ -126,23 +126,6 @@ impl Tracer<'_, '_> {
         let within = touches.into_iter().filter(|touch| touch.met >= 0.0 && touch.met < step);
         let touches = within.map(|touch| (touch.at.clamp(0.0, step), touch.point)).collect();
         Ok(shorter.map_or(Resolved::Yes { longer, touches }, Resolved::Shorter))
-    }
-
-    /// What the extrema of the determinant are where it may touch zero, on the step and next to its ends: as many as
-    /// there are up to one between two zeros, where the step is to end.
-    fn extrema(
-        &mut self,
-        step: (&Reference, f64, &Advanced),
-        known: &mut Vec<(f64, Determinant)>,
-    ) -> Result<Vec<Extremum>, SolveError> {
-        let mut extrema = Vec::new();
-        for place in valleys(&Polynomial::through(&relative(known)), step.1) {
-            extrema.push(self.extremum(step, known, place)?);
-            if let Some(Extremum::Between(_)) = extrema.last() {
-                break;
-            }
-        }
-        Ok(extrema)
     }
 
     /// Place and determinant in the middle of a step; none where there is no point of the branch to be found.
