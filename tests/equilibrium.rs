@@ -7,11 +7,12 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use sheave::case::{Case, Key, Resolved};
-use sheave::drive::{Constant, Output, SolveOptions, solve};
+use sheave::drive::{Constant, Output, SolveOptions, Trouble, solve};
 use sheave::equilibrium::{
     Direction, Equilibrium, EquilibriumError, Phase, ReportedPhase, ShiftOptions, Stop, equilibrium, equilibrium_from,
-    sensitivities, shift_branch, shift_table,
+    over_curve, sensitivities, shift_branch, shift_table,
 };
+use sheave::result::Doubt;
 
 const RPM: f64 = PI / 30.0;
 const UP: Direction = Direction::Up;
@@ -306,6 +307,37 @@ fn a_curve_has_no_ends_to_which_the_drive_does_not_come() {
     assert!(told("the secondary opens before") && told("far deeper"), "{:?}", branch.remarks);
     let speeds: Vec<f64> = branch.points.iter().map(|point| point.report.as_ref().unwrap().primary_speed).collect();
     assert!(speeds.windows(2).all(|pair| pair[1] > pair[0] && pair[1] < 1.2 * pair[0]), "{speeds:?}");
+}
+
+/// A helix that carries little torque leaves the slack strand no tension towards the high stop: there the belt is held by
+/// its speed alone, until no state is left. The curve goes on to the high stop, where it is taut again.
+#[test]
+fn a_belt_that_buckles_is_told_and_passed() {
+    let case = with(&[("secondary.actuator.torque_share", "0.6")]);
+    let few = ShiftOptions { points: 4, from: Some(6100.0 * RPM), ..ShiftOptions::default() };
+    let branch = shift_branch(&case, UP, &few, &mut |_| ControlFlow::Continue(())).unwrap();
+    assert_eq!(branch.full_shift, None);
+    assert!(branch.remarks.iter().any(|remark| remark.contains("the belt buckles")), "{:?}", branch.remarks);
+    let reports: Vec<_> = branch.points.iter().filter_map(|point| point.report.as_ref().ok()).collect();
+    let doubts: Vec<_> = reports.iter().map(|report| report.doubt).collect();
+    assert!(doubts.first() == Some(&None) && doubts.contains(&Some(Doubt::Pushed)), "{doubts:?}");
+    let last = reports.last().unwrap();
+    assert_eq!((last.phase, last.doubt), (ReportedPhase::High, None));
+    assert!((last.primary_speed / RPM - 3975.0).abs() < 10.0, "{}", last.primary_speed / RPM);
+    let pushed = reports.iter().find(|report| report.doubt == Some(Doubt::Pushed)).unwrap();
+    assert!(pushed.slip_words().starts_with("amber: it does not slip, but a strand"), "{}", pushed.slip_words());
+    let said = over_curve(&case, reports.into_iter().map(Box::as_ref));
+    assert!(said.iter().any(|sentence| sentence.contains("a strand of the belt is pushed")), "{said:?}");
+    // Where there are two at the high stop, one of them pushed, the other is found from nothing.
+    let found = equilibrium(&case, 6700.0 * RPM, UP, &options()).unwrap();
+    assert!((found.primary_speed() / RPM - 3897.3).abs() < 1.0, "{}", found.primary_speed() / RPM);
+    // Between them there is none.
+    let missing = equilibrium(&case, 6605.0 * RPM, UP, &options()).unwrap_err();
+    let buckles = match &missing {
+        EquilibriumError::Failure { failure, .. } => matches!(failure.trouble(), Some(Trouble::Buckles { .. })),
+        _ => false,
+    };
+    assert!(buckles && missing.hint().is_some_and(|hint| hint.contains("clamp the belt tighter")), "{missing}");
 }
 
 /// Where the flyweights would leave the primary open if the belt did not slip, it slips: the engine turns faster than

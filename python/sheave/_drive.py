@@ -125,6 +125,9 @@ class Equilibrium:
     """Share of the friction at hand that is left over."""
     slipping: bool
     """Whether the belt slips as a whole, or is about to."""
+    doubt: Optional[str]
+    """What else keeps the drive from being sound, the worst of it: ``"buckled"``, ``"pushed"``, ``"driven"`` or
+    ``"sliding"``; None for a sound drive."""
     slip: str
     """The same in words."""
     speed_efficiency: Optional[float]

@@ -55,7 +55,7 @@ pub fn drive<'py>(
         warnings.extend(sheave::result::warnings(&outcome));
         let report = DriveReport::new(&case, &found, outcome.clone(), true)?;
         warnings.extend(equilibrium::beyond_engine(&case, [report.primary_speed]));
-        warnings.extend(equilibrium::beyond_open(report.primary_travel));
+        warnings.extend(equilibrium::beyond_travel(&case, [(report.primary_travel, report.secondary_travel)]));
         Ok((report, outcome, warnings))
     };
     let (report, outcome, warnings) = interrupt::run(py, work)?.map_err(|error| error::equilibrium(&error))?;
@@ -129,7 +129,8 @@ pub fn shift(
     tell(py)?;
     let mut warnings = equilibrium::unused_keys(&given);
     let reports = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
-    warnings.extend(equilibrium::beyond_engine(&case, reports.map(|report| report.primary_speed)));
+    warnings.extend(equilibrium::beyond_engine(&case, reports.clone().map(|report| report.primary_speed)));
+    warnings.extend(equilibrium::over_curve(&case, reports.map(Box::as_ref)));
     Ok(ShiftBranches { case, branches, measured, warnings })
 }
 

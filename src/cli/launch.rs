@@ -9,7 +9,7 @@ use super::stop::Stop;
 use clap::Args;
 use serde::Serialize;
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::{Direction, Landmark, ShiftOptions, beyond_engine, beyond_travel, shift_branch, unused_keys};
+use sheave::equilibrium::{Direction, Landmark, ShiftOptions, beyond_engine, over_curve, shift_branch, unused_keys};
 use sheave::launch::{
     Launch, LaunchCurve, LaunchError, LaunchOptions, launch, launch_figures, launch_summary, launch_table,
 };
@@ -91,8 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     if missing > 0 {
         warnings.push(format!("{missing} of {} points of the shift curve have no equilibrium.", branch.points.len()));
     }
-    let travels = reports().map(|report| (report.primary_travel, report.secondary_travel));
-    warnings.extend(beyond_travel(&resolved, travels));
+    warnings.extend(over_curve(&resolved, reports().map(Box::as_ref)));
     if let Some(report) = reports().find(|report| report.slipping) {
         let rpm = rpm(report.secondary_speed);
         warnings

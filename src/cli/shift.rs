@@ -11,8 +11,8 @@ use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, beyond_travel,
-    deviation, has_all_parts, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, deviation,
+    has_all_parts, over_curve, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -122,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
     warnings.extend(beyond_engine(&resolved, found.clone().map(|report| report.primary_speed)));
-    warnings.extend(beyond_travel(&resolved, found.map(|report| (report.primary_travel, report.secondary_travel))));
+    warnings.extend(over_curve(&resolved, found.map(Box::as_ref)));
     let (failures, points) = failures(&branches);
     if failures > 0 {
         warnings.push(format!("{failures} of {points} points have no equilibrium; `failure` says why."));
@@ -361,9 +361,11 @@ fn rows(case: &Resolved, branch: &ShiftBranch) -> String {
                 let slip =
                     if report.slipping { "slips".into() } else { format!("{:.1} %", 100.0 * report.slip_reserve) };
                 let share = report.efficiency.map_or_else(|| "-".into(), |share| format!("{:.1} %", 100.0 * share));
+                let doubt = report.doubt.filter(|_| !report.slipping);
+                let doubt = doubt.map_or_else(String::new, |doubt| format!("  {}", doubt.name()));
                 let _ = writeln!(
                     text,
-                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<10}{:>9.0}{:>11.0}{slip:>8}{share:>9}",
+                    "  {secondary:>9.0}{road:>8}{:>8.0}{:>7.3}  {:<10}{:>9.0}{:>11.0}{slip:>8}{share:>9}{doubt}",
                     rpm(report.primary_speed),
                     report.ratio,
                     report.phase,

@@ -42,6 +42,16 @@ impl RegionId {
         }
     }
 
+    /// Where in a sentence.
+    pub(crate) const fn place(self) -> &'static str {
+        match self {
+            Self::Primary => "on the primary",
+            Self::SlackSpan => "in the slack span",
+            Self::Secondary => "on the secondary",
+            Self::TightSpan => "in the tight span",
+        }
+    }
+
     /// What stands for a kernel's local constant in this region; `None` if it has no meaning here.
     pub(crate) const fn source(self, local: RegionConstant) -> Option<Source> {
         let constant = match (local, self) {

@@ -6,10 +6,13 @@ use solver::{Points, Solution, SolveError};
 
 use super::belt::BeltProblem;
 use super::region::RegionId;
+use super::tension::Compressed;
 use crate::model::{Constant, Constants, Field, State};
 
 /// Share of the friction at hand that a pulley uses, from which on it is about to slip as a whole.
 const SLIPPING: f64 = 0.9;
+/// The same, from which on it slips whatever else its belt does.
+const SLIPS: f64 = 0.95;
 /// Share of the deepest penetration by which another may be negative before the belt counts as lifted: ends have
 /// defects.
 const LIFTED: f64 = 1e-2;
@@ -56,6 +59,13 @@ pub enum Trouble {
         /// Tension times the square of the radius over the bending stiffness.
         group: f64,
     },
+    /// The belt is pushed somewhere, but for what its own inertia adds: only its speed holds it there.
+    Buckles {
+        /// Where.
+        region: RegionId,
+        /// Its tractive tension there, N: a negative one.
+        tension: f64,
+    },
     /// The search reached its work limit on the path.
     Work,
     /// Nothing that a belt shows: the search was lost.
@@ -71,6 +81,7 @@ impl Trouble {
             Self::Deep { .. } => "deep",
             Self::Lifted { .. } => "lifted",
             Self::Stiff { .. } => "stiff",
+            Self::Buckles { .. } => "buckles",
             Self::Work => "work_limit",
             Self::Unknown => "unknown",
         }
@@ -91,7 +102,7 @@ impl Trouble {
                 "check the units of `belt.radial_stiffness` and of the clamp; ask for less torque or tension, or take \
                  a larger pulley"
             }
-            Self::Lifted { .. } => {
+            Self::Lifted { .. } | Self::Buckles { .. } => {
                 "clamp the belt tighter, take a belt that bends more easily or a larger pulley, or a lower speed"
             }
             Self::Stiff { .. } => {
@@ -122,9 +133,10 @@ impl Trouble {
         }
         // A search that runs out of work often does so beside a limit of the belt: what the belt shows comes first.
         let shown = last.and_then(|last| Self::of_solution(belt, last));
+        let buckles = || last.and_then(|last| Self::of_tension(belt, last));
         match cause {
-            SolveError::Cancelled | SolveError::WorkLimit { .. } => shown.unwrap_or(Self::Work),
-            _ => shown.or_else(|| Self::of_groups(target)).unwrap_or(Self::Unknown),
+            SolveError::Cancelled | SolveError::WorkLimit { .. } => shown.or_else(buckles).unwrap_or(Self::Work),
+            _ => shown.or_else(|| Self::of_groups(target)).or_else(buckles).unwrap_or(Self::Unknown),
         }
     }
 
@@ -132,6 +144,11 @@ impl Trouble {
         let radius = target[Constant::PrimaryRadius].min(target[Constant::SecondaryRadius]);
         let group = target[Constant::SlackTension] * radius * radius / target[Constant::BendingStiffness];
         (group < STIFF).then_some(Self::Stiff { group })
+    }
+
+    fn of_tension(belt: &BeltProblem, last: &Solution) -> Option<Self> {
+        let Compressed { region, tension } = Compressed::of(belt, last)?;
+        Some(Self::Buckles { region, tension })
     }
 
     fn of_solution(belt: &BeltProblem, last: &Solution) -> Option<Self> {
@@ -147,9 +164,13 @@ impl Trouble {
         let over = |least: f64| move |(_, value): &(RegionId, f64)| *value >= least;
         let deep =
             |least| most(|grip| grip.depth).filter(over(least)).map(|(pulley, share)| Self::Deep { pulley, share });
-        // Whatever else happens to a belt that is pressed through, the model does not hold for it any more.
+        let slips =
+            |least| most(|grip| grip.used).filter(over(least)).map(|(pulley, used)| Self::Slip { pulley, used });
+        // Whatever else happens to a belt that is pressed through, the model does not hold for it any more. One that
+        // hardly slips yet may be about to buckle.
         deep(PRESSED_THROUGH)
-            .or_else(|| most(|grip| grip.used).filter(over(SLIPPING)).map(|(pulley, used)| Self::Slip { pulley, used }))
+            .or_else(|| slips(SLIPS))
+            .or_else(|| slips(SLIPPING).map(|slips| Self::of_tension(belt, last).unwrap_or(slips)))
             .or_else(|| deep(DEEP))
             .or_else(|| most(|grip| grip.lift).filter(over(LIFTED)).map(|(pulley, _)| Self::Lifted { pulley }))
     }
@@ -241,6 +262,12 @@ impl Display for Trouble {
                 to,
                 "the belt is too stiff to wrap the smaller pulley: its tension times the square of the radius is \
                  {group:.3} of its bending stiffness"
+            ),
+            Self::Buckles { region, tension } => write!(
+                to,
+                "the belt buckles: where the last solution was found its tractive tension falls to {tension:.1} N {}, \
+                 and only its speed holds it",
+                region.place()
             ),
             Self::Work => to.write_str("the search reached its work limit before the case"),
             Self::Unknown => to.write_str("the search for a solution was lost, and the belt shows no reason"),

@@ -9,7 +9,7 @@ use super::heat::warm_corner;
 use super::point::{Direction, Equilibrium, Phase, ReportedPhase, Stop};
 use super::question::{Given, Whole};
 use super::report::DriveReport;
-use super::search::{equilibrium, equilibrium_from};
+use super::search::at_speed;
 use super::walk::ShiftWalk;
 use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;
@@ -116,8 +116,13 @@ const FIRST: usize = 24;
 /// Speed efficiency at take-off over that at shift-out, where a belt that sinks into small radii loses some as well.
 const TAKE_OFF: f64 = 0.95;
 /// Steps towards the end of a phase at most, and by what the secondary's speed changes with each.
-const APPROACHES: usize = 8;
+const APPROACHES: usize = 10;
 const APPROACH: f64 = 0.85;
+/// The logarithm of the least such change: one that leads nowhere is halved.
+const LEAST_APPROACH: f64 = 5e-3;
+/// Shares of the speed of the secondary at which the engine comes to its last speed, from which the high stop is sought
+/// where it is not found from below: a belt that sinks into its grooves makes the ratio smaller than the sheaves'.
+const FROM_ABOVE: [f64; 2] = [1.0, 1.06];
 /// Share of the engine's last speed at which the curve ends.
 const LAST_SPEED: f64 = 0.995;
 
@@ -164,6 +169,8 @@ pub(super) struct Corners {
     low: Option<Equilibrium>,
     first: Option<Equilibrium>,
     high: Option<Equilibrium>,
+    /// One at the high stop, where no state leads to it from between the stops.
+    resting: Option<Equilibrium>,
 }
 
 impl Corners {
@@ -191,11 +198,13 @@ impl Search<'_> {
         if first.phase == Phase::Held {
             return Ok(corners);
         }
-        corners.low = self.corner(&first, Given::Corner(Stop::SecondaryClosed), "shift-out");
+        let low = self.corner(&first, Given::Corner(Stop::SecondaryClosed));
+        corners.low = self.or_remark("shift-out", low)?;
         let from = corners.low.as_ref().unwrap_or(&first).clone();
         let holding = from.output(Output::EfficiencySpeed)?;
         let from = near.take_off.as_ref().unwrap_or(&from);
-        corners.take_off = self.corner(from, Given::SpeedEfficiency(TAKE_OFF * holding), "take-off");
+        let take_off = self.corner(from, Given::SpeedEfficiency(TAKE_OFF * holding));
+        corners.take_off = self.or_remark("take-off", take_off)?;
         let first = near.high.unwrap_or(first);
         let actuation = self.case.parts.actuation.as_ref();
         let stops = [
@@ -203,7 +212,15 @@ impl Search<'_> {
             actuation.and_then(|parts| parts.secondary_travel).map(|_| Stop::SecondaryOpen),
         ];
         for stop in stops.into_iter().flatten() {
-            let found = self.corner(&first, Given::Corner(stop), "full shift");
+            let mut found = self.corner(&first, Given::Corner(stop));
+            if found.as_ref().is_err_and(|error| !error.is_cancelled()) {
+                // Between the stops a belt may buckle before it comes to the one at which it is held.
+                let resting = self.at_high_stop(stop)?;
+                let from_above = resting.as_ref().map(|resting| self.corner(resting, Given::Corner(stop)));
+                found = from_above.and_then(Result::ok).map_or(found, Ok);
+                corners.resting = corners.resting.or(resting);
+            }
+            let found = self.or_remark("full shift", found)?;
             // The stop that is met first.
             let earlier = match (&corners.high, &found) {
                 (Some(old), Some(new)) => new.primary_travel < old.primary_travel,
@@ -236,9 +253,11 @@ impl Search<'_> {
         let middle = between.get(between.len() / 2).copied().unwrap_or((slowest * fastest).sqrt());
         let near = |speed: f64| libm::log(speed / middle).abs();
         ordered.sort_by(|(a, _), (b, _)| near(*a).total_cmp(&near(*b)));
+        // One after the other ever farther from there, and then those between.
         const ATTEMPTS: usize = 6;
-        for (speed, _) in ordered.into_iter().step_by(2).take(ATTEMPTS) {
-            match equilibrium(self.case, speed, self.direction, &self.options.solve) {
+        let between = ordered.iter().skip(1).step_by(2).take(ATTEMPTS);
+        for (speed, _) in ordered.iter().step_by(2).take(ATTEMPTS).chain(between).copied() {
+            match at_speed(self.case, speed, self.direction, &self.options.solve) {
                 Ok(found) => return Ok(Some(found)),
                 Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
                 Err(error) => last = Some(error),
@@ -248,29 +267,74 @@ impl Search<'_> {
         Ok(None)
     }
 
+    /// An end of a phase; where there is none, a remark that says why.
+    fn or_remark(
+        &mut self,
+        what: &str,
+        found: Result<Equilibrium, EquilibriumError>,
+    ) -> Result<Option<Equilibrium>, EquilibriumError> {
+        match found {
+            Ok(found) => Ok(Some(found)),
+            Err(error) if error.is_cancelled() => Err(error),
+            Err(error) => {
+                self.branch.remarks.push(format!("no {what}: {error}"));
+                Ok(None)
+            }
+        }
+    }
+
+    /// A state at a high stop, near the last speed at which the drive rests there.
+    fn at_high_stop(&self, stop: Stop) -> Result<Option<Equilibrium>, EquilibriumError> {
+        let Some(last) = self.last_at_high_stop() else { return Ok(None) };
+        for share in FROM_ABOVE {
+            match at_speed(self.case, share * last, self.direction, &self.options.solve) {
+                Ok(found) if found.phase == Phase::High(stop) => return Ok(Some(found)),
+                Err(error) if error.is_cancelled() => return Err(error),
+                Ok(_) | Err(_) => {}
+            }
+        }
+        Ok(None)
+    }
+
+    /// Speed of the secondary in rad/s at which the engine comes to the last speed for which its torque is given, with
+    /// the sheaves at their high stop; nothing for a drive without one.
+    fn last_at_high_stop(&self) -> Option<f64> {
+        let whole = Whole::new(self.case, Given::Corner(Stop::PrimaryClosed), self.direction).ok()?;
+        let last = whole.engine.range().1;
+        let (ratio, stop) = whole.highest_ratio(last);
+        stop.map(|_| LAST_SPEED * last / ratio)
+    }
+
     /// An end of a phase; where it is out of reach at once, from states ever nearer to it.
-    fn corner(&mut self, from: &Equilibrium, given: Given, what: &str) -> Option<Equilibrium> {
+    fn corner(&self, from: &Equilibrium, given: Given) -> Result<Equilibrium, EquilibriumError> {
         let solve = &self.options.solve;
         let end = |from: &Equilibrium| warm_corner(from, self.case, given, self.direction, solve);
         let error = match end(from) {
-            Ok(found) => return Some(found),
-            Err(error) => error,
+            Err(error) if !error.is_cancelled() => error,
+            done => return done,
         };
         let toward = match given {
             Given::Corner(Stop::PrimaryClosed | Stop::SecondaryOpen) => 1.0 / APPROACH,
             Given::Corner(Stop::SecondaryClosed) | Given::SpeedEfficiency(_) | Given::SecondarySpeed(_) => APPROACH,
         };
-        let mut here = from.clone();
+        let (mut here, mut step) = (from.clone(), libm::log(toward));
         for _ in 0..APPROACHES {
+            if step.abs() < LEAST_APPROACH {
+                break;
+            }
             let Ok(speed) = here.output(Output::SecondarySpeed) else { break };
-            let Ok(next) = equilibrium_from(&here, self.case, toward * speed, self.direction, solve) else { break };
+            let speed = libm::exp(step) * speed;
+            let Ok(whole) = Whole::new(self.case, Given::SecondarySpeed(speed), self.direction) else { break };
+            let Ok(next) = whole.settle_from(&here.solved, here.phase, solve) else {
+                step *= 0.5;
+                continue;
+            };
             here = next;
             if let Ok(found) = end(&here) {
-                return Some(found);
+                return Ok(found);
             }
         }
-        self.branch.remarks.push(format!("no {what}: {error}"));
-        None
+        Err(error)
     }
 
     /// Speeds of the secondary between which a first equilibrium may lie.
@@ -286,12 +350,24 @@ impl Search<'_> {
             |found: &Option<Equilibrium>| found.as_ref().and_then(|found| found.output(Output::SecondarySpeed).ok());
         let (slowest, fastest) = self.range();
         let last = self.case.parts.engine.as_ref().map_or(fastest, |engine| engine.range().1);
-        // At the high stop the engine's last speed ends the curve.
-        let ratio = corners.high.as_ref().or(corners.first.as_ref()).map_or(1.0, |found| {
-            found.solved.constant(Constant::SecondaryRadius) / found.solved.constant(Constant::PrimaryRadius)
-        });
+        // At the high stop the engine's last speed ends the curve, whether or not a state was found there; in a drive
+        // without such a stop, at the ratio of whatever state there is.
+        let last_at = |found: &Equilibrium| {
+            let radius = |constant: Constant| found.solved.constant(constant);
+            LAST_SPEED * last * radius(Constant::PrimaryRadius) / radius(Constant::SecondaryRadius)
+        };
+        let first = corners.first.as_ref();
+        let held = first.filter(|found| found.phase == Phase::Held);
+        let end = corners
+            .high
+            .as_ref()
+            .or(corners.resting.as_ref())
+            .or(held)
+            .map(last_at)
+            .or_else(|| self.last_at_high_stop());
+        let end = end.or(first.map(last_at)).unwrap_or(LAST_SPEED * last);
         let from = self.options.from.or(speed(&corners.take_off)).unwrap_or(slowest);
-        let to = self.options.to.unwrap_or(LAST_SPEED * last / ratio);
+        let to = self.options.to.unwrap_or(end);
         if from > to {
             self.branch.remarks.push(format!(
                 "the curve would begin at a secondary speed of {:.0} rpm and end at {:.0} rpm, {}",

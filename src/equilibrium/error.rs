@@ -107,6 +107,21 @@ impl EquilibriumError {
         matches!(self, Self::Failure { failure, .. } if failure.is_cancelled())
     }
 
+    /// Whether it is a search that was lost, with nothing to be seen on the belt.
+    pub(super) fn is_unexplained(&self) -> bool {
+        match self {
+            Self::Failure { failure, .. } => matches!(failure.trouble(), Some(Trouble::Work | Trouble::Unknown)),
+            _ => false,
+        }
+    }
+
+    /// The one of two that tells what happened to the belt; the first where both do, or neither. That the search was
+    /// stopped from elsewhere is told before all.
+    pub(super) fn or_explained(self, other: Self) -> Self {
+        let tells_more = other.is_cancelled() || self.is_unexplained() && !other.is_unexplained();
+        if tells_more && !self.is_cancelled() { other } else { self }
+    }
+
     /// What to try, where there is more to say than the message says.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
@@ -114,6 +129,10 @@ impl EquilibriumError {
                 Some(Trouble::Slip { .. } | Trouble::Pushed { .. } | Trouble::Lifted { .. }) => Some(
                     "the belt may slip grossly with what the actuators press: heavier flyweights, a stiffer secondary \
                      spring or a smaller helix angle clamp it tighter",
+                ),
+                Some(Trouble::Buckles { .. }) => Some(
+                    "what the actuators press leaves the slack strand no tension at such a speed: heavier flyweights, \
+                     a stiffer secondary spring or a smaller helix angle clamp the belt tighter",
                 ),
                 Some(Trouble::Deep { .. }) => Some(
                     "the actuators press the belt through its groove, or their stops leave it no room: check springs, \

@@ -17,6 +17,9 @@ const SPEEDS: [f64; 3] = [0.8, 0.65, 0.92];
 const LEAST_TORQUE: f64 = 0.3;
 /// Slack tension of a start over M_in/R_P: at least this, for a looser belt may slip.
 const LEAST_TENSION: f64 = 0.35;
+/// Over the slack tension that the actuators leave, that of a start at the high stop: a looser belt may be led to a state
+/// in which it is pushed.
+const TIGHTER: f64 = 2.0;
 /// Overall efficiency.
 const EFFICIENCY: f64 = 0.95;
 /// Bisections of the range of radii.
@@ -75,21 +78,22 @@ pub(super) fn estimate(
     rough.at(0.5 * (below + above), Phase::Shift)
 }
 
-/// R_S/R_P where the sheaves stand at the high stop; without one, as far as the belt lets them.
+/// R_S/R_P where the sheaves stand at the high stop, and that stop; without one, as far as the belt lets them.
 pub(super) fn highest_ratio(
     case: &Resolved,
     actuation: &Actuation,
     engine: &Engine,
     secondary_speed: f64,
     direction: Direction,
-) -> f64 {
+) -> (f64, Option<Stop>) {
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
-    let (primary, _) = rough.high(low, travel_by_radius(case.sheave.half_angle));
-    rough.secondary_beside(primary) / primary
+    let (primary, stop) = rough.high(low, travel_by_radius(case.sheave.half_angle));
+    (rough.secondary_beside(primary) / primary, stop)
 }
 
-/// Other places between the stops at which an equilibrium may be sought: where the engine would turn at usual speeds.
+/// Other places at which an equilibrium may be sought: between the stops where the engine would turn at usual speeds, and
+/// at the high stop.
 pub(super) fn elsewhere(
     case: &Resolved,
     actuation: &Actuation,
@@ -100,14 +104,18 @@ pub(super) fn elsewhere(
     let rough = Rough { case, actuation, engine, secondary_speed, direction };
     let slope = travel_by_radius(case.sheave.half_angle);
     let low = rough.primary_beside(actuation.closed_radius).unwrap_or(actuation.start_radius);
-    let (high, _) = rough.high(low, slope);
+    let (high, stop) = rough.high(low, slope);
     let at = |share: &f64| {
         let ratio = share * engine.range().1 / secondary_speed;
         let radii = radii_of_ratio(ratio, case.belt.length, case.drive.center_distance).ok();
         let primary = radii.map_or(if ratio > 1.0 { low } else { high }, |(primary, _)| primary);
         rough.at(primary.clamp(low, high.max(low)), Phase::Shift)
     };
-    SPEEDS.iter().map(at).collect()
+    let at_stop = stop.map(|stop| {
+        let near = rough.at(high, Phase::High(stop));
+        Estimate { slack_tension: TIGHTER * near.slack_tension, ..near }
+    });
+    SPEEDS.iter().map(at).chain(at_stop).collect()
 }
 
 impl Rough<'_> {

@@ -3,7 +3,7 @@
 use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium};
 use super::question::{Given, Whole};
-use super::search::{equilibrium, equilibrium_from};
+use super::search::{at_speed, equilibrium, equilibrium_from};
 use crate::case::{Resolved, Thermal};
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions};
@@ -31,6 +31,19 @@ pub fn equilibrium_outcome(
     settled(near, case, options, &|near, case| match near {
         Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
         None => equilibrium(case, secondary_speed, direction, options),
+    })
+}
+
+/// As [`equilibrium_outcome`], by starts at the speed itself alone.
+pub(super) fn outcome_at_speed(
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<(Equilibrium, Outcome), EquilibriumError> {
+    settled(None, case, options, &|near, case| match near {
+        Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
+        None => at_speed(case, secondary_speed, direction, options),
     })
 }
 

@@ -43,7 +43,7 @@ pub use heat::equilibrium_outcome;
 pub use laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
 pub use point::{ARRIVING, Direction, Equilibrium, Forces, Phase, ReportedPhase, Stop, UnknownDirection};
 pub use question::has_all_parts;
-pub use remarks::{beyond_engine, beyond_open, beyond_travel, unused_keys};
+pub use remarks::{beyond_engine, beyond_travel, over_curve, unused_keys};
 pub use report::{DriveReport, SLIPPING};
 pub use search::{equilibrium, equilibrium_from};
 pub use sensitivity::{PartSensitivity, sensitivities};

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::error::EquilibriumError;
 use crate::actuator::{ActuatorForce, Shift, travel};
 use crate::case::{Actuation, Resolved};
-use crate::drive::Solved;
+use crate::drive::{Compressed, Solved};
 use crate::model::{Constant, InternalError, Output};
 
 /// Share of the speed below which a belt counts as slipping: one that holds loses up to a tenth and more of it, by
@@ -251,6 +251,16 @@ impl Equilibrium {
     /// does.
     pub(super) fn holds(&self) -> Result<bool, InternalError> {
         Ok(self.output(Output::EfficiencySpeed)? >= ARRIVING)
+    }
+
+    /// Whether the belt is pulled everywhere: its speed alone does not hold it.
+    pub(super) fn is_taut(&self) -> bool {
+        Compressed::of(&self.solved.belt, &self.solved.solution).is_none()
+    }
+
+    /// Whether it is a state that a search may end with: the belt holds, and is pulled everywhere.
+    pub(super) fn is_sound(&self) -> Result<bool, InternalError> {
+        Ok(self.is_taut() && self.holds()?)
     }
 
     /// An output of the belt.

@@ -119,7 +119,7 @@ impl<'a> Whole<'a> {
     /// secondary cannot press: a search would end nowhere, after long, and would not know why.
     pub fn in_reach(&self, near: &Estimate) -> Result<(), EquilibriumError> {
         if let Given::SecondarySpeed(secondary_speed) = self.given {
-            let ratio = highest_ratio(self.case, self.actuation, self.engine, secondary_speed, self.direction);
+            let (ratio, _) = self.highest_ratio(secondary_speed);
             let last_speed = self.engine.range().1;
             if ratio * secondary_speed > BEYOND_ENGINE * last_speed {
                 return Err(EquilibriumError::BeyondEngine { secondary_speed, ratio, last_speed });
@@ -135,6 +135,11 @@ impl<'a> Whole<'a> {
             }
             Ok(_) => Ok(()),
         }
+    }
+
+    /// R_S/R_P where the sheaves stand at the high stop, and that stop; without one, as far as the belt lets them.
+    pub fn highest_ratio(&self, secondary_speed: f64) -> (f64, Option<Stop>) {
+        highest_ratio(self.case, self.actuation, self.engine, secondary_speed, self.direction)
     }
 
     fn secondary_presses(&self, near: &Estimate) -> Result<(), EquilibriumError> {

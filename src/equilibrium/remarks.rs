@@ -1,8 +1,10 @@
 //! What is worth knowing of a whole drive beside its numbers.
 
+use super::report::DriveReport;
 use crate::actuator::{Mechanism, PrimaryActuator, SecondaryActuator};
 use crate::case::{Case, Key, Resolved};
-use crate::quantity::rpm;
+use crate::quantity::{ZERO_CELSIUS, celsius, rpm};
+use crate::result::{Doubt, HOT};
 
 /// A sentence for each key of a case that its equilibrium does not use, lest it be thought to count.
 pub fn unused_keys(case: &Case) -> Vec<String> {
@@ -42,7 +44,7 @@ pub(super) const SUNK: f64 = 1e-4;
 
 /// A sentence where a primary would have to stand farther open than it can, its travel in m being negative: the belt
 /// has sunk below the radius at which the sheaves are open, as where it slips like a clutch.
-pub fn beyond_open(primary_travel: f64) -> Option<String> {
+fn beyond_open(primary_travel: f64) -> Option<String> {
     (primary_travel < -SUNK).then(|| {
         format!(
             "The belt has sunk below the radius at which the primary is open, as if that stood {:.2} mm farther open: \
@@ -52,8 +54,56 @@ pub fn beyond_open(primary_travel: f64) -> Option<String> {
     })
 }
 
+/// What there is to say of the equilibria of a shift curve together: where the sheaves stand, as [`beyond_travel`] says
+/// it, between which speeds of the secondary the belt is none that is sound, and how hot it becomes.
+pub fn over_curve<'a>(case: &Resolved, reports: impl IntoIterator<Item = &'a DriveReport>) -> Vec<String> {
+    let reports: Vec<&DriveReport> = reports.into_iter().collect();
+    let mut said = beyond_travel(case, reports.iter().map(|report| (report.primary_travel, report.secondary_travel)));
+    said.extend(Doubt::ALL.into_iter().filter_map(|doubt| doubtful(doubt, &reports)));
+    said.extend(hot(&reports));
+    said
+}
+
+/// A sentence about the points of a shift curve that are doubtful in one way, and do not slip besides.
+fn doubtful(doubt: Doubt, reports: &[&DriveReport]) -> Option<String> {
+    let speeds = || reports.iter().filter(|report| report.doubt == Some(doubt) && !report.slipping);
+    let speeds = || speeds().map(|report| report.secondary_speed);
+    let (slowest, fastest) = (speeds().reduce(f64::min)?, speeds().reduce(f64::max)?);
+    let what = match doubt {
+        Doubt::Buckled => "the belt buckles: it is wound round both pulleys as no belt is",
+        Doubt::Pushed => "a strand of the belt is pushed: held by its speed alone, a belt buckles or jumps there",
+        Doubt::Driven => "both pulleys have to be driven: what the engine gives does not cover the losses",
+        Doubt::Sliding => "the belt adheres on neither pulley: it slides into its grooves and out of them all along",
+    };
+    Some(format!(
+        "At {} of {} points, with the secondary at {}, {what}.",
+        speeds().count(),
+        reports.len(),
+        between(rpm(slowest), rpm(fastest))
+    ))
+}
+
+/// Speeds in rpm as a sentence has them.
+fn between(slowest: f64, fastest: f64) -> String {
+    let (slowest, fastest) = (format!("{slowest:.0}"), format!("{fastest:.0}"));
+    if slowest == fastest { format!("{slowest} rpm") } else { format!("{slowest} to {fastest} rpm") }
+}
+
+/// A sentence about a belt that will not last.
+fn hot(reports: &[&DriveReport]) -> Option<String> {
+    let temperatures = || reports.iter().filter_map(|report| report.belt_temperature).filter(|warm| *warm > HOT);
+    let hottest = temperatures().reduce(f64::max)?;
+    Some(format!(
+        "The belt is hot at {} of {} points, up to {:.1} °C: above the {:.0} °C up to which it lasts long.",
+        temperatures().count(),
+        reports.len(),
+        celsius(hottest),
+        HOT - ZERO_CELSIUS
+    ))
+}
+
 /// What there is to say of where the sheaves of whole drives stand, by the travels in m of the primary and of the
-/// secondary: see [`beyond_open`], of the primary that is farthest open; and of parts whose tables end before.
+/// secondary: of the primary that is farthest open, where that is farther than it can; and of parts whose tables end before.
 pub fn beyond_travel(case: &Resolved, travels: impl IntoIterator<Item = (f64, f64)>) -> Vec<String> {
     let travels: Vec<(f64, f64)> = travels.into_iter().collect();
     let open = travels.iter().map(|(primary, _)| *primary).reduce(f64::min).and_then(beyond_open);

@@ -10,7 +10,7 @@ use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
 use crate::quantity::{celsius, km_per_h, rpm, unsigned_zero};
-use crate::result::{DriveResult, Light, Outcome};
+use crate::result::{Doubt, DriveResult, Outcome, slip};
 
 /// Share of the friction at hand below which the belt counts as slipping: what presses does not carry the torque, or
 /// hardly does.
@@ -71,6 +71,8 @@ pub struct DriveReport {
     /// Whether the belt slips as a whole, or is about to: its slip reserve is below [`SLIPPING`], or its speed
     /// efficiency below [`ARRIVING`].
     pub slipping: bool,
+    /// What else keeps the drive from being sound, the worst of it.
+    pub doubt: Option<Doubt>,
     /// Speed efficiency.
     pub speed_efficiency: Option<f64>,
     /// Overall efficiency, with losses besides friction where they are told; nothing where losses take all of the
@@ -138,6 +140,7 @@ impl DriveReport {
             force_residual: forces.residual,
             slip_reserve: drive.slip_reserve,
             slipping: drive.slip_reserve < SLIPPING || drive.efficiency.speed.is_some_and(|share| share < ARRIVING),
+            doubt: Doubt::about(&drive),
             speed_efficiency: drive.efficiency.speed,
             efficiency,
             power_in: drive.energy.power_in,
@@ -158,11 +161,7 @@ impl DriveReport {
                 self.speed_efficiency.map(arrives).unwrap_or_default()
             );
         }
-        format!(
-            "{}; {:.1} % of the friction at hand is in reserve",
-            Light::of(self.slip_reserve).words(),
-            100.0 * self.slip_reserve
-        )
+        slip(&self.drive)
     }
 
     /// What a person reads at a glance, in engineering units.

@@ -11,7 +11,8 @@ use crate::model::Output;
 /// Share of the speed by which two states of a belt that slips are two.
 const JUMP: f64 = 0.03;
 /// Shares of the secondary's speed from which an equilibrium is followed where none is found from nothing, and steps.
-const SLOWER: [f64; 2] = [0.9, 0.75];
+const SLOWER: [f64; 2] = [0.9, SLOWEST];
+pub(super) const SLOWEST: f64 = 0.75;
 const SLOWER_STEPS: u32 = 3;
 /// By what the secondary's speed changes with each step towards one at which the belt slips as a clutch does, and steps
 /// at most: down to a hundredth of the speed at which the primary closes.
@@ -31,7 +32,7 @@ pub fn equilibrium(
     direction: Direction,
     options: &SolveOptions,
 ) -> Result<Equilibrium, EquilibriumError> {
-    let error = match from_nothing(case, secondary_speed, direction, options) {
+    let mut error = match at_speed(case, secondary_speed, direction, options) {
         Err(
             error @ (EquilibriumError::Failure { .. }
             | EquilibriumError::Implausible { .. }
@@ -41,19 +42,19 @@ pub fn equilibrium(
     };
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
     for share in SLOWER {
-        let Ok(near) = from_nothing(case, share * secondary_speed, direction, options) else { continue };
+        let Ok(near) = at_speed(case, share * secondary_speed, direction, options) else { continue };
         let left = |step: u32| 1.0 - f64::from(step) / f64::from(SLOWER_STEPS);
         let speeds = (1..=SLOWER_STEPS).map(|step| secondary_speed * libm::pow(share, left(step)));
         match whole.along(near, speeds, options) {
-            Err(error) if !error.is_cancelled() => {}
+            Err(other) if !other.is_cancelled() => error = error.or_explained(other),
             done => return done,
         }
     }
     Err(error)
 }
 
-/// As [`equilibrium`], by starts at the speed itself.
-fn from_nothing(
+/// As [`equilibrium`], by starts at the speed itself alone.
+pub(super) fn at_speed(
     case: &Resolved,
     secondary_speed: f64,
     direction: Direction,
@@ -72,22 +73,22 @@ fn from_nothing(
         whole.settle(whole.read(solved.map_err(|failure| whole.failed(near.phase, failure))?, near.phase)?, options)
     };
     let first = match from(&near) {
-        Ok(found) if found.holds()? => return Ok(found),
+        Ok(found) if found.is_sound()? => return Ok(found),
         Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
         other => other,
     };
-    // A start may lead nowhere, or to a belt that slips, because the drive is not where it was taken to be.
+    // A start may lead nowhere, or to a belt that slips or is pushed, because the drive is not where it was taken to be.
     let mut best = first;
     for other in elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction) {
         match from(&other) {
-            Ok(found) if found.holds()? => return Ok(found),
+            Ok(found) if found.is_sound()? => return Ok(found),
             Ok(found) => {
                 if best.as_ref().map_or(Ok(true), |best| loses_less(&found, best))? {
                     best = Ok(found);
                 }
             }
             Err(error) if error.is_cancelled() => return Err(error),
-            Err(_) => {}
+            Err(other) => best = best.map_err(|error| error.or_explained(other)),
         }
     }
     best
@@ -99,8 +100,8 @@ fn loses_less(found: &Equilibrium, other: &Equilibrium) -> Result<bool, Equilibr
 }
 
 /// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
-/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did: the better of
-/// both is told.
+/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did, or to one that is
+/// pushed and was not: the better of both is told.
 ///
 /// # Errors
 /// See [`EquilibriumError`].
@@ -112,16 +113,25 @@ pub fn equilibrium_from(
     options: &SolveOptions,
 ) -> Result<Equilibrium, EquilibriumError> {
     let whole = Whole::new(case, Given::SecondarySpeed(secondary_speed), direction)?;
-    let slipping = match whole.settle_from(&near.solved, near.phase, options) {
-        Ok(found) if found.holds()? || !loses_less(near, &found)? => return Ok(found),
+    let unsound = match whole.settle_from(&near.solved, near.phase, options) {
+        Ok(found) if found.is_sound()? => return Ok(found),
+        Ok(found) if (found.is_taut() || !near.is_taut()) && (found.holds()? || !loses_less(near, &found)?) => {
+            return Ok(found);
+        }
         Ok(found) => found,
         Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
-        Err(_) => return from_nothing(case, secondary_speed, direction, options),
+        // What became of the state nearby says more than what starts that were guessed came to.
+        Err(error) => {
+            return at_speed(case, secondary_speed, direction, options).map_err(|other| match other {
+                EquilibriumError::Failure { .. } => error.or_explained(other),
+                other => other,
+            });
+        }
     };
-    match from_nothing(case, secondary_speed, direction, options) {
-        Ok(found) if loses_less(&found, &slipping)? => Ok(found),
+    match at_speed(case, secondary_speed, direction, options) {
+        Ok(found) if found.is_sound()? || loses_less(&found, &unsound)? => Ok(found),
         Err(error) if error.is_cancelled() => Err(error),
-        Ok(_) | Err(_) => Ok(slipping),
+        Ok(_) | Err(_) => Ok(unsound),
     }
 }
 
@@ -144,6 +154,6 @@ fn engaging(
     };
     let speeds = slower.iter().rev().chain([&secondary_speed]).copied();
     let found =
-        from_nothing(whole.case, closed, whole.direction, options).and_then(|near| whole.along(near, speeds, options));
+        at_speed(whole.case, closed, whole.direction, options).and_then(|near| whole.along(near, speeds, options));
     found.map_err(|error| if error.is_cancelled() { error } else { open })
 }

@@ -2,10 +2,11 @@
 
 use super::curve::{Corners, Search, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed};
 use super::error::EquilibriumError;
-use super::heat::equilibrium_outcome;
+use super::heat::{equilibrium_outcome, outcome_at_speed};
 use super::point::{Direction, Equilibrium};
 use super::question::has_all_parts;
 use super::report::DriveReport;
+use super::search::SLOWEST;
 use crate::case::Resolved;
 
 /// The shift curve in one direction while it is computed.
@@ -105,7 +106,12 @@ impl ShiftWalk {
         let before = self.last.clone().or_else(|| self.corners.begin());
         let near = self.beside.get(at).cloned().flatten().or(before);
         let direction = self.branch.direction;
-        let found = equilibrium_outcome(near.as_ref(), &self.case, speed, direction, &self.options.solve);
+        let solve = &self.options.solve;
+        let found = if near.is_none() && self.was_slower_tried(at, speed) {
+            outcome_at_speed(&self.case, speed, direction, solve)
+        } else {
+            equilibrium_outcome(near.as_ref(), &self.case, speed, direction, solve)
+        };
         let (report, found) = match found {
             Ok((found, outcome)) => {
                 let report = DriveReport::new(&self.case, &found, outcome, false);
@@ -121,6 +127,13 @@ impl ShiftWalk {
         self.last = found.or(self.last.take());
         self.branch.points.push(ShiftPoint { direction, secondary_speed: speed, report });
         Ok(self.branch.points.last())
+    }
+
+    /// Whether an equilibrium was sought at a speed before that of the point `at`, and no farther below it than where
+    /// one would be sought for this point.
+    fn was_slower_tried(&self, at: usize, speed: f64) -> bool {
+        let before = at.checked_sub(1).and_then(|before| self.speeds.get(before));
+        before.is_some_and(|before| *before >= SLOWEST * speed)
     }
 
     /// Ends the curve before its last point; what there is stays.

@@ -80,7 +80,8 @@ fn doubt<I>(result: &DriveResult<I>) -> Option<Doubt> {
     Doubt::about(result).filter(|_| Light::of(result.slip_reserve) == Light::Green)
 }
 
-fn slip(result: &DriveResult<Resolved>) -> String {
+/// How a drive stands against slip.
+pub(crate) fn slip<I>(result: &DriveResult<I>) -> String {
     let words = match doubt(result) {
         Some(doubt) => format!("amber: it does not slip, but {}", doubt.words()),
         None => Light::of(result.slip_reserve).words().to_owned(),

@@ -2,20 +2,22 @@
 
 use std::f64::consts::PI;
 
+use serde::Serialize;
+
 use super::schema::{DriveResult, Energy, Pulley};
-use crate::drive::PowerFlow;
+use crate::drive::{COMPRESSION, PowerFlow};
 
 /// Share of a contact in adhesion, on both pulleys, below which the belt counts as adhering nowhere.
 const LITTLE_ADHESION: f64 = 0.02;
 /// Sum of both wrap angles, rad, beyond which a belt has buckled: round both pulleys and back it turns by 2 π, and a
 /// quarter of a turn more has to be turned back by the spans.
 const BUCKLED: f64 = 2.5 * PI;
-/// Compression over the largest tension beyond which it is more than the solution's tolerance.
-pub(super) const COMPRESSION: f64 = 1e-6;
 
 /// What keeps a drive from being sound; the worst first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Doubt {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Doubt {
     /// The belt is wound round its pulleys as none is whose spans are nearly straight.
     Buckled,
     /// A span is pushed, but for what the belt's inertia adds.
@@ -27,8 +29,11 @@ pub(super) enum Doubt {
 }
 
 impl Doubt {
+    /// All, the worst first.
+    pub const ALL: [Self; 4] = [Self::Buckled, Self::Pushed, Self::Driven, Self::Sliding];
+
     /// The worst about a drive, if there is any.
-    pub(super) fn about<I>(result: &DriveResult<I>) -> Option<Self> {
+    pub fn about<I>(result: &DriveResult<I>) -> Option<Self> {
         let (primary, secondary) = (&result.primary, &result.secondary);
         let spans = [&result.tight_span, &result.slack_span];
         let tensions = [spans.map(|span| span.min_tension), spans.map(|span| span.max_tension)];
@@ -43,8 +48,18 @@ impl Doubt {
         doubts.into_iter().find_map(|(holds, doubt)| holds.then_some(doubt))
     }
 
+    /// Name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Buckled => "buckled",
+            Self::Pushed => "pushed",
+            Self::Driven => "driven",
+            Self::Sliding => "sliding",
+        }
+    }
+
     /// As the end of a sentence that begins with what is well.
-    pub(super) const fn words(self) -> &'static str {
+    pub const fn words(self) -> &'static str {
         match self {
             Self::Buckled => "the belt buckles",
             Self::Pushed => "a strand of the belt is pushed",

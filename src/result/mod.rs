@@ -17,10 +17,12 @@ mod warnings;
 
 use std::collections::BTreeMap;
 
+pub(crate) use answers::slip;
 pub use answers::{Answer, Light, WANTED_RESERVE, answers, answers_in, tension_for};
 pub use beside::beside;
 pub use component::{Comparison, Grip, PulleyComparison, compare};
 pub use compute::Sampled;
+pub use doubt::Doubt;
 #[cfg(feature = "ode")]
 pub(crate) use doubt::is_buckled;
 pub use envelope::{FailureKind, FailureReport, envelope, failed};
@@ -33,6 +35,7 @@ pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::{summary, summary_in};
 pub use units::Units;
 pub use utilization::utilizations;
+pub(crate) use warnings::HOT;
 pub use warnings::warnings;
 
 use crate::case::{Clamp, Key, Resolved};

@@ -2,9 +2,9 @@
 
 use super::Outcome;
 use super::answers::Light;
-use super::doubt::{COMPRESSION, adheres_nowhere, is_buckled, is_driven_on_both_sides};
+use super::doubt::{adheres_nowhere, is_buckled, is_driven_on_both_sides};
 use super::schema::Pulley;
-use crate::drive::{Branch, RegionId};
+use crate::drive::{Branch, Compressed, RegionId};
 use crate::model::{Constant, State};
 use crate::quantity::{ZERO_CELSIUS, celsius};
 
@@ -18,7 +18,7 @@ const LENGTH_ERROR: f64 = 0.005;
 const DEEP: f64 = 0.3;
 
 /// Temperature, K, up to which a maker of belts promises a long life: 71 °C.
-const HOT: f64 = 71.0 + ZERO_CELSIUS;
+pub(crate) const HOT: f64 = 71.0 + ZERO_CELSIUS;
 
 /// What a careful reader of the result would want to know first; nothing for a healthy drive.
 pub fn warnings(outcome: &Outcome) -> Vec<String> {
@@ -151,30 +151,19 @@ fn powers(outcome: &Outcome) -> Option<String> {
 /// A belt that is pushed somewhere, which a belt does not bear: by its whole tension, or by the tractive one, without
 /// what the belt's own inertia adds.
 fn compression(outcome: &Outcome) -> Option<String> {
-    let places = [
-        (RegionId::Primary, State::Tension, "on the primary"),
-        (RegionId::SlackSpan, State::SpanTension, "in the slack span"),
-        (RegionId::Secondary, State::Tension, "on the secondary"),
-        (RegionId::TightSpan, State::SpanTension, "in the tight span"),
-    ];
-    let tensions = places.map(|(region, state, place)| (states(outcome, region, state), place));
-    let largest = tensions.iter().flat_map(|(values, _)| values).fold(0.0_f64, |largest, value| largest.max(*value));
-    let least = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
-    let (lowest, place) =
-        tensions.iter().map(|(values, place)| (least(values), place)).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let Compressed { region, tension } = Compressed::of(&outcome.solved.belt, &outcome.solved.solution)?;
+    let place = region.place();
     let centrifugal = outcome.result.belt.mass_flow.powi(2) / outcome.result.inputs.belt.mass_per_length;
-    let whole = lowest + centrifugal;
-    (lowest < -COMPRESSION * largest).then(|| {
-        let consequence = if whole < 0.0 {
-            format!("The belt is in compression {place}: its tension falls to {whole:.1} N there, of which")
-        } else {
-            format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
-        };
-        format!(
-            "{consequence} {lowest:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at \
-             such a place; clamp it tighter, or use one that bends more easily."
-        )
-    })
+    let whole = tension + centrifugal;
+    let consequence = if whole < 0.0 {
+        format!("The belt is in compression {place}: its tension falls to {whole:.1} N there, of which")
+    } else {
+        format!("The belt is held {place} by its speed alone: of a tension of {whole:.1} N")
+    };
+    Some(format!(
+        "{consequence} {tension:.1} N are tractive and {centrifugal:.1} N centrifugal. A belt buckles or jumps at such \
+         a place; clamp it tighter, or use one that bends more easily."
+    ))
 }
 
 /// A belt that is wound round its pulleys as none is whose spans are nearly straight.

@@ -162,8 +162,10 @@ impl Inverse {
             ))
         };
         let buckled = between("the belt buckles", &|point| point.buckled);
+        let pushed =
+            between("the belt is pushed, and held by its speed alone", &|point| !point.buckled && point.pushed);
         let slips = between("the belt slips, or is about to", &|point| !point.buckled && point.slip_reserve < SLIPPING);
-        buckled.into_iter().chain(slips).chain(self.sunk()).chain(self.missed()).collect()
+        buckled.into_iter().chain(pushed).chain(slips).chain(self.sunk()).chain(self.missed()).collect()
     }
 
     /// Where a primary would have to stand farther open than it can.

@@ -6,7 +6,9 @@ use super::error::InverseError;
 use crate::actuator::travel_by_radius;
 use crate::case::geometry::{radius_beside, wrap_angles};
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
-use crate::drive::{Failure, Question, SolveOptions, Solved, approach_question, solve_question, solve_question_from};
+use crate::drive::{
+    Compressed, Failure, Question, SolveOptions, Solved, approach_question, solve_question, solve_question_from,
+};
 use crate::equilibrium::Direction;
 use crate::equilibrium::question::{Given, Whole, ordinary};
 use crate::model::{Constant, Output};
@@ -61,6 +63,8 @@ pub struct InversePoint {
     pub efficiency: Option<f64>,
     /// Whether the belt has buckled: it is wound round its pulleys as none is whose spans are nearly straight.
     pub buckled: bool,
+    /// Whether the belt is pushed somewhere, but for what its own inertia adds: only its speed holds it there.
+    pub pushed: bool,
 }
 
 /// Which radius is given; the other one is where the belt closes.
@@ -324,6 +328,7 @@ impl<'a> Held<'a> {
             slip_reserve: reserve(solved)?,
             efficiency: efficiency.is_finite().then_some(efficiency),
             buckled: is_buckled(solved.constant(Constant::PrimaryWrap), solved.constant(Constant::SecondaryWrap)),
+            pushed: Compressed::of(&solved.belt, &solved.solution).is_some(),
         })
     }
 }
