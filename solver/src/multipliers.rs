@@ -19,6 +19,10 @@ const MOST_INTERVALS: usize = 100_000;
 const CENTRES: [f64; 5] = [0.4, 1.0, 1.6, 2.2, 2.8];
 /// Imaginary parts smaller than this, relative to the modulus or to 1, are rounding.
 const REAL: f64 = 1e-12;
+/// Relative error by rounding with which a multiplier has no digit left that its sign could be taken from.
+const BLURRED: f64 = 0.03;
+/// How far that which is to be 1 may lie from it.
+const ASTRAY: f64 = 0.1;
 /// Most sweeps of the decomposition.
 const SWEEPS: usize = 10_000;
 
@@ -40,6 +44,10 @@ impl Multiplier {
     /// By how much it has turned, from -π to π.
     pub fn angle(self) -> f64 {
         libm::atan2(self.im, self.re)
+    }
+
+    fn conjugate(self) -> Self {
+        Self { im: -self.im, ..self }
     }
 
     fn distance(self, other: Self) -> f64 {
@@ -146,9 +154,7 @@ impl Multipliers {
             change = largest_change(&values, &finer);
             values = finer;
         }
-        let distances = values.iter().map(|value| value.distance(ONE)).enumerate();
-        let nearest = distances.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(index, _)| index);
-        let trivial = nearest.filter(|_| orbit == Orbit::Autonomous).map(|index| values.remove(index));
+        let trivial = if orbit == Orbit::Autonomous { take_trivial(&mut values) } else { None };
         Ok(Self { values, trivial, change, stats })
     }
 
@@ -172,20 +178,34 @@ impl Multipliers {
         self.largest() < 1.0
     }
 
-    /// The product of `(1 + μ)/(1 + |μ|)`: changes its sign where the period doubles.
+    /// The product of `(1 + μ)/(1 + |μ|)`: changes its sign where the period doubles. NaN, which is no zero, where
+    /// rounding leaves no digit of a multiplier, or that which is to be 1 is not.
     pub fn doubling(&self) -> f64 {
+        if !self.are_known() {
+            return f64::NAN;
+        }
         self.values.iter().map(|value| value.plus_one()).fold(ONE, Multiplier::times).re
     }
 
     /// The product of `(1 - μ ν)/(1 + |μ ν|)` over all pairs; 1 if there is none. It changes its sign where a pair of
-    /// complex ones crosses the unit circle, and also where a real one passes the reciprocal of another.
+    /// complex ones crosses the unit circle, and also where a real one passes the reciprocal of another. NaN as
+    /// [`doubling`](Self::doubling) is.
     pub fn torus(&self) -> f64 {
+        if !self.are_known() {
+            return f64::NAN;
+        }
         let pairs = self.values.iter().enumerate().flat_map(|(i, a)| self.values[i + 1..].iter().map(move |b| (a, b)));
         let factors = pairs.map(|(a, b)| {
             let Multiplier { re, im } = a.times(*b);
             Multiplier { re: -re, im: -im }.plus_one()
         });
         factors.fold(ONE, Multiplier::times).re
+    }
+
+    /// Whether signs of what is made of them mean anything: one of size m is known to m ε relative to itself.
+    fn are_known(&self) -> bool {
+        let near = |trivial: Multiplier| trivial.distance(ONE) <= ASTRAY;
+        self.trivial.is_none_or(near) && self.largest() * f64::EPSILON <= BLURRED
     }
 
     /// What the last halving of the mesh has changed them by.
@@ -238,18 +258,38 @@ fn eigenvalues(p: &DMatrix<Complex<f64>>, q: &DMatrix<Complex<f64>>) -> Option<V
     Some(values)
 }
 
-/// Those of a real problem that are not real come in conjugate pairs: here to the last digit.
+/// Those of a real problem that are not real come in conjugate pairs: here to the last digit. What has nothing near its
+/// conjugate is real, whatever rounding has added: the more it has, the larger the others are.
 fn pair(values: &mut [Multiplier]) {
+    let mut paired = vec![false; values.len()];
     for i in 0..values.len() {
-        let Multiplier { re, im } = values[i];
-        let (conjugate, below) = (Multiplier { re, im: -im }, |value: &Multiplier| value.im < 0.0);
-        let others = values.iter().enumerate().filter(|(_, value)| im > 0.0 && below(value));
-        let nearest = others.min_by(|(_, a), (_, b)| a.distance(conjugate).total_cmp(&b.distance(conjugate)));
-        if let Some((j, other)) = nearest {
-            let (re, im) = (0.5 * (re + other.re), 0.5 * (im - other.im));
-            (values[i], values[j]) = (Multiplier { re, im }, Multiplier { re, im: -im });
+        if paired[i] || values[i].im == 0.0 {
+            continue;
+        }
+        let conjugate = values[i].conjugate();
+        let others = (i + 1..values.len()).filter(|j| !paired[*j]).map(|j| (j, values[j].distance(conjugate)));
+        let nearest = others.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        match nearest.filter(|(_, distance)| *distance < 2.0 * values[i].im.abs()) {
+            Some((j, _)) => {
+                let Multiplier { re, im } = values[j].conjugate();
+                let mean = Multiplier { re: 0.5 * (values[i].re + re), im: 0.5 * (values[i].im + im) };
+                (values[i], values[j]) = (mean, mean.conjugate());
+                paired[j] = true;
+            }
+            None => values[i].im = 0.0,
         }
     }
+}
+
+/// Takes out that nearest to 1, which is real; so is then what rounding has made its conjugate, where both are 1.
+fn take_trivial(values: &mut Vec<Multiplier>) -> Option<Multiplier> {
+    let distances = values.iter().map(|value| value.distance(ONE)).enumerate();
+    let (nearest, _) = distances.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    let trivial = values.remove(nearest);
+    if let Some(partner) = values.iter_mut().find(|value| trivial.im != 0.0 && **value == trivial.conjugate()) {
+        partner.im = 0.0;
+    }
+    Some(Multiplier { im: 0.0, ..trivial })
 }
 
 /// Without an imaginary part that is rounding. What is divided by zero is infinite.

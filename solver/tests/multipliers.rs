@@ -5,7 +5,8 @@
 
 use roessler::roessler;
 use solver::bvp::{Bvp, Formulas};
-use solver::{Multipliers, Options, Orbit, Order, Problem, SolveError};
+use solver::continuation::{BranchOptions, PointKind, trace};
+use solver::{Multipliers, Options, Orbit, Order, Problem, Solution, SolveError};
 use std::f64::consts::{PI, TAU};
 
 /// Rössler's equations; the example follows an orbit of theirs, and asserts where its period doubles.
@@ -154,6 +155,63 @@ fn those_of_a_strongly_contracting_orbit_are_those_found_by_shooting() {
         let [first, second] = multipliers.values() else { panic!("{multipliers:?}") };
         assert!((first.re + 0.769_693_642).abs() < 2e-7, "{order:?}: {multipliers:?}");
         assert!((second.re + 5.174e-6).abs() < 1e-7, "{order:?}: {multipliers:?}");
+    }
+}
+
+/// Lorenz's equations beside their homoclinic orbit, by whose saddle an orbit grows and shrinks: three real multipliers
+/// from 3e3 down to nothing. By Liouville their product is exp(-41/3 T), and no torus is born.
+#[test]
+fn three_real_ones_of_very_different_size_are_no_pair() {
+    let orbit = Bvp::new(
+        &["x", "y", "z"],
+        (0.0, 1.0),
+        |_, u, p, f| {
+            f[0] = p[1] * (u[1] - u[0]) * 10.0;
+            f[1] = p[1] * (p[0] * u[0] - u[1] - u[0] * u[2]);
+            f[2] = p[1] * (u[0] * u[1] - u[2] * (8.0 / 3.0));
+        },
+        |a, b, _, g| {
+            (0..3).for_each(|i| g[i] = b[i] - a[i]);
+            g[3] = a[1] - a[0];
+        },
+    )
+    .given("rho", 24.0)
+    .unknown("T", 0.66)
+    .guess(40, |t, u| {
+        let (x, turn) = ((8.0_f64 / 3.0 * 23.0).sqrt(), TAU * t);
+        u.copy_from_slice(&[x + 2.0 * turn.cos(), x + 2.0 * turn.cos() - 2.0 * turn.sin(), 23.0 + 3.0 * turn.sin()]);
+    });
+    let of = |solution: &Solution| Multipliers::new(&orbit, solution, 0, Orbit::Autonomous, 1e-6).unwrap();
+    let torus = |solution: &Solution| of(solution).torus();
+    let solve = Options { tolerance: 1e-5, ..Options::default() };
+    let options =
+        BranchOptions { solve, range: (13.96, 24.5), upwards: false, largest_step: 0.2, ..BranchOptions::default() };
+    let branch = trace(&orbit, &orbit.start(), 0, orbit.unknowns(), &options, &[&torus]).unwrap();
+    assert!(branch.points.iter().all(|point| !matches!(point.kind, PointKind::Event(_))));
+    let largest = branch.points.iter().map(|point| {
+        let multipliers = of(&point.solution);
+        let trivial = multipliers.trivial().unwrap();
+        assert!((trivial.re - 1.0).abs() < 0.05 && trivial.im == 0.0, "{}: {multipliers:?}", point.parameter);
+        assert!(multipliers.values().iter().all(|value| value.im == 0.0 && value.re > -1e-8), "{multipliers:?}");
+        multipliers.largest()
+    });
+    assert!(largest.fold(0.0, f64::max) > 500.0);
+}
+
+/// Growth by e^36 leaves a multiplier without a digit: no sign is taken from it.
+#[test]
+fn a_multiplier_without_a_digit_has_no_sign() {
+    for (growth, known) in [(20.0, true), (36.0, false)] {
+        let problem = Bvp::new(
+            &["grows", "decays"],
+            (0.0, 1.0),
+            move |_, z, _, f| (f[0], f[1]) = (z[0] * growth - z[1], z[1] * -2.0 + z[0]),
+            |a, b, _, g| (g[0], g[1]) = (b[0] - a[0], b[1] - a[1]),
+        );
+        let solution = problem.solve(&Options::default()).unwrap();
+        let multipliers = Multipliers::new(&problem, &solution, 0, Orbit::Forced, 1e-8).unwrap();
+        let signs = [multipliers.doubling(), multipliers.torus()];
+        assert_eq!(signs.map(f64::is_nan), [!known; 2], "{multipliers:?}");
     }
 }
 
