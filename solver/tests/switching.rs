@@ -204,3 +204,58 @@ fn branch_points_settle_along_a_branch_that_moves() {
         }
     }
 }
+
+/// A linear strut bent as far as one likes: on the branch that crosses, the load stands still, and does not fold.
+#[test]
+fn where_the_parameter_stands_still_there_is_no_fold() {
+    let strut = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], y[0] * -p[0]),
+        |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    )
+    .given("load", 5.0);
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        for range in [(5.0, 15.0), (5.0, f64::INFINITY)] {
+            let solve = Options { order, ..Options::default() };
+            let options = BranchOptions { solve, range, max_points: 8, ..BranchOptions::default() };
+            let branch = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+            let point = branch.branch_points().next().unwrap();
+            let options = BranchOptions { max_points: 60, ..options };
+            for half in trace_crossing(&strut, point, 0, &[], &options, &[]).unwrap() {
+                assert!(half.points.len() > 40 && half.folds().count() == 0, "{order:?}: {}", half.folds().count());
+            }
+        }
+    }
+}
+
+/// AUTO's demo `ppp` at rest: the state without prey crosses that with it, and its equations are products, whose rows
+/// vanish with both factors where they cross.
+#[test]
+fn where_an_equation_is_a_product_the_other_branch_is_traced() {
+    let rest = Bvp::new(
+        &["prey", "predators", "top"],
+        (0.0, 1.0),
+        |_, _, _, f| f.iter_mut().for_each(|f| *f = 0.0.into()),
+        |a, _, p, g| {
+            let (u, v, w) = (a[0], a[1], a[2]);
+            g[0] = u * (1.0 - u - 3.0 * v);
+            g[1] = v * -0.25 + 3.0 * u * v - 3.0 * v * w - p[0] * (1.0 - (v * -5.0).exp());
+            g[2] = w * (3.0 * v - 0.5);
+        },
+    )
+    .given("p", -0.3)
+    .guess(4, |_, y| (y[0], y[1], y[2]) = (-0.13, 0.377, 0.0));
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        let solve = Options { order, ..Options::default() };
+        let options = BranchOptions { solve, range: (-0.3, 0.3), max_points: 40, ..BranchOptions::default() };
+        let branch = trace(&rest, &rest.start(), 0, &[], &options, &[]).unwrap();
+        let [point] = branch.branch_points().collect::<Vec<_>>()[..] else { panic!("{order:?}") };
+        assert!((point.parameter + 0.102_738_04).abs() < 1e-6);
+        let options = BranchOptions { max_points: 6, ..options };
+        for half in trace_crossing(&rest, point, 0, &[], &options, &[]).unwrap() {
+            let prey = half.points.iter().map(|point| point.solution.regions()[0].state(0)[0].abs());
+            assert!(half.points.len() > 3 && prey.fold(0.0, f64::max) < 1e-6, "{order:?}");
+        }
+    }
+}

@@ -118,6 +118,9 @@ const SHORTENED: usize = 2;
 /// So often in a row a step is made shorter for the determinant or for folds: where the right-hand side has a kink, the
 /// determinant jumps.
 const RESOLVED: usize = 12;
+/// A parameter whose rates along the branch are smaller than this part of its range stands still: where they are
+/// rounding, they change their sign without a fold.
+const STILL: f64 = 1e-9;
 
 impl<'a, 'e> Tracer<'a, 'e> {
     pub(super) fn new(
@@ -465,8 +468,18 @@ impl<'a, 'e> Tracer<'a, 'e> {
         }
         let crossing = |kind| Crossing { kind, values: (self.watched(kind, a), self.watched(kind, b)) };
         let mut found: Vec<Crossing> = kinds.into_iter().map(crossing).filter(|crossing| crossing.is_one()).collect();
+        found.retain(|crossing| crossing.kind != PointKind::Fold || !self.stands_still(a, b));
         found.sort_by(|a, b| a.place().total_cmp(&b.place()));
         found
+    }
+
+    /// Whether the parameter's rates at two points are no more than rounding, as on a branch along which it is constant.
+    fn stands_still(&self, a: &Reference, b: &Reference) -> bool {
+        let (low, high) = self.options.range;
+        let of_points = a.value(self.parameter).abs().max(b.value(self.parameter).abs());
+        let size = Some(high - low).filter(|length| length.is_finite()).unwrap_or(of_points);
+        let rate = |point: &Reference| point.direction.constants[self.parameter].abs();
+        rate(a).max(rate(b)) <= STILL * size
     }
 
     /// The function whose zero makes a point special.

@@ -35,6 +35,8 @@ pub(crate) struct Lu {
 const SUSPICIOUS: f64 = 1e-11;
 /// Singular values smaller than this times the largest count as zero.
 const RANK: f64 = 4.0 * f64::EPSILON;
+/// A row has vanished whose largest entry is smaller than this part of the median of those of all rows.
+const VANISHED: f64 = 1e-4;
 /// Most sweeps of the singular value decomposition.
 const SWEEPS: usize = 1000;
 
@@ -61,17 +63,29 @@ impl Lu {
 
     /// Singular values, decreasing, and if wanted the transposed right singular vectors; `None` for a matrix that is
     /// not finite. By nalgebra: faer's decomposition takes half a minute to compile, and this is for diagnosis only.
-    fn svd(&self, vectors: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+    fn svd(&self, scaled: &[f64], vectors: bool) -> Option<SVD<f64, Dyn, Dyn>> {
         let n = self.scale.len();
-        if n == 0 || self.scaled.iter().any(|x| !x.is_finite()) {
+        if n == 0 || scaled.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        SVD::try_new(DMatrix::from_row_slice(n, n, &self.scaled), false, vectors, f64::EPSILON, SWEEPS)
+        SVD::try_new(DMatrix::from_row_slice(n, n, scaled), false, vectors, f64::EPSILON, SWEEPS)
+    }
+
+    /// The scaled matrix, in which rows that have vanished beside the others stay small: an equation that is a product
+    /// vanishes with both factors, and then says nothing, however much its row is scaled.
+    fn without_vanished(&self) -> Vec<f64> {
+        let mut largest: Vec<f64> = self.scale.iter().map(|scale| 1.0 / scale).collect();
+        let mut sorted = largest.clone();
+        sorted.sort_by(f64::total_cmp);
+        let least = VANISHED * sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+        largest.iter_mut().for_each(|largest| *largest = if *largest < least { *largest / least } else { 1.0 });
+        let rows = self.scaled.chunks_exact(self.size().max(1)).zip(largest);
+        rows.flat_map(|(row, share)| row.iter().map(move |x| share * x)).collect()
     }
 
     /// Number of singular values that are larger than `least` times the largest; 0 for a matrix that is not finite.
     pub(crate) fn rank_to(&self, least: f64) -> usize {
-        let Some(svd) = self.svd(false) else { return 0 };
+        let Some(svd) = self.svd(&self.scaled, false) else { return 0 };
         let largest = svd.singular_values.max();
         svd.singular_values.iter().filter(|&&value| value > least * largest).count()
     }
@@ -118,11 +132,11 @@ impl Lu {
         }
     }
 
-    /// The direction that the matrix maps closest to zero: the right singular vector of the smallest singular value,
-    /// largest component 1. Zero for a matrix that is not finite.
+    /// The direction that the matrix maps closest to zero, its rows scaled but for those that have vanished: the right
+    /// singular vector of the smallest singular value, largest component 1. Zero for a matrix that is not finite.
     pub(crate) fn null_vector(&self) -> Vec<f64> {
         let n = self.scale.len();
-        let Some(svd) = self.svd(true) else { return vec![0.0; n] };
+        let Some(svd) = self.svd(&self.without_vanished(), true) else { return vec![0.0; n] };
         let (smallest, _) = svd.singular_values.argmin();
         let Some(vectors) = svd.v_t else { return vec![0.0; n] };
         let v: Vec<f64> = vectors.row(smallest).iter().copied().collect();
@@ -177,6 +191,16 @@ mod tests {
         assert_eq!((lu.rank(), lu.null_vector()), (0, vec![]));
         lu.factor(2, &[0.0; 4]);
         assert_eq!(lu.rank(), 0);
+    }
+
+    #[test]
+    fn a_row_that_has_vanished_leaves_its_direction_open() {
+        let mut lu = Lu::default();
+        lu.factor(3, &[1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 1e-9, 1e-9]);
+        assert!(lu.null_vector().iter().zip([0.0, 0.0, 1.0]).all(|(x, expected)| (x - expected).abs() < 1e-4));
+        // One of small units says what it says.
+        lu.factor(3, &[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 0.0, 1e-9, -1e-9]);
+        assert!(lu.null_vector().iter().zip([1.0, -0.2, -0.2]).all(|(x, expected)| (x - expected).abs() < 1e-4));
     }
 
     #[test]
