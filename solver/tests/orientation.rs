@@ -409,3 +409,68 @@ fn patterns_of_swift_and_hohenberg_are_all_met() {
         }
     }
 }
+
+/// Struts of lengths 1 to 3 beside each other buckle at `(kπ/l)²`: two or three of them at once where their lengths are
+/// commensurable, which coarse meshes of order 4 take apart. What is said to have settled is right; what has not is not
+/// said to have.
+#[test]
+fn branch_points_that_have_not_settled_are_not_said_to_have() {
+    let unsettled = [vec![1.0], vec![1.0, 1.01], vec![1.0, 2.0], vec![1.0, 2.0, 3.0]].map(|lengths| {
+        let names: Vec<String> = (0..2 * lengths.len()).map(|i| format!("y{i}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let squares: Vec<f64> = lengths.iter().map(|length: &f64| length * length).collect();
+        let struts = Bvp::new(
+            &names,
+            (0.0, 1.0),
+            |_, y, p, f| {
+                for (i, square) in squares.iter().enumerate() {
+                    (f[2 * i], f[2 * i + 1]) = (y[2 * i + 1], y[2 * i] * p[0] * -square);
+                }
+            },
+            |a, b, _, g| (0..squares.len()).for_each(|i| (g[2 * i], g[2 * i + 1]) = (a[2 * i], b[2 * i])),
+        )
+        .given("load", 1.0)
+        .guess(10, |_, y| y.fill(0.0));
+        let options = BranchOptions { range: (1.0, 100.0), ..BranchOptions::default() };
+        let branch = trace(&struts, &struts.start(), 0, &[], &options, &[]).unwrap();
+        let loads = |length: &f64| {
+            let load = std::f64::consts::PI.powi(2) / (length * length);
+            (1..10).map(move |k| f64::from(k * k) * load)
+        };
+        let exact: Vec<f64> = lengths.iter().flat_map(loads).collect();
+        let error = |load: f64| exact.iter().map(|exact| (load / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(branch.branch_points().count() >= 3, "{lengths:?}");
+        for point in branch.branch_points().filter(|point| point.is_settled) {
+            assert!(error(point.parameter) < 1e-5, "{lengths:?}: {}", point.parameter);
+        }
+        assert!(branch.points.iter().all(|point| point.is_settled || point.kind == PointKind::BranchPoint));
+        branch.branch_points().filter(|point| !point.is_settled && error(point.parameter) > 1e-3).count()
+    });
+    assert_eq!(unsettled[..2], [0; 2]);
+    assert!(unsettled[3] > 0, "no point is left by which this could fail");
+}
+
+/// Two struts, one of them a little longer, have three pairs of branch points, of which a step may hold one near its end:
+/// the determinant falls there, and rises at the beginning of the next.
+#[test]
+fn pairs_beside_the_end_of_a_step_are_seen() {
+    let found = |longer: f64, order: Order| {
+        let struts = Bvp::new(
+            &["u", "du", "v", "dv"],
+            (0.0, 1.0),
+            move |_, y, p, f| {
+                (f[0], f[1]) = (y[1], y[0] * -p[0]);
+                (f[2], f[3]) = (y[3], y[2] * p[0] * -(1.0 + longer).powi(2));
+            },
+            |a, b, _, g| (g[0], g[1], g[2], g[3]) = (a[0], b[0], a[2], b[2]),
+        )
+        .given("load", 1.0)
+        .guess(10, |_, y| y.fill(0.0));
+        let solve = Options { order, ..Options::default() };
+        let options = BranchOptions { solve, range: (1.0, 100.0), ..BranchOptions::default() };
+        trace(&struts, &struts.start(), 0, &[], &options, &[]).unwrap().branch_points().count()
+    };
+    for order in [Order::Four, Order::Six, Order::Eight] {
+        assert_eq!([1e-1, 1e-2, 1e-3].map(|longer| found(longer, order)), [6; 3], "{order:?}");
+    }
+}

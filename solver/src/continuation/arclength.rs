@@ -40,6 +40,8 @@ pub(crate) struct Reference {
     /// Whether two branches cross here, and the direction is at right angles to one of them: it is not the tangent of
     /// the other.
     pub is_crossing: bool,
+    /// Whether the place of a branch point here is as exact as was asked for.
+    pub is_settled: bool,
     /// The solution at the inner stages of its mesh, as an [`Iterate`](crate::collocation::Iterate) has it; empty where
     /// it is not known.
     pub inner: ByRegion<Numbers>,
@@ -66,7 +68,7 @@ struct Sampled {
 impl Reference {
     pub(crate) fn new(solution: Solution, direction: Direction, determinant: Determinant) -> Self {
         let (inner, samples) = (ByRegion::default(), RefCell::default());
-        Self { solution, direction, determinant, is_crossing: false, inner, samples }
+        Self { solution, direction, determinant, is_crossing: false, is_settled: false, inner, samples }
     }
 
     /// `ȳ` and the weighted `τ` of one region at a batch of points, the weights of the states being `of_states`.

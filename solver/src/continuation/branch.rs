@@ -130,6 +130,10 @@ pub struct BranchPoint {
     pub arclength: f64,
     /// The solution.
     pub solution: Solution,
+    /// Whether the parameter of a branch point has settled on halved meshes, as
+    /// [`BranchOptions::settle_branch_points`] asks: where it has not, it is only as exact as the mesh of the branch is
+    /// for what bifurcates, which is told by nothing else. True of every other point.
+    pub is_settled: bool,
     /// Of a branch point, the direction of the branch that it was found on.
     pub(super) direction: Option<Direction>,
 }

@@ -10,7 +10,8 @@ use crate::problem::Problem;
 
 /// Solves at the start's value of the constant `parameter` and traces the branch from there.
 ///
-/// To go on in another constant from any point, call this again with [`Guess::from`] its solution.
+/// To go on in another constant from any point but a fold, call this again with [`Guess::from`] its solution. At a fold
+/// the solution is a double one for the constants that it has: go on from a point beside it.
 ///
 /// # Errors
 /// [`BranchError`] holds the points up to where it was lost.

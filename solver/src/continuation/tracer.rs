@@ -289,6 +289,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             rate: at.direction.constants[self.parameter],
             arclength,
             solution: at.solution.clone(),
+            is_settled: kind != PointKind::BranchPoint || at.is_settled,
             direction: (kind == PointKind::BranchPoint).then(|| at.direction.clone()),
         });
     }

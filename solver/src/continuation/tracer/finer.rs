@@ -55,13 +55,23 @@ impl Tracer<'_, '_> {
             }
             let finer = match self.finer((here, step), (place, &point), slope, tolerance) {
                 Err(cause) if cause.is_interruption() => return Err(cause),
-                // What was found on the coarser mesh stands.
-                Err(_) | Ok(None) => break,
                 Ok(Some(finer)) => finer,
+                Ok(None) => {
+                    point.is_settled = true;
+                    break;
+                }
+                Err(_) => {
+                    // Two that a coarse mesh has apart may be one. If they are not, what was found on it stands.
+                    if let Some((at, touching)) = self.settled_as_touch((here, step), (place, &point))? {
+                        (place, point) = (at, touching);
+                    }
+                    break;
+                }
             };
             let change = (finer.1.value(self.parameter) - point.value(self.parameter)).abs();
             (place, point) = finer;
             if change <= SHRINKS * tolerance {
+                point.is_settled = true;
                 break;
             }
         }
@@ -85,7 +95,8 @@ impl Tracer<'_, '_> {
         most.is_some_and(|most| most <= self.options.solve.max_intervals)
     }
 
-    /// The branch point on halved intervals; none if the coarser mesh has it to the tolerance, or it is not found.
+    /// The branch point on halved intervals; none if the coarser mesh has it to the tolerance. An error if it is not
+    /// found.
     fn finer(
         &mut self,
         (here, step): (&Reference, f64),
@@ -93,7 +104,8 @@ impl Tracer<'_, '_> {
         slope: f64,
         tolerance: f64,
     ) -> Result<Option<(f64, Reference)>, SolveError> {
-        let Some((finer, look)) = self.place_on_halved((here, step), (place, point), slope)? else { return Ok(None) };
+        let found = self.place_on_halved((here, step), (place, point), slope)?;
+        let Some((finer, look)) = found else { return Err(SolveError::Astray { at: point.value(self.parameter) }) };
         let near = look.advanced.near(look.at);
         let parameter = near.point.moved(near.speed * (finer - near.at)).constants[self.parameter];
         if (parameter - point.value(self.parameter)).abs() <= tolerance {

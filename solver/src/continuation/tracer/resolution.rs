@@ -36,8 +36,12 @@ const LARGEST: f64 = 0.15;
 const INTERPOLATED: f64 = 0.1;
 /// It is looked at there if the error of extrapolation is larger than this,
 const LOOKED_INTO: f64 = 0.03;
-/// or the determinant smaller than this at one of the ends.
+/// or the determinant smaller than this at one of the ends: extrapolation may be right there by chance.
+const FALLEN: f64 = 0.5;
+/// Where it is smaller than this at one of them, even a steady one is looked at, and beside the ends as well,
 const SMALL: f64 = 0.1;
+/// where the error of interpolation is to be no larger than this.
+const CERTAIN: f64 = 0.025;
 /// The error of extrapolation that the next step aims at.
 const AIM: f64 = 0.1;
 /// Inside a step the polynomial through its ends and its middle as well is taken to be so many times more exact than
@@ -93,7 +97,8 @@ impl Tracer<'_, '_> {
         let longer = libm::pow(AIM / extrapolated.max(f64::MIN_POSITIVE), 1.0 / (BEFORE as f64 + 1.0));
         let is_steady = is_steady(&known, end);
         known.push(end);
-        let is_small = relative(&known).iter().rev().take(2).any(|end| end.value.abs() < SMALL);
+        let least = relative(&known).iter().rev().take(2).map(|end| end.value.abs()).fold(f64::INFINITY, f64::min);
+        let is_small = least < SMALL;
         if is_steady && !is_small {
             return Ok(Resolved::longer(longer.max(1.0)));
         }
@@ -101,15 +106,22 @@ impl Tracer<'_, '_> {
             return Ok(Resolved::Shorter(0.5 * step));
         }
         let mut bound = extrapolated;
-        if !can_extrapolate || is_small || extrapolated > LOOKED_INTO {
+        if !can_extrapolate || least < FALLEN || extrapolated > LOOKED_INTO {
             // What cannot be looked at is taken for what the ends say.
-            let Some(look) = self.middle(here, step, next)? else { return Ok(Resolved::longer(1.0)) };
+            let Some(look) = self.look_within(here, step, next, 0.5)? else { return Ok(Resolved::longer(1.0)) };
             let interpolated = error(&known, look);
             if interpolated > INTERPOLATED {
                 return Ok(Resolved::Shorter(0.5 * step));
             }
             bound = interpolated.max(extrapolated / INSIDE);
             known.push(look);
+            let beside_ends = beside_ends([here.determinant, look.1, end.1]).filter(|_| is_small);
+            for part in beside_ends {
+                let look = self.look_within(here, step, next, part)?;
+                if look.is_some_and(|look| error(&known, look) > CERTAIN) {
+                    return Ok(Resolved::Shorter(0.5 * step));
+                }
+            }
         }
         let mut touches = Vec::new();
         for place in valleys(&Polynomial::through(&relative(&known)), step) {
@@ -128,18 +140,19 @@ impl Tracer<'_, '_> {
         Ok(shorter.map_or(Resolved::Yes { longer, touches }, Resolved::Shorter))
     }
 
-    /// Place and determinant in the middle of a step; none where there is no point of the branch to be found.
-    fn middle(
+    /// Place and determinant at a part of a step; none where there is no point of the branch to be found.
+    fn look_within(
         &mut self,
         here: &Reference,
         step: f64,
         next: &Advanced,
+        part: f64,
     ) -> Result<Option<(f64, Determinant)>, SolveError> {
         let near = (Near { point: here, at: 0.0, speed: 1.0 }, Some(next.near(step)));
-        match self.look((here, step, &next.point), 0.5 * step, near, Care::Glance) {
+        match self.look((here, step, &next.point), part * step, near, Care::Glance) {
             Err(cause) if cause.is_interruption() => Err(cause),
             Err(_) => Ok(None),
-            Ok(look) => Ok(Some((0.5 * step, look.point.determinant))),
+            Ok(look) => Ok(Some((part * step, look.point.determinant))),
         }
     }
 }
@@ -148,6 +161,13 @@ impl Resolved {
     fn longer(factor: f64) -> Self {
         Self::Yes { longer: factor, touches: Vec::new() }
     }
+}
+
+/// Parts of a step beside an end towards which the determinant falls from the middle without a change of its sign: there
+/// it may touch zero, or cross it twice. By the determinants at the first end, in the middle and at the last end.
+fn beside_ends([first, middle, last]: [Determinant; 3]) -> impl Iterator<Item = f64> {
+    let falls = move |end: &Determinant| end.orientation == middle.orientation && end.logarithm < middle.logarithm;
+    [(0.25, first), (0.75, last)].into_iter().filter(move |(_, end)| falls(end)).map(|(part, _)| part)
 }
 
 /// Determinants without their double zero at a place, as far as they are known away from it.

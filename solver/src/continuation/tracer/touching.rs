@@ -198,6 +198,18 @@ impl Tracer<'_, '_> {
         Ok(Touch { met: bottom.at, at: bottom.at, width: bottom.width, point })
     }
 
+    /// A branch point that is not found anew on halved intervals, where the determinant touches zero on finer ones: its
+    /// place and the point there.
+    pub(super) fn settled_as_touch(
+        &mut self,
+        (here, step): (&Reference, f64),
+        (place, point): (f64, &Reference),
+    ) -> Result<Option<(f64, Reference)>, SolveError> {
+        let touch = Touch { met: place, at: place, width: f64::INFINITY, point: point.clone() };
+        let touch = self.settled_touch((here, step), touch)?;
+        Ok(touch.filter(|touch| touch.point.is_settled).map(|touch| (touch.at, touch.point)))
+    }
+
     /// One as exact as the tolerance asks; none if its zeros do not come together.
     fn settled_touch(
         &mut self,
@@ -207,6 +219,7 @@ impl Tracer<'_, '_> {
         let parameter = self.parameter;
         let tolerance = self.location_tolerance(&touch.point);
         let apart = |touch: &Touch| touch.width * touch.point.direction.constants[parameter].abs();
+        let mut settled = false;
         for _ in 0..HALVINGS {
             if !self.can_be_halved(&touch.point) {
                 break;
@@ -222,10 +235,12 @@ impl Tracer<'_, '_> {
             let is_one = apart(&touch) <= tolerance;
             // Two zeros that come together do so with the methods' orders, which are four and more.
             let stay_apart = !is_one && touch.width > 0.5 * before.width;
-            if stay_apart || (is_one && change <= SHRINKS * tolerance) {
+            settled = is_one && change <= SHRINKS * tolerance;
+            if stay_apart || settled {
                 break;
             }
         }
+        touch.point.is_settled = settled;
         Ok((apart(&touch) <= tolerance).then_some(touch))
     }
 
