@@ -98,13 +98,12 @@ fn line(text: &mut String, what: &str, unit: &str, limit: &Limit) {
             "the limit lies beyond: no solution was found farther on (-v says why)".to_owned()
         }
     };
-    let efficiency = format!("{:.1}", 100.0 * limit.state.speed_efficiency);
-    let efficiency = unsigned_zero(&efficiency);
+    let [value, efficiency] = [format!("{:.3}", limit.value), format!("{:.1}", 100.0 * limit.state.speed_efficiency)];
+    let [value, efficiency] = [&value, &efficiency].map(|number| unsigned_zero(number));
     let warm =
         limit.belt_temperature.map_or_else(String::new, |kelvin| format!(", the belt at {:.1} °C", celsius(kelvin)));
     // Writing to a string cannot fail.
-    let _ =
-        writeln!(text, "  {what:<64} {:>10.3} {unit:<4} at {efficiency} % speed efficiency{warm}: {kind}", limit.value);
+    let _ = writeln!(text, "  {what:<64} {value:>10} {unit:<4} at {efficiency} % speed efficiency{warm}: {kind}");
 }
 
 fn share(text: &str) -> Result<f64, String> {
