@@ -28,22 +28,31 @@ pub fn equilibrium_outcome(
     direction: Direction,
     options: &SolveOptions,
 ) -> Result<(Equilibrium, Outcome), EquilibriumError> {
-    settled(near, case, options, &|near, case| match near {
-        Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
-        None => equilibrium(case, secondary_speed, direction, options),
-    })
+    outcome_from(near, equilibrium, case, secondary_speed, direction, options)
 }
 
-/// As [`equilibrium_outcome`], by starts at the speed itself alone.
+/// As [`equilibrium_outcome`] from nothing, by starts at the speed itself alone.
 pub(super) fn outcome_at_speed(
     case: &Resolved,
     secondary_speed: f64,
     direction: Direction,
     options: &SolveOptions,
 ) -> Result<(Equilibrium, Outcome), EquilibriumError> {
-    settled(None, case, options, &|near, case| match near {
+    outcome_from(None, at_speed, case, secondary_speed, direction, options)
+}
+
+/// Of an equilibrium nearby, or of what a search `from_nothing` finds.
+fn outcome_from(
+    near: Option<&Equilibrium>,
+    from_nothing: fn(&Resolved, f64, Direction, &SolveOptions) -> Result<Equilibrium, EquilibriumError>,
+    case: &Resolved,
+    secondary_speed: f64,
+    direction: Direction,
+    options: &SolveOptions,
+) -> Result<(Equilibrium, Outcome), EquilibriumError> {
+    settled(near, case, options, &|near, case| match near {
         Some(near) => equilibrium_from(near, case, secondary_speed, direction, options),
-        None => at_speed(case, secondary_speed, direction, options),
+        None => from_nothing(case, secondary_speed, direction, options),
     })
 }
 
