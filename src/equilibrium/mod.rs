@@ -20,6 +20,7 @@
 //! matrix.
 
 mod curve;
+mod ends;
 mod error;
 mod estimate;
 mod figure;
@@ -36,7 +37,7 @@ mod sensitivity;
 mod table;
 mod walk;
 
-pub use curve::{Landmark, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed, shift_branch};
+pub use curve::{Landmark, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed};
 pub use error::EquilibriumError;
 pub use figure::{ShiftCurve, shift_figures};
 pub use heat::equilibrium_outcome;
@@ -48,4 +49,4 @@ pub use report::{DriveReport, SLIPPING};
 pub use search::{equilibrium, equilibrium_from};
 pub use sensitivity::{PartSensitivity, sensitivities};
 pub use table::{DataError, Deviation, Measured, deviation, read_measured, shift_table};
-pub use walk::ShiftWalk;
+pub use walk::{ShiftWalk, shift_branch};

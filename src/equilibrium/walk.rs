@@ -1,6 +1,9 @@
 //! A shift curve as it is computed: one point after the other, whenever the next is wanted.
 
-use super::curve::{Corners, Search, ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed};
+use std::ops::ControlFlow;
+
+use super::curve::{ShiftBranch, ShiftOptions, ShiftPoint, engagement_speed};
+use super::ends::{Corners, Search};
 use super::error::EquilibriumError;
 use super::heat::{equilibrium_outcome, outcome_at_speed};
 use super::point::{Direction, Equilibrium};
@@ -8,6 +11,27 @@ use super::question::has_all_parts;
 use super::report::DriveReport;
 use super::search::SLOWEST;
 use crate::case::Resolved;
+
+/// The shift curve in one direction; `see` is shown each point as it is found, and may end the search, which keeps what
+/// there is.
+///
+/// # Errors
+/// A case that lacks a part, or that the search is cancelled: points without an equilibrium are told as such, and the
+/// curve goes on.
+pub fn shift_branch(
+    case: &Resolved,
+    direction: Direction,
+    options: &ShiftOptions,
+    see: &mut dyn FnMut(&ShiftPoint) -> ControlFlow<()>,
+) -> Result<ShiftBranch, EquilibriumError> {
+    let mut walk = ShiftWalk::begin(case, direction, options)?;
+    while let Some(point) = walk.step()? {
+        if see(point).is_break() {
+            walk.end();
+        }
+    }
+    Ok(walk.into_branch())
+}
 
 /// The shift curve in one direction while it is computed.
 #[derive(Debug, Clone)]
