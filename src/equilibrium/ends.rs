@@ -44,6 +44,7 @@ impl Corners {
     }
 }
 
+/// The search for the ends of a curve; why one is missing becomes a remark of its branch.
 pub(super) struct Search<'a> {
     pub case: &'a Resolved,
     pub direction: Direction,
