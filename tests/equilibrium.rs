@@ -309,8 +309,8 @@ fn a_curve_has_no_ends_to_which_the_drive_does_not_come() {
     assert!(speeds.windows(2).all(|pair| pair[1] > pair[0] && pair[1] < 1.2 * pair[0]), "{speeds:?}");
 }
 
-/// A helix that carries little torque leaves the slack strand no tension towards the high stop: there the belt is held by
-/// its speed alone, until no state is left. The curve goes on to the high stop, where it is taut again.
+/// A helix that carries little torque leaves the slack strand no tension towards the high stop: there the belt is held
+/// by its speed alone, until no state is left. The curve goes on to the high stop, where it is taut again.
 #[test]
 fn a_belt_that_buckles_is_told_and_passed() {
     let case = with(&[("secondary.actuator.torque_share", "0.6")]);

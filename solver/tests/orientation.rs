@@ -450,8 +450,8 @@ fn branch_points_that_have_not_settled_are_not_said_to_have() {
     assert!(unsettled[3] > 0, "no point is left by which this could fail");
 }
 
-/// Two struts, one of them a little longer, have three pairs of branch points, of which a step may hold one near its end:
-/// the determinant falls there, and rises at the beginning of the next.
+/// Two struts, one of them a little longer, have three pairs of branch points, of which a step may hold one near its
+/// end: the determinant falls there, and rises at the beginning of the next.
 #[test]
 fn pairs_beside_the_end_of_a_step_are_seen() {
     let found = |longer: f64, order: Order| {

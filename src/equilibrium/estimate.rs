@@ -17,8 +17,8 @@ const SPEEDS: [f64; 3] = [0.8, 0.65, 0.92];
 const LEAST_TORQUE: f64 = 0.3;
 /// Slack tension of a start over M_in/R_P: at least this, for a looser belt may slip.
 const LEAST_TENSION: f64 = 0.35;
-/// Over the slack tension that the actuators leave, that of a start at the high stop: a looser belt may be led to a state
-/// in which it is pushed.
+/// Over the slack tension that the actuators leave, that of a start at the high stop: a looser belt may be led to a
+/// state in which it is pushed.
 const TIGHTER: f64 = 2.0;
 /// Overall efficiency.
 const EFFICIENCY: f64 = 0.95;
@@ -92,8 +92,8 @@ pub(super) fn highest_ratio(
     (rough.secondary_beside(primary) / primary, stop)
 }
 
-/// Other places at which an equilibrium may be sought: between the stops where the engine would turn at usual speeds, and
-/// at the high stop.
+/// Other places at which an equilibrium may be sought: between the stops where the engine would turn at usual speeds,
+/// and at the high stop.
 pub(super) fn elsewhere(
     case: &Resolved,
     actuation: &Actuation,

@@ -103,7 +103,8 @@ fn hot(reports: &[&DriveReport]) -> Option<String> {
 }
 
 /// What there is to say of where the sheaves of whole drives stand, by the travels in m of the primary and of the
-/// secondary: of the primary that is farthest open, where that is farther than it can; and of parts whose tables end before.
+/// secondary: of the primary that is farthest open, where that is farther than it can; and of parts whose tables end
+/// before.
 pub fn beyond_travel(case: &Resolved, travels: impl IntoIterator<Item = (f64, f64)>) -> Vec<String> {
     let travels: Vec<(f64, f64)> = travels.into_iter().collect();
     let open = travels.iter().map(|(primary, _)| *primary).reduce(f64::min).and_then(beyond_open);

@@ -77,7 +77,8 @@ pub(super) fn at_speed(
         Err(error) if error.is_bad_input() || error.is_cancelled() => return Err(error),
         other => other,
     };
-    // A start may lead nowhere, or to a belt that slips or is pushed, because the drive is not where it was taken to be.
+    // A start may lead nowhere, or to a belt that slips or is pushed, because the drive is not where it was taken to
+    // be.
     let mut best = first;
     for other in elsewhere(case, whole.actuation, whole.engine, secondary_speed, direction) {
         match from(&other) {
@@ -100,8 +101,8 @@ fn loses_less(found: &Equilibrium, other: &Equilibrium) -> Result<bool, Equilibr
 }
 
 /// As [`equilibrium`], from that of a case nearby: other parts, or another speed. Where that leads nowhere, as it may
-/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did, or to one that is
-/// pushed and was not: the better of both is told.
+/// across a stop, from nothing; so too where it leads to a belt that slips, and slips more than it did, or to one that
+/// is pushed and was not: the better of both is told.
 ///
 /// # Errors
 /// See [`EquilibriumError`].

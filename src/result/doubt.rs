@@ -14,7 +14,7 @@ const LITTLE_ADHESION: f64 = 0.02;
 const BUCKLED: f64 = 2.5 * PI;
 
 /// What keeps a drive from being sound; the worst first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Doubt {

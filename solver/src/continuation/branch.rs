@@ -131,8 +131,8 @@ pub struct BranchPoint {
     /// The solution.
     pub solution: Solution,
     /// Whether the parameter of a branch point has settled on halved meshes, as
-    /// [`BranchOptions::settle_branch_points`] asks: where it has not, it is only as exact as the mesh of the branch is
-    /// for what bifurcates, which is told by nothing else. True of every other point.
+    /// [`BranchOptions::settle_branch_points`] asks. Where it has not, it is no more exact than the mesh of the branch
+    /// happens to be for what bifurcates, whatever the error estimate of its solution is. True of every other point.
     pub is_settled: bool,
     /// Of a branch point, the direction of the branch that it was found on.
     pub(super) direction: Option<Direction>,

@@ -474,7 +474,8 @@ impl<'a, 'e> Tracer<'a, 'e> {
         found
     }
 
-    /// Whether the parameter's rates at two points are no more than rounding, as on a branch along which it is constant.
+    /// Whether the parameter's rates at two points are no more than rounding, as on a branch along which it is
+    /// constant.
     fn stands_still(&self, a: &Reference, b: &Reference) -> bool {
         let (low, high) = self.options.range;
         let of_points = a.value(self.parameter).abs().max(b.value(self.parameter).abs());

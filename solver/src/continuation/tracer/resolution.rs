@@ -163,8 +163,8 @@ impl Resolved {
     }
 }
 
-/// Parts of a step beside an end towards which the determinant falls from the middle without a change of its sign: there
-/// it may touch zero, or cross it twice. By the determinants at the first end, in the middle and at the last end.
+/// Parts of a step beside an end towards which the determinant falls from the middle without a change of its sign:
+/// there it may touch zero, or cross it twice. By the determinants at the first end, in the middle and at the last end.
 fn beside_ends([first, middle, last]: [Determinant; 3]) -> impl Iterator<Item = f64> {
     let falls = move |end: &Determinant| end.orientation == middle.orientation && end.logarithm < middle.logarithm;
     [(0.25, first), (0.75, last)].into_iter().filter(move |(_, end)| falls(end)).map(|(part, _)| part)

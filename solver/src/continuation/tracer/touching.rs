@@ -219,7 +219,6 @@ impl Tracer<'_, '_> {
         let parameter = self.parameter;
         let tolerance = self.location_tolerance(&touch.point);
         let apart = |touch: &Touch| touch.width * touch.point.direction.constants[parameter].abs();
-        let mut settled = false;
         for _ in 0..HALVINGS {
             if !self.can_be_halved(&touch.point) {
                 break;
@@ -235,12 +234,11 @@ impl Tracer<'_, '_> {
             let is_one = apart(&touch) <= tolerance;
             // Two zeros that come together do so with the methods' orders, which are four and more.
             let stay_apart = !is_one && touch.width > 0.5 * before.width;
-            settled = is_one && change <= SHRINKS * tolerance;
-            if stay_apart || settled {
+            touch.point.is_settled = is_one && change <= SHRINKS * tolerance;
+            if stay_apart || touch.point.is_settled {
                 break;
             }
         }
-        touch.point.is_settled = settled;
         Ok((apart(&touch) <= tolerance).then_some(touch))
     }
 
