@@ -13,14 +13,6 @@ use sheave::bench::engine::EngineCurve;
 use sheave::bench::{BenchError, temperature};
 use std::path::PathBuf;
 
-fn unnamed(engine: Option<&EngineCurve>) -> Vec<String> {
-    let unnamed = engine.is_some_and(|engine| !engine.named);
-    unnamed
-        .then(|| "the engine's curve has no header: its second column is taken for hp".to_owned())
-        .into_iter()
-        .collect()
-}
-
 /// The properties of a belt from bench tests, as a dictionary, with the case file that has them under `case_file`.
 #[pyfunction]
 #[pyo3(signature = (file, *, temperature=None))]
@@ -98,7 +90,7 @@ pub fn dyno<'py>(
     let names = Names { primary, secondary, torque };
     let work = move || {
         let engine = engine.as_deref().map(EngineCurve::read).transpose()?;
-        let mut warnings = unnamed(engine.as_ref());
+        let mut warnings: Vec<String> = engine.as_ref().and_then(EngineCurve::assumption).into_iter().collect();
         let options = logs::Options {
             rate,
             window,
@@ -159,7 +151,7 @@ pub fn compare<'py>(
         };
         let options = comparison::Options { tolerance, radii, clamp, fit };
         let mut found = comparison::compare(&case, table, &options)?;
-        found.warnings.extend(unnamed(engine.as_ref()));
+        found.warnings.extend(engine.as_ref().and_then(EngineCurve::assumption));
         Ok((comparison::summary(&found), found))
     };
     let (summary, found) =

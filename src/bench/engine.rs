@@ -2,7 +2,7 @@
 
 use super::cells;
 use super::error::{BenchError, BenchProblem};
-use crate::quantity::{Unit, rpm};
+use crate::quantity::{Dimension, Unit, parse, rpm};
 use crate::text::quoted;
 use serde::Serialize;
 use std::path::Path;
@@ -31,12 +31,13 @@ pub struct EngineCurve {
     pub tabulated: Tabulated,
     /// Speed in rad/s, and power in W or torque in N·m, in the order of speeds.
     pub points: Vec<(f64, f64)>,
-    /// Whether the file says what its columns are.
+    /// Whether the file says in which unit its second column is.
     pub named: bool,
 }
 
 impl EngineCurve {
-    /// Reads rpm and hp, kW, W or N·m, with or without a header; without one the second column is taken for hp.
+    /// Reads rpm, and power or torque in the unit that the header names; without a header the second column is taken
+    /// for hp, a column headed `power` for hp too and one headed `torque` for N·m.
     ///
     /// # Errors
     /// A file that cannot be read, a row that is not two numbers, a row with more cells than the header (two without
@@ -52,9 +53,9 @@ impl EngineCurve {
     /// As [`EngineCurve::read`].
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, BenchError> {
         cells::check_encoding(name, bytes)?;
-        let (mut tabulated, mut scale, mut named) = (Tabulated::Power, HORSEPOWER, false);
+        let mut second_column = Column::UNNAMED;
         let mut points: Vec<(f64, f64)> = Vec::new();
-        let mut width = 2;
+        let (mut width, mut headed) = (2, false);
         for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
             let bad = |reason: String| BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
             let text = std::str::from_utf8(text).map_err(|_| bad("this is no text".into()))?;
@@ -79,20 +80,23 @@ impl EngineCurve {
                 (Some(speed), Some(value)) if speed >= 0.0 && points.len() < ROWS => {
                     points.push((Unit::RPM.to_si(speed), value));
                 }
-                (None, None) if points.is_empty() && !named => {
-                    (tabulated, scale) = unit(second).ok_or_else(|| {
+                (None, None) if points.is_empty() && !headed => {
+                    second_column = Column::of(second).ok_or_else(|| {
                         let second = quoted(second);
-                        bad(format!("`{second}` is no unit of power or torque: expected hp, kW, W or N*m"))
+                        bad(format!(
+                            "`{second}` is no unit of power or torque: expected one such as hp, kW, PS, N*m or lbf-ft"
+                        ))
                     })?;
                     if let Some(other) = other_speed(first) {
                         return Err(bad(format!("`{}` is in {other}: expected a speed in rpm", quoted(first))));
                     }
-                    (named, width) = (true, cells.len());
+                    (headed, width) = (true, cells.len());
                 }
                 _ => return Err(bad("expected two finite numbers, the first a speed in rpm".into())),
             }
         }
-        points.iter_mut().for_each(|(_, value)| *value *= scale);
+        let Column { tabulated, in_si, named } = second_column;
+        points.iter_mut().for_each(|(_, value)| *value *= in_si);
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let same = points.windows(2).find(|pair| pair[0].0 == pair[1].0);
         match (points.len(), same) {
@@ -106,6 +110,15 @@ impl EngineCurve {
             }
             (_, None) => Ok(Self { tabulated, points, named }),
         }
+    }
+
+    /// What its second column was taken for where the file does not say, as a warning.
+    pub fn assumption(&self) -> Option<String> {
+        let unit = match self.tabulated {
+            Tabulated::Power => "hp",
+            Tabulated::Torque => "N\u{b7}m",
+        };
+        (!self.named).then(|| format!("the engine's curve names no unit: its second column is taken for {unit}"))
     }
 
     /// Power in W at a speed in rad/s, and its slope in W·s/rad; `None` outside the table.
@@ -145,14 +158,39 @@ fn other_speed(name: &str) -> Option<&'static str> {
     others.into_iter().find(|(unit, _)| last_of(&name) == *unit).map(|(_, shown)| shown)
 }
 
-fn unit(name: &str) -> Option<(Tabulated, f64)> {
-    let name = name.to_ascii_lowercase();
-    match last_of(&name) {
-        "hp" | "power" => Some((Tabulated::Power, HORSEPOWER)),
-        "kw" => Some((Tabulated::Power, 1e3)),
-        "w" => Some((Tabulated::Power, 1.0)),
-        "n*m" | "nm" | "n·m" | "n m" | "torque" => Some((Tabulated::Torque, 1.0)),
-        _ => None,
+/// What the second column has.
+struct Column {
+    tabulated: Tabulated,
+    /// Its unit in SI.
+    in_si: f64,
+    /// Whether its header names that.
+    named: bool,
+}
+
+impl Column {
+    /// Of a file without a header, or with one that says no more than that it is power.
+    const UNNAMED: Self = Self { tabulated: Tabulated::Power, in_si: HORSEPOWER, named: false };
+
+    /// By its header; nothing for what is neither power nor torque.
+    fn of(header: &str) -> Option<Self> {
+        let unit = last_of(header);
+        match unit.to_ascii_lowercase().as_str() {
+            "power" => return Some(Self::UNNAMED),
+            "torque" => return Some(Self { tabulated: Tabulated::Torque, in_si: 1.0, named: false }),
+            _ => {}
+        }
+        // Files of other programs write units in capitals and small letters alike.
+        let read = |text: &str| parse(&format!("1 {text}")).ok().filter(|quantity| !quantity.bare);
+        let alike = ["hp", "kW", "W", "PS", "Nm", "N*m", "N·m", "N m"]
+            .into_iter()
+            .find(|known| known.eq_ignore_ascii_case(unit));
+        let quantity = alike.and_then(read).or_else(|| read(unit)).or_else(|| read(&unit.to_ascii_lowercase()))?;
+        let tabulated = match quantity.dimension {
+            Dimension::POWER => Tabulated::Power,
+            Dimension::TORQUE => Tabulated::Torque,
+            _ => return None,
+        };
+        Some(Self { tabulated, in_si: quantity.si, named: true })
     }
 }
 
@@ -168,6 +206,36 @@ mod tests {
         assert!(error.contains("`e`, line 1: it is written in UTF-16"), "{error}");
         let error = EngineCurve::parse("e", b"rpm,hp\r1000,2\r3000,4\r").unwrap_err().to_string();
         assert!(error.contains("carriage returns alone"), "{error}");
+    }
+
+    #[test]
+    fn a_header_names_any_unit_of_power_or_torque_and_one_that_names_none_is_told() {
+        let read = |header: &str| EngineCurve::parse("e", format!("{header}\n1000,10\n3000,20\n").as_bytes()).unwrap();
+        for (header, tabulated, in_si) in [
+            ("rpm,hp", Tabulated::Power, 745.699_871_582_270_2),
+            ("rpm,HP", Tabulated::Power, 745.699_871_582_270_2),
+            ("rpm,power (PS)", Tabulated::Power, 735.498_75),
+            ("RPM,Power_KW", Tabulated::Power, 1e3),
+            ("rpm,power [W]", Tabulated::Power, 1.0),
+            ("rpm,torque_Nm", Tabulated::Torque, 1.0),
+            ("rpm,n\u{b7}m", Tabulated::Torque, 1.0),
+            ("rpm,Torque (lb-ft)", Tabulated::Torque, 1.355_817_948_331_400_4),
+            ("rpm,TORQUE [LBF-FT]", Tabulated::Torque, 1.355_817_948_331_400_4),
+            ("rpm,torque (lbf*in)", Tabulated::Torque, 0.112_984_829_027_616_7),
+        ] {
+            let curve = read(header);
+            assert_eq!((curve.tabulated, curve.assumption()), (tabulated, None), "{header}");
+            let (_, value) = curve.points[0];
+            assert!((value / (10.0 * in_si) - 1.0).abs() < 1e-14, "{header}: {value}");
+        }
+        for (header, unit) in [("rpm,torque", "N\u{b7}m"), ("rpm,power", "hp"), ("speed_rpm,Power", "hp")] {
+            let told = read(header).assumption().unwrap();
+            assert!(told.ends_with(&format!("its second column is taken for {unit}")), "{header}: {told}");
+        }
+        assert!(EngineCurve::parse("e", b"1000,2\n3000,4\n").unwrap().assumption().is_some());
+        for wrong in ["rpm,mm", "rpm,1", "rpm,%", "rpm,throttle", "rpm,pressure (bar)"] {
+            assert!(EngineCurve::parse("e", format!("{wrong}\n1,2\n3,4\n").as_bytes()).is_err(), "{wrong}");
+        }
     }
 
     #[test]

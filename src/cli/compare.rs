@@ -30,7 +30,7 @@ pub struct Arguments {
     /// with their standard deviations (_sd) and errors (_se), run, step, primary_torque_Nm where there are
     #[arg(long, value_name = "POINTS.csv")]
     data: PathBuf,
-    /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
+    /// The engine's curve: rpm, and power or torque in the unit that a header names; hp without one
     #[arg(long, value_name = "ENGINE.csv")]
     engine: Option<PathBuf>,
     /// Flyweights and spring of the primary, which then take the place of the case's clamp
@@ -89,9 +89,7 @@ impl Arguments {
         };
         let options = Options { tolerance: self.tol, radii, clamp, fit: self.fit.clone() };
         let mut comparison = compare(case, table, &options)?;
-        if engine.is_some_and(|engine| !engine.named) {
-            comparison.warnings.push("the engine's curve has no header: its second column is taken for hp".into());
-        }
+        comparison.warnings.extend(engine.and_then(EngineCurve::assumption));
         Ok(comparison)
     }
 

@@ -32,7 +32,7 @@ pub struct Arguments {
     /// applies); for files ADC_*, columns `adc`, and the column that --torque names
     #[arg(long, value_name = "FILE")]
     calibration: Option<PathBuf>,
-    /// The engine's curve: rpm and hp, kW, W or N·m, with or without a header; hp without one
+    /// The engine's curve: rpm, and power or torque in the unit that a header names; hp without one
     #[arg(long, value_name = "ENGINE.csv")]
     engine: Option<PathBuf>,
     /// Teeth of the gears on the secondary's and on the brake's shaft
@@ -146,9 +146,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 impl Arguments {
     fn options(&self, warnings: &mut Vec<String>) -> Result<Options, BenchError> {
         let engine = self.engine.as_deref().map(EngineCurve::read).transpose()?;
-        if engine.as_ref().is_some_and(|engine| !engine.named) {
-            warnings.push("the engine's curve has no header: its second column is taken for hp".into());
-        }
+        warnings.extend(engine.as_ref().and_then(EngineCurve::assumption));
         Ok(Options {
             rate: self.rate,
             window: self.window,

@@ -3,8 +3,8 @@
 //! Factors are exact by definition. SI and the units accepted with it: BIPM, *The International System of Units*,
 //! 9th edition (2019), tables 4, 7 and 8. Inch, foot, pound: the international yard and pound agreement of 1959
 //! (1 in = 25.4 mm, 1 lb = 0.453 592 37 kg). Pound-force with the standard acceleration 9.806 65 m/s² (3rd CGPM, 1901);
-//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B. Yarns: 1 tex
-//! is 1 g/km, 1 denier (`den`) 1 g in 9000 m (ISO 1144).
+//! ounce, psi and mechanical horsepower (550 ft·lbf/s) from these, as in NIST SP 811 (2008), appendix B, and so is
+//! metric horsepower (`PS`, 75 kgf·m/s). Yarns: 1 tex is 1 g/km, 1 denier (`den`) 1 g in 9000 m (ISO 1144).
 
 use super::Dimension;
 use std::f64::consts::{PI, TAU};
@@ -152,7 +152,7 @@ const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
 /// 1 lbf = 44482216152605e-13 N.
 const LBF: f64 = 44_482_216_152_605.0;
 
-static SYMBOLS: [Symbol; 34] = [
+static SYMBOLS: [Symbol; 35] = [
     si("m", 0, Dimension::LENGTH),
     known(Unit::INCH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
@@ -184,6 +184,7 @@ static SYMBOLS: [Symbol; 34] = [
     plain("ksi", -2, LBF, 64_516.0, Dimension::PRESSURE),
     si("W", 0, Dimension::POWER),
     known(Unit::HORSEPOWER),
+    plain("PS", -5, 73_549_875.0, 1.0, Dimension::POWER),
     plain("%", -2, 1.0, 1.0, Dimension::NONE),
     si("K", 0, Dimension::TEMPERATURE),
     plain("1", 0, 1.0, 1.0, Dimension::NONE),
@@ -274,6 +275,7 @@ mod tests {
             ("psi", 6.894_757e3),
             ("ksi", 6.894_757e6),
             ("hp", 7.456_999e2),
+            ("PS", 7.354_988e2),
         ] {
             let factor = find(symbol).expect(symbol).to_si(1.0);
             assert!((factor / tabulated - 1.0).abs() < 5e-7, "{symbol}: {factor}");
