@@ -189,6 +189,8 @@ fn tightened(
 enum Routes {
     /// No more once one has led to the case, whether or not it has a solution there to the tolerance.
     UntilThere,
+    /// No more once one has shown that the belt slips: of a start that was guessed, for which there are others.
+    UntilSlipping,
     /// All, until there is a solution.
     All,
 }
@@ -267,7 +269,7 @@ fn near(
         constants[Constant::PrimaryTorque] /= factor;
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
-    ordinary(model, &Question::new(constants), &rough, Routes::All, budget)
+    ordinary(model, &Question::new(constants), &rough, Routes::UntilSlipping, budget)
 }
 
 /// Answers a question from the solution of another, however far: everything that is prescribed goes there at once, in
@@ -378,9 +380,13 @@ fn ordinary(
                 if let Some(words) = next.solver() {
                     tracing::debug!("the solver says: {words}");
                 }
-                let there = next.is_at(question);
+                let enough = match routes {
+                    Routes::UntilThere => next.is_at(question),
+                    Routes::UntilSlipping => next.trouble().is_some_and(Trouble::slips),
+                    Routes::All => false,
+                };
                 failure = Some(Failure::farther(failure, next, target));
-                if there && routes == Routes::UntilThere {
+                if enough {
                     break;
                 }
             }

@@ -116,6 +116,11 @@ impl Trouble {
         }
     }
 
+    /// Whether a pulley slips, and not for a guess: no other way to the same torque and tension finds friction.
+    pub(super) fn slips(self) -> bool {
+        matches!(self, Self::Slip { used, .. } if used >= SLIPS)
+    }
+
     /// What holds of the case itself, whatever was solved on the path: a strand that would be pushed.
     ///
     /// On the primary, M_in is at most R_P times the difference of the tractive tensions, for a belt that sinks has a
