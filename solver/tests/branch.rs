@@ -81,6 +81,37 @@ fn a_fold_and_events_are_located() {
     }
 }
 
+/// What comes before the point at which it is to end is the same as without.
+#[test]
+fn a_tracing_ends_where_it_is_to() {
+    let problem = Differentiated::new(Bratu).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[0.5], |_, _, y| y.fill(0.0));
+    let options = BranchOptions { range: (0.5, 10.0), ..BranchOptions::default() };
+    let (low, high) = (|solution: &Solution| middle(solution) - 0.5, |solution: &Solution| middle(solution) - 3.0);
+    let traced = |stop_at: &[PointKind]| {
+        let options = BranchOptions { stop_at: stop_at.to_vec(), ..options.clone() };
+        trace(&problem, &guess, 0, &[], &options, &[&low, &high])
+    };
+    let whole = traced(&[]).unwrap();
+    let (fold, branch_point) = (PointKind::Fold, PointKind::BranchPoint);
+    for (stop_at, last) in [
+        (&[fold][..], fold),
+        (&[PointKind::Event(1)], PointKind::Event(1)),
+        (&[PointKind::Event(1), fold], fold),
+        (&[fold, PointKind::Event(0)], PointKind::Event(0)),
+        (&[branch_point], PointKind::End),
+    ] {
+        let branch = traced(stop_at).unwrap();
+        let place = whole.points.iter().position(|point| point.kind == last).unwrap();
+        let told = |points: &[solver::continuation::BranchPoint]| -> Vec<(PointKind, f64)> {
+            points.iter().map(|point| (point.kind, point.parameter)).collect()
+        };
+        assert_eq!(told(&branch.points), told(&whole.points[..=place]), "{stop_at:?}");
+    }
+    let error = traced(&[PointKind::Event(2)]).unwrap_err();
+    assert!(error.points.is_empty() && error.to_string().contains("stop_at"), "{error}");
+}
+
 #[test]
 fn at_a_fold_there_is_no_tangent_in_the_parameter() {
     let problem = Differentiated::new(Bratu).unwrap();

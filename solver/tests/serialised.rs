@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::{Bvp, Formulas};
+use solver::continuation::{Branch, BranchOptions, trace, trace_crossing};
 use solver::{Accuracy, Guess, MeshRecord, Options, Order, Shortfall, Solution, solve};
 
 #[test]
@@ -75,4 +76,40 @@ fn numbers_that_are_not_finite_survive_json() {
     assert!(
         matches!(again, Accuracy::Short { estimate, tolerance: 1e-6, because: Shortfall::Mesh } if estimate.is_nan())
     );
+}
+
+/// Euler's strut from straight to buckled, by way of a text.
+#[test]
+fn a_branch_comes_back_and_its_branch_point_is_switched_at() {
+    let strut = Bvp::new(
+        &["angle", "curvature"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], -p[0] * y[0].sin()),
+        |a, b, _, g| (g[0], g[1]) = (a[1], b[1]),
+    )
+    .given("load", 5.0);
+    let options = BranchOptions { range: (5.0, 15.0), max_points: 40, ..BranchOptions::default() };
+    let straight = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+    let text = serde_json::to_string(&straight).unwrap();
+    let again: Branch = serde_json::from_str(&text).unwrap();
+    assert_eq!(serde_json::to_string(&again).unwrap(), text);
+    assert_eq!((again.check, again.stats, again.points.len()), (straight.check, straight.stats, straight.points.len()));
+    let told = |branch: &Branch| -> Vec<(f64, f64)> {
+        let [left, right] =
+            trace_crossing(&strut, branch.branch_points().next().unwrap(), 0, &[], &options, &[]).unwrap();
+        let both = left.points.iter().chain(&right.points);
+        both.map(|point| (point.parameter, point.solution.regions()[0].eval(0.0)[0])).collect()
+    };
+    let buckled = told(&straight);
+    assert!(buckled.iter().any(|(_, angle)| *angle > 0.5) && buckled.iter().any(|(_, angle)| *angle < -0.5));
+    assert_eq!(told(&again), buckled);
+    // A direction that is not the solution's is refused.
+    let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for point in value["points"].as_array_mut().unwrap() {
+        if let Some(states) = point["direction"].get_mut("states") {
+            states[0][0].as_array_mut().unwrap().pop();
+        }
+    }
+    let other: Branch = serde_json::from_value(value).unwrap();
+    assert!(trace_crossing(&strut, other.branch_points().next().unwrap(), 0, &[], &options, &[]).is_err());
 }

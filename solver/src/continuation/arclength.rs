@@ -23,6 +23,7 @@ use std::rc::Rc;
 /// The direction in which a branch leaves one of its points: rates of change, of unit length in the inner product of
 /// pseudo-arclength.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Direction {
     /// Of the states, by region, state and node.
     pub states: Vec<Vec<Vec<f64>>>,

@@ -33,6 +33,9 @@ pub struct BranchOptions {
     pub max_iterations: usize,
     /// Points, located ones included.
     pub max_points: usize,
+    /// What else ends the tracing: the first point of one of these kinds is its last. To go on from there, trace from
+    /// its solution; across a fold, from a checkpoint or a point beside it. Default: nothing.
+    pub stop_at: Vec<PointKind>,
     /// Whether branch points, where another branch crosses, are looked for and located. Simple ones are seen by the
     /// orientation of the problem that arclength extends, which changes there; those of even multiplicity, where it
     /// does not, by the determinant whose sign it is: see
@@ -64,6 +67,7 @@ impl Default for BranchOptions {
             largest_contraction: 1.0,
             max_iterations: 12,
             max_points: 200,
+            stop_at: Vec::new(),
             branch_points: true,
             resolve_branch_points: true,
             settle_branch_points: true,
@@ -72,7 +76,15 @@ impl Default for BranchOptions {
 }
 
 impl BranchOptions {
-    pub(super) fn check(&self, start: f64) -> Result<(), SolveError> {
+    pub(super) fn check(&self, start: f64, events: usize) -> Result<(), SolveError> {
+        let unknown = |kind: &PointKind| match kind {
+            PointKind::Event(index) if *index >= events => Some(*index),
+            _ => None,
+        };
+        if let Some(index) = self.stop_at.iter().find_map(unknown) {
+            let expected = "the index of an event that is given";
+            return Err(SolveError::Option { name: "stop_at", value: index as f64, expected });
+        }
         positive([
             ("first_step", self.first_step),
             ("smallest_step", self.smallest_step),
@@ -104,6 +116,7 @@ impl BranchOptions {
 
 /// What is special about a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum PointKind {
     /// A step ended here.
     Regular,
@@ -119,6 +132,7 @@ pub enum PointKind {
 
 /// One solution of a branch.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BranchPoint {
     /// What is special about it.
     pub kind: PointKind,
@@ -147,8 +161,9 @@ pub enum Side {
     Second,
 }
 
-/// A branch traced to the end of its range, or to the wanted number of points.
+/// A branch traced to the end of its range, to the wanted number of points, or to what it was to stop at.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Branch {
     /// In order of arclength.
     pub points: Vec<BranchPoint>,

@@ -207,7 +207,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             self.check = self.check.and(turned.placed(next.point.value(self.parameter)));
             for (kind, at, found) in located {
                 self.push(kind, arclength + at, found.as_ref().unwrap_or(&next.point));
-                if kind == PointKind::End {
+                if kind == PointKind::End || self.options.stop_at.contains(&kind) {
                     return Ok(());
                 }
             }
@@ -301,7 +301,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
         if self.parameter >= constants || self.unknowns.contains(&self.parameter) {
             return Err(SolveError::Unknowns { index: self.parameter, constants });
         }
-        self.options.check(start.constants[self.parameter])
+        self.options.check(start.constants[self.parameter], self.events.len())
     }
 
     /// The point of a checkpoint. It lies where it lay; a Newton iteration confirms it.
