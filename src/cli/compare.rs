@@ -89,7 +89,7 @@ impl Arguments {
         };
         let options = Options { tolerance: self.tol, radii, clamp, fit: self.fit.clone() };
         let mut comparison = compare(case, table, &options)?;
-        comparison.warnings.extend(engine.and_then(EngineCurve::assumption));
+        comparison.warnings.extend(engine.as_ref().and_then(EngineCurve::assumption));
         Ok(comparison)
     }
 
