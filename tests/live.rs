@@ -154,27 +154,29 @@ fn the_pages_drive_is_the_example() {
     assert_eq!(pages.resolve().unwrap().settings(), example.resolve().unwrap().settings());
 }
 
-/// A shift curve as the page asks for it: what it begins with, then point after point.
-fn curve(live: &mut Live, case: &str, set: &Value) -> (Value, Vec<Value>) {
+/// A shift curve as the page asks for it: what it begins with, then point after point, and what is said of them.
+fn curve(live: &mut Live, case: &str, set: &Value) -> (Value, Vec<Value>, Value) {
     let question =
         json!({ "ask": "shift", "case": case, "set": set, "direction": "up", "points": 4, "tolerance": 1e-3 });
     let begun = ask(live, question);
-    let mut points = Vec::new();
+    let (mut points, mut remarks) = (Vec::new(), Value::Null);
     while let Some(left) = begun["left"].as_u64() {
         let next = ask(live, json!({ "ask": "shift_next", "direction": "up" }));
         assert_eq!(next["left"].as_u64(), Some((left as usize - 1 - points.len()) as u64), "{next}");
         points.push(next["point"].clone());
         if points.len() == left as usize {
+            remarks = next["remarks"].clone();
             break;
         }
+        assert!(next.get("remarks").is_none(), "{next}");
     }
-    (begun, points)
+    (begun, points, remarks)
 }
 
 #[test]
 fn a_shift_curve_comes_point_by_point() {
     let mut live = Live::default();
-    let (begun, points) = curve(&mut live, GX9, &json!([]));
+    let (begun, points, remarks) = curve(&mut live, GX9, &json!([]));
     assert!(begun["failure"].is_null() && begun["missing"] == json!([]), "{begun}");
     assert!(begun["given"].as_array().unwrap().contains(&json!("primary.actuator.mass")), "{begun}");
     assert!(begun["values"]["primary.actuator.mass"].as_f64().is_some_and(|grams| (grams - 134.0).abs() < 1e-9));
@@ -191,7 +193,11 @@ fn a_shift_curve_comes_point_by_point() {
         let report = point.report.as_ref().unwrap();
         assert_eq!(shown["primary_speed"].as_f64(), Some(report.primary_speed));
         assert_eq!(shown["efficiency"].as_f64(), report.efficiency);
+        assert_eq!(shown["doubt"].as_str(), report.doubt.map(sheave::result::Doubt::name));
     }
+    let reports = branch.points.iter().filter_map(|point| point.report.as_deref().ok());
+    assert_eq!(remarks, json!(sheave::equilibrium::over_curve(&case, reports)));
+    assert!(remarks[0].as_str().unwrap().contains("the belt adheres on neither pulley"), "{remarks}");
     // Behind the last there is none.
     let next = ask(&mut live, json!({ "ask": "shift_next", "direction": "up" }));
     assert_eq!(next, json!({ "point": null, "left": 0 }));
@@ -204,9 +210,9 @@ fn a_curve_beside_another_is_the_same_as_from_nothing() {
     let set = json!([["primary.actuator.mass", "140 g"]]);
     let mut live = Live::default();
     curve(&mut live, GX9, &json!([]));
-    let (begun, beside) = curve(&mut live, GX9, &set);
+    let (begun, beside, _) = curve(&mut live, GX9, &set);
     assert!(text(&begun, "case").contains("140 g"));
-    let (cold, alone) = curve(&mut Live::default(), GX9, &set);
+    let (cold, alone, _) = curve(&mut Live::default(), GX9, &set);
     let ratio = |answer: &Value| answer["full_shift"]["ratio"].as_f64().unwrap();
     assert!((ratio(&begun) / ratio(&cold) - 1.0).abs() < 1e-3);
     for (one, other) in beside.iter().zip(&alone) {

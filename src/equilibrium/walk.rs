@@ -8,6 +8,7 @@ use super::error::EquilibriumError;
 use super::heat::{equilibrium_outcome, outcome_at_speed};
 use super::point::{Direction, Equilibrium};
 use super::question::has_all_parts;
+use super::remarks::over_curve;
 use super::report::DriveReport;
 use super::search::SLOWEST;
 use crate::case::Resolved;
@@ -166,6 +167,12 @@ impl ShiftWalk {
             self.branch.remarks.push("the search was ended before its last point".to_owned());
         }
         self.ended = true;
+    }
+
+    /// What there is to say of the points so far together: see [`over_curve`].
+    pub fn remarks(&self) -> Vec<String> {
+        let reports = self.branch.points.iter().filter_map(|point| point.report.as_deref().ok());
+        over_curve(&self.case, reports)
     }
 
     /// How many points are still to be computed.

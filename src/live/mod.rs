@@ -13,7 +13,7 @@
 //! | `largest_torque` | the largest torque that the case's clamp carries, or none |
 //! | `smallest_clamps` | the smallest clamps that carry the case's torque, or none |
 //! | `shift` | the landmarks of a whole drive's shift curve in one direction, and how many points it has |
-//! | `shift_next` | its next point, or none |
+//! | `shift_next` | its next point, or none; with the last one, what there is to say of all of them |
 //! | `tune` | the combinations of a box of parts that hold the engine at a speed best, each with its case |
 //! | `profile` | every state and derived field along the belt of the last solution, as CSV |
 //!

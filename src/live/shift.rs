@@ -62,14 +62,20 @@ impl Curves {
         Ok(answer)
     }
 
-    /// The next point of a curve, and how many are left; none where there is no curve, or no more of it.
+    /// The next point of a curve, and how many are left; none where there is no curve, or no more of it. With the last
+    /// comes what there is to say of all of them.
     pub(super) fn next(&mut self, direction: Direction) -> Result<Value, Refused> {
         let Some(walk) = self.of(direction) else { return Ok(json!({ "point": null, "left": 0 })) };
         let point = match walk.step() {
             Ok(point) => point.map(told),
             Err(error) => return Ok(json!({ "failure": report(&error) })),
         };
-        Ok(json!({ "point": point, "left": walk.remaining() }))
+        let (is_one, left) = (point.is_some(), walk.remaining());
+        let mut answer = json!({ "point": point, "left": left });
+        if is_one && left == 0 {
+            answer["remarks"] = json!(walk.remarks());
+        }
+        Ok(answer)
     }
 }
 
@@ -93,6 +99,7 @@ fn told(point: &ShiftPoint) -> Value {
             told["primary_torque"] = json!(report.drive.primary.torque);
             told["slip_reserve"] = json!(report.slip_reserve);
             told["slipping"] = json!(report.slipping);
+            told["doubt"] = json!(report.doubt);
             told["efficiency"] = json!(report.efficiency);
             told["power_in"] = json!(report.power_in);
             told["power_out"] = json!(report.power_out);

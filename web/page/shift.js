@@ -24,6 +24,8 @@ class Branch {
   before = [];
   left = 0;
   missing = [];
+  /** What there is to say of all points together. */
+  remarks = [];
 
   begin(answer) {
     if (this.points.length > 0) this.before = this.shown();
@@ -32,11 +34,13 @@ class Branch {
     this.points = [];
     this.left = answer.left;
     this.missing = answer.missing;
+    this.remarks = [];
   }
 
-  add(point, left) {
+  add(point, left, remarks) {
     this.points.push(point);
     this.left = left;
+    this.remarks = remarks ?? [];
     if (left === 0) this.before = [];
   }
 
@@ -131,6 +135,7 @@ const COLUMNS = [
   ["secondary_axial_force", "secondary (N)", (point) => number(point.secondary_axial_force)],
   ["slip_reserve", "reserve (%)", (point) => fixed(percent(point.slip_reserve), 1)],
   ["efficiency", "efficiency (%)", (point) => fixed(percent(point.efficiency), 2)],
+  ["doubt", "doubt", (point) => (point.slipping ? "slips" : (point.doubt ?? ""))],
 ];
 
 /** A field of CSV. */
@@ -178,9 +183,9 @@ export class ShiftView {
     this.draw();
   }
 
-  /** A point is found. */
-  add(direction, point, left) {
-    this.branches[direction].add({ ...point, direction }, left);
+  /** A point is found; with the last come remarks about all of them. */
+  add(direction, { point, left, remarks }) {
+    this.branches[direction].add({ ...point, direction }, left, remarks);
     this.draw();
   }
 
@@ -292,8 +297,15 @@ export class ShiftView {
     return Object.values(this.branches).flatMap((branch) => branch.points);
   }
 
-  /** Why something is missing. */
+  /** What there is to say of the curves, of each by itself where there are two. */
   get remarks() {
+    const shown = Object.entries(this.branches).filter(([, branch]) => branch.points.length > 0);
+    const of = (name) => (shown.length > 1 ? `${WAYS[name][0].toUpperCase()}${WAYS[name].slice(1)}: ` : "");
+    return shown.flatMap(([name, branch]) => branch.remarks.map((text) => `${of(name)}${text}`));
+  }
+
+  /** Why something is missing. */
+  get missing() {
     const failed = this.points.filter((point) => point.failure);
     const missing = Object.values(this.branches).flatMap((branch) => branch.missing);
     return [...new Set([...missing, ...failed.map((point) => point.failure)])];

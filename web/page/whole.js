@@ -139,7 +139,7 @@ export class Whole {
       }
       if (!answer.point) return true;
       left = answer.left;
-      this.view.add(direction, answer.point, left);
+      this.view.add(direction, answer);
     }
     return true;
   }
@@ -168,8 +168,12 @@ export class Whole {
   }
 
   #remarks() {
-    const notes = this.view.remarks;
-    byId("missing").replaceChildren(...notes.map((text) => html("li", { text })));
-    byId("missing-box").hidden = notes.length === 0;
+    for (const [name, notes] of [
+      ["missing", this.view.missing],
+      ["doubts", this.view.remarks],
+    ]) {
+      byId(name).replaceChildren(...notes.map((text) => html("li", { text })));
+      byId(`${name}-box`).hidden = notes.length === 0;
+    }
   }
 }

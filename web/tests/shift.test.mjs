@@ -46,6 +46,8 @@ test("a belt alone has no shift curve, and the example is one click away", async
   // Its actuators have no friction: one curve is both.
   assert.equal((await points(page, "back")).length, 0);
   assert.match(await page.locator("#shift-same").innerText(), /no friction/);
+  assert.match(await page.locator("#doubts").innerText(), /^At \d+ of \d+ points, .* the belt adheres on neither/);
+  assert.match(await page.locator("#points").innerText(), /sliding/);
   // Back at the belt, it is the same case.
   const then = await count(page);
   await page.locator("#view-belt").click();
