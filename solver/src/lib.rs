@@ -35,6 +35,7 @@
 //! - [`dae`]: algebraic equations beside the differential ones.
 //! - [`solve()`] from a [`Guess`] to a [`Solution`], or to a [`SolveError`] that says where, what, and what to try.
 //! - [`continuation`]: along paths, along branches through folds, and to solutions that no guess reaches.
+//! - [`check_derivatives`]: which of the derivatives that are written by hand is wrong.
 //! - [`Condensation`]: all sensitivities of ends, integrals and unknown constants at once. [`Linearisation`]: of the
 //!   whole solution, one by one; adjoints; conditioning. [`Multipliers`]: whether a periodic solution is stable.
 //!
@@ -56,6 +57,7 @@ mod condensation;
 mod conditioning;
 pub mod continuation;
 pub mod dae;
+mod derivatives;
 pub mod error;
 mod guess;
 mod layers;
@@ -100,6 +102,7 @@ pub use accuracy::{Accuracy, Shortfall};
 pub use cancel::Cancel;
 pub use condensation::Condensation;
 pub use conditioning::Conditioning;
+pub use derivatives::{WrongDerivative, check_derivatives};
 pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
 pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};

@@ -194,7 +194,8 @@ impl NewtonError {
             }
             Self::Stalled { .. } => {
                 "There may be no solution near the guess, or the equations may have a kink. Improve the guess, \
-                 continue from an easier parameter, or use solve_automatically."
+                 continue from an easier parameter, or use solve_automatically. If derivatives are written by hand, \
+                 check_derivatives says whether they are right."
             }
             Self::IterationLimit { .. } => {
                 "The iteration was still moving: allow more iterations, improve the guess, continue from an easier \
