@@ -513,7 +513,18 @@ impl Reading<'_> {
                 self.wrong(Key::NoLoadSpeed, format!("{low} is not above `engine.governed_speed` = {high}"));
                 return None;
             }
-            (Some(governed), Some(no_load)) => Some(Governor { governed, no_load }),
+            (Some(governed), Some(no_load)) => {
+                let at = torque.as_ref().map(|torque| torque.at(governed).value);
+                if let Some(at) = at.filter(|at| *at <= 0.0) {
+                    let reason = format!(
+                        "the engine has {at:.2} N·m at {}: a governor takes away a torque that drives",
+                        self.case.written(Key::GovernedSpeed)
+                    );
+                    self.wrong(Key::GovernedSpeed, reason);
+                    return None;
+                }
+                Some(Governor { governed, no_load })
+            }
         };
         Some(Engine { torque: torque?, throttle: self.value(Key::Throttle, 1.0), governor })
     }

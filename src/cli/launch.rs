@@ -91,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     if missing > 0 {
         warnings.push(format!("{missing} of {} points of the shift curve have no equilibrium.", branch.points.len()));
     }
+    warnings.extend(found.held_back());
     warnings.extend(over_curve(&resolved, reports().map(Box::as_ref)));
     if let Some(report) = reports().find(|report| report.slipping) {
         let rpm = rpm(report.secondary_speed);

@@ -1,11 +1,12 @@
 //! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
 
 use super::estimate::{EFFICIENCY, estimate};
+use super::power::is_efficiency;
 use super::question::{Known, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Case, CaseError, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
-use crate::model::{Constant, Constants};
+use crate::model::{Constant, Constants, Output};
 
 impl Question {
     /// What a case asks. Where a given constant is unknown, its value is an estimate.
@@ -73,9 +74,19 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
             }
         }
     }
-    let given = case.swaps.iter();
-    swaps.extend(given.map(|swap| Swap { free: swap.constant, known: Known::Output(swap.output), value: swap.value }));
+    // Efficiencies are told of the driven over the driving pulley.
+    let value = |output: Output, value: f64| if brakes(case) && is_efficiency(output) { 1.0 / value } else { value };
+    swaps.extend(case.swaps.iter().map(|swap| Swap {
+        free: swap.constant,
+        known: Known::Output(swap.output),
+        value: value(swap.output, swap.value),
+    }));
     swaps
+}
+
+/// Whether the operating point is one of engine braking.
+fn brakes(case: &Resolved) -> bool {
+    matches!(case.operating_point.load, Load::PrimaryTorque(torque) | Load::SecondaryTorque(torque) if torque < 0.0)
 }
 
 /// The radii; where both are free, those of (6.12) at the ratio that the operating point suggests.

@@ -4,6 +4,7 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::BeltProblem;
+use super::power::is_efficiency;
 use super::question::{Known, Question};
 use super::trouble::Trouble;
 use crate::model::{Constant, Constants, IllPosed, InternalError};
@@ -278,10 +279,16 @@ impl Failure {
                 at.and_then(|at| targets.get(at)).copied().ok_or(InternalError::Output(output))
             }
         };
-        let reached = question
-            .swaps
-            .iter()
-            .map(|swap| Ok(Reached { name: swap.known.name(), value: target(swap.known)?, asked: swap.value }));
+        // As they are told: see `is_efficiency`.
+        let brakes = constants[Constant::PrimaryTorque] < 0.0;
+        let told = |known: Known, value: f64| match known {
+            Known::Output(output) if brakes && is_efficiency(output) => 1.0 / value,
+            Known::Output(_) | Known::Constant(_) => value,
+        };
+        let reached = question.swaps.iter().map(|swap| {
+            let (value, asked) = (told(swap.known, target(swap.known)?), told(swap.known, swap.value));
+            Ok(Reached { name: swap.known.name(), value, asked })
+        });
         // Laws are met at zero.
         let laws = targets.iter().skip(question.conditions().count()).zip(&question.closings);
         let laws = laws

@@ -42,7 +42,7 @@ pub use curve::{Curve, End, trace};
 pub use failure::{Failure, Reached};
 pub use inputs::inputs;
 pub use outputs::{OutputGradients, OutputValues};
-pub(crate) use power::PowerFlow;
+pub(crate) use power::{PowerFlow, is_efficiency};
 pub use predict::TRAIL;
 pub use question::{Known, Question, Swap};
 pub use region::RegionId;

@@ -1,5 +1,7 @@
 //! Which way power goes through a drive.
 
+use crate::model::Output;
+
 /// Share of the larger power below which the other counts as none: a torque of zero is met to the solver's tolerance,
 /// and what is left of its power has no direction.
 const NO_POWER: f64 = 1e-5;
@@ -15,6 +17,12 @@ pub(crate) enum PowerFlow {
     IntoBoth,
     /// None comes out of the secondary, or what comes out of both sides comes from nowhere, or it is not known.
     Neither,
+}
+
+/// Whether an output is what the secondary has over what the primary has, of which the reciprocal is told where the
+/// secondary drives.
+pub(crate) const fn is_efficiency(output: Output) -> bool {
+    matches!(output, Output::EfficiencyOverall | Output::EfficiencySpeed | Output::EfficiencyTorque)
 }
 
 impl PowerFlow {

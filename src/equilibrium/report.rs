@@ -9,6 +9,7 @@ use super::point::{ARRIVING, Direction, Equilibrium, ReportedPhase, Stop};
 use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;
+use crate::drive::PowerFlow;
 use crate::quantity::{celsius, km_per_h, rpm, unsigned_zero};
 use crate::result::{Doubt, DriveResult, Outcome, slip};
 
@@ -91,6 +92,24 @@ pub struct DriveReport {
     pub parts: Vec<PartSensitivity>,
 }
 
+/// The power out of the secondary in W with all losses, and the share of the power put in that it is; none where nothing
+/// arrives. The engine's torque is what it is, so that losses lessen what comes out of the secondary: where the secondary
+/// is driven, more has to be put in there.
+fn delivered(case: &Resolved, drive: &DriveResult<Resolved>) -> (f64, Option<f64>) {
+    let (power_in, power_out) = (drive.energy.power_in, drive.energy.power_out);
+    let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall);
+    match &drive.losses {
+        None => (power_out, efficiency),
+        Some(losses) if PowerFlow::of(power_in, power_out) == PowerFlow::FromPrimary => {
+            (losses.power_out, efficiency.filter(|share| *share > 0.0))
+        }
+        Some(losses) => {
+            let delivered = losses.behind_gears(power_out, case.losses.gear_efficiency);
+            (delivered, drive.efficiency.overall.map(|_| power_in / delivered))
+        }
+    }
+}
+
 impl DriveReport {
     /// Of an equilibrium.
     ///
@@ -104,10 +123,8 @@ impl DriveReport {
     ) -> Result<Self, EquilibriumError> {
         let drive = outcome.result;
         let secondary_speed = drive.secondary.speed;
-        // Where losses take more than the engine gives, nothing arrives of which a share could be told.
-        let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall).filter(|share| *share > 0.0);
         let vehicle = case.parts.vehicle.as_ref();
-        let delivered = drive.losses.as_ref().map_or(drive.energy.power_out, |losses| losses.power_out);
+        let (delivered, efficiency) = delivered(case, &drive);
         let forces = &found.forces;
         let actuators = case
             .parts

@@ -123,6 +123,14 @@ pub struct Delivered {
     pub torque: f64,
 }
 
+impl Delivered {
+    /// Share of the power that goes through, whichever way it goes; 1 where none does.
+    pub(super) fn efficiency(&self) -> f64 {
+        let shares = [self.power_out / self.power_in, self.power_in / self.power_out];
+        shares.into_iter().filter(|share| *share > 0.0).fold(1.0, f64::min)
+    }
+}
+
 impl LaunchCurve {
     /// From the points of a shift curve that begins at take-off.
     ///

@@ -133,10 +133,25 @@ pub struct Launch {
     pub points: Vec<LaunchPoint>,
 }
 
-/// Speed, distance, energy from the engine, out of the secondary, into resistance, and from the engine and out of the
-/// secondary while the clutch slips.
-const STATE: usize = 6;
+/// Speed, distance, energy from the engine, out of the secondary, into resistance, heat in the CVT while the clutch
+/// slips, and heat in the final drive.
+const STATE: usize = 7;
+/// Share of the top speed from which on it is held.
+const HELD: f64 = 0.999;
 type State = [f64; STATE];
+
+impl Launch {
+    /// Where the drive is held at the end of its shift curve by an engine that would have to brake, as a warning.
+    pub fn held_back(&self) -> Option<String> {
+        let held = self.points.iter().filter(|point| point.power_in < 0.0 && point.speed >= HELD * self.top_speed);
+        let most = held.map(|point| -point.power_in).reduce(f64::max)?;
+        Some(format!(
+            "Downhill the speed is held at the end of the shift curve, for which the engine would have to brake with up \
+             to {:.1} kW: what it brakes with is not in its table, and the vehicle may run faster.",
+            1e-3 * most
+        ))
+    }
+}
 
 struct Motion<'a> {
     curve: &'a LaunchCurve,
@@ -153,14 +168,16 @@ impl Motion<'_> {
         self.vehicle.acceleration(self.vehicle.secondary_speed(speed), self.delivered(speed).torque)
     }
 
-    /// The drive at a speed of the vehicle; where the curve has ended, it delivers no more than the road takes.
+    /// The drive at a speed of the vehicle; where the curve has ended, it delivers no more than the road takes. Where
+    /// that is less than nothing, the engine is given what the wheels do, less the share that the drive loses.
     fn delivered(&self, speed: f64) -> Delivered {
         let secondary = self.vehicle.secondary_speed(speed);
         let mut at = self.curve.at(secondary);
-        let load = self.vehicle.load(secondary).torque;
-        if speed >= self.last && at.torque > load {
-            let share = load / at.torque;
-            (at.power_in, at.power_out, at.torque) = (share * at.power_in, share * at.power_out, load);
+        if speed >= self.last && self.vehicle.acceleration(secondary, at.torque) > 0.0 {
+            let (torque, efficiency) = (self.vehicle.holding_torque(secondary), at.efficiency());
+            let power_out = torque * secondary;
+            let power_in = if power_out < 0.0 { efficiency * power_out } else { power_out / efficiency };
+            (at.power_in, at.power_out, at.torque) = (power_in, power_out, torque);
         }
         at
     }
@@ -179,6 +196,7 @@ impl Motion<'_> {
             at.power_out,
             load.resistance * speed,
             heat,
+            self.vehicle.final_drive_heat(at.power_out),
         ]
     }
 }
@@ -337,9 +355,8 @@ fn crossing(points: &[LaunchPoint], of: impl Fn(&LaunchPoint) -> (f64, f64), wan
 
 /// Where the energy went.
 fn energy(vehicle: &Vehicle, state: &State) -> Energy {
-    let [speed, _, engine, secondary, resistance, clutch_heat] = *state;
+    let [speed, _, engine, secondary, resistance, clutch_heat, final_drive_heat] = *state;
     let kinetic = 0.5 * vehicle.mass * speed * speed;
-    let final_drive_heat = (1.0 - vehicle.final_efficiency) * secondary;
     let belt_heat = engine - secondary - clutch_heat;
     let unaccounted = engine - clutch_heat - belt_heat - final_drive_heat - resistance - kinetic;
     Energy { engine, clutch_heat, belt_heat, final_drive_heat, resistance, kinetic, unaccounted }

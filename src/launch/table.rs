@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::Number;
 
 use super::run::{Launch, LaunchPhase, LaunchPoint};
-use crate::quantity::{km_per_h, rpm};
+use crate::quantity::{km_per_h, rpm, unsigned_zero};
 use crate::study::{Cell, Table};
 
 /// The launch over time, one row a moment; SI.
@@ -82,7 +82,10 @@ pub fn launch_summary(launch: &Launch) -> String {
         ),
     );
     let energy = &launch.energy;
-    let share = |part: f64| format!("{:.1} kJ, {:.1} %", 1e-3 * part, 100.0 * part / energy.engine);
+    let share = |part: f64| {
+        let (kilojoules, percent) = (format!("{:.1}", 1e-3 * part), format!("{:.1}", 100.0 * part / energy.engine));
+        format!("{} kJ, {} %", unsigned_zero(&kilojoules), unsigned_zero(&percent))
+    };
     let (end, covered) = launch.points.last().map_or((0.0, 0.0), |point| (point.time, point.distance));
     line(
         "energy from the engine",

@@ -138,6 +138,21 @@ pub struct Losses {
     pub efficiency: f64,
 }
 
+impl Losses {
+    /// What comes out behind the gears where the belt gives the secondary a power, W; negative where the secondary has to
+    /// be driven, as in engine braking. What the belt and the pulleys lose has to be put in there, too, and the gears
+    /// take their share of all of it.
+    pub fn behind_gears(&self, secondary: f64, gear_efficiency: f64) -> f64 {
+        let left = secondary - (self.bending + self.groove + self.cord + self.drag);
+        left * gears(gear_efficiency, left)
+    }
+}
+
+/// What gears multiply a power with: where it is negative it comes in through them, and more of it.
+fn gears(efficiency: f64, power: f64) -> f64 {
+    if power < 0.0 { 1.0 / efficiency } else { efficiency }
+}
+
 /// A sum by what it is of.
 struct Sums {
     bending: Series,
@@ -183,21 +198,24 @@ pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64
     })
 }
 
-/// The inputs of the balance's formulae.
+/// The inputs of the balance's formulae. Where less than nothing arrives, gears have the reciprocal of their efficiency.
 fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, hysteresis: f64) -> [f64; 10] {
     let given = &case.losses;
-    let speed = solved.constant(Constant::PrimarySpeed);
+    let primary = solved.constant(Constant::PrimarySpeed);
+    let secondary = primary * solved.constant(Constant::SpeedRatio);
+    let drag = (given.primary_drag + given.primary_drag_per_speed * primary) * primary
+        + (given.secondary_drag + given.secondary_drag_per_speed * secondary) * secondary;
     [
         driving,
         overall,
         hysteresis,
-        speed,
-        speed * solved.constant(Constant::SpeedRatio),
+        primary,
+        secondary,
         given.primary_drag,
         given.secondary_drag,
         given.primary_drag_per_speed,
         given.secondary_drag_per_speed,
-        given.gear_efficiency,
+        gears(given.gear_efficiency, overall * driving - hysteresis - drag),
     ]
 }
 

@@ -124,7 +124,7 @@ pub fn gradients(
         LossOutput::Efficiency => row(LossBalanceOutput::Efficiency),
     });
     let by_temperature = by_hysteresis(&partial, adjoints.each_ref().map(|adjoint| adjoint.temperature));
-    Ok(Gradients { by_constant, by_temperature, by_given: by_given(case, &partial, taken) })
+    Ok(Gradients { by_constant, by_temperature, by_given: by_given(case, &partial, taken, by_gears(case, &balance)) })
 }
 
 /// What the losses change by where hysteresis changes by so much in bending, groove and cord.
@@ -143,9 +143,21 @@ fn by_hysteresis(partial: &Partials, [bending, groove, cord]: [f64; 3]) -> LossV
     })
 }
 
+/// Derivative of the balance's last input by the gears' efficiency, of which it is the reciprocal where less than nothing
+/// arrives.
+fn by_gears(case: &Resolved, balance: &[f64; 10]) -> f64 {
+    let (given, [.., input]) = (case.losses.gear_efficiency, *balance);
+    if input == given { 1.0 } else { -input / given }
+}
+
 /// Derivatives by the constants of the losses; `taken` is what hysteresis takes in bending, groove and cord, each of
 /// which is linear in its loss tangent.
-fn by_given(case: &Resolved, partial: &Partials, [bending, groove, cord]: [f64; 3]) -> Vec<(Key, LossValues<f64>)> {
+fn by_given(
+    case: &Resolved,
+    partial: &Partials,
+    [bending, groove, cord]: [f64; 3],
+    by_gears: f64,
+) -> Vec<(Key, LossValues<f64>)> {
     let given = &case.losses;
     let tangents = [
         (Key::LossTangent, &given.loss_tangent, [bending, groove, 0.0]),
@@ -158,7 +170,8 @@ fn by_given(case: &Resolved, partial: &Partials, [bending, groove, cord]: [f64; 
         LossTangent::Constant(_) | LossTangent::Table(_) => None,
     });
     let others = BALANCE_KEYS.into_iter().map(|(key, input)| {
-        let by = |output: LossBalanceOutput| partial.at(output.index(), input);
+        let rate = if key == Key::GearEfficiency { by_gears } else { 1.0 };
+        let by = |output: LossBalanceOutput| rate * partial.at(output.index(), input);
         let values = LossValues::new(|output| match output {
             LossOutput::Bending | LossOutput::Groove | LossOutput::Cord => 0.0,
             LossOutput::Drag => by(LossBalanceOutput::PrimaryDrag) + by(LossBalanceOutput::SecondaryDrag),

@@ -77,7 +77,26 @@ impl Vehicle {
     /// Acceleration in m/s² when the secondary, turning at a speed in rad/s, delivers a torque in N·m.
     pub fn acceleration(&self, secondary: f64, torque: f64) -> f64 {
         let load = self.load(secondary);
-        (torque - load.torque) / load.torque_per_acceleration
+        (self.driving(torque) - load.torque) / load.torque_per_acceleration
+    }
+
+    /// The torque at the secondary in N·m that holds a speed, at the secondary's in rad/s: a negative one downhill.
+    pub fn holding_torque(&self, secondary: f64) -> f64 {
+        let load = self.load(secondary).torque;
+        if load < 0.0 { load * self.final_efficiency * self.final_efficiency } else { load }
+    }
+
+    /// Power in W that becomes heat in the final drive where the secondary delivers so much; where that is negative, the
+    /// axle drives.
+    pub fn final_drive_heat(&self, secondary: f64) -> f64 {
+        let efficiency = self.final_efficiency;
+        secondary * if secondary < 0.0 { 1.0 - 1.0 / efficiency } else { 1.0 - efficiency }
+    }
+
+    /// A torque at the secondary as the load counts it, which pays for the final drive as one that drives does: where
+    /// the secondary brakes the axle, the final drive's loss adds to it.
+    fn driving(&self, torque: f64) -> f64 {
+        if torque < 0.0 { torque / (self.final_efficiency * self.final_efficiency) } else { torque }
     }
 }
 
@@ -106,5 +125,28 @@ mod tests {
         assert!(vehicle.acceleration(secondary, load.torque).abs() < 1e-12);
         let faster = load.torque + 227.0 * 10.0 / (secondary * 0.95);
         assert!((vehicle.acceleration(secondary, faster) - 1.0).abs() < 1e-12);
+        assert_eq!(vehicle.holding_torque(secondary), load.torque);
+    }
+
+    /// Downhill the final drive's loss brakes as well: of what the axle gives less arrives at the secondary.
+    #[test]
+    fn where_the_secondary_brakes_the_final_drive_brakes_as_well() {
+        let vehicle = Vehicle {
+            mass: 227.0,
+            final_ratio: 8.32,
+            wheel_radius: 0.279,
+            rolling_resistance: 0.0,
+            drag_area: 0.0,
+            grade: -0.1,
+            air_density: 1.2,
+            final_efficiency: 0.8,
+        };
+        let secondary = vehicle.secondary_speed(10.0);
+        let held = vehicle.holding_torque(secondary);
+        let pull = 227.0 * GRAVITY * 0.1f64.atan().sin();
+        assert!((held * secondary / (-0.8 * pull * 10.0) - 1.0).abs() < 1e-12, "{held}");
+        assert!((vehicle.final_drive_heat(held * secondary) / (0.2 * pull * 10.0) - 1.0).abs() < 1e-12);
+        assert!(vehicle.acceleration(secondary, held).abs() < 1e-12);
+        assert!(vehicle.acceleration(secondary, 1.1 * held) < 0.0 && vehicle.acceleration(secondary, 0.0) > 0.0);
     }
 }

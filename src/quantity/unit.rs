@@ -152,10 +152,12 @@ const fn si(symbol: &'static str, tens: i32, dimension: Dimension) -> Symbol {
 /// 1 lbf = 44482216152605e-13 N.
 const LBF: f64 = 44_482_216_152_605.0;
 
-static SYMBOLS: [Symbol; 35] = [
+static SYMBOLS: [Symbol; 37] = [
     si("m", 0, Dimension::LENGTH),
     known(Unit::INCH),
     plain("ft", -4, 3048.0, 1.0, Dimension::LENGTH),
+    plain("mi", -3, 1_609_344.0, 1.0, Dimension::LENGTH),
+    plain("mph", -5, 44_704.0, 1.0, Dimension::SPEED),
     si("g", -3, Dimension::MASS),
     plain("t", 3, 1.0, 1.0, Dimension::MASS),
     plain("lb", -8, 45_359_237.0, 1.0, Dimension::MASS),
@@ -267,6 +269,8 @@ mod tests {
         for (symbol, tabulated) in [
             ("in", 2.54e-2),
             ("ft", 3.048e-1),
+            ("mi", 1.609_344e3),
+            ("mph", 4.4704e-1),
             ("lb", 4.535_923_7e-1),
             ("oz", 2.834_952e-2),
             ("lbf", 4.448_222),

@@ -4,7 +4,7 @@ use super::Outcome;
 use super::answers::Light;
 use super::doubt::{adheres_nowhere, is_buckled, is_driven_on_both_sides};
 use super::schema::Pulley;
-use crate::drive::{Branch, Compressed, RegionId};
+use crate::drive::{Branch, Compressed, PowerFlow, RegionId};
 use crate::model::{Constant, State};
 use crate::quantity::{ZERO_CELSIUS, celsius};
 
@@ -66,7 +66,11 @@ fn two_solutions(outcome: &Outcome) -> Option<String> {
 /// Losses that take more than the belt brings: nothing would arrive, and the drive would not turn as was given.
 fn overtaken(outcome: &Outcome) -> Option<String> {
     let losses = outcome.result.losses.as_ref().filter(|losses| losses.power_out < 0.0)?;
-    let brought = outcome.result.energy.power_out;
+    let energy = &outcome.result.energy;
+    let brought = match PowerFlow::of(energy.power_in, energy.power_out) {
+        PowerFlow::FromSecondary => -energy.power_in,
+        PowerFlow::FromPrimary | PowerFlow::IntoBoth | PowerFlow::Neither => energy.power_out,
+    };
     (brought > 0.0).then(|| {
         format!(
             "Losses besides friction take {:.0} W, and the belt brings {brought:.0} W: nothing arrives. Check the \
