@@ -47,7 +47,7 @@ test("a belt alone has no shift curve, and the example is one click away", async
   assert.equal((await points(page, "back")).length, 0);
   assert.match(await page.locator("#shift-same").innerText(), /no friction/);
   assert.match(await page.locator("#doubts").innerText(), /^At \d+ of \d+ points, .* the belt adheres on neither/);
-  assert.match(await page.locator("#points").innerText(), /sliding/);
+  assert.match(await page.locator("#points").textContent(), /sliding/);
   // Back at the belt, it is the same case.
   const then = await count(page);
   await page.locator("#view-belt").click();
@@ -90,9 +90,9 @@ test("a curve is drawn while it is computed, and a change begins another", async
     const { view } = globalThis.sheave.whole;
     const add = view.add.bind(view);
     globalThis.drawn = [];
-    view.add = (direction, point, left) => {
-      add(direction, point, left);
-      globalThis.drawn.push([direction, view.branches[direction].points.length, left]);
+    view.add = (direction, answer) => {
+      add(direction, answer);
+      globalThis.drawn.push([direction, view.branches[direction].points.length, answer.left]);
     };
   });
   await slide(page, "primary.actuator.mass", 0.85 * mass);
