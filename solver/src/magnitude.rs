@@ -35,6 +35,9 @@ pub(crate) struct Magnitudes {
     pub states: ByRegion<Vec<Magnitude>>,
     /// All constants of the layout.
     pub constants: Vec<Magnitude>,
+    /// Of every integral, at its largest from the beginning of its region to anywhere: as of a state that states
+    /// nothing.
+    pub integrals: Magnitude,
 }
 
 impl Magnitudes {
@@ -45,7 +48,7 @@ impl Magnitudes {
             states.map(|state| Magnitude::stated(state.scale)).collect()
         });
         let constants = layout.constants.iter().map(|constant| Magnitude::stated(constant.scale));
-        Self { states: states.collect(), constants: constants.collect() }
+        Self { states: states.collect(), constants: constants.collect(), integrals: Magnitude::stated(None) }
     }
 
     /// As the layout and the options state them. Options that do not fit the layout have no effect.
@@ -62,6 +65,7 @@ impl Magnitudes {
             magnitudes.states.iter_mut().flatten().zip(states).for_each(unstated);
             let constants = layout.constants.iter().map(|constant| constant.scale);
             magnitudes.constants.iter_mut().zip(constants).for_each(unstated);
+            magnitudes.integrals.floor = floor;
         }
         for component in &options.components {
             if let Some(magnitude) = magnitudes.component(component.of) {

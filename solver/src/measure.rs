@@ -7,6 +7,7 @@ use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::{Factorisation, Rhs};
 use crate::collocation::grid::{Grid, intervals};
 use crate::collocation::interpolant::{Extended, Extension};
+use crate::collocation::stages::Stages;
 use crate::collocation::{Correction, Iterate, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
@@ -121,7 +122,26 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     fn estimated_error(&self, stats: &mut Stats) -> &(Error, f64) {
-        self.estimate.get_or_init(|| self.error(&[], stats))
+        self.estimate.get_or_init(|| {
+            let (error, largest) = self.error(&[], stats);
+            let quadrature = self.quadrature(&error).iter().map(Quadrature::largest).fold(0.0, larger);
+            (error, larger(largest, quadrature))
+        })
+    }
+
+    /// What quadrature adds to the errors of integrals, in typical magnitudes; one a region.
+    pub(crate) fn quadrature_errors(&self, stats: &mut Stats) -> Vec<Quadrature> {
+        let (error, _) = self.estimated_error(stats);
+        self.quadrature(error)
+    }
+
+    fn quadrature(&self, error: &Error) -> Vec<Quadrature> {
+        if self.system.layout.integrals() == 0 {
+            return Vec::new();
+        }
+        let stages = &self.converged.work.regions;
+        let regions = stages.iter().zip(&error.integrals).enumerate();
+        regions.map(|(region, (stages, errors))| Quadrature::of(&self.system, region, stages, errors)).collect()
     }
 
     /// As [`error_estimate`](Self::error_estimate), what it would be if all defects that exceed `target`, by which they
@@ -273,6 +293,59 @@ impl Error {
         stats.linear_solves += 1;
         Self { correction: factorisation.solve(system, rhs), integrals }
     }
+}
+
+/// What quadrature adds to the errors of a region's integrals.
+pub(crate) struct Quadrature {
+    /// Of each integral, interval by interval in the mesh's order, over the integral's typical magnitude.
+    rows: Vec<Numbers>,
+}
+
+impl Quadrature {
+    fn of<P: Problem + ?Sized>(system: &System<'_, P>, region: usize, stages: &Stages, errors: &Rows) -> Self {
+        let grid = &system.grids[region];
+        let (values, count) = (system.interval_integrals(region, stages), grid.intervals());
+        let rows = values.chunks_exact(grid.interval_stride()).enumerate().map(|(k, values)| {
+            let (mut sum, mut largest) = (0.0_f64, 0.0_f64);
+            for value in grid.in_order(count, |p| values[p]).iter() {
+                sum += value;
+                largest = largest.max(sum.abs());
+            }
+            let (size, errors) = (system.magnitudes.integrals.of(largest), errors.row(k));
+            grid.in_order(count, |p| errors[p] / size)
+        });
+        Self { rows: rows.collect() }
+    }
+
+    /// The largest error of an integral.
+    pub(crate) fn largest(&self) -> f64 {
+        self.rows.iter().map(|row| row.iter().sum::<f64>().abs()).fold(0.0, larger)
+    }
+
+    /// Into how many parts each of so many intervals is to be divided for the errors of integrals to be no more than
+    /// `tolerance`, by a rule whose error falls with this power of the length.
+    pub(crate) fn pieces(&self, intervals: usize, tolerance: f64, order: f64) -> Vec<usize> {
+        let goal = QUADRATURE_GOAL * tolerance / intervals as f64;
+        let pieces = |j: usize| {
+            let largest = self.rows.iter().filter_map(|row| row.get(j)).map(|error| error.abs()).fold(0.0, larger);
+            if largest > goal {
+                libm::pow(largest / goal, 1.0 / order).ceil().clamp(2.0, MOST_PARTS) as usize
+            } else {
+                1
+            }
+        };
+        (0..intervals).map(pieces).collect()
+    }
+}
+
+/// Share of the tolerance at which the errors of integrals aim.
+const QUADRATURE_GOAL: f64 = 0.5;
+/// Parts into which an interval is divided for them at most.
+const MOST_PARTS: f64 = 4.0;
+
+/// The larger of two numbers; NaN if one of them is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
 }
 
 /// One half of all numbers, without order: by a bit of their multiples of the golden ratio.

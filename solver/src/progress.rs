@@ -35,6 +35,8 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     coarser: Option<Solved<'a, P>>,
     pub(crate) fallback_doubled: bool,
     max_intervals: usize,
+    /// Whether the present meshes are finer for the sake of integrals, of whose quadrature defects say nothing.
+    pub(crate) for_integrals: bool,
     /// Whether meshes have had fewer intervals than those they were made from. Once is enough: what makes them grow
     /// again would do so again.
     pub(crate) shrunk: bool,
@@ -80,6 +82,7 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
             coarser: None,
             fallback_doubled: false,
             max_intervals: options.max_intervals,
+            for_integrals: false,
             shrunk: false,
             before_shrinking: None,
             layers: vec![None; regions],

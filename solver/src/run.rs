@@ -223,7 +223,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let coarser = |(region, measure): (usize, &Measure)| {
             matches!(self.verdict(solved, region, measure, progress.target, progress), Verdict::Coarsen(_))
         };
-        let oversized = self.coarsen && !known && measures.iter().enumerate().any(coarser);
+        let oversized = self.coarsen && !known && !progress.for_integrals && measures.iter().enumerate().any(coarser);
         if oversized { Finding::Oversized } else { Finding::Good }
     }
 

@@ -8,6 +8,7 @@ use crate::collocation::grid::{Grid, intervals};
 use crate::error::{NewtonError, SolveError};
 use crate::layers::{Fineness, graded};
 use crate::measure::Solved;
+use crate::mesh::{distinct, split};
 use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
 use crate::problem::Problem;
@@ -241,7 +242,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let better = error < progress.error;
         progress.error = progress.error.min(error);
         if progress.stalled < PATIENCE
-            && let Some(start) = self.tighter(&solved, error, progress)
+            && let Some(start) =
+                self.finer_for_integrals(&solved, progress).or_else(|| self.tighter(&solved, error, progress))
         {
             progress.tolerance_met();
             if better {
@@ -258,6 +260,28 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             return Next::done(best);
         }
         self.doubled_or_done(best, progress)
+    }
+
+    /// Meshes that are finer where the quadrature of integrals is not good enough, of which defects say nothing; none if
+    /// it is, or if meshes may not have so many intervals.
+    fn finer_for_integrals(&mut self, solved: &Solved<'a, P>, progress: &mut Progress<'a, P>) -> Option<Start> {
+        let tolerance = self.options.tolerance;
+        let errors = solved.quadrature_errors(&mut self.stats);
+        if errors.iter().all(|errors| errors.largest() <= tolerance) {
+            return None;
+        }
+        self.shortfall = Shortfall::Mesh;
+        let order = self.order.number() as f64;
+        let grids = errors.iter().zip(&solved.system.grids);
+        let meshes =
+            grids.map(|(errors, grid)| distinct(split(&grid.mesh, &errors.pieces(grid.intervals(), tolerance, order))));
+        let meshes: Vec<Vec<f64>> = meshes.collect();
+        let finer = meshes.iter().zip(&solved.system.grids).any(|(mesh, grid)| mesh.len() > grid.mesh.len());
+        if !finer || meshes.iter().any(|mesh| mesh.len() > self.options.max_intervals + 1) {
+            return None;
+        }
+        progress.for_integrals = true;
+        Some(transfer(solved, meshes))
     }
 
     /// See [`Progress::doubled_or_done`]; what stands in the way of a smaller error is noted.
