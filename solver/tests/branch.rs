@@ -81,6 +81,47 @@ fn a_fold_and_events_are_located() {
     }
 }
 
+/// Going up and coming back: λ = 2 is met on both sides of the fold.
+#[test]
+fn an_event_whose_function_jumps_is_told_at_the_jump_and_a_pole_is_not_told() {
+    let string = Bvp::new(
+        &["u", "slope"],
+        (0.0, 1.0),
+        |_, y, p, f| (f[0], f[1]) = (y[1], -y[0].exp() * p[0]),
+        |a, b, _, g| (g[0], g[1]) = (a[0], b[0]),
+    )
+    .given("lambda", 1.0);
+    let options = BranchOptions { range: (0.5, 3.9), ..BranchOptions::default() };
+    let beyond = |solution: &Solution| solution.constants()[0] - 2.0;
+    let flag = |solution: &Solution| if beyond(solution) > 0.0 { 1.0 } else { -1.0 };
+    let uneven = |solution: &Solution| if beyond(solution) > 0.0 { 3.0 } else { -1.0 };
+    // Larger at the jump than at both ends of a step, as an angle that passes π.
+    let wrapped = |solution: &Solution| 0.5 * beyond(solution) - flag(solution);
+    let steep = |solution: &Solution| (1e6 * beyond(solution)).tanh();
+    let pole = |solution: &Solution| 1.0 / beyond(solution);
+    let weak_pole = |solution: &Solution| 1.0 / beyond(solution).cbrt();
+    let smooth = |solution: &Solution| beyond(solution);
+    let count = 7;
+    let branch = trace(
+        &string,
+        &string.start(),
+        0,
+        &[],
+        &options,
+        &[&flag, &uneven, &wrapped, &steep, &smooth, &pole, &weak_pole],
+    )
+    .unwrap();
+    println!("{:?}", branch.stats);
+    assert_eq!(branch.folds().count(), 1);
+    for event in 0..count {
+        let told = branch.points.iter().filter(|point| point.kind == PointKind::Event(event));
+        let places: Vec<f64> = told.map(|point| point.parameter).collect();
+        assert_eq!(places.len(), if event < 5 { 2 } else { 0 }, "{event}: {places:?}");
+        let exact = if event == 3 { 1e-6 } else { 1e-8 };
+        assert!(places.iter().all(|place| (place - 2.0).abs() < exact), "{event}: {places:?}");
+    }
+}
+
 /// What comes before the point at which it is to end is the same as without.
 #[test]
 fn a_tracing_ends_where_it_is_to() {

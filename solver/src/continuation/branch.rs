@@ -195,5 +195,6 @@ pub struct BranchError {
     pub cause: Box<SolveError>,
 }
 
-/// A function of a solution whose zeros along the branch are located.
+/// A function of a solution whose zeros along the branch are located, and the places where it jumps from one sign to
+/// the other; its poles are not.
 pub type EventFunction<'a> = &'a dyn Fn(&Solution) -> f64;

@@ -265,8 +265,9 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let crossings = self.crossings(here, &next.point);
         let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
         for crossing in crossings {
-            let (at, found) = self.locate(previous, here, step, &next, &crossing)?;
-            located.push((crossing.kind, at, found));
+            if let Some((at, found)) = self.locate(previous, here, step, &next, &crossing)? {
+                located.push((crossing.kind, at, found));
+            }
         }
         located.sort_by(|(_, a, _), (_, b, _)| a.total_cmp(b));
         if let Some(end) = located.iter().position(|(kind, ..)| *kind == PointKind::End) {

@@ -48,12 +48,16 @@ pub(super) struct Search {
     bracket: [(f64, f64); 2],
     /// Lengths of the bracket before the last looks.
     lengths: Vec<f64>,
+    /// How often in a row the bracket had to be halved because the polynomial had not made it shorter.
+    slow: usize,
 }
 
 /// Places that the polynomial goes through at most: the last ones found.
 const MOST: usize = 6;
 /// In so many looks the bracket is halved at least.
 const PATIENCE: usize = 3;
+/// So often in a row the polynomial may be slow: after that it tells nothing of the function, as where that jumps.
+const SLOW: usize = 2;
 /// Steps to the zero of a polynomial at most.
 const STEPS: usize = 100;
 
@@ -61,23 +65,41 @@ impl Search {
     /// Between two ends, with what is known of a place outside.
     pub(super) fn new(sought: Sought, outside: Option<Known>, ends: [Known; 2]) -> Self {
         let bracket = ends.map(|end| (end.at, sought.of(&end)));
-        Self { sought, known: outside.into_iter().chain(ends).collect(), bracket, lengths: Vec::new() }
+        Self { sought, known: outside.into_iter().chain(ends).collect(), bracket, lengths: Vec::new(), slow: 0 }
     }
 
     /// Where to look next.
     pub(super) fn next(&mut self) -> f64 {
         let [(a, _), (b, _)] = self.bracket;
         let length = (b - a).abs();
-        let slow = self.lengths.len() >= PATIENCE && {
-            let before = self.lengths[self.lengths.len() - PATIENCE];
-            length > 0.5 * before
-        };
+        let before = self.lengths.len().checked_sub(PATIENCE).map(|index| self.lengths[index]);
         self.lengths.push(length);
-        if slow {
-            self.lengths.clear();
-            return 0.5 * (a + b);
+        match before {
+            Some(before) if length > 0.5 * before => {
+                self.lengths.clear();
+                self.slow += 1;
+                return self.middle();
+            }
+            Some(_) => self.slow = 0,
+            None => {}
         }
         self.zero()
+    }
+
+    /// The middle of the bracket.
+    pub(super) fn middle(&self) -> f64 {
+        let [(a, _), (b, _)] = self.bracket;
+        0.5 * (a + b)
+    }
+
+    /// Whether the polynomial tells nothing of the function, so that halves find the place sooner.
+    pub(super) fn is_slow(&self) -> bool {
+        self.slow >= SLOW
+    }
+
+    /// The ends of the bracket.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        self.bracket.map(|(at, _)| at)
     }
 
     /// Takes in what has been found. False if that is no number.
@@ -252,5 +274,11 @@ mod tests {
             search.add(known(at, sign, false));
         }
         assert!(search.length() < 1e-4, "{}", search.length());
+        let mut search = Search::new(Sought::Zero, None, [0.0, 1.0].map(|at| known(at, sign, false)));
+        for _ in 0..48 {
+            let at = if search.is_slow() { search.middle() } else { search.next() };
+            search.add(known(at, sign, false));
+        }
+        assert!(search.length() < 1e-10, "{}", search.length());
     }
 }

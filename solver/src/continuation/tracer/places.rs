@@ -13,8 +13,15 @@ use crate::start;
 
 /// What is located is located to this part of the step.
 const LOCATION: f64 = 1e-10;
-/// Looks for one place at most.
-const LOOKS: usize = 40;
+/// Looks for one place at most,
+const LOOKS: usize = 48;
+/// of which no more than so many are told by polynomials: the others are enough to find it by halves.
+const BY_POLYNOMIALS: usize = 12;
+/// A place that moves no more is that of a zero if the function is no more than this part of what it is at the ends of
+/// the step.
+const FALLEN: f64 = 1e-3;
+/// A function that has grown by so much where it changes its sign has a pole there.
+const GROWN: f64 = 10.0;
 /// At a branch point the matrix is singular, and beside it nearly so, where Newton's iteration ends in rounding. It is
 /// looked at from so far, in parts of the step: to one side and the other, and farther off if need be,
 const BESIDE: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
@@ -52,8 +59,8 @@ impl Tracer<'_, '_> {
         outcome.and_then(|found| self.between(found, &line, step))
     }
 
-    /// Zero of the watched function, and the point there if it is not the next. Each is predicted from the nearest that
-    /// is known.
+    /// Zero of the watched function, or where it jumps to the other sign, and the point there if it is not the next;
+    /// none if an event's function has a pole there. Each look is predicted from the nearest that is known.
     pub(super) fn locate(
         &mut self,
         before: Option<&(f64, Reference)>,
@@ -61,36 +68,58 @@ impl Tracer<'_, '_> {
         step: f64,
         next: &Advanced,
         crossing: &Crossing,
-    ) -> Result<(f64, Option<Reference>), SolveError> {
+    ) -> Result<Option<(f64, Option<Reference>)>, SolveError> {
         let kind = crossing.kind;
         if kind == PointKind::BranchPoint {
             let (mut at, mut point, slope) = self.locate_branch_point(before, here, step, next)?;
             if self.options.settle_branch_points {
                 (at, point) = self.settled((here, step), (at, point), slope)?;
             }
-            return Ok((at, Some(point)));
+            return Ok(Some((at, Some(point))));
         }
         if self.watched(kind, &next.point) == 0.0 {
-            return Ok((step, None));
+            return Ok(Some((step, None)));
         }
         let mut search = self.search(kind, before, here, (step, next));
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
-        let (mut at, small) = (search.next(), LOCATION * (crossing.values.0.abs() + crossing.values.1.abs()));
-        for _ in 0..LOOKS {
+        let (first, last) = (crossing.values.0.abs(), crossing.values.1.abs());
+        let mut at = search.next();
+        let mut by_halves = false;
+        for look in 1..=LOOKS {
             let near = around(here, (step, next), &seen, at);
             let found = self.look((here, step, &next.point), at, near, Care::Between)?;
             let usable = search.add(self.known(kind, found.near(at), here));
-            let done = self.watched(kind, &found.point).abs() <= small;
+            let value = self.watched(kind, &found.point).abs();
             seen.push((at, found));
-            let before = at;
-            at = search.next();
-            if !usable || done || search.length() <= LOCATION * step || (at - before).abs() <= LOCATION * step {
+            if !usable || value <= LOCATION * (first + last) || search.length() <= LOCATION * step {
                 break;
             }
+            by_halves |= search.is_slow() || look >= BY_POLYNOMIALS;
+            if !by_halves {
+                let before = std::mem::replace(&mut at, search.next());
+                if (at - before).abs() > LOCATION * step {
+                    continue;
+                }
+                if value <= FALLEN * (first + last) {
+                    break;
+                }
+                by_halves = true;
+            }
+            at = search.middle();
         }
         let size = |(_, found): &(f64, Advanced)| self.watched(kind, &found.point).abs();
-        let best = seen.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)));
-        best.map(|(at, found)| (at, Some(found.point))).ok_or(SolveError::Cancelled)
+        let is_event = matches!(kind, PointKind::Event(_));
+        let ends = search.ends();
+        let found = seen.into_iter().filter(|(at, _)| ends.contains(at));
+        // The later of equal ones.
+        let best = found.rev().min_by(|a, b| size(a).total_cmp(&size(b)));
+        match best {
+            Some(best) if is_event && size(&best) > GROWN * first.max(last) => Ok(None),
+            Some((at, found)) => Ok(Some((at, Some(found.point)))),
+            // Not even the first look has a value, as only an event's function may not.
+            None if is_event => Ok(None),
+            None => Err(SolveError::Cancelled),
+        }
     }
 
     /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
