@@ -251,3 +251,53 @@ impl<M: Formulas> Formulated for M {
         self.rhs_derivatives(0.2, y, &[0.7], f, columns);
     }
 }
+
+/// Steps of differences are measured in the magnitudes that are stated: those of 1 would leave nothing of such inputs.
+#[test]
+fn differences_are_taken_in_steps_of_the_magnitude_that_is_stated() {
+    let d = 1e-9;
+    let problem = Bvp::by_differences(
+        &["u"],
+        (0.0, 1.0),
+        move |_, y, p, f| f[0] = (p[0] / d).powi(2) - y[0],
+        |a, _, _, g| g[0] = a[0],
+    )
+    .given("p", 3.0 * d)
+    .typical("p", d)
+    .unwrap();
+    let solution = problem.solve(&Options { tolerance: 1e-8, ..Options::default() }).unwrap();
+    let rate = Linearisation::new(&problem, &solution).unwrap().sensitivity(0).inputs()[1] * d;
+    // u(1) = (p/d)² (1 - 1/e)
+    assert!((rate - 6.0 * (1.0 - (-1.0_f64).exp())).abs() < 1e-6, "{rate}");
+
+    // u'' = 2 u³ in units of k: u = 1/(2 - x). All inputs have steps, those of the boundary too.
+    let k = 1e-9;
+    let names = ["u", "slope", "scale"];
+    let f = move |_: f64, y: &[f64], _: &[f64], f: &mut [f64]| {
+        (f[0], f[1], f[2]) = (y[1], 2.0 * y[0].powi(3) / (k * k) * (y[2] / k).powi(2), 0.0);
+    };
+    let bc = move |a: &[f64], b: &[f64], p: &[f64], g: &mut [f64]| {
+        (g[0], g[1], g[2]) = (a[0] * a[0] / k - 0.25 * k, b[0].powi(3) / (k * k) - k, b[2] * p[0] / k - k);
+    };
+    let guess = |x: f64, y: &mut [f64]| (y[0], y[1], y[2]) = (k * (0.5 + 0.5 * x), 0.5 * k, k);
+    let dense = Bvp::by_differences(&names, (0.0, 1.0), f, bc);
+    let sparse = Bvp::by_differences(&names, (0.0, 1.0), f, bc).sparse(&[&[1], &[0, 2], &[]]).unwrap();
+    for problem in [dense, sparse] {
+        let stated = names.iter().try_fold(problem, |problem, name| problem.typical(name, k)).unwrap();
+        let stated = stated.given("k", k).typical("k", k).unwrap().guess(10, guess);
+        let solution = stated.solve(&Options { tolerance: 1e-8, ..Options::default() }).unwrap();
+        let found = solution.regions()[0].eval(0.5)[0] / k;
+        assert!((found - 1.0 / 1.5).abs() < 1e-7, "{found}");
+    }
+
+    let highest = move |_: f64, z: &[f64], _: &[f64], highest: &mut [f64]| highest[0] = 2.0 * z[0].powi(3) / (k * k);
+    let ends = move |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| {
+        (g[0], g[1]) = (a[0] * a[0] / k - 0.25 * k, b[0].powi(3) / (k * k) - k);
+    };
+    let stated = Bvp::of_higher_order_with(&[("u", 2)], (0.0, 1.0), Differenced::new(highest, ends)).unwrap();
+    let stated = stated.typical("u", k).unwrap().typical("u'", k).unwrap();
+    let stated = stated.guess(10, |x, y| (y[0], y[1]) = (k * (0.5 + 0.5 * x), 0.5 * k));
+    let solution = stated.solve(&Options { tolerance: 1e-8, ..Options::default() }).unwrap();
+    let found = solution.regions()[0].eval(0.5)[0] / k;
+    assert!((found - 1.0 / 1.5).abs() < 1e-7, "{found}");
+}

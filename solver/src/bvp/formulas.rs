@@ -22,6 +22,10 @@ pub trait Formulas {
 
     /// `g`, and its derivatives with respect to `a`, then `b`, then `p`.
     fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]);
+
+    /// Takes in the typical magnitudes of all states and all parameters, 1 where none is stated. Derivatives that are
+    /// differences need them for their steps; exact ones do not.
+    fn take_magnitudes(&mut self, _states: &[f64], _parameters: &[f64]) {}
 }
 
 /// Closures of [`Number`]s: derivatives are exact.
@@ -33,12 +37,20 @@ pub struct Exact<F, B> {
 }
 
 /// Closures of `f64`s: derivatives by forward differences, good for some eight digits, which Newton's iteration is
-/// content with.
+/// content with. Each input is moved by half the digits of its value, or of its typical magnitude if that is larger.
 #[derive(Debug, Clone)]
 pub struct Differenced<F, B> {
     f: F,
     bc: B,
     groups: Option<Groups>,
+    magnitudes: Magnitudes,
+}
+
+/// Typical magnitudes; 1 of what has none.
+#[derive(Debug, Clone, Default)]
+struct Magnitudes {
+    states: Vec<f64>,
+    parameters: Vec<f64>,
 }
 
 /// Formulas whose derivatives come from evaluations: from fewer of them where it is known what depends on what, see
@@ -52,16 +64,23 @@ pub trait Evaluated: Formulas {
     fn grouped(self, groups: Groups) -> Self;
 }
 
+impl<F, B> Exact<F, B> {
+    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
+    pub fn new(f: F, bc: B) -> Self {
+        Self { f, bc, groups: None }
+    }
+}
+
+impl<F, B> Differenced<F, B> {
+    /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
+    pub fn new(f: F, bc: B) -> Self {
+        Self { f, bc, groups: None, magnitudes: Magnitudes::default() }
+    }
+}
+
 /// What both kinds of closures share.
 macro_rules! of_closures {
     ($($kind:ident),+) => {$(
-        impl<F, B> $kind<F, B> {
-            /// Of `f(x, y, p, out)` and `g(y(a), y(b), p, out)`.
-            pub fn new(f: F, bc: B) -> Self {
-                Self { f, bc, groups: None }
-            }
-        }
-
         impl<F, B> Evaluated for $kind<F, B>
         where
             Self: Formulas,
@@ -206,9 +225,11 @@ where
             let (y, p) = inputs.split_at(y.len());
             (self.f)(x, y, p, out);
         };
+        let Magnitudes { states, parameters } = &self.magnitudes;
+        let parts = [(y, &states[..]), (p, &parameters[..])];
         match &self.groups {
-            Some(groups) => difference_groups(groups, [y, p], f, columns, evaluate),
-            None => difference(&[y, p], f, columns, evaluate),
+            Some(groups) => difference_groups(groups, parts, f, columns, evaluate),
+            None => difference(&parts, f, columns, evaluate),
         }
     }
 
@@ -217,23 +238,34 @@ where
     }
 
     fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
-        difference(&[a, b, p], g, columns, |inputs, out| {
+        let Magnitudes { states, parameters } = &self.magnitudes;
+        difference(&[(a, states), (b, states), (p, parameters)], g, columns, |inputs, out| {
             let (a, rest) = inputs.split_at(a.len());
             let (b, p) = rest.split_at(b.len());
             (self.bc)(a, b, p, out);
         });
     }
+
+    fn take_magnitudes(&mut self, states: &[f64], parameters: &[f64]) {
+        self.magnitudes = Magnitudes { states: states.to_vec(), parameters: parameters.to_vec() };
+    }
 }
 
-/// Forward differences, with steps of half the digits of the input, at least of 1.
-fn difference(parts: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: impl Fn(&[f64], &mut [f64])) {
+/// Values, and the typical magnitudes of the first of them: those of the others are 1.
+type Part<'a> = (&'a [f64], &'a [f64]);
+
+/// Forward differences, with steps of half the digits of the input, at least of its typical magnitude.
+fn difference(parts: &[Part<'_>], out: &mut [f64], columns: &mut [f64], evaluate: impl Fn(&[f64], &mut [f64])) {
     let (mut room, mut more) = ([0.0; super::ROOM], Vec::new());
-    let inputs = buffer(&mut room, &mut more, parts.iter().map(|part| part.len()).sum());
-    inputs.iter_mut().zip(parts.iter().copied().flatten()).for_each(|(input, &value)| *input = value);
+    let inputs = buffer(&mut room, &mut more, parts.iter().map(|(part, _)| part.len()).sum());
+    let values = parts.iter().flat_map(|(values, _)| values.iter());
+    inputs.iter_mut().zip(values).for_each(|(input, &value)| *input = value);
     evaluate(inputs, out);
-    for (input, column) in columns.chunks_exact_mut(out.len()).enumerate() {
+    let magnitudes =
+        parts.iter().flat_map(|(values, magnitudes)| (0..values.len()).map(move |i| magnitude(magnitudes, i)));
+    for ((input, magnitude), column) in magnitudes.enumerate().zip(columns.chunks_exact_mut(out.len())) {
         let value = inputs[input];
-        inputs[input] = stepped(value);
+        inputs[input] = stepped(value, magnitude);
         let step = inputs[input] - value;
         evaluate(inputs, column);
         column.iter_mut().zip(out.iter()).for_each(|(moved, here)| *moved = (*moved - here) / step);
@@ -241,14 +273,18 @@ fn difference(parts: &[&[f64]], out: &mut [f64], columns: &mut [f64], evaluate: 
     }
 }
 
-fn stepped(value: f64) -> f64 {
-    value + f64::EPSILON.sqrt() * value.abs().max(1.0).copysign(value)
+fn magnitude(magnitudes: &[f64], index: usize) -> f64 {
+    magnitudes.get(index).copied().unwrap_or(1.0)
+}
+
+fn stepped(value: f64, magnitude: f64) -> f64 {
+    value + f64::EPSILON.sqrt() * value.abs().max(magnitude).copysign(value)
 }
 
 /// All states of a group at once, each parameter by itself.
 fn difference_groups(
     groups: &Groups,
-    [y, p]: [&[f64]; 2],
+    [(y, magnitudes), (p, of_parameters)]: [Part<'_>; 2],
     out: &mut [f64],
     columns: &mut [f64],
     evaluate: impl Fn(&[f64], &mut [f64]),
@@ -256,12 +292,12 @@ fn difference_groups(
     let (n, rows) = (y.len(), out.len());
     let (by_states, by_parameters) = columns.split_at_mut(n * rows);
     let mut inputs = [y, p].concat();
-    difference(&[p], out, by_parameters, |p, out| evaluate(&[y, p].concat(), out));
+    difference(&[(p, of_parameters)], out, by_parameters, |p, out| evaluate(&[y, p].concat(), out));
     by_states.fill(0.0);
     let mut moved = vec![0.0; rows];
     for group in 0..groups.count() {
         let members = || groups.of().iter().enumerate().filter(|(_, of)| **of == group).map(|(state, _)| state);
-        members().for_each(|state| inputs[state] = stepped(y[state]));
+        members().for_each(|state| inputs[state] = stepped(y[state], magnitude(magnitudes, state)));
         evaluate(&inputs, &mut moved);
         for &(row, state) in groups.entries(group) {
             by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);

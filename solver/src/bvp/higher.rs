@@ -72,6 +72,10 @@ impl<M: Formulas> Formulas for HigherOrder<M> {
     fn boundary_derivatives(&self, a: &[f64], b: &[f64], p: &[f64], g: &mut [f64], columns: &mut [f64]) {
         self.formulas.boundary_derivatives(a, b, p, g, columns);
     }
+
+    fn take_magnitudes(&mut self, states: &[f64], parameters: &[f64]) {
+        self.formulas.take_magnitudes(states, parameters);
+    }
 }
 
 impl<M: Evaluated> Evaluated for HigherOrder<M> {

@@ -166,7 +166,8 @@ impl<M: Formulas> Bvp<M> {
 
     /// States the typical magnitude of a state or parameter, by its name: what is smaller counts as zero, within the
     /// tolerance. It is 1 where none is stated, and the larger of both where larger values are found. Along a branch,
-    /// steps are measured in it too: a parameter that goes from 1e-9 to 1e-7 is to have one of 1e-7.
+    /// steps are measured in it too: a parameter that goes from 1e-9 to 1e-7 is to have one of 1e-7. So are those of
+    /// derivatives by differences.
     ///
     /// # Errors
     /// [`LayoutError::Unnamed`] if nothing has that name, [`LayoutError::Scale`] if the magnitude is not positive.
@@ -181,6 +182,10 @@ impl<M: Formulas> Bvp<M> {
             return Err(LayoutError::Unnamed { name: name.to_owned() });
         };
         *scale = Some(magnitude);
+        let of = |scale: Option<f64>| scale.unwrap_or(1.0);
+        let states: Vec<f64> = self.layout.regions[0].states.iter().map(|state| of(state.scale)).collect();
+        let parameters: Vec<f64> = self.layout.constants.iter().map(|constant| of(constant.scale)).collect();
+        self.formulas.take_magnitudes(&states, &parameters);
         Ok(self)
     }
 
