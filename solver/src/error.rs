@@ -75,6 +75,16 @@ pub enum SolveError {
         /// Regions of the layout.
         regions: usize,
     },
+    /// Multipliers are asked for of a region that is a part of an orbit only.
+    #[error("region {region} is no period by itself: boundary equation {equation} ties it to region {other}")]
+    PartOfOrbit {
+        /// The region.
+        region: String,
+        /// Name of the equation that depends on the ends of both.
+        equation: String,
+        /// The region that it is tied to.
+        other: String,
+    },
     /// An option makes no sense.
     #[error("option {name} = {value}: {expected}")]
     Option {
@@ -214,6 +224,7 @@ impl SolveError {
             Self::Count { .. } => {
                 "Each unknown constant needs one boundary equation more; a region needs as many as it has states."
             }
+            Self::PartOfOrbit { .. } => "State the whole orbit in one region, whose interval is the period.",
             Self::Steps { .. } => {
                 "Allow more steps, or resume from the last solution; longer steps need a looser contraction."
             }

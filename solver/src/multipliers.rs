@@ -126,7 +126,9 @@ impl Multipliers {
     ///
     /// # Errors
     /// The solution is not one of this problem's, there is no such region, the tolerance is not positive, or the
-    /// equations are undefined between the nodes of the solution's mesh.
+    /// equations are undefined between the nodes of the solution's mesh. [`SolveError::PartOfOrbit`] if the orbit goes
+    /// on in another region: if the region has not as many boundary equations as states that tie its right end to its
+    /// left end and to nothing else, and one that ties it to another region.
     pub fn new<P: Problem + ?Sized>(
         problem: &P,
         solution: &Solution,
@@ -141,6 +143,7 @@ impl Multipliers {
         };
         let (mut at, mut stats) = (Guess::from(solution), Stats::default());
         let mut values = on_mesh(problem, solution, &at, region, &mut stats)?;
+        is_whole(problem, solution, region)?;
         let mut change = f64::INFINITY;
         for _ in 0..HALVINGS {
             let guess = &mut at.regions[region];
@@ -216,6 +219,58 @@ impl Multipliers {
     /// What finding them has cost.
     pub fn stats(&self) -> &Stats {
         &self.stats
+    }
+}
+
+/// What one boundary equation depends on, as its derivatives say.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tie {
+    /// On the left and on the right end of the region in question.
+    ends: [bool; 2],
+    /// On an end of another region.
+    other: Option<usize>,
+}
+
+/// # Errors
+/// The orbit goes on in another region.
+fn is_whole<P: Problem + ?Sized>(problem: &P, solution: &Solution, region: usize) -> Result<(), SolveError> {
+    let (layout, regions) = (problem.layout(), solution.regions());
+    let value = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
+    let ends: Vec<f64> = regions
+        .iter()
+        .flat_map(|region| {
+            let states = || (0..region.states()).map(|index| region.state(index));
+            states().map(move |y| value(y.first())).chain(states().map(move |y| value(y.last())))
+        })
+        .collect();
+    let integrals: Vec<f64> = regions.iter().flat_map(|region| region.integrals().iter().copied()).collect();
+    let (mut g, mut dz) = (vec![0.0; layout.equations.len()], vec![0.0; layout.boundary_pattern.len()]);
+    problem.boundary_jacobian(&ends, &integrals, solution.constants(), &mut g, &mut dz);
+    // Region of each end, and whether it is the right one.
+    let places = layout.regions.iter().enumerate().flat_map(|(index, region)| {
+        [0, 1].into_iter().flat_map(move |side| std::iter::repeat_n((index, side), region.states.len()))
+    });
+    let places: Vec<(usize, usize)> = places.collect();
+    let mut ties = vec![Tie::default(); layout.equations.len()];
+    for (&(equation, input), derivative) in layout.boundary_pattern.iter().zip(&dz) {
+        match (ties.get_mut(equation), places.get(input)) {
+            (Some(tie), Some(&(of, side))) if *derivative != 0.0 && of == region => tie.ends[side] = true,
+            (Some(tie), Some(&(of, _))) if *derivative != 0.0 => tie.other = Some(of),
+            _ => {}
+        }
+    }
+    let closing = ties.iter().filter(|tie| tie.ends == [true; 2] && tie.other.is_none()).count();
+    let shared = ties.iter().zip(&layout.equations).find_map(|(tie, equation)| {
+        let other = tie.other.filter(|_| tie.ends.contains(&true))?;
+        Some((equation, other))
+    });
+    match shared {
+        Some((equation, other)) if closing < layout.regions[region].states.len() => Err(SolveError::PartOfOrbit {
+            region: layout.regions[region].name.clone(),
+            equation: equation.clone(),
+            other: layout.regions[other].name.clone(),
+        }),
+        _ => Ok(()),
     }
 }
 

@@ -6,7 +6,8 @@
 use roessler::roessler;
 use solver::bvp::{Bvp, Formulas};
 use solver::continuation::{BranchOptions, PointKind, trace};
-use solver::{Multipliers, Options, Orbit, Order, Problem, Solution, SolveError};
+use solver::model::{Differentiated, Model, Scalar};
+use solver::{Guess, Layout, Multipliers, Options, Orbit, Order, Problem, Region, Solution, SolveError, solve};
 use std::f64::consts::{PI, TAU};
 
 /// Rössler's equations; the example follows an orbit of theirs, and asserts where its period doubles.
@@ -232,4 +233,48 @@ fn what_there_is_not_is_said() {
         assert!(matches!(error, SolveError::Option { name: "tolerance", .. }), "{error}");
     }
     assert_eq!(problem.layout().regions.len(), 1);
+}
+
+/// Two states that follow a forcing of period 1, over (0, 1) and (1, 2): one orbit of period 2, or two of period 1.
+struct Halves {
+    one_orbit: bool,
+}
+
+impl Model for Halves {
+    fn layout(&self) -> Layout {
+        let half = |name: &str, interval| Region::dense(name, interval, &["x", "y"], &[], 1);
+        Layout::dense(vec![half("first", (0.0, 1.0)), half("second", (1.0, 2.0))], &["kappa"], &["a", "b", "c", "d"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+        let forcing = (s * TAU).cos();
+        (f[0], f[1]) = (-c[0] * (y[0] - forcing), -c[0] * (y[1] - y[0]));
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        // Ends: entry and exit of the first, entry and exit of the second.
+        let [of_first, of_second] = if self.one_orbit { [6, 2] } else { [2, 6] };
+        for i in 0..2 {
+            (g[i], g[i + 2]) = (e[of_first + i] - e[i], e[of_second + i] - e[4 + i]);
+        }
+    }
+}
+
+/// A region of an orbit in several has multipliers of its own, which are not the orbit's.
+#[test]
+fn an_orbit_in_several_regions_is_refused_and_several_orbits_are_not() {
+    for one_orbit in [true, false] {
+        // Patterns are dense: what ties regions together is what the derivatives say.
+        let problem = Differentiated::new(Halves { one_orbit }).unwrap();
+        let guess = Guess::uniform(problem.layout(), 10, &[2.0], |_, _, y| y.fill(0.0));
+        let solution = solve(&problem, &guess, &[], &Options::default()).unwrap();
+        for region in 0..2 {
+            let found = Multipliers::new(&problem, &solution, region, Orbit::Forced, 1e-6);
+            if one_orbit {
+                let text = found.unwrap_err().to_string();
+                assert!(text.contains("first") && text.contains("second"), "{text}");
+            } else {
+                let found = found.unwrap();
+                assert!((found.largest() - (-2.0_f64).exp()).abs() < 1e-3, "{found:?}");
+            }
+        }
+    }
 }
