@@ -51,6 +51,8 @@
 //! - **Of a higher index**, or where ∂g/∂z is singular on the way, z' is not finite: the solver's error names z and the
 //!   place.
 //! - **Which root**: where g has several roots z, the guess chooses.
+//! - **Multipliers** of a periodic solution are those of y. A deviation from g = 0 stays as it is in the differentiated
+//!   equations, with a multiplier 1 for each algebraic equation: [`Multipliers`](crate::Multipliers) leave them out.
 
 use crate::linear::simd::largest;
 use crate::model::{Model, Scalar};
@@ -227,6 +229,10 @@ impl<D: Dae> Model for Reduced<D> {
 
     fn is_linear(&self, unknowns: &[usize]) -> bool {
         self.dae.is_linear(unknowns)
+    }
+
+    fn conserved(&self, region: usize) -> usize {
+        self.algebraic.get(region).copied().unwrap_or(0)
     }
 }
 

@@ -102,6 +102,11 @@ pub trait Model {
     fn is_linear(&self, _unknowns: &[usize]) -> bool {
         false
     }
+
+    /// See [`Problem::conserved`].
+    fn conserved(&self, _region: usize) -> usize {
+        0
+    }
 }
 
 /// A [`Model`] made a [`Problem`], its derivatives exact to rounding.
@@ -320,6 +325,10 @@ impl<M: Model> Problem for Differentiated<M> {
 
     fn is_linear(&self, unknowns: &[usize]) -> bool {
         self.model.is_linear(unknowns)
+    }
+
+    fn conserved(&self, region: usize) -> usize {
+        self.model.conserved(region)
     }
 
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {

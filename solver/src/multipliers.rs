@@ -78,7 +78,8 @@ pub enum Orbit {
 /// The multipliers of one region: the eigenvalues of what the equations, linearised at a solution, with all constants
 /// held, make of a deviation from its left end to its right end. Where the solution is periodic and the region its
 /// period, they are Floquet's: the orbit is stable if all of them are less than 1 in modulus, but for that which is 1
-/// where the problem is autonomous. How near to 1 that comes out tells how well all of them are known.
+/// where the problem is autonomous. How near to 1 that comes out tells how well all of them are known. Those that are 1
+/// whatever the solution ([`Problem::conserved`]) are left out: as many as there are, of those nearest to 1.
 ///
 /// Along a branch of orbits one leaves the unit circle at 1 at a fold or branch point, at -1 where the period doubles,
 /// and a pair of them elsewhere where a torus is born: the zeros of [`doubling`](Self::doubling) and
@@ -92,9 +93,11 @@ pub enum Orbit {
 /// Numer. Anal. 28 (1991) 1446-1462; the transformation is Cayley's).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Multipliers {
-    /// Without the trivial one.
+    /// Without those that are to be 1.
     values: Vec<Multiplier>,
-    trivial: Option<Multiplier>,
+    /// Those that are to be 1, the nearest to it first.
+    ones: Vec<Multiplier>,
+    orbit: Orbit,
     change: f64,
     stats: Stats,
 }
@@ -157,18 +160,20 @@ impl Multipliers {
             change = largest_change(&values, &finer);
             values = finer;
         }
-        let trivial = if orbit == Orbit::Autonomous { take_trivial(&mut values) } else { None };
-        Ok(Self { values, trivial, change, stats })
+        let count = problem.conserved(region) + usize::from(orbit == Orbit::Autonomous);
+        let ones = (0..count).map_while(|_| take_trivial(&mut values)).collect();
+        Ok(Self { values, ones, orbit, change, stats })
     }
 
-    /// Those that decide on stability: all, but for the trivial one of an autonomous problem; by decreasing modulus.
+    /// Those that decide on stability: all, but for the trivial one of an autonomous problem and those that are 1
+    /// whatever the solution; by decreasing modulus.
     pub fn values(&self) -> &[Multiplier] {
         &self.values
     }
 
-    /// That nearest to 1, where the problem is autonomous.
+    /// That nearest to 1, where the problem is autonomous; after those that are 1 whatever the solution.
     pub fn trivial(&self) -> Option<Multiplier> {
-        self.trivial
+        self.ones.last().copied().filter(|_| self.orbit == Orbit::Autonomous)
     }
 
     /// The largest modulus of those that decide; 0 if there are none.
@@ -208,7 +213,7 @@ impl Multipliers {
     /// Whether signs of what is made of them mean anything: one of size m is known to m ε relative to itself.
     fn are_known(&self) -> bool {
         let near = |trivial: Multiplier| trivial.distance(ONE) <= ASTRAY;
-        self.trivial.is_none_or(near) && self.largest() * f64::EPSILON <= BLURRED
+        self.ones.iter().copied().all(near) && self.largest() * f64::EPSILON <= BLURRED
     }
 
     /// What the last halving of the mesh has changed them by.
@@ -265,11 +270,13 @@ fn is_whole<P: Problem + ?Sized>(problem: &P, solution: &Solution, region: usize
         Some((equation, other))
     });
     match shared {
-        Some((equation, other)) if closing < layout.regions[region].states.len() => Err(SolveError::PartOfOrbit {
-            region: layout.regions[region].name.clone(),
-            equation: equation.clone(),
-            other: layout.regions[other].name.clone(),
-        }),
+        Some((equation, other)) if closing + problem.conserved(region) < layout.regions[region].states.len() => {
+            Err(SolveError::PartOfOrbit {
+                region: layout.regions[region].name.clone(),
+                equation: equation.clone(),
+                other: layout.regions[other].name.clone(),
+            })
+        }
         _ => Ok(()),
     }
 }

@@ -346,6 +346,13 @@ pub trait Problem {
         false
     }
 
+    /// How many functions of independent variable, states and constants the right-hand side leaves as they are along a
+    /// region, whatever the solution, without a bearing on it: as [`dae::Reduced`](crate::dae::Reduced) leaves each
+    /// algebraic equation. Each has a multiplier 1, which [`Multipliers`](crate::Multipliers) leave out.
+    fn conserved(&self, _region: usize) -> usize {
+        0
+    }
+
     /// Right-hand side, then integrands: `f[row * stride + j]`, `(n + k) * stride` values.
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]);
 
@@ -379,6 +386,10 @@ impl<P: Problem + ?Sized> Problem for &P {
 
     fn is_linear(&self, unknowns: &[usize]) -> bool {
         (**self).is_linear(unknowns)
+    }
+
+    fn conserved(&self, region: usize) -> usize {
+        (**self).conserved(region)
     }
 
     fn rhs(&self, region: usize, at: &Points<'_>, constants: &[f64], f: &mut [f64]) {

@@ -4,7 +4,9 @@
 
 use solver::dae::{Dae, Reduced};
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Guess, Layout, LayoutError, Options, Order, Points, Problem, Region, Scope, SolveError, solve};
+use solver::{
+    Guess, Layout, LayoutError, Multipliers, Options, Orbit, Order, Points, Problem, Region, Scope, SolveError, solve,
+};
 
 /// A flow from x = 0 to 2 in two pieces, y' = -z w with z and w given by two coupled equations,
 /// `0 = z + a tanh(w) - 2 y`, `0 = w³ + w - z`, an integral ∫ z and the unknown a, such that the integral is 1; in the
@@ -282,5 +284,45 @@ fn powers_and_hyperbolic_tangents_have_second_derivatives() {
         let bend = second - 2.0 * tanh * (1.0 - tanh * tanh);
         assert!((f[1] - 3.0 / slope).abs() < 1e-12 * (3.0 / slope).abs(), "{power} {z}: {}", f[1]);
         assert!((dy[3] + 3.0 * bend / (slope * slope)).abs() < 1e-11 * (1.0 + bend.abs()), "{power} {z}: {}", dy[3]);
+    }
+}
+
+/// `u' = v, v' = z, 0 = z + 2u + 0.2v - cos s`: a forced oscillator with friction, a spring of stiffness 2 and unit
+/// mass.
+struct Oscillator;
+
+impl Dae for Oscillator {
+    fn layout(&self) -> Layout {
+        let period = Region::dense("period", (0.0, std::f64::consts::TAU), &["u", "v", "z"], &[], 0);
+        Layout::dense(vec![period], &[], &["u returns", "v returns"])
+    }
+    fn algebraic(&self, _: usize) -> usize {
+        1
+    }
+    fn rhs<S: Scalar>(&self, _: usize, s: S, y: &[S], _: &[S], f: &mut [S]) {
+        (f[0], f[1], f[2]) = (y[1], y[2], y[2] + y[0] * 2.0 + y[1] * 0.2 - s.cos());
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        (g[0], g[1]) = (e[3] - e[0], e[4] - e[1]);
+    }
+}
+
+/// That g stays as it is gives the differentiated equations a multiplier 1 that the problem does not have.
+#[test]
+fn an_algebraic_equation_has_no_multiplier() {
+    let problem = Differentiated::new(Reduced::new(Oscillator).unwrap()).unwrap();
+    let guess = Guess::uniform(problem.layout(), 20, &[], |_, _, y| y.fill(0.0));
+    for order in [Order::Four, Order::Six, Order::Eight, Order::SixGauss] {
+        let solution = solve(&problem, &guess, &[], &Options { order, tolerance: 1e-8, ..Options::default() }).unwrap();
+        let multipliers = Multipliers::new(&problem, &solution, 0, Orbit::Forced, 1e-8).unwrap();
+        let [one, other] = multipliers.values() else { panic!("{multipliers:?}") };
+        // u'' + 0.2 u' + 2 u = 0 decays as exp(-0.1 s), and turns by √1.99 s.
+        let wanted = (-0.1 * std::f64::consts::TAU).exp();
+        let turned = (1.99_f64.sqrt() * std::f64::consts::TAU).cos();
+        for value in [one, other] {
+            assert!((value.modulus() - wanted).abs() < 1e-7, "{order:?}: {value:?}");
+            assert!((value.re - wanted * turned).abs() < 1e-7, "{order:?}: {value:?}");
+        }
+        assert!(multipliers.is_stable() && multipliers.torus() > 0.0 && multipliers.trivial().is_none());
     }
 }
