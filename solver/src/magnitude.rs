@@ -95,13 +95,14 @@ impl ComponentTolerance {
 }
 
 /// # Errors
-/// A component that the layout does not have.
+/// A component, or a region of one, that the layout does not have.
 pub(crate) fn check(layout: &Layout, options: &Options) -> Result<(), SolveError> {
     for component in &options.components {
         let (value, count) = match component.of {
-            Which::State { region, state } => {
-                (state, layout.regions.get(region).map_or(0, |region| region.states.len()))
-            }
+            Which::State { region: index, state } => match layout.regions.get(index) {
+                Some(region) => (state, region.states.len()),
+                None => return Err(SolveError::Region { index, regions: layout.regions.len() }),
+            },
             Which::Constant(index) => (index, layout.constants.len()),
         };
         if value >= count {

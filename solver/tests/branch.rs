@@ -295,6 +295,17 @@ fn a_damaged_checkpoint_is_refused_by_line() {
     for kept in 0..lines.len() {
         assert!(Checkpoint::read(lines[..kept].join("\n").as_bytes()).is_err(), "{kept} lines");
     }
+    // A number that is cut off is another number.
+    for kept in 0..text.len() {
+        assert!(Checkpoint::read(&text.as_bytes()[..kept]).is_err(), "{kept} characters");
+    }
+    let path = Checkpoint { direction: None, ..checkpoint };
+    let mut text = Vec::new();
+    path.write(&mut text).unwrap();
+    assert_eq!(Checkpoint::read(text.as_slice()).unwrap(), path);
+    for kept in 0..text.len() {
+        assert!(Checkpoint::read(&text[..kept]).is_err(), "{kept} characters");
+    }
 }
 
 /// `u'' = -λ exp(x³ u)`, `u(0) = u(1) = 0`: a fold of the test set.
@@ -382,6 +393,14 @@ fn senseless_options_of_a_continuation_are_refused() {
     let error = follow(&problem, &guess, &path, &[], &few).unwrap_err();
     assert_eq!(*error.cause, SolveError::Steps { steps: 3 });
     assert!(error.last.is_some());
+    let none = PathOptions { max_iterations: 0, ..PathOptions::default() };
+    let error = follow(&problem, &guess, &path, &[], &none).unwrap_err();
+    assert!(matches!(*error.cause, SolveError::Option { name: "max_iterations", .. }), "{error}");
+    // The position of a branch's checkpoint is no place on a path.
+    let direction = Direction { states: vec![vec![vec![0.0; 11]; 2]], constants: vec![1.0] };
+    let on_branch = Checkpoint { position: 0.5, step: 0.1, guess: guess.clone(), direction: Some(direction) };
+    let error = resume_follow(&problem, &on_branch, &path, &[], &PathOptions::default(), &mut Silent).unwrap_err();
+    assert!(matches!(*error.cause, SolveError::Option { name: "position", .. }), "{error}");
     let still = PathOptions { first_step: 0.0, ..PathOptions::default() };
     assert!(matches!(*follow(&problem, &guess, &path, &[], &still).unwrap_err().cause, SolveError::Option { .. }));
     for easy in [f64::NAN, f64::INFINITY] {

@@ -101,6 +101,13 @@ fn tolerances_that_make_no_sense_are_refused() {
     }
 }
 
+#[test]
+fn a_component_of_a_region_that_there_is_not_is_told_by_the_region() {
+    let nowhere = ComponentTolerance { of: Which::State { region: 7, state: 0 }, relative: None, absolute: None };
+    let error = solved(&Options { components: vec![nowhere], ..Options::default() }).unwrap_err();
+    assert_eq!(error, SolveError::Region { index: 7, regions: 1 });
+}
+
 /// A scale is a magnitude: what is none is named, not found out by dividing by it.
 #[test]
 fn scales_that_are_no_magnitudes_are_refused() {

@@ -69,10 +69,12 @@ impl Checkpoint {
         out.flush()
     }
 
+    /// Each line must be complete, the last one too: a number that was cut off would be another number.
+    ///
     /// # Errors
     /// [`CheckpointError`].
     pub fn read(input: impl BufRead) -> Result<Self, CheckpointError> {
-        let mut lines = Lines { lines: input.lines(), line: 0 };
+        let mut lines = Lines { input, line: 0 };
         if lines.next("the header")? != HEADER {
             return Err(CheckpointError::Format { line: 1, expected: "a header of this version" });
         }
@@ -118,15 +120,19 @@ impl Checkpoint {
 }
 
 struct Lines<B> {
-    lines: io::Lines<B>,
+    input: B,
     line: usize,
 }
 
 impl<B: BufRead> Lines<B> {
     fn next(&mut self, expected: &'static str) -> Result<String, CheckpointError> {
         self.line += 1;
-        let line = self.line;
-        self.lines.next().ok_or(CheckpointError::Format { line, expected })?.map_err(CheckpointError::Io)
+        let mut text = String::new();
+        self.input.read_line(&mut text)?;
+        match text.strip_suffix('\n') {
+            Some(line) => Ok(line.strip_suffix('\r').unwrap_or(line).to_owned()),
+            None => Err(CheckpointError::Format { line: self.line, expected }),
+        }
     }
 
     /// The finite numbers of one line: so many, if that is known.

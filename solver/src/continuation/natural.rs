@@ -75,6 +75,13 @@ impl PathOptions {
         if !(0.0..=1.0).contains(&from.position) {
             return Err(SolveError::Option { name: "position", value: from.position, expected: "from 0 to 1" });
         }
+        if from.direction.is_some() {
+            let expected = "a point of a path, not of a branch";
+            return Err(SolveError::Option { name: "position", value: from.position, expected });
+        }
+        if self.max_iterations == 0 {
+            return Err(SolveError::Option { name: "max_iterations", value: 0.0, expected: "at least 1" });
+        }
         positive([
             ("step", from.step),
             ("first_step", self.first_step),
@@ -171,7 +178,7 @@ pub fn follow_observed<P: Problem + ?Sized>(
 /// Goes on from a checkpoint of an earlier continuation along the same path.
 ///
 /// # Errors
-/// As [`follow`].
+/// As [`follow`]. The cause is [`SolveError::Option`] if the checkpoint is that of a branch.
 pub fn resume_follow<P: Problem + ?Sized>(
     problem: &P,
     from: &Checkpoint,
