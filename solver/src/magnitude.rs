@@ -36,8 +36,8 @@ pub(crate) struct Magnitudes {
     /// All constants of the layout.
     pub constants: Vec<Magnitude>,
     /// Of every integral, at its largest from the beginning of its region to anywhere: as of a state that states
-    /// nothing.
-    pub integrals: Magnitude,
+    /// nothing. None where they are not held to the tolerance.
+    pub integrals: Option<Magnitude>,
 }
 
 impl Magnitudes {
@@ -48,12 +48,13 @@ impl Magnitudes {
             states.map(|state| Magnitude::stated(state.scale)).collect()
         });
         let constants = layout.constants.iter().map(|constant| Magnitude::stated(constant.scale));
-        Self { states: states.collect(), constants: constants.collect(), integrals: Magnitude::stated(None) }
+        Self { states: states.collect(), constants: constants.collect(), integrals: None }
     }
 
     /// As the layout and the options state them. Options that do not fit the layout have no effect.
     pub(crate) fn new(layout: &Layout, options: &Options) -> Self {
         let mut magnitudes = Self::stated(layout);
+        magnitudes.integrals = options.integrals.then(|| Magnitude::stated(None));
         if let Some(absolute) = options.absolute_tolerance {
             let floor = absolute / options.tolerance;
             let states = layout.regions.iter().flat_map(|region| region.states.iter().map(|state| state.scale));
@@ -65,7 +66,7 @@ impl Magnitudes {
             magnitudes.states.iter_mut().flatten().zip(states).for_each(unstated);
             let constants = layout.constants.iter().map(|constant| constant.scale);
             magnitudes.constants.iter_mut().zip(constants).for_each(unstated);
-            magnitudes.integrals.floor = floor;
+            magnitudes.integrals.iter_mut().for_each(|magnitude| magnitude.floor = floor);
         }
         for component in &options.components {
             if let Some(magnitude) = magnitudes.component(component.of) {

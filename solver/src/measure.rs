@@ -13,6 +13,7 @@ use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::guess::RegionGuess;
 use crate::linear::memory::{Lanes, Numbers};
 use crate::linear::scalar::{Lane, Scalar, W};
+use crate::magnitude::Magnitude;
 use crate::newton::Converged;
 use crate::problem::Problem;
 use crate::refine::{Measure, Rounding};
@@ -136,12 +137,12 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     }
 
     fn quadrature(&self, error: &Error) -> Vec<Quadrature> {
-        if self.system.layout.integrals() == 0 {
+        let Some(magnitude) = self.system.magnitudes.integrals.filter(|_| self.system.layout.integrals() > 0) else {
             return Vec::new();
-        }
-        let stages = &self.converged.work.regions;
-        let regions = stages.iter().zip(&error.integrals).enumerate();
-        regions.map(|(region, (stages, errors))| Quadrature::of(&self.system, region, stages, errors)).collect()
+        };
+        let regions = self.converged.work.regions.iter().zip(&error.integrals).enumerate();
+        let of = |(region, (stages, errors))| Quadrature::of(&self.system, region, stages, (errors, magnitude));
+        regions.map(of).collect()
     }
 
     /// As [`error_estimate`](Self::error_estimate), what it would be if all defects that exceed `target`, by which they
@@ -302,7 +303,12 @@ pub(crate) struct Quadrature {
 }
 
 impl Quadrature {
-    fn of<P: Problem + ?Sized>(system: &System<'_, P>, region: usize, stages: &Stages, errors: &Rows) -> Self {
+    fn of<P: Problem + ?Sized>(
+        system: &System<'_, P>,
+        region: usize,
+        stages: &Stages,
+        (errors, magnitude): (&Rows, Magnitude),
+    ) -> Self {
         let grid = &system.grids[region];
         let (values, count) = (system.interval_integrals(region, stages), grid.intervals());
         let rows = values.chunks_exact(grid.interval_stride()).enumerate().map(|(k, values)| {
@@ -311,7 +317,7 @@ impl Quadrature {
                 sum += value;
                 largest = largest.max(sum.abs());
             }
-            let (size, errors) = (system.magnitudes.integrals.of(largest), errors.row(k));
+            let (size, errors) = (magnitude.of(largest), errors.row(k));
             grid.in_order(count, |p| errors[p] / size)
         });
         Self { rows: rows.collect() }

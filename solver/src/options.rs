@@ -111,6 +111,10 @@ pub struct Options {
     /// all the same. It says so then: [`Accuracy::Short`](crate::Accuracy::Short). If not, it is
     /// [`SolveError::Inaccurate`]. Default: false.
     pub accept_inaccurate: bool,
+    /// Whether integrals are held to the tolerance as states are: what quadrature adds to their errors counts in the
+    /// estimated error, and intervals are divided where integrands ask for it. Without, that is left to the caller, who
+    /// has [`Linearisation::error`](crate::Linearisation::error). Default: yes.
+    pub integrals: bool,
     /// Largest boundary residual, relative to the largest term of its equation. Default: as `tolerance`.
     pub boundary_tolerance: Option<f64>,
     /// Largest component of the last Newton correction, relative to typical magnitudes. Default: a hundredth of
@@ -183,6 +187,7 @@ impl Default for Options {
             absolute_tolerance: None,
             components: Vec::new(),
             accept_inaccurate: false,
+            integrals: true,
             boundary_tolerance: None,
             newton_tolerance: None,
             max_iterations: 50,

@@ -75,3 +75,16 @@ fn an_integral_that_is_not_had_is_told() {
     let short = solve(&problem, &guess, &[], &Options { accept_inaccurate: true, ..options }).unwrap();
     assert!(matches!(short.accuracy(), Accuracy::Short { estimate, .. } if estimate > 1e-4));
 }
+
+/// Whoever sees to integrals by other means need not pay for them.
+#[test]
+fn integrals_may_be_left_to_the_caller() {
+    let peak = Peak { width: 0.01, condition: false };
+    let exact = peak.exact();
+    let problem = Differentiated::new(peak).unwrap();
+    let guess = Guess::uniform(problem.layout(), 10, &[1.0], |_, _, y| y.fill(1.0));
+    let options = Options { tolerance: 1e-4, integrals: false, ..Options::default() };
+    let solution = solve(&problem, &guess, &[], &options).unwrap();
+    assert_eq!((solution.accuracy(), solution.intervals()), (Accuracy::Met, 10));
+    assert!((solution.regions()[0].integrals()[0] / exact - 1.0).abs() > 0.1);
+}

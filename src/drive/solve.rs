@@ -80,7 +80,8 @@ impl SolveOptions {
         let cancel = crate::cancel::current();
         // A drive has ways of its own to a solution; what fails on them are steps across the kinks of friction.
         let options = Options { tolerance, order, cancel, ..Options::default() };
-        Options { accept_inaccurate: true, other_orders: false, ..options }
+        // Outputs have their own errors estimated, those of their integrals among them: see `accuracy`.
+        Options { accept_inaccurate: true, integrals: false, other_orders: false, ..options }
     }
 }
 
