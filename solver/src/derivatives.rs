@@ -7,8 +7,8 @@ use std::fmt;
 
 /// Nodes of each region at which derivatives are compared, at most.
 const PLACES: usize = 16;
-/// How far the second set of states lies from the guess, over their magnitudes: where a state is zero a wrong derivative
-/// may be right.
+/// How far the second set of states lies from the guess, over their magnitudes: where a state is zero a wrong
+/// derivative may be right.
 const AWAY: f64 = 0.1;
 /// Step of a difference, over the magnitude of what is changed: the cube root of the rounding unit, about.
 const STEP: f64 = 6e-6;

@@ -373,8 +373,9 @@ impl Solution {
         self.max_boundary_residual
     }
 
-    /// Estimated true error at the nodes and in the constants found, and what quadrature adds to those of the integrals;
-    /// largest component relative to typical magnitudes. To first order, from the defects and the linearised equations.
+    /// Estimated true error at the nodes and in the constants found, and what quadrature adds to those of the
+    /// integrals; largest component relative to typical magnitudes. To first order, from the defects and the linearised
+    /// equations.
     pub fn error_estimate(&self) -> f64 {
         self.error_estimate
     }

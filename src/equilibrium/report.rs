@@ -92,9 +92,9 @@ pub struct DriveReport {
     pub parts: Vec<PartSensitivity>,
 }
 
-/// The power out of the secondary in W with all losses, and the share of the power put in that it is; none where nothing
-/// arrives. The engine's torque is what it is, so that losses lessen what comes out of the secondary: where the secondary
-/// is driven, more has to be put in there.
+/// The power out of the secondary in W with all losses, and the share of the power put in that it is; none where
+/// nothing arrives. The engine's torque is what it is, so that losses lessen what comes out of the secondary: where the
+/// secondary is driven, more has to be put in there.
 fn delivered(case: &Resolved, drive: &DriveResult<Resolved>) -> (f64, Option<f64>) {
     let (power_in, power_out) = (drive.energy.power_in, drive.energy.power_out);
     let efficiency = drive.efficiency.overall_with_losses.or(drive.efficiency.overall);

@@ -146,8 +146,8 @@ impl Launch {
         let held = self.points.iter().filter(|point| point.power_in < 0.0 && point.speed >= HELD * self.top_speed);
         let most = held.map(|point| -point.power_in).reduce(f64::max)?;
         Some(format!(
-            "Downhill the speed is held at the end of the shift curve, for which the engine would have to brake with up \
-             to {:.1} kW: what it brakes with is not in its table, and the vehicle may run faster.",
+            "Downhill the speed is held at the end of the shift curve, for which the engine would have to brake with \
+             up to {:.1} kW: what it brakes with is not in its table, and the vehicle may run faster.",
             1e-3 * most
         ))
     }

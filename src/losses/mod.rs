@@ -139,9 +139,9 @@ pub struct Losses {
 }
 
 impl Losses {
-    /// What comes out behind the gears where the belt gives the secondary a power, W; negative where the secondary has to
-    /// be driven, as in engine braking. What the belt and the pulleys lose has to be put in there, too, and the gears
-    /// take their share of all of it.
+    /// What comes out behind the gears where the belt gives the secondary a power, W; negative where the secondary has
+    /// to be driven, as in engine braking. What the belt and the pulleys lose has to be put in there, too, and the
+    /// gears take their share of all of it.
     pub fn behind_gears(&self, secondary: f64, gear_efficiency: f64) -> f64 {
         let left = secondary - (self.bending + self.groove + self.cord + self.drag);
         left * gears(gear_efficiency, left)
@@ -198,7 +198,8 @@ pub fn losses(case: &Resolved, solved: &Solved, temperature: f64, tolerance: f64
     })
 }
 
-/// The inputs of the balance's formulae. Where less than nothing arrives, gears have the reciprocal of their efficiency.
+/// The inputs of the balance's formulae. Where less than nothing arrives, gears have the reciprocal of their
+/// efficiency.
 fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, hysteresis: f64) -> [f64; 10] {
     let given = &case.losses;
     let primary = solved.constant(Constant::PrimarySpeed);

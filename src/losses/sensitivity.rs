@@ -143,8 +143,8 @@ fn by_hysteresis(partial: &Partials, [bending, groove, cord]: [f64; 3]) -> LossV
     })
 }
 
-/// Derivative of the balance's last input by the gears' efficiency, of which it is the reciprocal where less than nothing
-/// arrives.
+/// Derivative of the balance's last input by the gears' efficiency, of which it is the reciprocal where less than
+/// nothing arrives.
 fn by_gears(case: &Resolved, balance: &[f64; 10]) -> f64 {
     let (given, [.., input]) = (case.losses.gear_efficiency, *balance);
     if input == given { 1.0 } else { -input / given }

@@ -86,8 +86,8 @@ impl Vehicle {
         if load < 0.0 { load * self.final_efficiency * self.final_efficiency } else { load }
     }
 
-    /// Power in W that becomes heat in the final drive where the secondary delivers so much; where that is negative, the
-    /// axle drives.
+    /// Power in W that becomes heat in the final drive where the secondary delivers so much; where that is negative,
+    /// the axle drives.
     pub fn final_drive_heat(&self, secondary: f64) -> f64 {
         let efficiency = self.final_efficiency;
         secondary * if secondary < 0.0 { 1.0 - 1.0 / efficiency } else { 1.0 - efficiency }

@@ -262,8 +262,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         self.doubled_or_done(best, progress)
     }
 
-    /// Meshes that are finer where the quadrature of integrals is not good enough, of which defects say nothing; none if
-    /// it is, or if meshes may not have so many intervals.
+    /// Meshes that are finer where the quadrature of integrals is not good enough, of which defects say nothing; none
+    /// if it is, or if meshes may not have so many intervals.
     fn finer_for_integrals(&mut self, solved: &Solved<'a, P>, progress: &mut Progress<'a, P>) -> Option<Start> {
         let tolerance = self.options.tolerance;
         let errors = solved.quadrature_errors(&mut self.stats);
