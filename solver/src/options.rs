@@ -214,7 +214,8 @@ impl Options {
         self.newton_tolerance.unwrap_or_else(|| (0.01 * self.tolerance).max(1e-13))
     }
 
-    /// For a tolerance that is not tighter than this one: every other tolerance grows in proportion.
+    /// For a tolerance that is not tighter than this one: those of components grow in proportion. What is said of the
+    /// boundary residuals and of Newton's corrections stays.
     pub(crate) fn loosened(&self, tolerance: f64) -> Self {
         let mut options = self.clone();
         options.tolerance = tolerance.max(self.tolerance);
