@@ -170,6 +170,14 @@ impl Sampled {
     }
 }
 
+/// By how much a value that is stated beside derivatives differs from the one without them, relatively; nothing if they
+/// are the same, or if that is not finite.
+fn difference(stated: f64, found: f64) -> Option<f64> {
+    let apart = (stated - found).abs() / stated.abs().max(found.abs()).max(f64::MIN_POSITIVE);
+    let differ = found.is_finite() && !(apart <= VALUES);
+    differ.then_some(if apart.is_nan() { f64::INFINITY } else { apart })
+}
+
 /// States of a region at which derivatives are compared: at nodes, and beside them.
 struct Batch {
     s: Vec<f64>,
@@ -237,9 +245,7 @@ impl InRegion<'_> {
         self.problem.rhs_jacobian(self.region, &at, constants, Scope::All, &mut stated, &mut dy, &mut dc);
         let here = self.values(&y, constants);
         for (at, (stated, found)) in stated.iter().zip(&here).enumerate() {
-            let apart = (stated - found).abs() / stated.abs().max(found.abs()).max(f64::MIN_POSITIVE);
-            if found.is_finite() && !(apart <= VALUES) {
-                let deviation = if apart.is_nan() { f64::INFINITY } else { apart };
+            if let Some(deviation) = difference(*stated, *found) {
                 worst.tell(deviation, || self.wrong(at, None, *stated, *found));
             }
         }
@@ -379,9 +385,7 @@ impl AtEnds<'_> {
             found,
         };
         for (row, (stated, found)) in stated.iter().zip(&here).enumerate() {
-            let apart = (stated - found).abs() / stated.abs().max(found.abs()).max(f64::MIN_POSITIVE);
-            if found.is_finite() && !(apart <= VALUES) {
-                let deviation = if apart.is_nan() { f64::INFINITY } else { apart };
+            if let Some(deviation) = difference(*stated, *found) {
                 worst.tell(deviation, || wrong(row, None, *stated, *found));
             }
         }
