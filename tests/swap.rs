@@ -188,6 +188,18 @@ fn any_given_constant_may_be_unknown_and_any_output_prescribed() {
     }
 }
 
+/// Where the way from the stiffness that is given is lost, others begin at other stiffnesses.
+#[test]
+fn a_value_is_found_from_other_starts_where_the_first_way_is_lost() {
+    for efficiency in [0.94, 0.93, 0.92, 0.9] {
+        let question = Question::of(&case(&[])).swap(Constant::BendingStiffness, Output::EfficiencyOverall, efficiency);
+        let solved = solve_question(&case(&[]).model, &question, &rough()).unwrap();
+        let stiffness = solved.constant(Constant::BendingStiffness);
+        let found = outcome(&[set("belt.bending_stiffness", stiffness)], &rough()).result.efficiency.overall.unwrap();
+        assert!((found - efficiency).abs() < 2e-4, "{efficiency}: {found} at {stiffness}");
+    }
+}
+
 #[test]
 fn questions_without_an_answer_are_refused_with_their_reason() {
     let case = case(&[]);

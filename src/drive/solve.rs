@@ -43,8 +43,20 @@ const TIGHTER: f64 = 0.1;
 const TIGHTEST: f64 = 1e-11;
 /// Over the tolerance asked for, what the last step but one towards it is at least.
 const AT_LEAST: f64 = 2.0;
-/// Factors on the estimated slack tension from which prescribed values are approached, tried in turn.
-const TENSIONS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
+/// Factors on what is unknown for a prescribed value, from which that is approached, tried in turn: on the first of
+/// [`SCALED`] that is.
+const FACTORS: [f64; 4] = [1.0, 3.0, 0.4, 0.05];
+/// Constants whose estimates may be off by such a factor. More torque is as less tension.
+const SCALED: [Constant; 8] = [
+    Constant::SlackTension,
+    Constant::PrimaryTorque,
+    Constant::BendingStiffness,
+    Constant::RadialStiffness,
+    Constant::LongitudinalStiffness,
+    Constant::FrictionCoefficient,
+    Constant::MassPerLength,
+    Constant::PrimarySpeed,
+];
 
 /// Work of a solve, unless asked otherwise: Newton iterations, each counted once for every mesh interval. The base case
 /// takes some thousands.
@@ -208,9 +220,12 @@ fn attempt(
         return ordinary(model, question, options, routes, budget);
     }
     let (target, mut failure) = (&question.constants, None);
-    let (mut factors, mut first) = (VecDeque::from(TENSIONS), true);
+    let scaled = SCALED.into_iter().find(|constant| question.frees(*constant));
+    // Where there is nothing to scale, every start is the same.
+    let (mut factors, mut first) =
+        (if scaled.is_some() { VecDeque::from(FACTORS) } else { VecDeque::from([FACTORS[0]]) }, true);
     while let Some(factor) = factors.pop_front() {
-        let near = match near(model, question, factor, options, budget) {
+        let near = match near(model, question, (scaled, factor), options, budget) {
             Ok(near) => near,
             Err(next) => {
                 failure = Some(Failure::farther(failure, next, target));
@@ -223,7 +238,7 @@ fn attempt(
             factors.push_front(nearer);
         }
         for order in [together, one_by_one] {
-            let given = budget.part(options.work_limit / (2 * TENSIONS.len()));
+            let given = budget.part(options.work_limit / (2 * FACTORS.len()));
             let mut left = given;
             let answer = order(model, &near, question, options, &mut left);
             budget.take(&given, &left);
@@ -259,15 +274,15 @@ fn nearer(near: &Solved, question: &Question, factor: f64) -> Result<Option<f64>
 fn near(
     model: &ModelChoices,
     question: &Question,
-    factor: f64,
+    (scaled, factor): (Option<Constant>, f64),
     options: &SolveOptions,
     budget: &mut Budget,
 ) -> Result<Solved, Failure> {
     let mut constants = question.constants.clone();
-    if question.frees(Constant::SlackTension) {
-        constants[Constant::SlackTension] *= factor;
-    } else if question.frees(Constant::PrimaryTorque) {
-        constants[Constant::PrimaryTorque] /= factor;
+    match scaled {
+        Some(Constant::PrimaryTorque) => constants[Constant::PrimaryTorque] /= factor,
+        Some(constant) => constants[constant] *= factor,
+        None => {}
     }
     let rough = SolveOptions { tolerance: options.tolerance.max(ROUGH_TOLERANCE), ..*options };
     ordinary(model, &Question::new(constants), &rough, Routes::UntilSlipping, budget)
