@@ -117,8 +117,7 @@ fn check(problem: &dyn Problem, at: &Guess) -> Result<Vec<WrongDerivative>, Solv
 struct Worst(Vec<(f64, WrongDerivative)>);
 
 impl Worst {
-    fn tell(&mut self, deviation: f64, wrong: impl FnOnce() -> WrongDerivative) {
-        let wrong = wrong();
+    fn tell(&mut self, deviation: f64, wrong: WrongDerivative) {
         let same = |(_, known): &&mut (f64, WrongDerivative)| known.of == wrong.of && known.by == wrong.by;
         match self.0.iter_mut().find(same) {
             Some(known) if known.0 >= deviation => {}
@@ -220,6 +219,15 @@ fn magnitude(values: impl Iterator<Item = f64>, scale: Option<f64>) -> f64 {
     if largest > 0.0 { largest } else { 1.0 }
 }
 
+/// Places in a pattern of the entries of a column, row by row; none of those that it does not have.
+fn entries(pattern: &[(usize, usize)], column: usize, rows: usize) -> Vec<Option<usize>> {
+    let mut entries = vec![None; rows];
+    for (entry, &(row, _)) in pattern.iter().enumerate().filter(|(_, (_, of))| *of == column) {
+        entries[row] = Some(entry);
+    }
+    entries
+}
+
 /// Places that are changed by one step or half of it, either way.
 const SIDES: [f64; 4] = [-1.0, 1.0, -0.5, 0.5];
 
@@ -246,12 +254,9 @@ impl InRegion<'_> {
         let here = self.values(&y, constants);
         for (at, (stated, found)) in stated.iter().zip(&here).enumerate() {
             if let Some(deviation) = difference(*stated, *found) {
-                worst.tell(deviation, || self.wrong(at, None, *stated, *found));
+                worst.tell(deviation, self.wrong(at, None, *stated, *found));
             }
         }
-        let entry = |pattern: &[(usize, usize)], values: &[f64], row: usize, column: usize, j: usize| {
-            pattern.iter().position(|place| *place == (row, column)).map_or(0.0, |entry| values[entry * stride + j])
-        };
         for state in 0..region.states.len() {
             let step = STEP * self.batch.magnitudes[state];
             let sampled = SIDES.map(|side| {
@@ -259,8 +264,9 @@ impl InRegion<'_> {
                 moved[state * stride..(state + 1) * stride].iter_mut().for_each(|value| *value += side * step);
                 self.values(&moved, constants)
             });
+            let entries = entries(&region.state_pattern, state, rows);
             self.column(worst, &here, &sampled, step, &region.states[state].name, &|row, j| {
-                entry(&region.state_pattern, &dy, row, state, j)
+                entries[row].map_or(0.0, |entry| dy[entry * stride + j])
             });
         }
         for (index, constant) in self.layout.constants.iter().enumerate() {
@@ -270,8 +276,9 @@ impl InRegion<'_> {
                 moved[index] += side * step;
                 self.values(&y, &moved)
             });
+            let entries = entries(&region.constant_pattern, index, rows);
             self.column(worst, &here, &sampled, step, &format!("constant {}", constant.name), &|row, j| {
-                entry(&region.constant_pattern, &dc, row, index, j)
+                entries[row].map_or(0.0, |entry| dc[entry * stride + j])
             });
         }
     }
@@ -291,7 +298,7 @@ impl InRegion<'_> {
             let sampled = Sampled { here, whole: [below[at], above[at]], half: [lower[at], upper[at]], step };
             let stated = stated(at / stride, at % stride);
             if let Some((deviation, found)) = sampled.deviation(stated) {
-                worst.tell(deviation, || self.wrong(at, Some(by.to_owned()), stated, found));
+                worst.tell(deviation, self.wrong(at, Some(by.to_owned()), stated, found));
             }
         }
     }
@@ -386,7 +393,7 @@ impl AtEnds<'_> {
         };
         for (row, (stated, found)) in stated.iter().zip(&here).enumerate() {
             if let Some(deviation) = difference(*stated, *found) {
-                worst.tell(deviation, || wrong(row, None, *stated, *found));
+                worst.tell(deviation, wrong(row, None, *stated, *found));
             }
         }
         for (input, size) in magnitudes.iter().enumerate() {
@@ -396,12 +403,12 @@ impl AtEnds<'_> {
                 moved[input] += side * step;
                 self.values(&moved)
             });
+            let entries = entries(&layout.boundary_pattern, input, here.len());
             for (row, &here) in here.iter().enumerate() {
                 let sampled = Sampled { here, whole: [below[row], above[row]], half: [lower[row], upper[row]], step };
-                let entry = layout.boundary_pattern.iter().position(|place| *place == (row, input));
-                let stated = entry.map_or(0.0, |entry| dz[entry]);
+                let stated = entries[row].map_or(0.0, |entry| dz[entry]);
                 if let Some((deviation, found)) = sampled.deviation(stated) {
-                    worst.tell(deviation, || wrong(row, Some(layout.input_name(input)), stated, found));
+                    worst.tell(deviation, wrong(row, Some(layout.input_name(input)), stated, found));
                 }
             }
         }

@@ -252,17 +252,20 @@ impl Options {
         });
         let stated = stated.into_iter().chain(components).filter_map(|(name, value)| Some((name, value?)));
         positive(of_all.into_iter().chain(stated))?;
-        let limits = [
+        at_least_one([
             ("max_iterations", self.max_iterations),
             ("max_meshes", self.max_meshes),
             ("max_intervals", self.max_intervals),
-        ];
-        for (name, value) in limits {
-            if value == 0 {
-                return Err(SolveError::Option { name, value: 0.0, expected: "at least 1" });
-            }
-        }
-        Ok(())
+        ])
+    }
+}
+
+/// # Errors
+/// The first that is zero.
+pub(crate) fn at_least_one(limits: impl IntoIterator<Item = (&'static str, usize)>) -> Result<(), SolveError> {
+    match limits.into_iter().find(|(_, value)| *value == 0) {
+        Some((name, _)) => Err(SolveError::Option { name, value: 0.0, expected: "at least 1" }),
+        None => Ok(()),
     }
 }
 

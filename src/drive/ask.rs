@@ -1,12 +1,12 @@
 //! From a resolved case to the question it asks: what is given, what is unknown for it, and where the search starts.
 
 use super::estimate::{EFFICIENCY, estimate};
-use super::power::is_efficiency;
+use super::power::told;
 use super::question::{Known, Question, Swap};
 use super::start;
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Case, CaseError, Fourth, Free, Key, Load, OperatingPoint, Resolved, Speed};
-use crate::model::{Constant, Constants, Output};
+use crate::model::{Constant, Constants};
 
 impl Question {
     /// What a case asks. Where a given constant is unknown, its value is an estimate.
@@ -74,12 +74,10 @@ fn swaps(case: &Resolved) -> Vec<Swap> {
             }
         }
     }
-    // Efficiencies are told of the driven over the driving pulley.
-    let value = |output: Output, value: f64| if brakes(case) && is_efficiency(output) { 1.0 / value } else { value };
     swaps.extend(case.swaps.iter().map(|swap| Swap {
         free: swap.constant,
         known: Known::Output(swap.output),
-        value: value(swap.output, swap.value),
+        value: told(swap.output, swap.value, brakes(case)),
     }));
     swaps
 }

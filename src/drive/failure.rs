@@ -4,7 +4,7 @@ use solver::{Solution, SolveError};
 use thiserror::Error;
 
 use super::belt::BeltProblem;
-use super::power::is_efficiency;
+use super::power::told;
 use super::question::{Known, Question};
 use super::trouble::Trouble;
 use crate::model::{Constant, Constants, IllPosed, InternalError};
@@ -279,11 +279,10 @@ impl Failure {
                 at.and_then(|at| targets.get(at)).copied().ok_or(InternalError::Output(output))
             }
         };
-        // As they are told: see `is_efficiency`.
         let brakes = constants[Constant::PrimaryTorque] < 0.0;
         let told = |known: Known, value: f64| match known {
-            Known::Output(output) if brakes && is_efficiency(output) => 1.0 / value,
-            Known::Output(_) | Known::Constant(_) => value,
+            Known::Output(output) => told(output, value, brakes),
+            Known::Constant(_) => value,
         };
         let reached = question.swaps.iter().map(|swap| {
             let (value, asked) = (told(swap.known, target(swap.known)?), told(swap.known, swap.value));

@@ -25,6 +25,11 @@ pub(crate) const fn is_efficiency(output: Output) -> bool {
     matches!(output, Output::EfficiencyOverall | Output::EfficiencySpeed | Output::EfficiencyTorque)
 }
 
+/// An output as it is told, or the output of what is told: see [`is_efficiency`].
+pub(super) fn told(output: Output, value: f64, brakes: bool) -> f64 {
+    if brakes && is_efficiency(output) { 1.0 / value } else { value }
+}
+
 impl PowerFlow {
     /// By the power into the primary and the power out of the secondary.
     pub fn of(power_in: f64, power_out: f64) -> Self {

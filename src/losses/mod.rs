@@ -204,9 +204,7 @@ fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, 
     let given = &case.losses;
     let primary = solved.constant(Constant::PrimarySpeed);
     let secondary = primary * solved.constant(Constant::SpeedRatio);
-    let drag = (given.primary_drag + given.primary_drag_per_speed * primary) * primary
-        + (given.secondary_drag + given.secondary_drag_per_speed * secondary) * secondary;
-    [
+    let mut inputs = [
         driving,
         overall,
         hysteresis,
@@ -216,8 +214,12 @@ fn balance_inputs(case: &Resolved, solved: &Solved, driving: f64, overall: f64, 
         given.secondary_drag,
         given.primary_drag_per_speed,
         given.secondary_drag_per_speed,
-        gears(given.gear_efficiency, overall * driving - hysteresis - drag),
-    ]
+        1.0,
+    ];
+    // What arrives without gears says which way power goes through them.
+    let [.., arriving, _] = evaluate::<_, _, 6>(&LOSS_BALANCE, &inputs);
+    inputs[9] = gears(given.gear_efficiency, arriving);
+    inputs
 }
 
 /// Values of generated formulae.

@@ -2,7 +2,7 @@
 
 use super::arclength::Direction;
 use crate::error::SolveError;
-use crate::options::{Options, positive};
+use crate::options::{Options, at_least_one, positive};
 use crate::orientation::BranchCheck;
 use crate::solution::Solution;
 use crate::stats::Stats;
@@ -99,9 +99,7 @@ impl BranchOptions {
             let expected = "no more than largest_step";
             return Err(SolveError::Option { name: "smallest_step", value: self.smallest_step, expected });
         }
-        if self.max_iterations == 0 {
-            return Err(SolveError::Option { name: "max_iterations", value: 0.0, expected: "at least 1" });
-        }
+        at_least_one([("max_iterations", self.max_iterations)])?;
         let (low, high) = self.range;
         if (low..=high).contains(&start) {
             return Ok(());

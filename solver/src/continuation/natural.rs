@@ -15,7 +15,7 @@ use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::measure::{Solved, undefined};
 use crate::observer::{Event, Observer, Silent};
-use crate::options::{Control, Options, positive};
+use crate::options::{Control, Options, at_least_one, positive};
 use crate::orientation::BranchCheck;
 use crate::problem::{Layout, Problem};
 use crate::run::Run;
@@ -79,9 +79,7 @@ impl PathOptions {
             let expected = "a point of a path, not of a branch";
             return Err(SolveError::Option { name: "position", value: from.position, expected });
         }
-        if self.max_iterations == 0 {
-            return Err(SolveError::Option { name: "max_iterations", value: 0.0, expected: "at least 1" });
-        }
+        at_least_one([("max_iterations", self.max_iterations)])?;
         positive([
             ("step", from.step),
             ("first_step", self.first_step),
