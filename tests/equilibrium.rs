@@ -10,9 +10,9 @@ use sheave::case::{Case, Key, Resolved};
 use sheave::drive::{Constant, Output, SolveOptions, Trouble, solve};
 use sheave::equilibrium::{
     Direction, Equilibrium, EquilibriumError, Phase, ReportedPhase, ShiftOptions, Stop, equilibrium, equilibrium_from,
-    over_curve, sensitivities, shift_branch, shift_table,
+    equilibrium_outcome, over_curve, sensitivities, shift_branch, shift_table,
 };
-use sheave::result::Doubt;
+use sheave::result::{Doubt, run};
 
 const RPM: f64 = PI / 30.0;
 const UP: Direction = Direction::Up;
@@ -66,8 +66,20 @@ fn the_equilibrium_is_one_of_every_part() {
 /// Exact sensitivities against equilibria with the part a little larger and smaller.
 #[test]
 fn sensitivities_are_those_of_differences() {
-    let (case, found) = first();
-    let exact = sensitivities(&case, &found).unwrap();
+    sensitivities_are_differences(&gx9(), &options());
+}
+
+/// Where the belt is as warm as its losses make it, its temperature follows what each part changes: without that, the
+/// derivative by the flyweights' mass would be 0.8 % off here.
+#[test]
+fn the_temperature_follows_the_parts() {
+    sensitivities_are_differences(&warm("off"), &SolveOptions { tolerance: 1e-7, ..options() });
+}
+
+fn sensitivities_are_differences(base: &Case, options: &SolveOptions) {
+    let (case, speed) = (resolved(base), 2500.0 * RPM);
+    let (found, outcome) = equilibrium_outcome(None, &case, speed, UP, options).unwrap();
+    let exact = sensitivities(&case, &found, &outcome.result).unwrap();
     for (key, value, share) in [
         (Key::FlyweightMass, 0.134, 5e-3),
         (Key::PrimarySpringPreload, 300.254_96, 5e-3),
@@ -77,9 +89,9 @@ fn sensitivities_are_those_of_differences() {
     ] {
         let part = exact.iter().find(|part| part.key == key).unwrap_or_else(|| panic!("{key:?}"));
         let at = |value: f64| {
-            let mut changed = gx9();
+            let mut changed = base.clone();
             changed.set_si(key, value).unwrap();
-            equilibrium_from(&found, &resolved(&changed), 2500.0 * RPM, UP, &options()).unwrap()
+            equilibrium_outcome(Some(&found), &resolved(&changed), speed, UP, options).unwrap().0
         };
         let step = share * value;
         // A throttle beyond 1 is none: one-sided, of second order.
@@ -95,6 +107,40 @@ fn sensitivities_are_those_of_differences() {
         assert!((part.primary_speed / by_speed - 1.0).abs() < 1e-3, "{key:?}: {part:?}, difference {by_speed}");
         assert!((part.ratio / by_ratio - 1.0).abs() < 1e-3, "{key:?}: {part:?}, difference {by_ratio}");
     }
+}
+
+/// The drive with a belt that its losses heat, and whose loss tangent grows with its temperature.
+fn warm(losses: &str) -> Case {
+    let mut case = gx9();
+    let tangent = "{ temperature = ['60 degC', '110 degC'], value = [0.12, 0.2] }";
+    for (key, value) in [
+        ("losses.include", losses),
+        ("belt.loss_tangent", tangent),
+        ("thermal.ambient", "25 degC"),
+        ("thermal.heat_transfer", "14 W/K"),
+        ("thermal.bending_softening", "0.012"),
+        ("thermal.radial_softening", "0.012"),
+    ] {
+        case.set(key, value).unwrap();
+    }
+    case
+}
+
+/// The belt of a whole drive is as warm as that of an ordinary solve of the operating point that was found, its loss
+/// tangent being read at that temperature, and as warm whether its losses are told or not.
+#[test]
+fn the_belt_is_as_warm_as_its_losses_make_it() {
+    let case = resolved(&warm("on"));
+    let (found, outcome) = equilibrium_outcome(None, &case, 2500.0 * RPM, UP, &options()).unwrap();
+    let (kelvin, told) = (outcome.result.belt.temperature.unwrap(), outcome.result.losses.unwrap());
+    let again = run(&found.operating_case(&case), &options()).unwrap().result;
+    assert!((kelvin - again.belt.temperature.unwrap()).abs() < 0.02, "{kelvin} {:?}", again.belt.temperature);
+    assert!((told.bending / again.losses.unwrap().bending - 1.0).abs() < 1e-3);
+    assert!(kelvin > case.stiffnesses.reference + 10.0, "{kelvin}: nothing of the tables would be seen");
+    let untold = resolved(&warm("off"));
+    let (same, outcome) = equilibrium_outcome(None, &untold, 2500.0 * RPM, UP, &options()).unwrap();
+    assert!(outcome.result.losses.is_none());
+    assert_eq!((outcome.result.belt.temperature, same.primary_speed()), (Some(kelvin), found.primary_speed()));
 }
 
 /// A warm start finds what a start from nothing finds.

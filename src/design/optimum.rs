@@ -17,7 +17,7 @@ use crate::case::{Clamp, Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved, solve, solve_from};
 use crate::losses::{Heat, LossOutput, NoDerivatives, NoLosses, gradients, losses, warm_start};
 use crate::model::{Constant, Constants, Include, Output};
-use crate::result::{derivatives, warmed};
+use crate::result::{BeltTemperature, derivatives, warmed};
 
 /// Factor on the slack tension from one trial to the next, and that below which a march ends.
 const FACTOR: f64 = 1.4;
@@ -244,7 +244,7 @@ fn efficiency(case: &Resolved, trial: &Trial, options: &SolveOptions) -> Result<
 fn gradient(case: &Resolved, solved: &Solved, heat: Option<&Heat>, options: &SolveOptions) -> Result<f64, DesignError> {
     if let Some(heat) = heat {
         let sought = if with_losses(case) { LossOutput::Efficiency.name() } else { Output::EfficiencyOverall.name() };
-        let rows = derivatives(case, options, solved, Some(heat))?;
+        let rows = derivatives(case, options, solved, &BeltTemperature::Balanced(*heat))?;
         return match rows.get(sought).and_then(|row| row.get(Key::SlackTension.path())) {
             Some(found) => Ok(*found),
             // Only an efficiency with losses that cannot be told has no derivatives; the losses say why.

@@ -4,11 +4,11 @@ use super::error::EquilibriumError;
 use super::point::{Direction, Equilibrium};
 use super::question::{Given, Whole};
 use super::search::{at_speed, equilibrium, equilibrium_from};
-use crate::case::{Resolved, Thermal};
+use crate::case::Resolved;
 use crate::clock::Stopwatch;
 use crate::drive::{Failure, SolveOptions};
-use crate::losses::at_temperature;
-use crate::result::{Outcome, interpret};
+use crate::losses::{at_temperature, into_belt};
+use crate::result::{BeltTemperature, Outcome, read_at};
 
 /// Temperatures that are tried at most, and by how much two of them may differ in the end, K.
 const TRIED: usize = 30;
@@ -86,19 +86,18 @@ fn settled(
     let start = Stopwatch::start();
     let Some(thermal) = case.thermal else {
         let found = solve(near, case)?;
-        let outcome = read(&found, case, options, start)?;
+        let outcome = read(&found, case, BeltTemperature::Reference, options, start)?;
         return Ok((found, outcome));
     };
     let mut temperature = thermal.reference;
     let mut before: Option<(f64, f64)> = None;
     let mut here = solve(near, &at_temperature(case, &thermal, temperature))?;
     for _ in 0..TRIED {
-        let outcome = read(&here, &at_temperature(case, &thermal, temperature), options, start)?;
-        let balanced = thermal.ambient + heat(&outcome, &thermal) / thermal.heat_transfer;
-        let missing = balanced - temperature;
+        let warm = at_temperature(case, &thermal, temperature);
+        let heat = into_belt(&warm, &thermal, &here.solved, temperature, options.tolerance)?;
+        let missing = thermal.ambient + heat / thermal.heat_transfer - temperature;
         if missing.abs() <= SETTLED {
-            let mut outcome = outcome;
-            outcome.result.belt.temperature = Some(temperature);
+            let outcome = read(&here, &warm, BeltTemperature::Held(temperature), options, start)?;
             return Ok((here, outcome));
         }
         // The secant of "balanced less temperature"; at first as if the heat did not depend on the temperature.
@@ -118,20 +117,16 @@ fn settled(
 fn read(
     found: &Equilibrium,
     case: &Resolved,
+    warmth: BeltTemperature,
     options: &SolveOptions,
     start: Stopwatch,
 ) -> Result<Outcome, EquilibriumError> {
     let mut posed = found.operating_case(case);
+    // The temperature is that of the whole drive, not that of a belt at these radii and torque.
     posed.thermal = None;
-    interpret(&posed, options, found.solved.clone(), start).map_err(|failure| EquilibriumError::Failure {
+    read_at(&posed, options, (found.solved.clone(), warmth), start).map_err(|failure| EquilibriumError::Failure {
         phase: found.phase,
         failure: Box::new(failure),
         sharp: false,
     })
-}
-
-/// Heat into the belt, W: its hysteresis, and its share of the friction loss.
-fn heat(outcome: &Outcome, thermal: &Thermal) -> f64 {
-    let hysteresis = outcome.result.losses.as_ref().map_or(0.0, |losses| losses.bending + losses.groove + losses.cord);
-    hysteresis + thermal.friction_share * outcome.result.energy.friction_loss
 }

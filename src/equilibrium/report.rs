@@ -163,7 +163,7 @@ impl DriveReport {
             power_in: drive.energy.power_in,
             power_out: delivered,
             belt_temperature: drive.belt.temperature,
-            parts: if with_parts { sensitivities(case, found)? } else { Vec::new() },
+            parts: if with_parts { sensitivities(case, found, &drive)? } else { Vec::new() },
             drive,
         })
     }

@@ -1,7 +1,8 @@
 //! What each part does to the shift speed, exactly: from the linearisation of the one problem at its solution.
 //!
 //! Where a part changes by dp, its law changes by ∂law/∂p dp, which is the same as a target that moves by the
-//! opposite; how everything else follows a target is one column of the condensed linearisation.
+//! opposite; how everything else follows a target is one column of the condensed linearisation. Where the belt is as
+//! warm as its losses make it, its temperature follows too, and its stiffnesses with that.
 
 use serde::Serialize;
 use solver::{Condensation, Problem};
@@ -10,7 +11,9 @@ use super::error::EquilibriumError;
 use super::point::{Equilibrium, Phase, Stop};
 use crate::actuator::{AngleFrom, Mechanism, PrimaryActuator, SecondaryActuator, Spring};
 use crate::case::{Key, Resolved};
-use crate::drive::{Constant, Output};
+use crate::drive::{Constant, Failure, Output};
+use crate::losses::warming;
+use crate::result::DriveResult;
 
 /// What one part does.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -55,25 +58,44 @@ struct Rates {
     ratio: f64,
 }
 
-/// What each part of a drive does to its equilibrium.
+/// What each part of a drive does to its equilibrium, where `belt` is what the belt does in it.
 ///
 /// # Errors
 /// [`EquilibriumError::Failure`] where the equations are singular, as at a limit.
-pub fn sensitivities(case: &Resolved, at: &Equilibrium) -> Result<Vec<PartSensitivity>, EquilibriumError> {
+pub fn sensitivities(
+    case: &Resolved,
+    at: &Equilibrium,
+    belt: &DriveResult<Resolved>,
+) -> Result<Vec<PartSensitivity>, EquilibriumError> {
     let solved = &at.solved;
-    let condensation = Condensation::new(&solved.belt, &solved.solution).map_err(|error| {
-        let failure = Box::new(crate::drive::Failure::Sensitivities(error));
-        EquilibriumError::Failure { phase: at.phase, failure, sharp: false }
-    })?;
+    let failed = |failure| EquilibriumError::Failure { phase: at.phase, failure: Box::new(failure), sharp: false };
+    let condensation = Condensation::new(&solved.belt, &solved.solution);
+    let condensation = condensation.map_err(|error| failed(Failure::Sensitivities(error)))?;
+    let warm = case.thermal.zip(belt.belt.temperature);
+    let warming = warm.map(|(thermal, kelvin)| warming(case, &thermal, solved, kelvin, belt.solver.tolerance));
+    let warming = warming.transpose().map_err(failed)?;
     let layout = solved.belt.layout();
     let first = layout.ends() + layout.integrals();
     let (primary, secondary) = (solved.constant(Constant::PrimaryRadius), solved.constant(Constant::SecondaryRadius));
-    let along = |constant: usize| {
+    let as_warm = |constant: usize| {
         let rates = condensation.rates(constant)?;
         let rate = |of: Constant| rates.get(first + of.index()).copied();
         let ratio = rate(Constant::SecondaryRadius)? / primary
             - secondary * rate(Constant::PrimaryRadius)? / (primary * primary);
         Some(Rates { speed: rate(Constant::PrimarySpeed)?, ratio })
+    };
+    // The temperature following.
+    let along = |constant: usize| {
+        let mut rates = as_warm(constant)?;
+        if let Some(warming) = &warming {
+            let by_constant = warming.by_constant.get(constant)?;
+            for (stiffness, softened) in &warming.softened {
+                let (stiffer, by) = (as_warm(stiffness.index())?, softened.by_temperature * by_constant);
+                rates.speed += stiffer.speed * by;
+                rates.ratio += stiffer.ratio * by;
+            }
+        }
+        Some(rates)
     };
     // Targets follow the constants: first those of prescribed outputs, of which one is the secondary's speed.
     let prescribed: Vec<Output> = solved.belt.prescribed().collect();

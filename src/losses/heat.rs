@@ -83,6 +83,48 @@ struct Rate {
     by_temperature: f64,
 }
 
+impl Rate {
+    /// d(heat)/d(temperature), the stiffnesses following it.
+    fn slope(&self, softened: &[Rates; 2]) -> f64 {
+        let through = SOFTENED.iter().zip(softened).map(|(stiffness, rates)| {
+            self.by_constant.get(stiffness.index()).copied().unwrap_or(f64::NAN) * rates.by_temperature
+        });
+        self.by_temperature + through.sum::<f64>()
+    }
+}
+
+/// How the belt's temperature follows the constants of a solution, and what it makes of the belt.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Warming {
+    /// d(temperature)/d(constant) by each constant of the problem, in its order, K over the constant's SI unit.
+    pub by_constant: Vec<f64>,
+    /// What the temperature makes of the stiffnesses.
+    pub softened: [(Constant, Rates); 2],
+}
+
+/// The stiffnesses that follow the temperature, in the order of their [`Rates`].
+const SOFTENED: [Constant; 2] = [Constant::BendingStiffness, Constant::RadialStiffness];
+
+/// How the belt's temperature follows the constants at a solution whose heat is in balance at a temperature in K: to
+/// first order, by `(h − dQ/dT) dT = Σ ∂Q/∂c dc` with Q the heat into the belt.
+///
+/// # Errors
+/// [`Failure::Sensitivities`] where the equations are singular at the solution.
+pub fn warming(
+    case: &Resolved,
+    thermal: &Thermal,
+    solved: &Solved,
+    temperature: f64,
+    tolerance: f64,
+) -> Result<Warming, Failure> {
+    let rate = rate(&at_temperature(case, thermal, temperature), thermal, solved, temperature, tolerance)?;
+    let softened = rates(case, thermal, solved, temperature);
+    let per_heat = 1.0 / (thermal.heat_transfer - rate.slope(&softened));
+    let by_constant = rate.by_constant.into_iter().map(|by| by * per_heat).collect();
+    let [bending, radial] = softened;
+    Ok(Warming { by_constant, softened: [(SOFTENED[0], bending), (SOFTENED[1], radial)] })
+}
+
 /// The case with its belt at a temperature.
 pub fn at_temperature(case: &Resolved, thermal: &Thermal, temperature: f64) -> Resolved {
     let [bending, radial] = thermal.softened(&case.stiffnesses, temperature);
@@ -107,7 +149,7 @@ fn rates(case: &Resolved, thermal: &Thermal, solved: &Solved, temperature: f64) 
         factor: softened.factor,
         by_temperature: softened.rate * solved.constant(stiffness),
     };
-    [of(bending, Constant::BendingStiffness), of(radial, Constant::RadialStiffness)]
+    [of(bending, SOFTENED[0]), of(radial, SOFTENED[1])]
 }
 
 /// Finds the temperature of the belt of a case with heat, from a solution of it with its stiffnesses at some
@@ -125,12 +167,9 @@ pub fn settle(
     let balanced = (BALANCED * options.tolerance).max(LEAST_BALANCED);
     for _ in 0..MAX_ITERATIONS {
         let warm = at_temperature(case, thermal, temperature);
-        let rate = rate(&warm, thermal, &solved, temperature, options)?;
-        let by = |constant: Constant| rate.by_constant.get(constant.index()).copied().unwrap_or(f64::NAN);
+        let rate = rate(&warm, thermal, &solved, temperature, options.tolerance)?;
         let softened = rates(case, thermal, &solved, temperature);
-        let slope = rate.by_temperature
-            + by(Constant::BendingStiffness) * softened[0].by_temperature
-            + by(Constant::RadialStiffness) * softened[1].by_temperature;
+        let slope = rate.slope(&softened);
         let missing = rate.heat - thermal.heat_transfer * (temperature - thermal.ambient);
         if missing.abs() <= balanced * rate.heat.abs() {
             let heat = told(thermal, &solved, temperature, rate.heat, slope)?;
@@ -196,7 +235,7 @@ fn rate(
     thermal: &Thermal,
     solved: &Solved,
     temperature: f64,
-    options: &SolveOptions,
+    tolerance: f64,
 ) -> Result<Rate, Failure> {
     let (values, outputs) = solved.belt.output_gradients(&solved.solution)?;
     let functional = Functional { inputs: outputs.get(Output::EnergyFrictionLoss)?.to_vec(), ..Functional::default() };
@@ -205,9 +244,9 @@ fn rate(
     by_constant.iter_mut().for_each(|by| *by *= thermal.friction_share);
     let mut heat = thermal.friction_share * values.get(Output::EnergyFrictionLoss)?;
     let mut by_temperature = 0.0;
-    if let Ok(losses) = losses(case, solved, temperature, options.tolerance) {
+    if let Ok(losses) = losses(case, solved, temperature, tolerance) {
         heat += losses.bending + losses.groove + losses.cord;
-        match gradients(case, solved, temperature, options.tolerance) {
+        match gradients(case, solved, temperature, tolerance) {
             Ok(gradients) => {
                 by_temperature = LossOutput::HYSTERESIS.map(|output| gradients.by_temperature[output]).iter().sum();
                 for output in LossOutput::HYSTERESIS {

@@ -17,7 +17,7 @@ use generated::{FormulaKernel, HYSTERESIS, Identity, LOSS_BALANCE};
 use serde::Serialize;
 
 pub use gradient::TrackGradient;
-pub use heat::{Heat, Hotter, Rates, at_temperature, close, into_belt, settle, warm_start};
+pub use heat::{Heat, Hotter, Rates, Warming, at_temperature, close, into_belt, settle, warm_start, warming};
 pub use output::{LossOutput, LossValues};
 pub use sensitivity::{Gradients, NoDerivatives, gradients};
 pub use series::{MAX_HARMONICS, Series, Track, series};

@@ -48,7 +48,7 @@ pub fn run(case: &Resolved, margin: Margin, options: &SolveOptions) -> Result<Ou
     let mut before: Option<(f64, f64)> = None;
     for _ in 0..SOLUTIONS {
         if (used - target).abs() <= options.tolerance.max(FINEST) * target {
-            let mut outcome = read_at(&inner, options, (near, heat), start)?;
+            let mut outcome = read_at(&inner, options, (near, heat.into()), start)?;
             outcome.result.inputs = case.clone();
             outcome.result.add_found(Key::SlackTension, here);
             return Ok(outcome);

@@ -127,7 +127,35 @@ pub fn interpret(
 ) -> Result<Outcome, Failure> {
     let reference = case.stiffnesses.reference;
     let (solved, heat) = warmed(case, options, (solved, reference))?;
-    read_at(case, options, (solved, heat), start)
+    read_at(case, options, (solved, heat.into()), start)
+}
+
+/// What is known of the belt's temperature at a solution.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum BeltTemperature {
+    /// That at which its properties are given: nothing is known of another.
+    Reference,
+    /// This one, K, whatever heats the belt.
+    Held(f64),
+    /// That at which its heat is in balance.
+    Balanced(Heat),
+}
+
+impl BeltTemperature {
+    /// In K.
+    fn kelvin(&self, case: &Resolved) -> f64 {
+        match self {
+            Self::Reference => case.stiffnesses.reference,
+            Self::Held(temperature) => *temperature,
+            Self::Balanced(heat) => heat.temperature,
+        }
+    }
+}
+
+impl From<Option<Heat>> for BeltTemperature {
+    fn from(heat: Option<Heat>) -> Self {
+        heat.map_or(Self::Reference, Self::Balanced)
+    }
 }
 
 /// A solution of a case with its stiffnesses at some temperature in K, and that at which its heat is in balance where
@@ -148,16 +176,16 @@ pub(crate) fn derivatives(
     case: &Resolved,
     options: &SolveOptions,
     solved: &Solved,
-    heat: Option<&Heat>,
+    warmth: &BeltTemperature,
 ) -> Result<Sensitivities, Failure> {
-    let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+    let temperature = warmth.kelvin(case);
     let mut derivatives = sensitivities(solved)?;
     let mut direct = None;
     // What losses heat the belt with counts whether they are told or not.
     if case.losses.wanted() || case.thermal.is_some() {
         direct = add_losses(&mut derivatives, case, options, temperature, solved)?;
     }
-    if let (Some(thermal), Some(heat)) = (&case.thermal, heat) {
+    if let (Some(thermal), BeltTemperature::Balanced(heat)) = (&case.thermal, warmth) {
         close(&mut derivatives, thermal, heat, direct.as_ref());
     }
     if !case.losses.wanted() {
@@ -167,20 +195,26 @@ pub(crate) fn derivatives(
 }
 
 /// Reads a solution whose temperature is known.
-fn read_at(
+///
+/// # Errors
+/// [`Failure::Sensitivities`].
+pub(crate) fn read_at(
     case: &Resolved,
     options: &SolveOptions,
-    (solved, heat): (Solved, Option<Heat>),
+    (solved, warmth): (Solved, BeltTemperature),
     start: Stopwatch,
 ) -> Result<Outcome, Failure> {
-    let temperature = heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+    let temperature = warmth.kelvin(case);
     let (solved, errors) = if options.uncertainty { refined(solved, options)? } else { (solved, None) };
     let mut result = read(case, options, &solved, start)?;
     result.uncertainty = errors.map(|errors| uncertainty(&result, &errors));
-    result.belt.temperature = heat.map(|heat| heat.temperature);
-    result.thermal = heat;
+    (result.belt.temperature, result.thermal) = match warmth {
+        BeltTemperature::Reference => (None, None),
+        BeltTemperature::Held(temperature) => (Some(temperature), None),
+        BeltTemperature::Balanced(heat) => (Some(heat.temperature), Some(heat)),
+    };
     if options.sensitivities {
-        result.sensitivities = Some(derivatives(case, options, &solved, heat.as_ref())?);
+        result.sensitivities = Some(derivatives(case, options, &solved, &warmth)?);
     }
     let told = case.losses.wanted().then(|| losses(case, &solved, temperature, options.tolerance));
     let no_losses = match told {
