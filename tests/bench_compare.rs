@@ -544,3 +544,67 @@ fn points_with_decimal_commas_are_named() {
     let other = EngineCurve::parse("e", b"speed (rad/s),torque [N*m]\n100,20\n300,30\n").unwrap_err().to_string();
     assert!(other.contains("`speed (rad/s)` is in rad/s: expected a speed in rpm"), "{other}");
 }
+
+/// Points whose measured efficiencies are those of the model for a case and a clamp.
+fn of_the_model(case: &Case, rows: &str, clamp: &Clamp) -> sheave::bench::compare::Table {
+    let mut table = parse("p.csv", rows.as_bytes(), Some(&made_engine())).unwrap();
+    let made =
+        compare(case, table.clone(), &Options { tolerance: 1e-6, clamp: clamp.clone(), ..options(&[]) }).unwrap();
+    for (point, made) in table.points.iter_mut().zip(&made.points) {
+        point.efficiency = made.efficiency_model.unwrap();
+    }
+    table
+}
+
+const FOUR: &str =
+    "primary_rpm,secondary_rpm,secondary_torque_Nm\n3200,4300,9\n3000,3000,16\n2900,2000,24\n2850,1500,27\n";
+
+/// A gear of efficiency 1 is at the end of its range: the stiffness is found beside it, and neither is told to be what
+/// the search started from.
+#[test]
+fn a_constant_at_the_end_of_its_range_does_not_hold_the_others() {
+    let mut case = Case::base();
+    case.set("losses.include", "on").unwrap();
+    case.set("belt.loss_tangent", "0").unwrap();
+    case.set(EI, "0.31 N*m^2").unwrap();
+    let mut table = of_the_model(&case, FOUR, &Clamp::OfCase);
+    // More leaves than the model can have: the best gear would have an efficiency above 1.
+    table.points.iter_mut().for_each(|point| point.efficiency *= 1.0003);
+    case.set(EI, "0.4 N*m^2").unwrap();
+    for start in ["1", "0.97"] {
+        case.set("losses.gear_efficiency", start).unwrap();
+        let found = compare(&case, table.clone(), &options(&["losses.gear_efficiency", EI])).unwrap();
+        let fit = found.fit.as_ref().unwrap();
+        let [gear, stiffness] = fit.constants.as_slice() else { panic!("{fit:?}") };
+        assert!(fit.converged && fit.obstacle.is_none() && fit.rms < 5e-4, "{fit:?}");
+        assert!(gear.at_end_of_range && gear.value == 1.0 && !stiffness.at_end_of_range, "{fit:?}");
+        assert!(gear.interval.unwrap().1 <= 1.0, "{fit:?}");
+        assert!((stiffness.value / 0.31 - 1.0).abs() < 0.02, "{fit:?}");
+        let said = "losses.gear_efficiency is held at the end of its range, 1";
+        assert!(found.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", found.warnings);
+        assert!(summary(&found).contains("at the end of its range"), "{}", summary(&found));
+    }
+}
+
+/// The spring's travel, and with it the clamp, is that of the half angle that is fitted.
+#[test]
+fn flyweights_clamp_with_the_half_angle_that_is_fitted() {
+    let text = "[flyweights]\ncount = 3\nmass = \"150 g\"\n\
+                [[flyweights.position]]\nbelt_radius = \"40 mm\"\nradius = \"45 mm\"\nadvantage = 0.5\n\
+                [[flyweights.position]]\nbelt_radius = \"93 mm\"\nradius = \"60 mm\"\nadvantage = 0.5\n\
+                [spring]\nforce_at_full_shift = \"950 N\"\nrate = \"18200 N/m\"\nfull_shift_radius = \"93 mm\"\n";
+    let clamp = Clamp::Actuator(Actuator::parse("a.toml", text).unwrap());
+    let rows =
+        "primary_rpm,secondary_rpm,secondary_torque_Nm\n3400,4250,11.4\n3300,3000,15\n3250,2500,18\n3200,1900,23\n";
+    let mut case = Case::base();
+    let table = of_the_model(&case, rows, &clamp);
+    for start in ["13 deg", "11 deg"] {
+        case.set("sheave.half_angle", start).unwrap();
+        let options = Options { tolerance: 1e-6, clamp: clamp.clone(), ..options(&["sheave.half_angle"]) };
+        let fit = compare(&case, table.clone(), &options).unwrap().fit.unwrap();
+        let found = &fit.constants[0];
+        assert!(fit.converged && (found.value.to_degrees() - 12.0).abs() < 1e-3, "{start}: {fit:?}");
+        // A derivative that left out the clamp would find the bottom more slowly.
+        assert!(fit.iterations <= 6, "{start}: {fit:?}");
+    }
+}

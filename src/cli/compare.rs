@@ -161,8 +161,11 @@ fn tables(found: &Comparison) -> Vec<PageTable> {
     tables.push(PageTable { title: "Agreement".into(), columns: names(&["", "value"]), rows });
     if let Some(fit) = &found.fit {
         let row = |constant: &sheave::bench::compare::FittedConstant| {
-            let interval =
+            let mut interval =
                 constant.interval.map_or("not determined".into(), |(low, high)| format!("{low:.6e} to {high:.6e}"));
+            if constant.at_end_of_range {
+                interval.push_str(", at the end of its range");
+            }
             vec![constant.key.clone(), format!("{:.6e}", constant.value), interval, format!("{:.6e}", constant.start)]
         };
         let columns = names(&["constant (SI)", "value", "95 % interval", "started from"]);

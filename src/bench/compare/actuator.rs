@@ -86,6 +86,12 @@ impl Actuator {
         })
     }
 
+    /// Derivative of [`Actuator::axial_force`] by the half angle in N/rad: rate · 2 (R_full − R_P)/cos² β.
+    pub fn force_by_half_angle(&self, radius: f64, half_angle: f64) -> f64 {
+        let tangent = 0.5 * travel_by_radius(half_angle);
+        self.rate * 2.0 * (1.0 + tangent * tangent) * (self.full_shift_radius - radius)
+    }
+
     /// F_A in N at a belt radius in m and a speed in rad/s, with the sheaves' half angle in rad:
     /// (count m r ΔD_R/ΔD_A) ω² − (F_full − rate · 2 tan β (R_full − R_P)) (9.3).
     ///
@@ -120,6 +126,9 @@ mod tests {
         let expected =
             3.0 * 0.228 * 0.0525 * 0.5 * speed * speed - (950.0 - 18200.0 * 2.0 * angle.tan() * (0.093 - radius));
         assert!((actuator.axial_force(radius, speed, angle).unwrap() - expected).abs() < 1e-9);
+        let force = |angle: f64| actuator.axial_force(radius, speed, angle).unwrap();
+        let slope = (force(angle + 1e-4) - force(angle - 1e-4)) / 2e-4;
+        assert!((actuator.force_by_half_angle(radius, angle) / slope - 1.0).abs() < 1e-6, "{slope}");
         assert!(actuator.axial_force(0.1, speed, angle).unwrap_err().contains("does not cover"));
         assert!(actuator.axial_force(0.09, 10.0, angle).unwrap_err().contains("leave an axial force"));
     }

@@ -87,8 +87,10 @@ pub struct FittedConstant {
     pub value: f64,
     /// Standard error; `None` where the data do not determine it.
     pub standard_error: Option<f64>,
-    /// Interval that contains it with 95 % confidence.
+    /// Interval that contains it with 95 % confidence, as far as it lies within the key's range.
     pub interval: Option<(f64, f64)>,
+    /// Whether it is held at an end of the key's range, beyond which it would agree better with the data.
+    pub at_end_of_range: bool,
 }
 
 /// A fit.
@@ -103,6 +105,8 @@ pub struct Fit {
     pub iterations: usize,
     /// Whether it converged.
     pub converged: bool,
+    /// Why the model has no solution where the last step would have led, if that kept the fit from converging.
+    pub obstacle: Option<String>,
     /// Condition of the derivatives.
     pub condition: f64,
     /// Whether points count by their standard errors; else all count the same.

@@ -44,11 +44,38 @@ pub struct Linearised {
     pub rows: Vec<Vec<f64>>,
 }
 
+/// The values that a parameter can have, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// The smallest; above it the logarithm is searched.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
+}
+
+impl Bounds {
+    /// Every value above zero.
+    pub const POSITIVE: Self = Self { low: 0.0, high: f64::INFINITY };
+
+    /// A value's steps of the logarithm to both ends: the first is not above zero, the second not below.
+    fn room(self, value: f64) -> (f64, f64) {
+        let step = |end: f64| if end == value { 0.0 } else { (end / value).ln() };
+        (step(self.low).min(0.0), step(self.high).max(0.0))
+    }
+
+    /// Whether a step of the logarithm leads outward from an end at which the value is.
+    fn is_left_by(self, value: f64, step: f64) -> bool {
+        step > 0.0 && value >= self.high || step < 0.0 && value <= self.low
+    }
+}
+
 /// What a fit ends with.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fitted {
     /// Parameters.
     pub values: Vec<f64>,
+    /// Of each, whether it is held at an end of its bounds beyond which the residuals would become smaller.
+    pub held: Vec<bool>,
     /// Standard errors of their logarithms; `None` where the data do not determine them.
     pub errors: Option<Vec<f64>>,
     /// Correlations of the logarithms.
@@ -59,6 +86,8 @@ pub struct Fitted {
     pub iterations: usize,
     /// Whether the last step was small.
     pub converged: bool,
+    /// Why the model has no solution where the last step would have led, if that ended the search.
+    pub obstacle: Option<String>,
     /// Ratio of the largest to the smallest singular value of the derivatives with columns of length one.
     pub condition: f64,
 }
@@ -80,56 +109,107 @@ pub enum NoModel {
     Cancelled,
 }
 
-/// Fits positive parameters. `evaluate` may have no solution for some of them; then a shorter step is tried.
+/// Fits positive parameters within their bounds. `evaluate` may have no solution for some of them; then a shorter step
+/// is tried. A step that is small for that reason alone is no convergence: [`Fitted::obstacle`] has the reason.
 ///
 /// # Errors
 /// What `evaluate` says of the start; [`NoModel::Cancelled`] whenever it says so.
-pub fn fit(start: &[f64], mut evaluate: impl FnMut(&[f64]) -> Result<Linearised, NoModel>) -> Result<Fitted, NoModel> {
-    let mut values = start.to_vec();
+pub fn fit(
+    start: &[(f64, Bounds)],
+    mut evaluate: impl FnMut(&[f64]) -> Result<Linearised, NoModel>,
+) -> Result<Fitted, NoModel> {
+    let (mut values, bounds): (Vec<f64>, Vec<Bounds>) = start.iter().copied().unzip();
     let mut here = evaluate(&values)?;
     let cost = |residuals: &[f64]| residuals.iter().map(|r| r * r).sum::<f64>();
-    let (mut damping, mut iterations, mut converged) = (1e-3, 0, false);
+    let (mut damping, mut iterations, mut converged, mut obstacle) = (1e-3, 0, false, None);
     while iterations < ITERATIONS && !converged {
         iterations += 1;
         let (matrix, residuals) = system(&here, values.len());
         let (normal, slope) = (matrix.transpose() * &matrix, matrix.transpose() * &residuals);
         let mut moved = false;
+        obstacle = None;
         while !moved && damping < DAMPED {
-            let mut damped = normal.clone();
-            for at in 0..values.len() {
-                damped[(at, at)] += damping * normal[(at, at)].max(1e-30);
-            }
-            let Some(step) = damped.lu().solve(&(-&slope)).filter(|step| step.iter().all(|value| value.is_finite()))
-            else {
+            let Some(step) = bounded_step(&normal, &slope, damping, &values, &bounds) else {
                 damping *= 10.0;
                 continue;
             };
             let largest = step.amax();
             let step = if largest > LARGEST { step * (LARGEST / largest) } else { step };
             if step.amax() < SMALL {
-                converged = true;
+                converged = obstacle.is_none();
                 break;
             }
-            let next: Vec<f64> = values.iter().zip(step.iter()).map(|(value, step)| value * step.exp()).collect();
+            let at = |((value, bounds), step): ((&f64, &Bounds), &f64)| {
+                (value * step.exp()).max(bounds.low).min(bounds.high)
+            };
+            let next: Vec<f64> = values.iter().zip(&bounds).zip(step.iter()).map(at).collect();
             match evaluate(&next) {
                 Ok(there) if cost(&there.residuals) < cost(&here.residuals) => {
                     (values, here, moved) = (next, there, true);
                     damping = (damping / 10.0).max(1e-9);
                 }
                 // No descent to the precision with which the model is solved: this is the bottom.
-                Ok(there) if cost(&there.residuals) <= cost(&here.residuals) * (1.0 + 1e-7) && step.amax() < 1e-3 => {
+                Ok(there)
+                    if cost(&there.residuals) <= cost(&here.residuals) * (1.0 + 1e-7)
+                        && step.amax() < 1e-3
+                        && obstacle.is_none() =>
+                {
                     converged = true;
                     break;
                 }
                 Err(NoModel::Cancelled) => return Err(NoModel::Cancelled),
-                Ok(_) | Err(NoModel::Unsolved(_)) => damping *= 10.0,
+                Err(NoModel::Unsolved(reason)) => {
+                    obstacle = Some(reason);
+                    damping *= 10.0;
+                }
+                Ok(_) => damping *= 10.0,
             }
         }
         if !moved {
             break;
         }
     }
-    Ok(finished(&here, values, iterations, converged))
+    // An obstacle that was gone around is none.
+    let obstacle = obstacle.filter(|_| !converged && iterations < ITERATIONS);
+    Ok(Fitted { iterations, converged, obstacle, ..finished(&here, values, &bounds) })
+}
+
+/// A damped step of the logarithms that stays within the bounds; `None` where its equations have no solution. What is
+/// at an end of its bounds that the slope leads out of is held there; what would go beyond an end goes as far as that;
+/// the others go where it is best for them with these.
+fn bounded_step(
+    normal: &DMatrix<f64>,
+    slope: &DVector<f64>,
+    damping: f64,
+    values: &[f64],
+    bounds: &[Bounds],
+) -> Option<DVector<f64>> {
+    let held = |((value, bounds), slope): ((&f64, &Bounds), &f64)| bounds.is_left_by(*value, -slope).then_some(0.0);
+    let mut fixed: Vec<Option<f64>> = values.iter().zip(bounds).zip(slope.iter()).map(held).collect();
+    loop {
+        let free: Vec<usize> = fixed.iter().enumerate().filter(|(_, step)| step.is_none()).map(|(at, _)| at).collect();
+        let mut step = DVector::from_iterator(fixed.len(), fixed.iter().map(|step| step.unwrap_or(0.0)));
+        if free.is_empty() {
+            return Some(step);
+        }
+        let right = -(slope + normal * &step);
+        let damped = DMatrix::from_fn(free.len(), free.len(), |row, column| {
+            let (row, column) = (free[row], free[column]);
+            let more = if row == column { damping * normal[(row, row)].max(1e-30) } else { 0.0 };
+            normal[(row, column)] + more
+        });
+        let right = DVector::from_iterator(free.len(), free.iter().map(|at| right[*at]));
+        let solved = damped.lu().solve(&right).filter(|step| step.iter().all(|value| value.is_finite()))?;
+        free.iter().zip(solved.iter()).for_each(|(at, value)| step[*at] = *value);
+        // One at a time: what goes beyond its end with another may not go there without it.
+        let beyond = free.iter().filter_map(|at| {
+            let (low, high) = bounds.get(*at)?.room(*values.get(*at)?);
+            let over = (step[*at] - high).max(low - step[*at]);
+            (over > 0.0).then_some((*at, over, step[*at].clamp(low, high)))
+        });
+        let Some((at, _, end)) = beyond.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Some(step) };
+        *fixed.get_mut(at)? = Some(end);
+    }
 }
 
 fn system(here: &Linearised, parameters: usize) -> (DMatrix<f64>, DVector<f64>) {
@@ -141,8 +221,12 @@ fn system(here: &Linearised, parameters: usize) -> (DMatrix<f64>, DVector<f64>) 
 /// Condition beyond which the data determine some combination of the parameters only.
 pub const SINGULAR: f64 = 1e6;
 
-fn finished(here: &Linearised, values: Vec<f64>, iterations: usize, converged: bool) -> Fitted {
+/// What a fit has found, before anything is known of how it went.
+fn finished(here: &Linearised, values: Vec<f64>, bounds: &[Bounds]) -> Fitted {
     let (matrix, residuals) = system(here, values.len());
+    let slope = matrix.transpose() * &residuals;
+    let held = |((value, bounds), slope): ((&f64, &Bounds), &f64)| bounds.is_left_by(*value, -slope);
+    let held = values.iter().zip(bounds).zip(slope.iter()).map(held).collect();
     let (count, parameters) = (residuals.len(), values.len());
     let lengths: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
     let mut unit = matrix;
@@ -164,12 +248,17 @@ fn finished(here: &Linearised, values: Vec<f64>, iterations: usize, converged: b
         let entry = |a: usize, b: usize| inverse[(a, b)] / (inverse[(a, a)] * inverse[(b, b)]).sqrt();
         (0..parameters).map(|a| (0..parameters).map(|b| entry(a, b)).collect()).collect()
     });
-    Fitted { values, errors, correlation, quantile: student(degrees), iterations, converged, condition }
+    let quantile = student(degrees);
+    Fitted { values, held, errors, correlation, quantile, iterations: 0, converged: false, obstacle: None, condition }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn free(start: [f64; 2]) -> [(f64, Bounds); 2] {
+        start.map(|value| (value, Bounds::POSITIVE))
+    }
 
     /// y = a exp(−b x), fitted to itself with a disturbance; the known answer is that of the undisturbed curve.
     fn curve(parameters: &[f64], noise: f64) -> Linearised {
@@ -187,12 +276,12 @@ mod tests {
 
     #[test]
     fn a_curve_is_found_again() {
-        let found = fit(&[1.0, 2.0], |p| Ok(curve(p, 0.0))).unwrap();
+        let found = fit(&free([1.0, 2.0]), |p| Ok(curve(p, 0.0))).unwrap();
         assert!(
             found.converged && (found.values[0] - 3.0).abs() < 1e-6 && (found.values[1] - 0.7).abs() < 1e-6,
             "{found:?}"
         );
-        let noisy = fit(&[1.0, 2.0], |p| Ok(curve(p, 0.02))).unwrap();
+        let noisy = fit(&free([1.0, 2.0]), |p| Ok(curve(p, 0.02))).unwrap();
         let half = noisy.errors.as_ref().unwrap()[0] * noisy.quantile;
         assert!((noisy.values[0] / 3.0).ln().abs() < half, "{noisy:?}");
     }
@@ -201,16 +290,57 @@ mod tests {
     fn a_shorter_step_is_tried_where_there_is_no_solution_but_none_after_an_interrupt() {
         let mut calls = 0;
         let beyond = |p: &[f64]| p[0] > 1.2;
-        let found = fit(&[1.0, 2.0], |p| match beyond(p) && p[0] < 1.3 {
+        let found = fit(&free([1.0, 2.0]), |p| match beyond(p) && p[0] < 1.3 {
             true => Err(NoModel::Unsolved("a gap".into())),
             false => Ok(curve(p, 0.0)),
         });
         assert!(found.is_ok_and(|found| found.converged));
-        let ended = fit(&[1.0, 2.0], |p| {
+        let ended = fit(&free([1.0, 2.0]), |p| {
             calls += 1;
             if calls > 1 { Err(NoModel::Cancelled) } else { Ok(curve(p, 0.0)) }
         });
         assert_eq!((ended.unwrap_err(), calls), (NoModel::Cancelled, 2));
+    }
+
+    #[test]
+    fn a_parameter_is_held_at_the_end_of_its_bounds_and_the_others_go_on() {
+        let within = |p: &[f64], bounds: Bounds| match p[0] < bounds.low || p[0] > bounds.high {
+            true => Err(NoModel::Unsolved("out of range".into())),
+            false => Ok(curve(p, 0.0)),
+        };
+        // The best a is 3; with a at an end b is what is best with it, whether a starts there or comes there.
+        for (low, high, end) in [(0.5, 2.0, 2.0), (4.0, 9.0, 4.0)] {
+            let bounds = Bounds { low, high };
+            let mut best = 1.0;
+            for _ in 0..50 {
+                let here = curve(&[end, best], 0.0);
+                let slope: f64 = here.rows.iter().zip(&here.residuals).map(|(row, left)| row[1] * left).sum();
+                let square: f64 = here.rows.iter().map(|row| row[1] * row[1]).sum();
+                best *= (-slope / square).exp();
+            }
+            for start in [[low, 2.0], [high, 2.0], [(low * high).sqrt(), 0.1]] {
+                let start = [(start[0], bounds), (start[1], Bounds::POSITIVE)];
+                let found = fit(&start, |p| within(p, bounds)).unwrap();
+                assert!(found.converged && found.obstacle.is_none(), "{found:?}");
+                assert_eq!((found.values[0], found.held.as_slice()), (end, &[true, false][..]), "{found:?}");
+                assert!((found.values[1] / best - 1.0).abs() < 1e-5, "{best} {found:?}");
+            }
+        }
+        // Bounds that the best value lies within change nothing.
+        let start = [(2.0, Bounds { low: 2.0, high: 4.0 }), (2.0, Bounds::POSITIVE)];
+        let found = fit(&start, |p| Ok(curve(p, 0.0))).unwrap();
+        assert!(found.converged && found.held == [false, false], "{found:?}");
+        assert!((found.values[0] - 3.0).abs() < 1e-6 && (found.values[1] - 0.7).abs() < 1e-6, "{found:?}");
+    }
+
+    #[test]
+    fn a_step_that_is_short_for_want_of_a_solution_is_no_convergence() {
+        let found = fit(&free([1.0, 2.0]), |p| match p[0] > 2.0 {
+            true => Err(NoModel::Unsolved("a wall".into())),
+            false => Ok(curve(p, 0.0)),
+        });
+        let found = found.unwrap();
+        assert!(!found.converged && found.obstacle.as_deref() == Some("a wall"), "{found:?}");
     }
 
     #[test]
@@ -220,7 +350,7 @@ mod tests {
             let rows = (0..5).map(|at| vec![-p[0] * p[1] * f64::from(at); 2]).collect();
             Ok(Linearised { residuals, rows })
         };
-        let found = fit(&[1.0, 1.5], alike).unwrap();
+        let found = fit(&free([1.0, 1.5]), alike).unwrap();
         assert!(found.errors.is_none() && found.condition > SINGULAR, "{found:?}");
     }
 

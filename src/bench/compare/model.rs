@@ -1,12 +1,13 @@
 //! The model at measured operating points.
 
 use super::ENGINE_SCALE;
+use super::actuator::Actuator;
 use super::comparison::{Clamp, Compared, Comparison, Fit, FittedConstant, Options, Radii};
-use super::fit::{self, Linearised, NoModel, Scale};
+use super::fit::{self, Bounds, Linearised, NoModel, Scale};
 use super::measured::{BadRow, Measured, Table};
 use crate::bench::error::{BenchError, BenchProblem};
 use crate::bench::statistics::AboveOne;
-use crate::case::{Case, Free, Include, Key, Resolved, Setting, ValueKind};
+use crate::case::{Case, Free, Include, Key, Range, RangeEnd, Resolved, Setting, ValueKind};
 use crate::clock::Stopwatch;
 use crate::drive::{Constant, Failure, SolveOptions, Solved, solve, solve_along};
 use crate::losses::LossOutput;
@@ -14,12 +15,44 @@ use crate::model::Output;
 use crate::result::interpret;
 
 /// A point on its way through the model.
-struct Point {
+struct Point<'a> {
     /// Its place in the table.
     place: usize,
     case: Case,
+    /// What clamps the belt in the place of the case's clamp.
+    actuated: Option<Actuated<'a>>,
     /// The last solution.
     solved: Option<Solved>,
+}
+
+/// An actuator where a point has it.
+struct Actuated<'a> {
+    actuator: &'a Actuator,
+    /// Radius of the belt by the ratio of the speeds, m. It follows from the belt's length and the distance of the
+    /// shafts, which are not fitted. Slip moves the belt by less than the table of flyweights is exact to.
+    radius: f64,
+    /// rad/s.
+    speed: f64,
+}
+
+impl Actuated<'_> {
+    /// Sets the axial force that a case has with this actuator. Of the keys that are fitted it depends on the half
+    /// angle alone, through the spring's travel; what is returned is its derivative by that.
+    fn clamp(&self, case: &mut Case) -> Result<f64, String> {
+        let said = |error: crate::case::CaseError| error.to_string();
+        let half_angle = case.resolve().map_err(said)?.sheave.half_angle;
+        let force = self.actuator.axial_force(self.radius, self.speed, half_angle)?;
+        case.set_si(Key::PrimaryAxialForce, force).map_err(said)?;
+        Ok(self.actuator.force_by_half_angle(self.radius, half_angle))
+    }
+}
+
+/// A fitted key of the case.
+struct Fitting {
+    key: Key,
+    /// Where the search starts.
+    start: f64,
+    bounds: Bounds,
 }
 
 /// What the model says of a point.
@@ -86,12 +119,12 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
         }
         let Some(point) = points.get_mut(place) else { continue };
         match set_up(base, measured, options) {
-            Ok(case) => ways.push(Point { place, case, solved: None }),
+            Ok((case, actuated)) => ways.push(Point { place, case, actuated, solved: None }),
             Err(reason) => point.exclude(reason),
         }
     }
     // Neighbours are solved from each other.
-    let ratio = |point: &Point| points.get(point.place).and_then(|point| point.speed_ratio).unwrap_or(0.0);
+    let ratio = |point: &Point<'_>| points.get(point.place).and_then(|point| point.speed_ratio).unwrap_or(0.0);
     ways.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
     let mut trail: Option<Solved> = None;
     for point in &mut ways {
@@ -140,11 +173,11 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
     Ok(comparison)
 }
 
-/// The keys of the case that are fitted, with the values at which the search starts.
-fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<(Key, f64)>, BenchError> {
+/// The keys of the case that are fitted.
+fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<Fitting>, BenchError> {
     let resolved = base.resolve().map_err(|error| BenchError::from(unusable("case", error.to_string())))?;
     let settings = resolved.settings();
-    let mut keys: Vec<(Key, f64)> = Vec::new();
+    let mut keys: Vec<Fitting> = Vec::new();
     for name in options.fit.iter().filter(|name| *name != ENGINE_SCALE) {
         let key = Key::from_path(name).filter(|key| {
             let section = key.entry().section();
@@ -178,10 +211,10 @@ fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<(Key, f64)>
                  (--set {name}=...)"
             ));
         }
-        if keys.iter().any(|(other, _)| *other == key) {
+        if keys.iter().any(|other| other.key == key) {
             return refused("is given twice".into());
         }
-        keys.push((key, value));
+        keys.push(Fitting { key, start: value, bounds: bounds_of(key) });
     }
     if options.fit.iter().any(|name| name == ENGINE_SCALE) && !table.points.iter().any(|point| point.of_engine) {
         let reason = format!(
@@ -191,6 +224,22 @@ fn keys(base: &Case, table: &Table, options: &Options) -> Result<Vec<(Key, f64)>
         return Err(unusable("--fit", reason).into());
     }
     Ok(keys)
+}
+
+/// The values above zero that a key takes, SI. What is searched comes as near to an end that is not allowed itself as a
+/// billionth of it.
+fn bounds_of(key: Key) -> Bounds {
+    const NEAR: f64 = 1e-9;
+    let ValueKind::Quantity { unit, range: Range { low, high }, .. } = key.entry().kind else {
+        return Bounds::POSITIVE;
+    };
+    let end = |end: RangeEnd, near: f64| match end {
+        RangeEnd::None => None,
+        RangeEnd::Open(end) => Some(unit.to_si(end) * near),
+        RangeEnd::Closed(end) => Some(unit.to_si(end)),
+    };
+    let low = end(low, 1.0 + NEAR).map_or(0.0, |low| low.max(0.0));
+    Bounds { low, high: end(high, 1.0 - NEAR).unwrap_or(f64::INFINITY) }
 }
 
 fn unusable(path: &str, reason: String) -> BenchProblem {
@@ -235,8 +284,8 @@ impl Compared {
     }
 }
 
-/// The case of a point.
-fn set_up(base: &Case, measured: &Measured, options: &Options) -> Result<Case, String> {
+/// The case of a point, and what clamps its belt in the place of the case's clamp.
+fn set_up<'a>(base: &Case, measured: &Measured, options: &'a Options) -> Result<(Case, Option<Actuated<'a>>), String> {
     let mut case = base.clone();
     let said = |error: crate::case::CaseError| error.to_string();
     for key in REPLACED {
@@ -251,19 +300,17 @@ fn set_up(base: &Case, measured: &Measured, options: &Options) -> Result<Case, S
         case.set(Key::Free.path(), Free::Both.name()).map_err(said)?;
         case.set_si(Key::SecondarySpeed, measured.secondary_speed).map_err(said)?;
     }
-    if let Clamp::Actuator(actuator) = &options.clamp {
-        for key in CLAMPS {
-            case.unset(key.path()).map_err(said)?;
-        }
-        // Slip moves the radius by less than the table of flyweights is exact to.
-        let (radius, angle) = (resolved.drive.primary_radius, resolved.sheave.half_angle);
-        case.set_si(Key::PrimaryAxialForce, actuator.axial_force(radius, measured.primary_speed, angle)?)
-            .map_err(said)?;
+    let Clamp::Actuator(actuator) = &options.clamp else { return Ok((case, None)) };
+    for key in CLAMPS {
+        case.unset(key.path()).map_err(said)?;
     }
-    Ok(case)
+    let actuated = Actuated { actuator, radius: resolved.drive.primary_radius, speed: measured.primary_speed };
+    actuated.clamp(&mut case)?;
+    Ok((case, Some(actuated)))
 }
 
-/// Solves a case, from a solution nearby if that can be; derivatives by `keys`.
+/// Solves a case, from a solution nearby if that can be; derivatives by `keys`, each with the derivative of the
+/// primary's axial force by it where an actuator makes that force.
 fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, NoModel> {
     let resolved: Resolved = case.resolve().map_err(unsolved)?;
     case.check_posed(&resolved).map_err(unsolved)?;
@@ -288,9 +335,13 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
     };
     let compared = if with_losses { LossOutput::Efficiency.name() } else { Output::EfficiencyOverall.name() };
     let row = result.sensitivities.as_ref().and_then(|rows| rows.get(compared));
-    let derivative = |(key, _): &(Key, f64)| {
+    let by = |key: Key| {
         let found = row.and_then(|row| row.get(key.path())).copied().filter(|value| value.is_finite());
         found.ok_or_else(|| unsolved(format!("nothing is known of the derivative of {compared} by {}", key.path())))
+    };
+    let derivative = |(key, force): &(Key, f64)| {
+        let through_force = if *force == 0.0 { 0.0 } else { force * by(Key::PrimaryAxialForce)? };
+        Ok(by(*key)? + through_force)
     };
     Ok(Said {
         efficiency,
@@ -320,9 +371,9 @@ fn unfitted(none: NoModel) -> BenchError {
 
 /// Fits constants to the points; they then have what the model says with the fitted ones.
 fn fitted(
-    ways: &mut [Point],
+    ways: &mut [Point<'_>],
     (points, of_engine): (&mut [Compared], &[bool]),
-    keys: &[(Key, f64)],
+    keys: &[Fitting],
     options: &Options,
     warnings: &mut Vec<String>,
 ) -> Result<Fit, BenchError> {
@@ -344,13 +395,13 @@ fn fitted(
     // Errors of a few samples are uncertain themselves: beside the typical one, none makes a point count for all.
     let typical = data.iter().filter_map(|(_, error)| *error).sum::<f64>() / data.len() as f64;
     let weight = |error: Option<f64>| if weighted { typical / typical.hypot(error.unwrap_or(typical)) } else { 1.0 };
-    let mut start: Vec<f64> = keys.iter().map(|(_, value)| *value).collect();
+    let mut start: Vec<(f64, Bounds)> = keys.iter().map(|fitting| (fitting.start, fitting.bounds)).collect();
     if scaled {
         let model = ways.iter().map(|way| points.get(way.place)?.efficiency_model);
         let pairs = data.iter().zip(model).zip(&of_engine).filter(|(_, of_engine)| **of_engine);
         let (measured, model): (Vec<f64>, Vec<f64>) =
             pairs.filter_map(|(((value, _), model), _)| Some((*value, model?))).unzip();
-        start.push(fit::scale(&measured, &model).map_or(1.0, |scale| scale.value));
+        start.push((fit::scale(&measured, &model).map_or(1.0, |scale| scale.value), Bounds::POSITIVE));
     }
     let found = fit::fit(&start, |values| {
         let said = all(ways, keys, values, options.tolerance)?;
@@ -379,21 +430,30 @@ fn fitted(
             point.take(said);
         }
     }
-    let mut names: Vec<&str> = keys.iter().map(|(key, _)| key.path()).collect();
+    let mut names: Vec<&str> = keys.iter().map(|fitting| fitting.key.path()).collect();
     names.extend(scaled.then_some(ENGINE_SCALE));
     say(&names, &found, warnings);
     let constant = |(at, name): (usize, &&str)| {
-        let (start, value) = (start.get(at).copied()?, found.values.get(at).copied()?);
+        let ((start, bounds), value) = (start.get(at).copied()?, found.values.get(at).copied()?);
         let error = found.errors.as_ref().and_then(|errors| errors.get(at).copied());
         let half = error.map(|error| error * found.quantile).filter(|half| *half < WIDEST);
-        let interval = half.map(|half| (value * (-half).exp(), value * half.exp()));
-        Some(FittedConstant { key: (*name).into(), start, value, standard_error: error.map(|e| e * value), interval })
+        let interval =
+            half.map(|half| ((value * (-half).exp()).max(bounds.low), (value * half.exp()).min(bounds.high)));
+        Some(FittedConstant {
+            key: (*name).into(),
+            start,
+            value,
+            standard_error: error.map(|e| e * value),
+            interval,
+            at_end_of_range: found.held.get(at) == Some(&true),
+        })
     };
     Ok(Fit {
         constants: names.iter().enumerate().filter_map(constant).collect(),
         correlation: found.correlation.clone(),
         iterations: found.iterations,
         converged: found.converged,
+        obstacle: found.obstacle.clone(),
         condition: found.condition,
         weighted,
         rms: (square / data.len() as f64).sqrt(),
@@ -401,13 +461,17 @@ fn fitted(
 }
 
 /// The model at all points with other values of the fitted keys.
-fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> Result<Vec<Said>, NoModel> {
+fn all(ways: &[Point<'_>], keys: &[Fitting], values: &[f64], tolerance: f64) -> Result<Vec<Said>, NoModel> {
     let said = crate::threads::collect(ways, |way| {
         let mut case = way.case.clone();
-        for ((key, _), value) in keys.iter().zip(values) {
-            case.set_si(*key, *value).map_err(unsolved)?;
+        for (fitting, value) in keys.iter().zip(values) {
+            case.set_si(fitting.key, *value).map_err(unsolved)?;
         }
-        evaluate(&case, way.solved.as_ref(), tolerance, keys)
+        let clamp = way.actuated.as_ref().map(|actuated| actuated.clamp(&mut case));
+        let by_half_angle = clamp.transpose().map_err(unsolved)?.unwrap_or(0.0);
+        let force = |key: Key| if key == Key::HalfAngle { by_half_angle } else { 0.0 };
+        let keys: Vec<(Key, f64)> = keys.iter().map(|fitting| (fitting.key, force(fitting.key))).collect();
+        evaluate(&case, way.solved.as_ref(), tolerance, &keys)
     });
     said.into_iter().collect()
 }
@@ -415,7 +479,18 @@ fn all(ways: &[Point], keys: &[(Key, f64)], values: &[f64], tolerance: f64) -> R
 /// What the data cannot tell.
 fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
     if !found.converged {
-        warnings.push(format!("the fit has not converged in {} iterations", found.iterations));
+        let mut warning = format!("the fit has not converged in {} iterations", found.iterations);
+        if let Some(obstacle) = &found.obstacle {
+            warning += &format!(": where its next step leads the model has no solution ({obstacle})");
+        }
+        warnings.push(warning);
+    }
+    for ((name, value), _) in names.iter().zip(&found.values).zip(&found.held).filter(|(_, held)| **held) {
+        let readable = Key::from_path(name).map_or((*value, String::new()), |key| key.entry().readable(*value));
+        warnings.push(format!(
+            "{name} is held at the end of its range, {}: beyond it the model would agree better with the data",
+            format!("{} {}", readable.0, readable.1).trim_end()
+        ));
     }
     if found.errors.is_none() {
         warnings.push(format!(

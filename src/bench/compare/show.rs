@@ -109,7 +109,8 @@ pub fn summary(comparison: &Comparison) -> String {
                 || "not determined".to_owned(),
                 |(low, high)| format!("95 %: {:.5} to {:.5}", readable(low).0, readable(high).0),
             );
-            let _ = writeln!(text, "  {:<32}{value:>12.5} {unit:<8} ({interval}; from {start:.5})", constant.key);
+            let end = if constant.at_end_of_range { "; at the end of its range" } else { "" };
+            let _ = writeln!(text, "  {:<32}{value:>12.5} {unit:<8} ({interval}; from {start:.5}{end})", constant.key);
         }
         let _ = writeln!(text, "  root mean square               {:>12.3} percentage points", 100.0 * fit.rms);
     }
