@@ -496,6 +496,11 @@ fn intervals_of_few_samples_are_students() {
         0.5 * (high - low) / point.efficiency_error.unwrap()
     };
     assert!((half("3000,2900,17,1,375,0.1") - 2.262_157).abs() < 1e-5);
+    // A table that says of how many parts its errors are.
+    let head = head.replace('\n', ",n_parts\n");
+    let table = parse("p.csv", format!("{head}3000,2900,17,1,15,0.1,3\n").as_bytes(), Some(&engine)).unwrap();
+    let (low, high) = table.points[0].efficiency_interval.unwrap();
+    assert!((0.5 * (high - low) / table.points[0].efficiency_error.unwrap() - 4.302_653).abs() < 1e-5);
     // Five samples, and thousands.
     assert!((half("3000,2900,17,1,5,") - 2.776_445).abs() < 1e-5);
     assert!((half("3000,2900,17,1,90000,") - 1.96).abs() < 1e-3);

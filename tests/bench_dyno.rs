@@ -606,7 +606,7 @@ fn read_by_all(bytes: &[u8]) {
             uniform.push(Sample { channel: sheave::bench::dyno::Channel::Primary, ..sample }, &mut out);
         }
         for row in out {
-            if let Row::Values(time, values) = row {
+            if let Row::Values(time, values, _) = row {
                 assert!(time > last && values[0].is_finite());
                 last = time;
             }
@@ -955,4 +955,55 @@ fn units_of_headers_are_not_passed_over() {
     assert!(found(plain, ["engine (rpm)", "wheel [1/min]", "load (N*m)"], 1.0).unwrap().warnings.is_empty());
     let error = found(plain, ["engine (rpm)", "engine (rpm)", "load (N*m)"], 1.0).unwrap_err().to_string();
     assert!(error.contains("the column `engine (rpm)` is asked for twice"), "{error}");
+}
+
+/// A log of white noise about constant values at a rate of its own, for so many seconds.
+fn noisy(folder: &Path, period: u32, seconds: u32, seed: u64) -> PathBuf {
+    let mut random = Random::new(seed);
+    let line = |at: u32| {
+        let mut about = |mean: f64, deviation: f64| mean + deviation * random.normal();
+        let (primary, secondary, torque) = (about(3000.0, 5.0), about(2500.0, 5.0), about(20.0, 0.5));
+        format!("{},{primary:.3},{secondary:.3},{torque:.5}\n", period * at)
+    };
+    let path = folder.join("noisy.csv");
+    let rows: String = (0..1000 * seconds / period).map(line).collect();
+    std::fs::write(&path, format!("{TORQUE}\n{rows}")).unwrap();
+    path
+}
+
+/// What is interpolated between two measured values is no measurement: intervals are those of what was measured.
+#[test]
+fn intervals_of_slow_logs_cover_the_truth_as_often_as_they_say() {
+    let folder = tempfile::tempdir().unwrap();
+    for (period, window, samples, parts) in
+        [(200, 3.0, 15, 3), (100, 1.0, 10, 2), (100, 3.0, 30, 7), (50, 3.0, 60, 10), (8, 0.5, 63, 10)]
+    {
+        let path = noisy(folder.path(), period, (500.0 * window) as u32, 5);
+        let options = Options { window, ..Options::default() };
+        let (points, _) = read(&[path], &options);
+        let of = |point: &SteadyPoint| [point.primary_speed, point.secondary_speed, point.secondary_torque];
+        let (mut inside, mut all) = (0, 0);
+        for point in points.iter().filter(|point| point.duration > 0.95 * window) {
+            for (average, truth) in of(point).into_iter().zip([3000.0 * RPM, 2500.0 * RPM, 20.0]) {
+                let average = average.unwrap();
+                assert!(average.samples.abs_diff(samples) <= 1, "{period} ms: {}", average.samples);
+                assert_eq!((average.parts, point.parts()), (parts, parts), "{period} ms");
+                let half = sheave::bench::student(average.parts - 1) * average.error;
+                inside += u32::from((average.mean - truth).abs() <= half);
+                all += 1;
+            }
+        }
+        let coverage = f64::from(inside) / f64::from(all);
+        println!("{period} ms, {window} s: {inside} of {all}, {coverage:.3}");
+        // The standard deviation of a share of 1400 and more is 0.6 %.
+        assert!(all > 1400 && (0.925..0.975).contains(&coverage), "{period} ms, {window} s: {coverage}");
+        let (table, _) = points_csv(&points);
+        assert!(table.lines().next().unwrap().ends_with(",secondary_torque_se,n_parts"), "{table}");
+        assert!(table.lines().nth(1).unwrap().ends_with(&format!(",{parts}")), "{table}");
+    }
+    // Of two or three measured values nothing is told, and that is said.
+    let options = Options { window: 0.5, ..Options::default() };
+    let error = reduce(&[noisy(folder.path(), 200, 20, 1)], &options, None, |_| ()).unwrap_err().to_string();
+    assert!(error.contains("the primary's speed has 3 measured samples, too few for a standard error"), "{error}");
+    assert!(error.contains("expected 8 or more (a longer --window)"), "{error}");
 }

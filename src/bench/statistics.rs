@@ -122,17 +122,38 @@ pub struct Average {
     /// Standard error of the mean, from the scatter of the means of several parts: what repeats within a part, as
     /// firing does, cancels, and what drifts over the parts counts in full.
     pub error: f64,
-    /// Samples.
+    /// Measured samples; where they are denser than the uniform ones, these.
     pub samples: usize,
+    /// Parts: the error has a degree of freedom less.
+    pub parts: usize,
 }
 
-/// Parts into which samples are cut to estimate the error of their mean.
+/// Parts into which samples are cut to estimate the error of their mean, if they are enough.
 pub const BATCHES: usize = 10;
+/// Measured samples that a part has at least. Values between two of them are made of both: what two parts have in
+/// common at their border hides some of the scatter, the more the shorter the parts are.
+const MEASURED: usize = 4;
+/// Measured samples of which an average is made at least: those of two parts.
+pub const LEAST_MEASURED: usize = 2 * MEASURED;
 
 impl Average {
-    /// Averages samples; `None` for fewer than two in each part.
+    /// Averages samples that are all measured; `None` for fewer than two in each of [`BATCHES`] parts.
     pub fn of(samples: &[f64]) -> Option<Self> {
-        let size = samples.len() / BATCHES;
+        Self::of_parts(samples, samples.len(), BATCHES)
+    }
+
+    /// Averages uniform samples that were interpolated between so many measured ones, in as many parts as these allow;
+    /// `None` for fewer than [`LEAST_MEASURED`], and for fewer than two uniform samples in each of [`BATCHES`] parts.
+    pub fn interpolated(samples: &[f64], measured: usize) -> Option<Self> {
+        let parts = (measured / MEASURED).min(BATCHES);
+        if measured < LEAST_MEASURED || samples.len() < 2 * BATCHES {
+            return None;
+        }
+        Self::of_parts(samples, measured, parts)
+    }
+
+    fn of_parts(samples: &[f64], measured: usize, count: usize) -> Option<Self> {
+        let size = samples.len() / count;
         if size < 2 {
             return None;
         }
@@ -142,10 +163,11 @@ impl Average {
         };
         let whole = mean(samples);
         // What does not fill a part stands at the end, and belongs to the last.
-        let cut = |at: usize| if at == BATCHES { samples.len() } else { at * size };
-        let parts: Vec<f64> = (0..BATCHES).filter_map(|at| samples.get(cut(at)..cut(at + 1))).map(mean).collect();
-        let error = spread(&parts, mean(&parts)) / (BATCHES as f64).sqrt();
-        Some(Self { mean: whole, deviation: spread(samples, whole), error, samples: samples.len() })
+        let cut = |at: usize| if at == count { samples.len() } else { at * size };
+        let parts: Vec<f64> = (0..count).filter_map(|at| samples.get(cut(at)..cut(at + 1))).map(mean).collect();
+        let error = spread(&parts, mean(&parts)) / (count as f64).sqrt();
+        let (deviation, measured) = (spread(samples, whole), measured.min(samples.len()));
+        Some(Self { mean: whole, deviation, error, samples: measured, parts: count })
     }
 }
 

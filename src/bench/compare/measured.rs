@@ -60,7 +60,7 @@ pub struct Table {
 }
 
 /// Columns that are known, with what else they may be called.
-const COLUMNS: [(&str, &[&str]); 13] = [
+const COLUMNS: [(&str, &[&str]); 14] = [
     ("run", &[]),
     ("step", &[]),
     ("primary_rpm", &["engine_rpm"]),
@@ -74,6 +74,7 @@ const COLUMNS: [(&str, &[&str]); 13] = [
     ("primary_rpm_se", &[]),
     ("secondary_rpm_se", &[]),
     ("secondary_torque_se", &[]),
+    ("n_parts", &[]),
 ];
 
 /// Reads a table; input power is that of the column `primary_torque_Nm`, else of the engine's curve.
@@ -219,8 +220,10 @@ fn point(
     let speed_error = speed_error.hypot(primary_error.unwrap_or(0.0) / primary);
     let efficiency_error =
         torque_error.map(|error| efficiency * (error / torque).hypot(speed_error)).filter(|error| error.is_finite());
-    // A standard error of the table is that of the means of ten parts; one of samples has a degree less than these.
-    let samples = count.filter(|_| own.is_none()).map_or(BATCHES, |count| count.min(ROWS as f64) as usize);
+    // A standard error of the table is that of the means of so many parts, ten where the table does not say; one of
+    // samples has a degree less than these.
+    let parts = number("n_parts")?.filter(|parts| *parts >= 1.0).unwrap_or(BATCHES as f64);
+    let samples = count.filter(|_| own.is_none()).unwrap_or(parts).min(ROWS as f64) as usize;
     let half = student(samples.saturating_sub(1));
     let interval = |error: f64| (efficiency - half * error, efficiency + half * error);
     let efficiency_interval = efficiency_error.map(interval).filter(|(low, high)| low.is_finite() && high.is_finite());

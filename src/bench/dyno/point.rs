@@ -2,7 +2,7 @@
 
 use super::spectrum::{Order, Spectrum};
 use super::{CHANNELS, Options};
-use crate::bench::statistics::Average;
+use crate::bench::statistics::{Average, BATCHES, LEAST_MEASURED};
 use crate::quantity::{Unit, rpm};
 use serde::Serialize;
 
@@ -103,8 +103,15 @@ fn unsteady(name: &str, samples: &[f64], average: &Average, trend_limit: f64, de
 }
 
 impl SteadyPoint {
-    /// A point from uniform samples by channel: speeds in rpm, torque in N·m as measured.
-    pub fn of(record: &str, step: Option<u64>, start: f64, samples: &[Vec<f64>; CHANNELS], options: &Options) -> Self {
+    /// A point from uniform samples by channel, and how many were measured of each: speeds in rpm, torque in N·m as
+    /// measured.
+    pub fn of(
+        record: &str,
+        step: Option<u64>,
+        start: f64,
+        (samples, measured): (&[Vec<f64>; CHANNELS], [usize; CHANNELS]),
+        options: &Options,
+    ) -> Self {
         let [primary, secondary, torque] = samples;
         let scaled =
             |samples: &[f64], factor: f64| -> Vec<f64> { samples.iter().map(|value| value * factor).collect() };
@@ -113,16 +120,29 @@ impl SteadyPoint {
         let secondary = scaled(secondary, factor * options.secondary_factor);
         let torque = scaled(torque, if options.torque_at_sensor { options.gear } else { 1.0 });
         let count = primary.len().max(secondary.len());
-        let averages = [&primary, &secondary, &torque].map(|samples| Average::of(samples));
+        let [of_primary, of_secondary, of_torque] = measured;
+        let averages = [(&primary, of_primary), (&secondary, of_secondary), (&torque, of_torque)]
+            .map(|(samples, measured)| Average::interpolated(samples, measured));
         let criteria = &options.criteria;
         let checks = [
             ("the primary's speed", &primary, criteria.speed_trend, criteria.speed_deviation),
             ("the secondary's speed", &secondary, criteria.speed_trend, criteria.speed_deviation),
             ("the torque", &torque, criteria.torque_trend, criteria.torque_deviation),
         ];
-        let reason = checks.iter().zip(&averages).find_map(|((name, samples, trend, deviation), average)| {
-            unsteady(name, samples, average.as_ref()?, *trend, *deviation)
+        let few = checks.iter().zip(measured).find_map(|((name, samples, ..), measured)| {
+            (!samples.is_empty() && measured < LEAST_MEASURED).then(|| {
+                format!(
+                    "{name} has {measured} measured samples, too few for a standard error: expected {LEAST_MEASURED} \
+                     or more (a longer --window)"
+                )
+            })
         });
+        let unsteady = || {
+            checks.iter().zip(&averages).find_map(|((name, samples, trend, deviation), average)| {
+                unsteady(name, samples, average.as_ref()?, *trend, *deviation)
+            })
+        };
+        let reason = few.or_else(unsteady);
         let speeds = || averages[..2].iter().flatten();
         let stands = speeds().next().is_some() && speeds().all(|speed| speed.mean == 0.0);
         let reason = reason.or_else(|| stands.then(|| "no pulley turns".to_owned()));
@@ -149,6 +169,12 @@ impl SteadyPoint {
         point.powers(options);
         point.order(options);
         point
+    }
+
+    /// Parts of which the point's standard errors are made: the fewest of its channels, which widens intervals most.
+    pub fn parts(&self) -> usize {
+        let averages = [self.primary_speed, self.secondary_speed, self.secondary_torque];
+        averages.iter().flatten().map(|average| average.parts).min().unwrap_or(BATCHES)
     }
 
     /// Powers and efficiency, with the errors of independent quantities propagated to first order.

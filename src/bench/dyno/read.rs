@@ -402,6 +402,8 @@ struct Windows<'a> {
     present: [bool; CHANNELS],
     start: f64,
     samples: [Vec<f64>; CHANNELS],
+    /// How many samples each channel had measured for each of the uniform ones.
+    measured: Vec<[usize; CHANNELS]>,
     length: usize,
     trace: Vec<(f64, f64, f64)>,
     stride: u64,
@@ -410,8 +412,8 @@ struct Windows<'a> {
 impl<'a> Windows<'a> {
     fn new(record: &'a Record, options: &'a Options, present: [bool; CHANNELS]) -> Self {
         let length = ((options.window * options.rate).round() as usize).max(SAMPLES);
-        let (samples, trace) = (Default::default(), Vec::new());
-        Self { record, options, present, start: 0.0, samples, length, trace, stride: 1 }
+        let (samples, measured, trace) = (Default::default(), Vec::new(), Vec::new());
+        Self { record, options, present, start: 0.0, samples, measured, length, trace, stride: 1 }
     }
 
     fn count(&self) -> usize {
@@ -424,7 +426,7 @@ impl<'a> Windows<'a> {
 
     fn push(&mut self, row: Row, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
         match row {
-            Row::Values(time, values) => {
+            Row::Values(time, values, measured) => {
                 if self.count() == 0 {
                     self.start = time;
                 }
@@ -433,6 +435,7 @@ impl<'a> Windows<'a> {
                         samples.push(value);
                     }
                 }
+                self.measured.push(measured);
                 self.draw(time, values, report.samples);
                 report.samples += 1;
                 if self.count() >= self.length {
@@ -460,7 +463,11 @@ impl<'a> Windows<'a> {
     }
 
     fn point(&self) -> SteadyPoint {
-        SteadyPoint::of(&self.record.name, self.record.step, self.start, &self.samples, self.options)
+        let mut measured = [0; CHANNELS];
+        for of_row in &self.measured {
+            measured.iter_mut().zip(of_row).for_each(|(sum, count)| *sum += count);
+        }
+        SteadyPoint::of(&self.record.name, self.record.step, self.start, (&self.samples, measured), self.options)
     }
 
     fn full(&mut self, report: &mut RecordReport, take: &mut impl FnMut(SteadyPoint)) {
@@ -475,6 +482,7 @@ impl<'a> Windows<'a> {
         self.samples.iter_mut().for_each(|samples| {
             samples.drain(..hop.min(samples.len()));
         });
+        self.measured.drain(..hop.min(self.measured.len()));
         self.start += hop as f64 / self.options.rate;
     }
 
@@ -484,7 +492,12 @@ impl<'a> Windows<'a> {
             report.reason = report.reason.take().or_else(|| point.reason.clone());
         }
         take(point);
+        self.clear();
+    }
+
+    fn clear(&mut self) {
         self.samples.iter_mut().for_each(Vec::clear);
+        self.measured.clear();
     }
 
     /// What is left at a gap, or at the end.
@@ -513,6 +526,6 @@ impl<'a> Windows<'a> {
             return;
         }
         report.left_over += self.count() as u64;
-        self.samples.iter_mut().for_each(Vec::clear);
+        self.clear();
     }
 }

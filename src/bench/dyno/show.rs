@@ -3,7 +3,7 @@
 use super::point::SteadyPoint;
 use super::read::RecordReport;
 use crate::bench::cells;
-use crate::bench::statistics::{BATCHES, student};
+use crate::bench::statistics::student;
 use crate::plot::{Axis, Figure, Look, Mark, Series};
 use crate::quantity::Unit;
 use std::fmt::Write;
@@ -11,9 +11,10 @@ use std::fmt::Write;
 /// Revolutions per minute in a radian per second.
 const RPM: f64 = Unit::RPM.per_si();
 
-/// Header of the table of operating points; the last three columns are standard errors of the means.
+/// Header of the table of operating points; the last columns are standard errors of the means, and of how many parts
+/// they are.
 const HEADER: &str = "run,step,primary_rpm,primary_rpm_sd,secondary_rpm,secondary_rpm_sd,secondary_torque_Nm,\
-    secondary_torque_sd,n_torque,duration_s,primary_rpm_se,secondary_rpm_se,secondary_torque_se";
+    secondary_torque_sd,n_torque,duration_s,primary_rpm_se,secondary_rpm_se,secondary_torque_se,n_parts";
 
 /// The table of operating points that `sheave compare` reads; points that are not steady, or without both speeds and
 /// torque, are left out, and counted.
@@ -30,7 +31,7 @@ pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
         // Writing to a string does not fail. Ten digits: more than any sensor has.
         let _ = writeln!(
             text,
-            "{},{step},{:.4},{:.4},{:.4},{:.4},{:.6},{:.6},{},{:.4},{:.5},{:.5},{:.7}",
+            "{},{step},{:.4},{:.4},{:.4},{:.4},{:.6},{:.6},{},{:.4},{:.5},{:.5},{:.7},{}",
             cells::cell(&point.record),
             primary.mean * RPM,
             primary.deviation * RPM,
@@ -43,6 +44,7 @@ pub fn points_csv(points: &[SteadyPoint]) -> (String, usize) {
             primary.error * RPM,
             secondary.error * RPM,
             torque.error,
+            point.parts(),
         );
     }
     (text, left_out)
@@ -73,17 +75,19 @@ pub fn figures(points: &[SteadyPoint], records: &[RecordReport]) -> Vec<Figure> 
         figures.push(Figure::new("shift", caption, secondary(), Axis::new("primary speed (rpm)"), traces));
     }
     let mut over = |name: &str, caption: &str, axis: &str, value: &dyn Fn(&SteadyPoint) -> Option<(f64, f64)>| {
-        let values: Vec<(f64, (f64, f64))> =
-            steady.iter().filter_map(|point| Some((point.secondary_speed?.mean * RPM, value(point)?))).collect();
+        let half = |point: &SteadyPoint| student(point.parts().saturating_sub(1));
+        let drawn = |point: &&SteadyPoint| {
+            let (value, error) = value(point)?;
+            Some((point.secondary_speed?.mean * RPM, (value, half(point) * error)))
+        };
+        let values: Vec<(f64, (f64, f64))> = steady.iter().filter_map(drawn).collect();
         if values.is_empty() {
             return;
         }
         let dots = values.iter().map(|(x, (y, _))| (*x, *y)).collect();
         let mut bars = Vec::new();
-        // Every standard error is that of the means of so many parts.
-        let half = student(BATCHES - 1);
-        for (x, (y, error)) in &values {
-            bars.extend([(*x, y - half * error), (*x, y + half * error), (f64::NAN, f64::NAN)]);
+        for (x, (y, half)) in &values {
+            bars.extend([(*x, y - half), (*x, y + half), (f64::NAN, f64::NAN)]);
         }
         let series = vec![
             Series::line("95 % interval", bars).color(6),

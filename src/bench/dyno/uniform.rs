@@ -9,8 +9,9 @@ const WAITING: usize = 1 << 14;
 /// What comes out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Row {
-    /// Values of all channels at a time in s; not a number for a channel that the log does not have.
-    Values(f64, [f64; CHANNELS]),
+    /// Values of all channels at a time in s; not a number for a channel that the log does not have. Behind them how
+    /// many samples each channel has from the time after the row before, or from the end of a gap, to this one.
+    Values(f64, [f64; CHANNELS], [usize; CHANNELS]),
     /// A channel has no samples for a while, or another stretch begins.
     Gap,
 }
@@ -29,6 +30,10 @@ pub struct Uniform {
     crossed: bool,
     /// Whether the last row was a gap.
     gapped: bool,
+    /// Samples of each channel since the last row.
+    since: [usize; CHANNELS],
+    /// Whether there are values before the next row from which on samples are counted.
+    counted: bool,
     /// Gaps so far.
     pub gaps: u64,
     /// Largest number of samples that waited at once.
@@ -41,7 +46,19 @@ impl Uniform {
     pub fn new(present: [bool; CHANNELS], rate: f64, longest: f64) -> Self {
         let period = 1.0 / rate;
         let waiting = Default::default();
-        Self { present, waiting, period, longest, next: None, crossed: false, gapped: false, gaps: 0, resident: 0 }
+        Self {
+            present,
+            waiting,
+            period,
+            longest,
+            next: None,
+            crossed: false,
+            gapped: false,
+            since: [0; CHANNELS],
+            counted: false,
+            gaps: 0,
+            resident: 0,
+        }
     }
 
     /// Takes a sample and hands on what can be had now.
@@ -57,6 +74,8 @@ impl Uniform {
         self.resident = self.resident.max(self.waiting.iter().map(VecDeque::len).sum());
         while let Some(row) = self.row() {
             self.gapped = row == Row::Gap;
+            self.since = [0; CHANNELS];
+            self.counted = !self.gapped;
             rows.push(row);
         }
     }
@@ -83,6 +102,7 @@ impl Uniform {
             }
             while queue.get(1).is_some_and(|second| second.time <= next) {
                 let first = queue.pop_front();
+                self.since.iter_mut().skip(channel).take(1).for_each(|since| *since += 1);
                 self.crossed |= first.map(|first| first.stretch) != queue.front().map(|second| second.stretch);
             }
             let (Some(a), Some(b)) = (queue.front(), queue.get(1)) else { return None };
@@ -111,7 +131,9 @@ impl Uniform {
         }
         self.next = Some(following);
         self.gaps += u64::from(behind.is_some());
-        Some(behind.map_or(Row::Values(next, values), |_| Row::Gap))
+        // Of what came before the first row, that has the last one.
+        let since = if self.counted { self.since } else { self.present.map(usize::from) };
+        Some(behind.map_or(Row::Values(next, values, since), |_| Row::Gap))
     }
 }
 
@@ -132,7 +154,7 @@ mod tests {
         }
         assert!(rows.len() > 400 && uniform.gaps == 0, "{}", rows.len());
         for row in &rows {
-            let Row::Values(time, [primary, secondary, torque]) = row else { panic!("a gap") };
+            let Row::Values(time, [primary, secondary, torque], _) = row else { panic!("a gap") };
             assert!((primary - 3.0 - 2.0 * time).abs() < 1e-9 && (secondary - 7.0 + time).abs() < 1e-9);
             assert!(torque.is_nan());
         }
@@ -162,9 +184,32 @@ mod tests {
             // Nothing between the two levels is made up, and the gap lies between them.
             let gap = rows.iter().position(|row| *row == Row::Gap).unwrap();
             for (at, row) in rows.iter().enumerate() {
-                let Row::Values(_, [value, ..]) = row else { continue };
+                let Row::Values(_, [value, ..], _) = row else { continue };
                 assert_eq!(*value, if at < gap { 0.0 } else { 1.0 }, "{rate}");
             }
+        }
+    }
+
+    #[test]
+    fn samples_are_counted_as_they_were_measured() {
+        // Slower and faster than the uniform rate, and a gap of which none counts.
+        for (period, rate) in [(0.2, 125.0), (0.01, 100.0), (0.001, 125.0)] {
+            let mut uniform = Uniform::new([true, true, false], rate, 0.25);
+            let (mut rows, mut taken) = (Vec::new(), 0);
+            for at in 0..2000 {
+                let time = period * f64::from(at) + if at < 1000 { 0.0 } else { 50.0 };
+                for channel in [Channel::Primary, Channel::Secondary] {
+                    uniform.push(Sample { time, channel, value: 1.0, stretch: 0 }, &mut rows);
+                }
+                taken += 1;
+            }
+            let count = |channel: usize| {
+                let of = |row: &Row| if let Row::Values(_, _, since) = row { since[channel] } else { 0 };
+                rows.iter().map(of).sum::<usize>()
+            };
+            let few = 2 + 2 * (1.0 / rate / period).ceil() as usize;
+            assert!((taken - few..=taken).contains(&count(0)) && count(0) == count(1), "{period}: {}", count(0));
+            assert_eq!(count(2), 0);
         }
     }
 
