@@ -944,17 +944,62 @@ fn units_of_headers_are_not_passed_over() {
         let names = Names { primary, secondary, torque };
         reduce(std::slice::from_ref(&path), &Options { names, secondary_factor, ..Options::default() }, None, |_| ())
     };
-    let rich = "\"Interval\"|\"ms\"|0|0|1,\"E\"|\"rpm\"|0|8000|50,\"W\"|\"mph\"|0|8000|50,\"T\"|\"ft-lb\"|0|200|50";
+    let rich = "\"Interval\"|\"ms\"|0|0|1,\"E\"|\"rpm\"|0|8000|50,\"W\"|\"mph\"|0|8000|50,\"T\"|\"V\"|0|200|50";
     let warnings = found(rich, ["E", "W", "T"], 1.0).unwrap().warnings;
-    let said = "the column `T` is in ft-lb by its header and is read as N·m, `W` is in mph by its header and is read";
+    let said = "the column `T` is in V by its header and is read as N·m, `W` is in mph by its header and is read";
     assert!(warnings.iter().any(|warning| warning.starts_with(said)), "{warnings:?}");
     let warnings = found(rich, ["E", "W", "T"], 14.0).unwrap().warnings;
-    assert!(warnings.iter().any(|warning| warning.starts_with("the column `T` is in ft-lb")), "{warnings:?}");
+    assert!(warnings.iter().any(|warning| warning.starts_with("the column `T` is in V by")), "{warnings:?}");
     assert!(warnings.iter().all(|warning| !warning.contains("mph")), "{warnings:?}");
     let plain = "time_ms,engine (rpm),wheel [1/min],load (N*m)";
     assert!(found(plain, ["engine (rpm)", "wheel [1/min]", "load (N*m)"], 1.0).unwrap().warnings.is_empty());
     let error = found(plain, ["engine (rpm)", "engine (rpm)", "load (N*m)"], 1.0).unwrap_err().to_string();
     assert!(error.contains("the column `engine (rpm)` is asked for twice"), "{error}");
+}
+
+/// A header that has the unit of its torque behind the name is read in that unit.
+#[test]
+fn torque_is_read_in_the_unit_of_its_header() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    let found = |header: &str, torque: f64, names: Names| {
+        std::fs::write(&path, log(header, 0, constant(torque, 4))).unwrap();
+        reduce(std::slice::from_ref(&path), &Options { names, ..Options::default() }, None, |_| ()).unwrap()
+    };
+    let mean = |found: &sheave::bench::dyno::Reduced| found.points[0].secondary_torque.unwrap().mean;
+    let plain = mean(&found(TORQUE, 17.0, Names::default()));
+    // Pound-feet and inch-pounds in N·m, NIST SP 811; values in a small unit may exceed 1000.
+    let (foot, inch) = (1.355_817_948_331_400_4, 0.112_984_829_027_616_7);
+    for (column, value, unit) in [
+        ("torque (Nm)", 17.0, 1.0),
+        ("Torque [N-m]", 17.0, 1.0),
+        ("torque (lb-ft)", 17.0, foot),
+        ("secondary_torque (ft-lb)", 17.0, foot),
+        ("torque_nm (N*m)", 17.0, 1.0),
+        ("torque [LBF*IN]", 1500.0, inch),
+    ] {
+        let found = found(&TORQUE.replace("torque", column), value, Names::default());
+        assert!((mean(&found) / ((plain + value - 17.0) * unit) - 1.0).abs() < 1e-9, "{column}: {}", mean(&found));
+        assert!(found.warnings.is_empty(), "{column}: {:?}", found.warnings);
+    }
+    // One that is named, with its unit or without it, and one of RaceCapture's.
+    for name in ["load (lb-ft)", "load"] {
+        let names = Names { torque: Some(name.into()), ..Names::default() };
+        let found = found(&TORQUE.replace("torque", "load (lb-ft)"), 17.0, names);
+        assert!((mean(&found) / (plain * foot) - 1.0).abs() < 1e-9 && found.warnings.is_empty(), "{name}");
+    }
+    let rich = "\"Interval\"|\"ms\"|0|0|1,\"primary\"|\"rpm\"|0|8000|50,\"secondary\"|\"rpm\"|0|8000|50,\
+                \"torque\"|\"ft-lb\"|0|200|50";
+    assert!((mean(&found(rich, 17.0, Names::default())) / (plain * foot) - 1.0).abs() < 1e-9);
+    // A unit that is not known, and a torque that nothing says is one.
+    let unknown = found(&TORQUE.replace("torque", "torque (mV)"), 17.0, Names::default());
+    let said = "the column `torque (mV)` is in mV by its header and is read as N·m";
+    assert!(unknown.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", unknown.warnings);
+    assert!((mean(&unknown) / plain - 1.0).abs() < 1e-12);
+    let other = found(&TORQUE.replace("torque", "brake torque"), 17.0, Names::default());
+    assert!(other.points[0].secondary_torque.is_none());
+    let said = "the column `brake torque` is not read as a torque, which is named with --torque";
+    assert!(other.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", other.warnings);
 }
 
 /// A log of white noise about constant values at a rate of its own, for so many seconds.

@@ -1,6 +1,7 @@
 //! Cells of a line of a table, separated by commas; what stands in quotes may have commas of its own (RFC 4180).
 
 use crate::bench::error::{BenchError, BenchProblem};
+use crate::quantity::{Quantity, parse};
 use std::borrow::Cow;
 
 /// The cells of a line as they stand there, quotes and all. Where a quote is not closed, none counts.
@@ -50,6 +51,23 @@ pub fn check_encoding(name: &str, bytes: &[u8]) -> Result<(), BenchError> {
         Some(fault) => Err(BenchProblem::Line { path: name.into(), line: 1, reason: fault.into() }.into()),
         None => Ok(()),
     }
+}
+
+/// What is said of a header that is one cell because its columns are separated by something else than commas.
+pub fn separator_fault<T: AsRef<str>>(cells: &[T]) -> Option<&'static str> {
+    let [alone] = cells else { return None };
+    alone
+        .as_ref()
+        .contains([';', '\t'])
+        .then_some("its first line has no commas: expected columns with commas between, and decimal points")
+}
+
+/// A unit as headers have it, in capitals and small letters alike, as a quantity of one; `None` for what is none.
+pub fn unit(text: &str) -> Option<Quantity> {
+    let read = |text: &str| parse(&format!("1 {text}")).ok().filter(|quantity| !quantity.bare);
+    let alike =
+        ["hp", "kW", "W", "PS", "Nm", "N*m", "N·m", "N m"].into_iter().find(|known| known.eq_ignore_ascii_case(text));
+    alike.and_then(read).or_else(|| read(text)).or_else(|| read(&text.to_ascii_lowercase()))
 }
 
 /// The texts of all cells of a line.

@@ -2,7 +2,7 @@
 
 use super::cells;
 use super::error::{BenchError, BenchProblem};
-use crate::quantity::{Dimension, Unit, parse, rpm};
+use crate::quantity::{Dimension, Unit, rpm};
 use crate::text::quoted;
 use serde::Serialize;
 use std::path::Path;
@@ -179,12 +179,7 @@ impl Column {
             "torque" => return Some(Self { tabulated: Tabulated::Torque, in_si: 1.0, named: false }),
             _ => {}
         }
-        // Files of other programs write units in capitals and small letters alike.
-        let read = |text: &str| parse(&format!("1 {text}")).ok().filter(|quantity| !quantity.bare);
-        let alike = ["hp", "kW", "W", "PS", "Nm", "N*m", "N·m", "N m"]
-            .into_iter()
-            .find(|known| known.eq_ignore_ascii_case(unit));
-        let quantity = alike.and_then(read).or_else(|| read(unit)).or_else(|| read(&unit.to_ascii_lowercase()))?;
+        let quantity = cells::unit(unit)?;
         let tabulated = match quantity.dimension {
             Dimension::POWER => Tabulated::Power,
             Dimension::TORQUE => Tabulated::Torque,

@@ -2,6 +2,7 @@
 
 use super::CHANNELS;
 use crate::bench::cells;
+use crate::quantity::Dimension;
 use crate::text::quoted;
 use serde::Serialize;
 
@@ -34,6 +35,8 @@ pub struct Column {
     pub range: (f64, f64),
     /// Whether the values are raw ones of an analogue-to-digital converter.
     pub raw: bool,
+    /// What a value is multiplied by to be in the unit of its channel.
+    pub factor: f64,
 }
 
 /// How a file is to be read.
@@ -49,7 +52,8 @@ pub struct Format {
     pub header: bool,
     /// How many columns a row has; cells behind them are empty.
     pub width: usize,
-    /// Columns whose unit, as the header has it, is not the one in which they are read; with their channel.
+    /// Columns whose unit, as the header has it, is not the one in which they are read, and columns of torque that are
+    /// not read; with their channel.
     pub units: Vec<(Channel, String)>,
 }
 
@@ -102,7 +106,7 @@ impl StepChannel {
             Self::Converter => (Channel::Torque, CONVERTER, true),
             Self::Torque => (Channel::Torque, TORQUES, false),
         };
-        let columns = vec![Column { place: 1, channel, range, raw }];
+        let columns = vec![Column { place: 1, channel, range, raw, factor: 1.0 }];
         Format { tick: 1e-6, columns, sparse: false, header: false, width: 2, units: Vec::new() }
     }
 }
@@ -147,12 +151,11 @@ pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<For
             "timestamp_ms" | "time_ms" => 1e-3,
             "timestamp_us" | "time_us" => 1e-6,
             "timestamp_s" | "time_s" => 1.0,
-            other if cells.len() == 1 && other.contains([';', '\t']) => {
-                return Err(
-                    "its first line has no commas: expected columns with commas between, and decimal points".into()
-                );
-            }
             other => {
+                let names: Vec<&str> = cells.iter().map(|cell| cell.name.as_str()).collect();
+                if let Some(fault) = cells::separator_fault(&names) {
+                    return Err(fault.to_owned());
+                }
                 let other = quoted(other);
                 return Err(format!("the first column is `{other}`: expected a time such as `timestamp_ms`"));
             }
@@ -163,24 +166,31 @@ pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<For
     let asked = [&names.primary, &names.secondary, &names.torque];
     for ((channel, asked), known) in Channel::ALL.into_iter().zip(asked).zip(KNOWN) {
         let named = |name: &str| cells.iter().position(|cell| cell.name.eq_ignore_ascii_case(name));
+        let without_unit = |name: &str| cells.iter().position(|cell| cell.without_unit().eq_ignore_ascii_case(name));
         let place = match asked {
-            Some(name) => Some(named(name).ok_or_else(|| {
+            Some(name) => Some(named(name).or_else(|| without_unit(name)).ok_or_else(|| {
                 let all: Vec<&str> = cells.iter().map(|cell| cell.name.as_str()).collect();
                 format!("there is no column `{name}`: the header has {}", all.join(", "))
             })?),
-            None => known.iter().find_map(|name| named(name)),
+            None => {
+                known.iter().find_map(|name| named(name)).or_else(|| known.iter().find_map(|name| without_unit(name)))
+            }
         };
         let Some(place) = place else { continue };
         let raw = channel == Channel::Torque
             && (calibrated && asked.is_some()
-                || cells.get(place).is_some_and(|cell| cell.name.eq_ignore_ascii_case("adc")));
+                || cells.get(place).is_some_and(|cell| cell.without_unit().eq_ignore_ascii_case("adc")));
+        let cell = cells.get(place);
+        let factor =
+            cell.and_then(Cell::unit).filter(|_| !raw).and_then(|unit| conversion(channel, unit)).unwrap_or(1.0);
         let usual = match channel {
             Channel::Primary | Channel::Secondary => SPEEDS,
             Channel::Torque if raw => CONVERTER,
             Channel::Torque => TORQUES,
         };
-        let range = cells.get(place).and_then(|cell| cell.range).unwrap_or(usual);
-        columns.push(Column { place, channel, range, raw });
+        let usual = (usual.0 / factor, usual.1 / factor);
+        let range = cell.and_then(|cell| cell.range).unwrap_or(usual);
+        columns.push(Column { place, channel, range, raw, factor });
     }
     if columns.is_empty() {
         let all: Vec<&str> = cells.iter().map(|cell| cell.name.as_str()).collect();
@@ -200,11 +210,17 @@ pub(super) fn header(line: &[u8], names: &Names, calibrated: bool) -> Result<For
     let other = |column: &Column| {
         let cell = cells.get(column.place)?;
         let (unit, read) = (cell.unit()?, if column.channel == Channel::Torque { "N·m" } else { "rpm" });
-        let unlike = !column.raw && !is_read_as_it_is(column.channel, unit);
+        let unlike = !column.raw && conversion(column.channel, unit).is_none();
         let name = quoted(&cell.name);
         unlike.then(|| (column.channel, format!("`{name}` is in {} by its header and is read as {read}", quoted(unit))))
     };
-    let units = columns.iter().filter_map(other).collect();
+    let mut units: Vec<(Channel, String)> = columns.iter().filter_map(other).collect();
+    if columns.iter().all(|column| column.channel != Channel::Torque) {
+        let torque = cells.iter().find(|cell| cell.name.to_ascii_lowercase().contains("torque"));
+        let words =
+            |cell: &Cell| format!("`{}` is not read as a torque, which is named with --torque", quoted(&cell.name));
+        units.extend(torque.map(|cell| (Channel::Torque, words(cell))));
+    }
     Ok(Format { tick, columns, sparse: rich, header: true, width: cells.len(), units })
 }
 
@@ -216,14 +232,19 @@ struct Cell {
     range: Option<(f64, f64)>,
 }
 
-/// Whether values in a unit are what the channel is read as.
-fn is_read_as_it_is(channel: Channel, unit: &str) -> bool {
-    let unit: String = unit.to_lowercase().chars().filter(|c| !" *.·⋅-".contains(*c)).collect();
+/// What values in a unit are multiplied by to be in that of the channel: torque in any unit of torque is converted,
+/// speeds are those in rpm alone, for what another one is the speed of is told by a factor. `None` for other units.
+fn conversion(channel: Channel, unit: &str) -> Option<f64> {
+    let plain: String = unit.to_lowercase().chars().filter(|c| !" *.·⋅-".contains(*c)).collect();
     match channel {
         Channel::Primary | Channel::Secondary => {
-            ["rpm", "1/min", "/min", "r/min", "rev/min", "u/min", "min^1", "min1"].contains(&unit.as_str())
+            let same = ["rpm", "1/min", "/min", "r/min", "rev/min", "u/min", "min^1", "min1"];
+            same.contains(&plain.as_str()).then_some(1.0)
         }
-        Channel::Torque => unit == "nm",
+        Channel::Torque if plain == "nm" => Some(1.0),
+        Channel::Torque => {
+            cells::unit(unit).filter(|quantity| quantity.dimension == Dimension::TORQUE).map(|quantity| quantity.si)
+        }
     }
 }
 
@@ -233,6 +254,12 @@ impl Cell {
         let inside = |open: char, close: char| self.name.rsplit_once(open)?.1.strip_suffix(close);
         let own = Some(self.unit.as_str()).filter(|unit| !unit.is_empty());
         own.or_else(|| inside('(', ')').or_else(|| inside('[', ']'))).map(str::trim).filter(|unit| !unit.is_empty())
+    }
+
+    /// The name without what stands in parentheses or brackets behind it.
+    fn without_unit(&self) -> &str {
+        let before = |open: char, close: char| Some(self.name.strip_suffix(close)?.rsplit_once(open)?.0.trim_end());
+        before('(', ')').or_else(|| before('[', ']')).unwrap_or(&self.name)
     }
 
     fn read(text: &str) -> Self {

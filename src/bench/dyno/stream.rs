@@ -98,7 +98,11 @@ impl Stream {
             }
             self.row();
         }
-        self.ready.pop_front().map(|sample| Sample { time: sample.time + self.shift, ..sample })
+        self.ready.pop_front().map(|sample| {
+            let column = self.format.columns.iter().find(|column| column.channel == sample.channel);
+            let value = sample.value * column.map_or(1.0, |column| column.factor);
+            Sample { time: sample.time + self.shift, value, ..sample }
+        })
     }
 
     /// What was wrong so far.
