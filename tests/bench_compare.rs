@@ -613,3 +613,37 @@ fn flyweights_clamp_with_the_half_angle_that_is_fitted() {
         assert!(fit.iterations <= 6, "{start}: {fit:?}");
     }
 }
+
+#[test]
+fn rows_that_repeat_others_are_told() {
+    let engine = made_engine();
+    let head = "run,primary_rpm,secondary_rpm,secondary_torque_Nm\n";
+    let compared = |rows: &str| {
+        let table = parse("p.csv", format!("{head}{rows}").as_bytes(), Some(&engine)).unwrap();
+        compare(&Case::base(), table, &options(&[])).unwrap().warnings
+    };
+    let (one, two) = ("a,3000,3000,16\n", "a,2900,2000,24\n");
+    let told = compared(&format!("{one}{two}{one}\n{two},,\n"));
+    let said = "2 rows of the table are identical with earlier ones, the first in line 4: each counts as a measurement";
+    assert!(told.iter().any(|warning| warning.starts_with(said)), "{told:?}");
+    let told = compared(&format!("{one}{two}{two}"));
+    let said = "1 row of the table is identical with an earlier one (line 4): each counts as a measurement";
+    assert!(told.iter().any(|warning| warning.starts_with(said)), "{told:?}");
+    let told = compared(&format!("{one}{two}b,3000,3000,16\n"));
+    assert!(told.iter().all(|warning| !warning.contains("identical")), "{told:?}");
+}
+
+#[test]
+fn headers_with_a_name_twice_or_without_commas_are_refused() {
+    let engine = made_engine();
+    let refused = |text: &str| parse("p.csv", text.as_bytes(), Some(&engine)).unwrap_err().to_string();
+    let head = "primary_rpm,secondary_rpm,secondary_torque_Nm";
+    let said = refused(&format!("{head},Secondary_RPM\n3000,3000,16,2900\n"));
+    assert!(said.contains("line 1: two columns are called `Secondary_RPM`: expected a name for each"), "{said}");
+    for separator in [";", "\t"] {
+        let said = refused(&format!("{head}\n3000,3000,16\n").replace(',', separator));
+        assert!(said.contains("line 1: its first line has no commas: expected columns with commas between"), "{said}");
+    }
+    // Columns without a name are those that spreadsheets write at the end.
+    assert!(parse("p.csv", format!("{head},,\n3000,3000,16,,\n").as_bytes(), Some(&engine)).is_ok());
+}

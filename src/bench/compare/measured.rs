@@ -6,7 +6,9 @@ use crate::bench::engine::EngineCurve;
 use crate::bench::error::{BenchError, BenchProblem};
 use crate::bench::statistics::{BATCHES, student};
 use crate::quantity::Unit;
+use crate::text::quoted;
 use serde::Serialize;
+use std::collections::HashSet;
 use std::path::Path;
 
 /// Rows that a table may have.
@@ -57,6 +59,8 @@ pub struct Table {
     pub points: Vec<Measured>,
     /// Rows that are none.
     pub bad: Vec<BadRow>,
+    /// Lines of points whose cells are those of an earlier one.
+    pub repeated: Vec<u64>,
 }
 
 /// Columns that are known, with what else they may be called.
@@ -94,7 +98,8 @@ pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<T
     cells::check_encoding(name, bytes)?;
     let mut places: Option<[Option<usize>; COLUMNS.len()]> = None;
     let mut width = 0;
-    let (mut points, mut bad) = (Vec::new(), Vec::new());
+    let (mut points, mut bad, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
+    let mut seen: HashSet<Vec<String>> = HashSet::new();
     for (line, text) in (1_u64..).zip(bytes.split(|byte| *byte == b'\n')) {
         let Ok(text) = std::str::from_utf8(text) else {
             bad.push(BadRow { line, reason: "it is no text".into() });
@@ -119,7 +124,13 @@ pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<T
             continue;
         }
         match point(places, &cells, engine) {
-            Ok(point) if points.len() < ROWS => points.push(point),
+            Ok(point) if points.len() < ROWS => {
+                points.push(point);
+                let all = cells.get(..cells::filled(&cells).unwrap_or(0)).unwrap_or_default();
+                if !seen.insert(all.iter().map(|cell| (*cell).to_owned()).collect()) {
+                    repeated.push(line);
+                }
+            }
             Ok(_) => bad.push(BadRow { line, reason: format!("there are more than {ROWS} rows") }),
             Err(reason) => bad.push(BadRow { line, reason }),
         }
@@ -134,24 +145,34 @@ pub fn parse(name: &str, bytes: &[u8], engine: Option<&EngineCurve>) -> Result<T
         };
         return Err(BenchProblem::NoData { path: name.into(), reason }.into());
     }
-    Ok(Table { points, bad })
+    Ok(Table { points, bad, repeated })
 }
 
 fn header(name: &str, line: u64, cells: &[&str], engine: bool) -> Result<[Option<usize>; COLUMNS.len()], BenchError> {
+    let refused = |reason: String| BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
+    if let Some(fault) = cells::separator_fault(cells) {
+        return Err(refused(fault.into()));
+    }
+    let twice = cells.iter().enumerate().find(|(at, cell)| {
+        let before = cells.get(..*at).unwrap_or_default();
+        !cell.is_empty() && before.iter().any(|other| other.eq_ignore_ascii_case(cell))
+    });
+    if let Some((_, twice)) = twice {
+        return Err(refused(format!("two columns are called `{}`: expected a name for each", quoted(twice))));
+    }
     let place = |known: &str| cells.iter().position(|cell| cell.eq_ignore_ascii_case(known));
     let places = COLUMNS.map(|(known, others)| place(known).or_else(|| others.iter().find_map(|other| place(other))));
     for required in ["primary_rpm", "secondary_rpm", "secondary_torque_Nm"] {
         let at = COLUMNS.iter().position(|(known, _)| *known == required);
         if at.and_then(|at| places.get(at).copied().flatten()).is_none() {
-            let reason = format!("there is no column `{required}`: the header has {}", cells.join(", "));
-            return Err(BenchProblem::Line { path: name.into(), line, reason }.into());
+            return Err(refused(format!("there is no column `{required}`: the header has {}", cells.join(", "))));
         }
     }
     let own = COLUMNS.iter().position(|(known, _)| *known == "primary_torque_Nm");
     if !engine && own.and_then(|at| places.get(at).copied().flatten()).is_none() {
-        let reason =
-            "nothing says what the engine gives: neither a column `primary_torque_Nm` nor an engine's curve".into();
-        let error = BenchError::from(BenchProblem::Line { path: name.into(), line, reason });
+        let error = refused(
+            "nothing says what the engine gives: neither a column `primary_torque_Nm` nor an engine's curve".into(),
+        );
         return Err(error.advise("give the engine's curve with --engine"));
     }
     Ok(places)
@@ -170,7 +191,7 @@ fn point(
         None | Some("") => Ok(None),
         Some(cell) => match cell.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(Some(value)),
-            _ => Err(format!("`{}` is no finite number ({column})", crate::text::quoted(cell))),
+            _ => Err(format!("`{}` is no finite number ({column})", quoted(cell))),
         },
     };
     let need = |column: &str| number(column)?.ok_or_else(|| format!("there is no {column}"));

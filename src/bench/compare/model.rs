@@ -110,7 +110,7 @@ const CORRELATED: f64 = 0.95;
 /// model can solve, fewer points than constants to fit, or [`BenchProblem::Cancelled`].
 pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Comparison, BenchError> {
     let keys = keys(base, &table, options)?;
-    let mut warnings = Vec::new();
+    let mut warnings = Vec::from_iter(repetitions(&table.repeated));
     let mut points: Vec<Compared> = table.points.iter().map(compared).collect();
     let mut ways = Vec::new();
     for (place, measured) in table.points.iter().enumerate() {
@@ -513,6 +513,17 @@ fn say(names: &[&str], found: &fit::Fitted, warnings: &mut Vec<String>) {
             warnings.push(format!("the data hardly determine {name}: its interval spans more than a factor of seven"));
         }
     }
+}
+
+/// Rows that the table has more than once.
+fn repetitions(lines: &[u64]) -> Option<String> {
+    let rows = match (lines.first()?, lines.len()) {
+        (first, 1) => format!("1 row of the table is identical with an earlier one (line {first})"),
+        (first, count) => {
+            format!("{count} rows of the table are identical with earlier ones, the first in line {first}")
+        }
+    };
+    Some(format!("{rows}: each counts as a measurement of its own, and makes intervals narrower"))
 }
 
 /// Points that are compared though more power was measured to leave than to go in.
