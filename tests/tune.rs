@@ -5,7 +5,9 @@ use sheave::beltmap::{BeltMap, KeepNothing, MapFormat, MapOptions};
 use sheave::case::{Case, Key};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{Direction, equilibrium};
-use sheave::tune::{Part, PartKind, PartsBox, PartsProblem, Ranking, TuneError, TuneOptions, TunePlan};
+use sheave::tune::{
+    Part, PartKind, PartsBox, PartsProblem, Ranking, Screen, TuneError, TuneOptions, TunePlan, Unfit, Work,
+};
 use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -99,6 +101,85 @@ fn a_full_solution_confirms_a_refusal() {
     let fastest = map().axis(Key::PrimarySpeed).map(|at| map().axes()[at].range().1).unwrap();
     let found = equilibrium(&case, fastest / ratio, Direction::Up, &SolveOptions::default()).unwrap();
     assert!(found.primary_speed() > 0.99 * fastest, "{:?} {} {fastest}", found.forces, found.primary_speed());
+}
+
+/// The drive of a Baja car, with no losses besides friction.
+fn gx9(changes: &[(&str, &str)]) -> Case {
+    let mut case = Case::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/drive/gx9.toml")).unwrap();
+    case.set("losses.include", "off").unwrap();
+    changes.iter().for_each(|(key, value)| case.set(key, value).unwrap());
+    case
+}
+
+/// A search over seven points of the shift, and the map of this accuracy on which it screens.
+fn on_a_map_of(accuracy: f64, case: Case, parts: &str) -> (TunePlan, BeltMap) {
+    let parts = PartsBox::from_toml("parts", parts).unwrap();
+    let options = TuneOptions { points: 7, confirmed: 10, ..TuneOptions::new(TARGET) };
+    let plan = TunePlan::new(case, parts, options).unwrap();
+    let solve = SolveOptions { tolerance: 0.01 * accuracy, ..SolveOptions::default() };
+    let map = plan.map(MapOptions { accuracy, solve, ..MapOptions::default() }).unwrap().build(&KeepNothing).unwrap();
+    (plan, map)
+}
+
+/// Cells of a coarse map reach far over the slip limit, and have no values. Drives lie in them that hold with a third
+/// of the friction to spare: they shift, as full solutions have them.
+#[test]
+fn drives_that_hold_shift_however_coarse_the_map() {
+    let parts = r#"
+        [helix]
+        secondary.actuator.helix_angle = ["38 deg"]
+        [rest.own]
+        primary.actuator.mass = "134 g"
+        [rest.loose]
+        primary.actuator.mass = "122 g"
+        primary.spring.rate = "45 lbf/in"
+        primary.spring.preload = "50 lbf"
+        secondary.spring.pretension = "40 deg"
+    "#;
+    let (plan, map) = on_a_map_of(1e-1, gx9(&[]), parts);
+    let ranking = plan.search(&map, &|| ()).unwrap();
+    assert_eq!(ranking.tunes.len(), 2, "{:?}", ranking.refused);
+    assert!(ranking.in_full > 0, "no point lies beside the slip limit");
+    for tune in &ranking.tunes {
+        assert!(tune.merits.smallest_slip_reserve > 0.25, "{:?}", tune.merits);
+        let full = tune.confirmed.as_ref().unwrap();
+        assert!(full.points >= 7 && full.failures.is_empty(), "{full:?}");
+        let reserve = full.merits.unwrap().smallest_slip_reserve;
+        assert!((reserve - tune.merits.smallest_slip_reserve).abs() < 0.02, "{full:?} {:?}", tune.merits);
+        assert!(full.largest_difference < 0.02 * TARGET, "{full:?}");
+    }
+}
+
+/// What is refused as slipping is beyond the limit of the belt: with what helix and spring press it does not carry the
+/// torque, and with little more than what it is said to take it does.
+#[test]
+fn a_combination_that_slips_is_refused_by_the_limit_of_the_belt() {
+    let case = gx9(&[("sheave.friction_coefficient", "0.2")]);
+    let (plan, map) = on_a_map_of(1e-1, case.clone(), "[helix]\nsecondary.actuator.helix_angle = [\"45 deg\"]");
+    let first = plan.case();
+    let (actuation, engine) = (first.parts.actuation.as_ref().unwrap(), first.parts.engine.as_ref().unwrap());
+    let ratio = 2.5;
+    let screen = Screen::new(&map).unwrap();
+    let shift = screen.shift(first, actuation, engine, (&[ratio], TARGET), &mut Work::default());
+    let Err(Unfit::Slips { speed, torque, presses, needs, .. }) = shift else { panic!("{shift:?}") };
+    assert!(presses < 0.9 * needs, "{presses} N of {needs} N");
+    let reserve = |force: f64| {
+        let mut case = case.clone();
+        for (key, value) in [
+            ("drive.ratio", ratio.to_string()),
+            ("drive.free", "primary_radius".to_owned()),
+            ("operating_point.primary_speed", format!("{speed} rad/s")),
+            ("operating_point.primary_torque", format!("{torque} N*m")),
+            ("operating_point.secondary_axial_force", format!("{force} N")),
+        ] {
+            case.set(key, &value).unwrap();
+        }
+        let solved = sheave::drive::solve(&case.resolve().unwrap(), &SolveOptions::default()).ok()?;
+        let [primary, secondary] = sheave::result::utilizations(&solved).unwrap();
+        Some(1.0 - primary.abs().max(secondary.abs()))
+    };
+    assert!(reserve(presses).is_none_or(|reserve| reserve < 0.02), "{:?}", reserve(presses));
+    assert!(reserve(1.05 * needs).is_some_and(|reserve| reserve > 0.0), "{:?}", reserve(1.05 * needs));
 }
 
 #[test]

@@ -10,13 +10,13 @@ use super::estimate::Estimates;
 use super::hermite::Shape;
 use super::map::BeltMap;
 use super::plan::{Keep, MapOptions, MapPlan, Progress};
-use super::quantity::{Node, Quantity, sample};
+use super::quantity::{Node, Quantity, holds, sample};
 use super::record::{self, PointRow};
 use super::report::{ErrorReport, Report};
 use super::utilization::utilization_slopes;
 use crate::case::{Key, Resolved};
 use crate::model::InternalError;
-use crate::result::{Outcome, WANTED_RESERVE};
+use crate::result::Outcome;
 use crate::study::{Axis, Study, visit};
 
 /// Share of the accuracy that an estimated error may have before check points are solved.
@@ -353,14 +353,12 @@ fn read(case: &Resolved, outcome: &Outcome, quantities: &[Quantity], axes: &[Key
         Ok(sample) => {
             let loss = quantities.iter().position(|quantity| *quantity == Quantity::SpeedLoss);
             let kept = 1.0 - loss.and_then(|at| sample.values.get(at)).copied().unwrap_or(f64::NAN);
-            let kept = kept.min(1.0 / kept);
             let used = |quantity: Quantity| {
                 let at = quantities.iter().position(|other| *other == quantity);
                 at.and_then(|at| sample.values.get(at)).map_or(f64::NAN, |used| used.abs())
             };
             let reserve = 1.0 - used(Quantity::PrimaryUtilization).max(used(Quantity::SecondaryUtilization));
-            let holds = kept >= options.least_speed_efficiency || reserve >= WANTED_RESERVE;
-            if holds { Node::Solved(sample) } else { Node::Slipping }
+            if holds(kept, reserve, options.least_speed_efficiency) { Node::Solved(sample) } else { Node::Slipping }
         }
     }
 }

@@ -27,5 +27,6 @@ pub use error::{MapError, MapFileError, Outside};
 pub use file::MapFormat;
 pub use map::{BeltMap, MapPoint};
 pub use plan::{Keep, KeepNothing, MapOptions, MapPlan, Progress};
+pub(crate) use quantity::holds;
 pub use quantity::{Measure, Quantity};
 pub use report::{ErrorReport, QuantityError, Report};

@@ -5,7 +5,7 @@ use crate::case::{Key, Resolved};
 use crate::drive::{Failure, SolveOptions, Solved};
 use crate::losses::{LossOutput, NoDerivatives, NoLosses, gradients, losses};
 use crate::model::{Constant, Constants, InternalError, Output};
-use crate::result::utilizations;
+use crate::result::{WANTED_RESERVE, utilizations};
 use solver::Linearisation;
 
 /// A quantity that a map interpolates.
@@ -186,6 +186,12 @@ impl Node {
             Self::Slipping | Self::Unsolved | Self::NoDrive => None,
         }
     }
+}
+
+/// Whether a belt is within the slip limit: by the share of the speed that it keeps, or by that of the friction at hand
+/// that is left over.
+pub(crate) fn holds(speed_efficiency: f64, slip_reserve: f64, least_speed_efficiency: f64) -> bool {
+    speed_efficiency.min(1.0 / speed_efficiency) >= least_speed_efficiency || slip_reserve >= WANTED_RESERVE
 }
 
 /// Reads the quantities and their derivatives along the axes; those of the friction's utilization are left zero.

@@ -79,6 +79,8 @@ pub struct Told<'a> {
     points: usize,
     ratios: &'a [f64],
     readings: usize,
+    /// Points of shifts that were sought by full solutions, because the map has no values there.
+    in_full: usize,
     refused: &'a [Refused],
     /// The best.
     tunes: Vec<&'a Tune>,
@@ -187,6 +189,7 @@ impl Arguments {
             points: ranking.points,
             ratios: &ranking.ratios,
             readings: ranking.readings,
+            in_full: ranking.in_full,
             refused: &ranking.refused,
             tunes: ranking.tunes.iter().take(TOLD).collect(),
             pareto: ranking.tunes.iter().filter(|tune| tune.pareto).collect(),

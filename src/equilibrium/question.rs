@@ -202,7 +202,7 @@ impl<'a> Whole<'a> {
         }
     }
 
-    fn by_engine(&self) -> Closing {
+    pub fn by_engine(&self) -> Closing {
         let law = EngineLaw { engine: self.engine.clone() };
         Closing { free: Constant::PrimaryTorque, law: Arc::new(law) }
     }
@@ -228,11 +228,16 @@ impl<'a> Whole<'a> {
     }
 
     pub fn read(&self, solved: Solved, phase: Phase) -> Result<Equilibrium, EquilibriumError> {
+        Equilibrium::of(self.actuation, self.plausible(solved, phase)?, phase, self.direction)
+    }
+
+    /// Refuses a state of the belt to which no drive comes.
+    pub fn plausible(&self, solved: Solved, phase: Phase) -> Result<Solved, EquilibriumError> {
         if self.lies_deep(&solved) {
             let why = "the only state found has the belt far deeper in the secondary than its length leaves it";
             return Err(EquilibriumError::Implausible { phase, why });
         }
-        Equilibrium::of(self.actuation, solved, phase, self.direction)
+        Ok(solved)
     }
 
     pub fn failed(&self, phase: Phase, failure: Failure) -> EquilibriumError {

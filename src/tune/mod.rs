@@ -8,6 +8,7 @@
 
 mod belongs;
 mod error;
+mod full;
 mod parts;
 mod screen;
 mod search;
@@ -16,7 +17,7 @@ mod unfit;
 
 pub use error::{PartsProblem, TuneError};
 pub use parts::{MAX_CANDIDATES, Part, PartKind, PartsBox};
-pub use screen::Screen;
+pub use screen::{Screen, Work};
 pub use search::{Confirmed, Merits, Ranking, Refused, Tune, TuneOptions, TunePlan};
 pub use show::{pareto_figure, summary, table};
 pub use unfit::{ShiftPoint, Unfit};

@@ -1,6 +1,7 @@
 //! The shift of a drive on a map of its belt: where flyweights, springs and helix balance the belt.
 
 use super::error::TuneError;
+use super::full::InFull;
 use super::unfit::{ShiftPoint, Unfit};
 use crate::actuator::{Shift, travel, travel_by_radius};
 use crate::beltmap::{BeltMap, MapPoint, Outside, Quantity};
@@ -21,14 +22,24 @@ const BISECTIONS: usize = 12;
 const SECANTS: usize = 20;
 const NEARLY: f64 = 1e-4;
 
-/// What a search needs of the map: places of its axes.
-#[derive(Debug, Clone, Copy)]
+/// What a search needs of the map: places of its axes. Where the map has no values, full solutions take its place.
+#[derive(Debug)]
 pub struct Screen<'a> {
     map: &'a BeltMap,
     ratio: usize,
     torque: usize,
     speed: usize,
     tension: usize,
+    full: InFull,
+}
+
+/// How much work a search was.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Readings of the map.
+    pub readings: usize,
+    /// Points that were sought by full solutions, because the map has no values there.
+    pub in_full: usize,
 }
 
 /// The nominal ratios at the ends of the shift, low first: where the secondary is closed, and where the first of the
@@ -74,13 +85,11 @@ impl<'a> Screen<'a> {
     pub fn new(map: &'a BeltMap) -> Result<Self, TuneError> {
         let expected = "ratio, torque, speed and slack_tension";
         let axis = |key: Key| map.axis(key).ok_or(TuneError::Axis { key, expected });
-        let screen = Self {
-            map,
-            ratio: axis(Key::Ratio)?,
-            torque: axis(Key::PrimaryTorque)?,
-            speed: axis(Key::PrimarySpeed)?,
-            tension: axis(Key::SlackTension)?,
-        };
+        let [ratio, torque] = [axis(Key::Ratio)?, axis(Key::PrimaryTorque)?];
+        let [speed, tension] = [axis(Key::PrimarySpeed)?, axis(Key::SlackTension)?];
+        let range = |axis: usize| map.axes()[axis].range();
+        let full = InFull::new(range(speed), range(tension), map.report());
+        let screen = Self { map, ratio, torque, speed, tension, full };
         match map
             .axes()
             .iter()
@@ -93,7 +102,7 @@ impl<'a> Screen<'a> {
         }
     }
 
-    /// Follows the shift through some nominal ratios, upshift, the engine at its throttle; counts readings of the map.
+    /// Follows the shift through some nominal ratios, upshift, the engine at its throttle; counts the work.
     ///
     /// # Errors
     /// See [`Unfit`].
@@ -103,13 +112,13 @@ impl<'a> Screen<'a> {
         actuation: &Actuation,
         engine: &Engine,
         (ratios, target): (&[f64], f64),
-        readings: &mut usize,
+        work: &mut Work,
     ) -> Result<Vec<ShiftPoint>, Unfit> {
         let drive = Drive { case, actuation, engine };
         let mut points: Vec<ShiftPoint> = Vec::with_capacity(ratios.len());
         for &ratio in ratios {
             let near = points.last().map(|point| (point.primary_speed, point.slack_tension));
-            points.push(self.balance(&drive, ratio, near, target, readings)?);
+            points.push(self.point(&drive, ratio, near, target, work)?);
         }
         Ok(points)
     }
@@ -121,6 +130,24 @@ impl<'a> Screen<'a> {
         at[self.speed] = speed;
         at[self.tension] = tension;
         self.map.at(&at)
+    }
+
+    /// The point at which both pulleys balance: on the map, and where that does not tell it, by full solutions.
+    fn point(
+        &self,
+        drive: &Drive<'_>,
+        ratio: f64,
+        near: Option<(f64, f64)>,
+        target: f64,
+        work: &mut Work,
+    ) -> Result<ShiftPoint, Unfit> {
+        match self.balance(drive, ratio, near, target, &mut work.readings) {
+            Err(Unfit::Untold { .. } | Unfit::Lost { .. }) => {
+                work.in_full += 1;
+                self.full.point(drive, ratio)
+            }
+            told => told,
+        }
     }
 
     /// The speed and the slack tension at which both pulleys balance: by Newton's method from a point nearby, and where
@@ -196,7 +223,8 @@ impl<'a> Screen<'a> {
 
     /// A speed and a slack tension near the balance, by bisection over the speed: at each the slack tension is the one
     /// at which the secondary balances, and the sign of what is left over on the primary says on which side it lies. At
-    /// speeds at which the secondary holds no belt against slip, the balance lies higher, if there is one.
+    /// speeds at which the map has no belt that the secondary holds, the balance lies higher, or the map does not tell
+    /// it.
     fn bracket(&self, drive: &Drive<'_>, ratio: f64, readings: &mut usize) -> Result<(f64, f64), Unfit> {
         let (from, to) = self.map.axes()[self.speed].range();
         let above = self.on_secondary(drive, ratio, to, readings)?;
@@ -219,7 +247,7 @@ impl<'a> Screen<'a> {
                 other => (low, below) = (middle, other.err()),
             }
         }
-        // Where the lower end slips, there is no balance between: the belt is lost before the flyweights are.
+        // Where the map does not tell the lower end, there is no balance between: it may lie where nothing is told.
         below.map_or(Ok(best), Err)
     }
 
@@ -250,13 +278,12 @@ impl<'a> Screen<'a> {
         }
         let (mut low, loose) = loosest.ok_or(Unfit::Untold { ratio, speed, tension: largest })?;
         if loose.rest[1] < 0.0 {
-            // The end of the map says nothing of slip.
-            if tensions.first() == Some(&low) {
-                return Err(Unfit::Loose { ratio, speed, tension: low });
-            }
-            let presses = loose.presses[1];
-            let torque = drive.engine.torque(speed).value;
-            return Err(Unfit::Slips { ratio, speed, torque, presses, needs: presses - loose.rest[1] });
+            // The loosest belt that a cell of the map tells is not the loosest that holds: looser ones lie in the cell
+            // below, which has no values because one of its corners slips.
+            return Err(match tensions.first() == Some(&low) {
+                true => Unfit::Loose { ratio, speed, tension: low },
+                false => Unfit::Untold { ratio, speed, tension: largest },
+            });
         }
         let tight = Unfit::Tight { ratio, tension: largest };
         let mut here = at(largest)?.ok_or(tight.clone())?;
@@ -294,10 +321,10 @@ struct OnSecondary {
 }
 
 /// A drive as a combination of parts makes it.
-struct Drive<'a> {
-    case: &'a Resolved,
-    actuation: &'a Actuation,
-    engine: &'a Engine,
+pub(super) struct Drive<'a> {
+    pub case: &'a Resolved,
+    pub actuation: &'a Actuation,
+    pub engine: &'a Engine,
 }
 
 /// What is left over on both pulleys, N, and its derivatives.

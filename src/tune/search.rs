@@ -6,16 +6,15 @@ use serde::Serialize;
 
 use super::belongs;
 use super::error::TuneError;
+use super::full::{efficiency, solved_point};
 use super::parts::PartsBox;
-use super::screen::{Screen, ends, ratios};
+use super::screen::{Screen, Work, ends, ratios};
 use super::unfit::ShiftPoint;
-use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan, Quantity};
+use crate::beltmap::{BeltMap, MapAxis, MapError, MapOptions, MapPlan};
 use crate::cancel::is_cancelled;
 use crate::case::{Case, Key, Resolved};
 use crate::drive::SolveOptions;
 use crate::equilibrium::{Direction, Equilibrium, equilibrium, equilibrium_from};
-use crate::losses::losses;
-use crate::model::Output;
 use crate::powertrain::{Engine, Governor};
 use crate::quantity::rpm;
 use crate::study::StudyError;
@@ -137,6 +136,9 @@ pub struct Ranking {
     pub ratios: Vec<f64>,
     /// Readings of the map.
     pub readings: usize,
+    /// Points that were sought by full solutions while the combinations were screened, because the map has no values
+    /// there.
+    pub in_full: usize,
     /// Combinations that shift on the map with the reserve asked for, the smallest deviation first.
     pub tunes: Vec<Tune>,
     /// The others.
@@ -260,7 +262,8 @@ impl TunePlan {
             candidates: self.parts.candidates(),
             points: self.ratios.len(),
             ratios: self.ratios.clone(),
-            readings: screened.iter().map(|(readings, _)| readings).sum(),
+            readings: screened.iter().map(|(work, _)| work.readings).sum(),
+            in_full: screened.iter().map(|(work, _)| work.in_full).sum(),
             tunes: Vec::new(),
             refused: Vec::new(),
         };
@@ -287,21 +290,21 @@ impl TunePlan {
         Ok(ranking)
     }
 
-    /// A combination on the map, with the readings it took; or why it is refused, in a word and in full.
-    fn screened(&self, screen: &Screen<'_>, candidate: usize) -> (usize, Result<Tune, (String, String)>) {
-        let mut readings = 0;
-        let found = self.shift(screen, candidate, &mut readings);
-        (readings, found)
+    /// A combination on the map, with the work it took; or why it is refused, in a word and in full.
+    fn screened(&self, screen: &Screen<'_>, candidate: usize) -> (Work, Result<Tune, (String, String)>) {
+        let mut work = Work::default();
+        let found = self.shift(screen, candidate, &mut work);
+        (work, found)
     }
 
-    fn shift(&self, screen: &Screen<'_>, candidate: usize, readings: &mut usize) -> Result<Tune, (String, String)> {
+    fn shift(&self, screen: &Screen<'_>, candidate: usize, work: &mut Work) -> Result<Tune, (String, String)> {
         let of_case = |error: crate::case::CaseError| ("parts that make no drive".to_owned(), error.to_string());
         let case = self.parts.case(&self.case, candidate).and_then(|case| case.resolve()).map_err(of_case)?;
         let none = || ("parts that make no drive".to_owned(), "it has no actuators, or no engine".to_owned());
         let (actuation, engine) = (case.parts.actuation.as_ref(), case.parts.engine.as_ref());
         let (actuation, engine) = (actuation.ok_or_else(none)?, engine.ok_or_else(none)?);
         let asked = (self.ratios.as_slice(), self.options.target);
-        let shift = screen.shift(&case, actuation, engine, asked, readings);
+        let shift = screen.shift(&case, actuation, engine, asked, work);
         let shift = shift.map_err(|unfit| (unfit.kind().to_owned(), unfit.to_string()))?;
         let merits = merits(&shift, self.options.target);
         if merits.smallest_slip_reserve < self.options.least_reserve {
@@ -340,7 +343,7 @@ impl TunePlan {
                             continue;
                         }
                     };
-                    let here = solved_point(&found, point, efficiency);
+                    let here = solved_point(&found, (point.ratio, speed), efficiency);
                     confirmed.largest_difference =
                         confirmed.largest_difference.max((here.primary_speed - point.primary_speed).abs());
                     shift.push(here);
@@ -388,29 +391,6 @@ fn speeds(engine: &Engine, target: f64) -> Result<(f64, f64), TuneError> {
         return Err(TuneError::Parameter { what: "the target", given: in_rpm(target), expected });
     }
     Ok(((SPEEDS.0 * target).max(least), (SPEEDS.1 * target).min(last)))
-}
-
-/// Power out over power in of a full solution, with losses where the map of the same case has them; or why it cannot be
-/// told.
-fn efficiency(case: &Resolved, found: &Equilibrium, tolerance: f64) -> Result<f64, String> {
-    if Quantity::of_case(case).contains(&Quantity::Losses) {
-        let told = losses(case, &found.solved, case.stiffnesses.reference, tolerance);
-        return told.map(|losses| losses.efficiency).map_err(|error| error.to_string());
-    }
-    found.output(Output::EfficiencyOverall).map_err(|error| error.to_string())
-}
-
-/// A point of the shift as a full solution has it.
-fn solved_point(found: &Equilibrium, near: &ShiftPoint, efficiency: f64) -> ShiftPoint {
-    let used = crate::result::utilizations(&found.solved).unwrap_or([f64::NAN; 2]);
-    ShiftPoint {
-        ratio: near.ratio,
-        primary_speed: found.primary_speed(),
-        secondary_speed: near.secondary_speed,
-        slack_tension: found.output(Output::PrimaryExitTension).unwrap_or(f64::NAN),
-        slip_reserve: 1.0 - used[0].abs().max(used[1].abs()),
-        efficiency,
-    }
 }
 
 /// What a shift is worth.

@@ -69,9 +69,14 @@ pub fn summary(ranking: &Ranking) -> String {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "{} shift, {pareto} of them are beaten by none; {} readings of the map\n",
+        "{} shift, {pareto} of them are beaten by none; {} readings of the map{}\n",
         ranking.tunes.len(),
-        ranking.readings
+        ranking.readings,
+        match ranking.in_full {
+            0 => String::new(),
+            1 => ", and 1 point beside it in full".to_owned(),
+            points => format!(", and {points} points beside it in full"),
+        }
     );
     for refused in &ranking.refused {
         let _ = writeln!(

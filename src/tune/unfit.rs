@@ -47,7 +47,7 @@ pub enum Unfit {
         torque: f64,
         /// Force of helix and spring, N.
         presses: f64,
-        /// Axial force of the loosest belt of the map that does not slip, N.
+        /// Axial force of the loosest belt that does not slip, N.
         needs: f64,
     },
     /// The flyweights do not hold the belt at any speed of the map.
@@ -80,11 +80,9 @@ pub enum Unfit {
         /// Axial force of the belt that the secondary's actuator holds, N.
         needs: f64,
     },
-    /// No cell of the map has a value at a speed, whatever the tension: each reaches beyond slip, or has a corner at
-    /// which the belt was not solved.
+    /// No belt holds at a speed, whatever the tension.
     #[error(
-        "at ratio {ratio:.2}, the map knows no belt that holds at {:.0} rpm, with slack tensions up to {tension:.0} N: \
-         its cells there reach beyond slip, or have a corner without a solution",
+        "at ratio {ratio:.2}, no belt was found that holds at {:.0} rpm, with slack tensions up to {tension:.0} N",
         rpm(*speed)
     )]
     Untold {
@@ -127,6 +125,14 @@ pub enum Unfit {
         /// Least slack tension of the map, N.
         tension: f64,
     },
+    /// The map has no values, and the full solution was not found.
+    #[error("at ratio {ratio:.2}, where the map has no values, {reason}")]
+    Unsolved {
+        /// Nominal ratio.
+        ratio: f64,
+        /// Why.
+        reason: String,
+    },
     /// The balance was not found.
     #[error("at ratio {ratio:.2}, no balance of forces was found")]
     Lost {
@@ -143,13 +149,13 @@ impl Unfit {
             Self::Actuator { error: ActuatorError::HelixContact { .. }, .. } => "helix without contact",
             Self::Actuator { .. } => "actuator without force",
             Self::Slips { .. } => "belt slips",
-            Self::Untold { .. } => "no belt that holds on the map",
+            Self::Untold { .. } => "no belt that holds",
             Self::Beyond { .. } => "beyond the map",
             Self::TooLight { .. } => "flyweights too light",
             Self::TooHeavy { .. } => "flyweights too heavy",
             Self::Tight { .. } => "clamp beyond the map",
             Self::Loose { .. } => "clamp below the map",
-            Self::Lost { .. } => "balance not found",
+            Self::Unsolved { .. } | Self::Lost { .. } => "balance not found",
         }
     }
 }
