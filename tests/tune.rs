@@ -150,6 +150,37 @@ fn drives_that_hold_shift_however_coarse_the_map() {
     }
 }
 
+/// A belt that is clamped tightly sinks into its grooves, and the primary comes to its stop before the ratio to which a
+/// belt without load would shift: the shift ends there, where the stop carries nothing yet.
+#[test]
+fn a_shift_ends_where_the_primary_comes_to_its_stop() {
+    let parts = r#"
+        [all.tight]
+        primary.actuator.mass = "170 g"
+        primary.spring.rate = "45 lbf/in"
+        primary.spring.preload = "50 lbf"
+        secondary.actuator.helix_angle = "28 deg"
+        secondary.spring.pretension = "100 deg"
+    "#;
+    let (plan, map) = on_a_map_of(3e-2, gx9(&[]), parts);
+    let ranking = plan.search(&map, &|| ()).unwrap();
+    let tune = ranking.tunes.first().unwrap_or_else(|| panic!("{:?}", ranking.refused));
+    let last = tune.shift.last().unwrap();
+    assert!((last.travels.0 - 19.05e-3).abs() < 2e-6, "{last:?}");
+    assert!(last.ratio > *ranking.ratios.last().unwrap() + 0.01, "{last:?}");
+    assert_eq!((tune.last_ratio, tune.points), (last.ratio, tune.shift.len()));
+    let case = plan.parts().case(&gx9(&[]), 0).unwrap().resolve().unwrap();
+    let full = equilibrium(&case, last.secondary_speed, Direction::Up, &SolveOptions::default()).unwrap();
+    let belt = full.forces.primary_belt;
+    assert!(full.forces.stop.unwrap_or(0.0) < 0.03 * belt, "{:?}", full.forces);
+    let confirmed = tune.confirmed.as_ref().unwrap();
+    assert!(confirmed.points == tune.points && confirmed.at_stop <= 2, "{confirmed:?}");
+    assert!(confirmed.largest_difference < 0.01 * TARGET, "{confirmed:?}");
+    let (screened, full) = (tune.merits, confirmed.merits.unwrap());
+    assert!((screened.rms_deviation - full.rms_deviation).abs() < 0.005 * TARGET, "{screened:?} {full:?}");
+    assert!(sheave::tune::summary(&ranking).contains("1 comes to a stop before that ratio"));
+}
+
 /// What is refused as slipping is beyond the limit of the belt: with what helix and spring press it does not carry the
 /// torque, and with little more than what it is said to take it does.
 #[test]

@@ -370,9 +370,11 @@ class Confirmed:
     """What full solutions say of a combination of parts."""
 
     merits: Optional[Merits]
-    """Over the points that have a solution between the stops."""
+    """Over the points of the shift on the map that have a solution at their speed of the secondary."""
     points: int
     """How many of the points have one."""
+    at_stop: int
+    """How many of these rest on a stop."""
     largest_difference: float
     """Largest difference of the engine's speed between map and full solution, rad/s."""
     failures: list[str]
@@ -394,6 +396,10 @@ class Tune:
     """Names of its parts, by kind."""
     merits: Merits
     """As screened on the map."""
+    points: int
+    """Points over which these are."""
+    last_ratio: float
+    """Nominal ratio of the last: where a sheave comes to its stop at high ratio, or the nominal end of the shift."""
     pareto: bool
     """Whether no other is better in deviation, slip reserve and efficiency at once."""
     confirmed: Optional[Confirmed]
@@ -406,6 +412,8 @@ class Tune:
             candidate=told["candidate"],
             parts=told["parts"],
             merits=Merits(**_only(Merits, told)),
+            points=told["points"],
+            last_ratio=told["last_ratio"],
             pareto=told["pareto"],
             confirmed=confirmed and Confirmed._of(confirmed),
         )
@@ -434,11 +442,13 @@ class Tuning:
         self.candidates: int = told["candidates"]
         """Combinations in the box."""
         self.points: int = told["points"]
-        """Points of the shift of each."""
+        """Points of the shift of each, at most."""
         self.ratios: list[float] = told["ratios"]
         """Nominal ratios of these."""
         self.readings: int = told["readings"]
         """Readings of the map."""
+        self.in_full: int = told["in_full"]
+        """Points that were sought by full solutions, because the map has no values there."""
         self.tunes: list[Tune] = [Tune._of(one) for one in told["tunes"]]
         """Combinations that shift, the smallest deviation first."""
         self.refused: list[Refused] = [Refused(**_only(Refused, one)) for one in told["refused"]]

@@ -24,9 +24,10 @@ const TOLD: usize = 50;
 /// Find the combination of parts that holds the engine at a speed over the whole shift
 ///
 /// Maps the belt, balances the parts of every combination against it at points of the shift from low to high ratio, and
-/// confirms the best by full solutions of the whole drive. Ranked by rms deviation from the target; with the smallest
-/// slip reserve and the mean efficiency, those that no other combination beats are marked. Combinations that make no
-/// drive, or slip, are counted with the reason.
+/// confirms the best by full solutions of the whole drive. A shift ends where a sheave comes to its stop; where the map
+/// has no values, beside the slip limit, points are solved in full. Ranked by rms deviation from the target; with the
+/// smallest slip reserve and the mean efficiency, those that no other combination beats are marked. Combinations that
+/// make no drive, or slip, are counted with the reason.
 #[derive(Debug, Args)]
 #[command(after_long_help = super::STATUS)]
 pub struct Arguments {

@@ -210,5 +210,6 @@ pub(super) fn solved_point(found: &Equilibrium, (ratio, secondary_speed): (f64, 
         slack_tension: found.output(Output::PrimaryExitTension).unwrap_or(f64::NAN),
         slip_reserve: slip_reserve(&found.solved),
         efficiency,
+        travels: (found.primary_travel, found.secondary_travel),
     }
 }

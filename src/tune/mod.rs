@@ -3,8 +3,8 @@
 //! A [`TunePlan`] is a drive and a [`PartsBox`]. Its [`map`](TunePlan::map) is of the belt alone, which no part
 //! changes; on it, [`search`](TunePlan::search) balances flyweights, springs and helix of every combination against the
 //! belt at points of the shift, by Newton's method for the engine's speed and the slack tension with the map's
-//! derivatives. The best are confirmed by full solutions: the equilibrium of the whole drive at the same speeds of the
-//! secondary.
+//! derivatives. Points that the map does not tell are solved in full. The best are confirmed by full solutions: the
+//! equilibrium of the whole drive at the same speeds of the secondary.
 
 mod belongs;
 mod error;

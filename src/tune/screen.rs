@@ -5,7 +5,7 @@ use super::full::InFull;
 use super::unfit::{ShiftPoint, Unfit};
 use crate::actuator::{Shift, travel, travel_by_radius};
 use crate::beltmap::{BeltMap, MapPoint, Outside, Quantity};
-use crate::case::geometry::radius_beside;
+use crate::case::geometry::{radii_of_ratio, radius_beside};
 use crate::case::{Actuation, Key, Resolved};
 use crate::powertrain::Engine;
 
@@ -21,6 +21,10 @@ const STRIDE: f64 = 0.25;
 const BISECTIONS: usize = 12;
 const SECANTS: usize = 20;
 const NEARLY: f64 = 1e-4;
+
+/// How closely the stop is met at which a shift ends, m, and steps towards it at most.
+const MET: f64 = 1e-6;
+const STOP_STEPS: usize = 30;
 
 /// What a search needs of the map: places of its axes. Where the map has no values, full solutions take its place.
 #[derive(Debug)]
@@ -102,7 +106,10 @@ impl<'a> Screen<'a> {
         }
     }
 
-    /// Follows the shift through some nominal ratios, upshift, the engine at its throttle; counts the work.
+    /// Follows the shift through some nominal ratios, upshift, the engine at its throttle; counts the work. Where a
+    /// sheave comes to its stop at high ratio before the last of them, because the belt sinks into its grooves, the
+    /// last point is there: beyond, the stop carries what the belt does not, and the parts no longer decide the
+    /// engine's speed.
     ///
     /// # Errors
     /// See [`Unfit`].
@@ -117,10 +124,48 @@ impl<'a> Screen<'a> {
         let drive = Drive { case, actuation, engine };
         let mut points: Vec<ShiftPoint> = Vec::with_capacity(ratios.len());
         for &ratio in ratios {
-            let near = points.last().map(|point| (point.primary_speed, point.slack_tension));
-            points.push(self.point(&drive, ratio, near, target, work)?);
+            let found = self.point(&drive, ratio, points.last(), target, work);
+            match found {
+                Ok(point) if drive.beyond(&point) <= MET => points.push(point),
+                Ok(_) if points.is_empty() => return Err(Unfit::Closed { ratio }),
+                beyond => {
+                    let last = points.last().copied();
+                    points.extend(self.full_shift(&drive, last, (ratio, beyond), target, work)?);
+                    break;
+                }
+            }
         }
         Ok(points)
+    }
+
+    /// The point at which a sheave comes to its stop, between the last point before it and a ratio at which there is
+    /// one beyond it, or at which the combination is refused: nothing is asked of parts beyond the stop. None if the
+    /// last point is at the stop itself. Each ratio is that at which the nominal radii have moved by what is left of
+    /// the travel: how deep the belt sinks changes slowly.
+    fn full_shift(
+        &self,
+        drive: &Drive<'_>,
+        last: Option<ShiftPoint>,
+        (ratio, found): (f64, Result<ShiftPoint, Unfit>),
+        target: f64,
+        work: &mut Work,
+    ) -> Result<Option<ShiftPoint>, Unfit> {
+        let Some(last) = last else { return found.map(Some) };
+        if drive.beyond(&last) >= -MET {
+            return Ok(None);
+        }
+        let mut here = last;
+        for _ in 0..STOP_STEPS {
+            let there = drive.stop_ratio(&here);
+            if let (Err(unfit), true) = (&found, there <= ratio) {
+                return Err(unfit.clone());
+            }
+            here = self.point(drive, there.max(ratio).min(last.ratio), Some(&here), target, work)?;
+            if drive.beyond(&here).abs() <= MET {
+                return Ok(Some(here));
+            }
+        }
+        Err(Unfit::Lost { ratio })
     }
 
     fn at(&self, drive: &Drive<'_>, ratio: f64, (speed, tension): (f64, f64)) -> Result<MapPoint<'a>, Outside> {
@@ -137,10 +182,11 @@ impl<'a> Screen<'a> {
         &self,
         drive: &Drive<'_>,
         ratio: f64,
-        near: Option<(f64, f64)>,
+        near: Option<&ShiftPoint>,
         target: f64,
         work: &mut Work,
     ) -> Result<ShiftPoint, Unfit> {
+        let near = near.map(|point| (point.primary_speed, point.slack_tension));
         match self.balance(drive, ratio, near, target, &mut work.readings) {
             Err(Unfit::Untold { .. } | Unfit::Lost { .. }) => {
                 work.in_full += 1;
@@ -182,7 +228,7 @@ impl<'a> Screen<'a> {
         for _ in 0..STEPS {
             let balance = drive.balance(self, ratio, here, &point)?;
             if balance.missed <= BALANCED {
-                return Ok(Some(read(&point, ratio, here)));
+                return Ok(Some(read(&point, ratio, here, balance.travels)));
             }
             let Some((mut speed, mut tension)) = balance.step() else { return Ok(None) };
             let stride = (STRIDE * here.0 / speed.abs()).min(0.5 * here.1 / tension.abs()).min(1.0);
@@ -335,6 +381,8 @@ struct Balance {
     /// By pulley: with respect to speed and slack tension.
     slopes: [[f64; 2]; 2],
     missed: f64,
+    /// How far the primary has closed and the secondary has opened, m.
+    travels: (f64, f64),
 }
 
 impl Balance {
@@ -348,6 +396,32 @@ impl Balance {
 }
 
 impl Drive<'_> {
+    /// How far a sheave is beyond its stop at high ratio: the one that is beyond it, or nearer to it; m.
+    fn beyond(&self, point: &ShiftPoint) -> f64 {
+        let Actuation { primary_travel, secondary_travel, .. } = self.actuation;
+        let by = |travel: f64, most: Option<f64>| most.map(|most| travel - most);
+        let all = [by(point.travels.0, *primary_travel), by(point.travels.1, *secondary_travel)];
+        all.into_iter().flatten().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The ratio at which a sheave comes to its stop at high ratio if the belt stays as deep in its grooves as at a
+    /// point; zero if it does at none.
+    fn stop_ratio(&self, from: &ShiftPoint) -> f64 {
+        let (length, center) = (self.case.belt.length, self.case.drive.center_distance);
+        let Ok((primary, secondary)) = radii_of_ratio(from.ratio, length, center) else { return 0.0 };
+        let left = |travel: f64, most: f64| (most - travel) / travel_by_radius(self.case.sheave.half_angle);
+        let Actuation { primary_travel, secondary_travel, .. } = self.actuation;
+        let by_primary = primary_travel.and_then(|most| {
+            let primary = primary + left(from.travels.0, most);
+            Some(radius_beside(primary, length, center).ok()? / primary)
+        });
+        let by_secondary = secondary_travel.and_then(|most| {
+            let secondary = secondary - left(from.travels.1, most);
+            Some(secondary / radius_beside(secondary, length, center).ok()?)
+        });
+        by_primary.into_iter().chain(by_secondary).fold(0.0, f64::max)
+    }
+
     fn balance(
         &self,
         screen: &Screen<'_>,
@@ -392,11 +466,17 @@ impl Drive<'_> {
             rest,
             slopes: [[0, 1].map(on_primary), [0, 1].map(on_secondary)],
             missed,
+            travels: (closed, opened),
         })
     }
 }
 
-fn read(point: &MapPoint<'_>, ratio: f64, (primary_speed, slack_tension): (f64, f64)) -> ShiftPoint {
+fn read(
+    point: &MapPoint<'_>,
+    ratio: f64,
+    (primary_speed, slack_tension): (f64, f64),
+    travels: (f64, f64),
+) -> ShiftPoint {
     let efficiency = point.efficiency_with_losses().or_else(|_| point.efficiency());
     ShiftPoint {
         ratio,
@@ -405,5 +485,6 @@ fn read(point: &MapPoint<'_>, ratio: f64, (primary_speed, slack_tension): (f64, 
         slack_tension,
         slip_reserve: point.slip_reserve().unwrap_or(f64::NAN),
         efficiency: efficiency.unwrap_or(f64::NAN),
+        travels,
     }
 }

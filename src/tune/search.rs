@@ -83,6 +83,11 @@ pub struct Tune {
     /// As screened on the map.
     #[serde(flatten)]
     pub merits: Merits,
+    /// Points over which these are: fewer than were asked for where a sheave comes to its stop before the last but one.
+    pub points: usize,
+    /// Nominal ratio of the last: where a sheave comes to its stop at high ratio, at the latest where the shifts end of
+    /// belts without load.
+    pub last_ratio: f64,
     /// Whether no other is better in deviation, slip reserve and efficiency at once.
     pub pareto: bool,
     /// As full solutions have it, of the best.
@@ -97,11 +102,13 @@ pub struct Tune {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Confirmed {
-    /// Over the points that have a solution between the stops.
+    /// Over the points of the shift on the map that have a solution at their speed of the secondary.
     #[serde(flatten)]
     pub merits: Option<Merits>,
     /// How many of the points have one.
     pub points: usize,
+    /// How many of these rest on a stop: the first and the last point of a shift may lie where a sheave touches one.
+    pub at_stop: usize,
     /// Largest difference of the primary's speed between map and full solution, rad/s.
     pub largest_difference: f64,
     /// Why points have none.
@@ -130,9 +137,9 @@ pub struct Ranking {
     pub target: f64,
     /// Combinations.
     pub candidates: usize,
-    /// Points of the shift of each.
+    /// Points of the shift of each, at most.
     pub points: usize,
-    /// Nominal ratios of these.
+    /// Nominal ratios of these; the shift of a combination ends before the last where a sheave comes to its stop.
     pub ratios: Vec<f64>,
     /// Readings of the map.
     pub readings: usize,
@@ -313,12 +320,14 @@ impl TunePlan {
         }
         let names = self.parts.kinds.iter().zip(self.parts.parts(candidate));
         let parts = names.map(|(kind, part)| (kind.name.clone(), part.name.clone())).collect();
-        Ok(Tune { candidate, parts, merits, pareto: false, confirmed: None, shift })
+        let (points, last_ratio) = (shift.len(), shift.last().map_or(f64::NAN, |last| last.ratio));
+        Ok(Tune { candidate, parts, merits, points, last_ratio, pareto: false, confirmed: None, shift })
     }
 
     /// The equilibrium of the whole drive at every secondary speed of a shift.
     fn confirm(&self, tune: &Tune) -> Confirmed {
-        let mut confirmed = Confirmed { merits: None, points: 0, largest_difference: 0.0, failures: Vec::new() };
+        let mut confirmed =
+            Confirmed { merits: None, points: 0, at_stop: 0, largest_difference: 0.0, failures: Vec::new() };
         let case = match self.parts.case(&self.case, tune.candidate).and_then(|case| case.resolve()) {
             Ok(case) => case,
             Err(error) => {
@@ -346,6 +355,7 @@ impl TunePlan {
                     let here = solved_point(&found, (point.ratio, speed), efficiency);
                     confirmed.largest_difference =
                         confirmed.largest_difference.max((here.primary_speed - point.primary_speed).abs());
+                    confirmed.at_stop += usize::from(found.phase.stop().is_some());
                     shift.push(here);
                     near = Some(found);
                 }
@@ -429,21 +439,21 @@ fn in_rpm(speed: f64) -> String {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_pareto_front_is_what_nothing_beats() {
-        let tune = |rms: f64, reserve: f64, efficiency: f64| Tune {
+    fn tune((rms_deviation, smallest_slip_reserve, mean_efficiency): (f64, f64, f64)) -> Tune {
+        Tune {
             candidate: 0,
             parts: BTreeMap::new(),
-            merits: Merits {
-                rms_deviation: rms,
-                mean_speed: 0.0,
-                smallest_slip_reserve: reserve,
-                mean_efficiency: efficiency,
-            },
+            merits: Merits { rms_deviation, mean_speed: 0.0, smallest_slip_reserve, mean_efficiency },
+            points: 0,
+            last_ratio: 0.6,
             pareto: false,
             confirmed: None,
             shift: Vec::new(),
-        };
+        }
+    }
+
+    #[test]
+    fn the_pareto_front_is_what_nothing_beats() {
         let mut tunes = [
             (1.0, 0.2, 0.90),
             (2.0, 0.1, 0.95),
@@ -452,7 +462,7 @@ mod tests {
             (5.0, 0.3, 0.80),
             (6.0, 0.2, 0.8),
         ]
-        .map(|(a, b, c)| tune(a, b, c));
+        .map(tune);
         mark_pareto(&mut tunes);
         assert_eq!(tunes.map(|tune| tune.pareto), [true, true, true, false, true, false]);
     }

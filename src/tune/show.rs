@@ -15,13 +15,13 @@ const REACH: f64 = 2.0;
 /// All tunes with their parts and merits, best first: speeds in rad/s.
 pub fn table(ranking: &Ranking, pareto: bool) -> Table {
     let kinds: Vec<String> = ranking.tunes.first().map(|tune| tune.parts.keys().cloned().collect()).unwrap_or_default();
-    let merits = ["rms_deviation", "mean_speed", "smallest_slip_reserve", "mean_efficiency"];
+    let merits = ["rms_deviation", "mean_speed", "smallest_slip_reserve", "mean_efficiency", "last_ratio"];
     let confirmed = ["confirmed.rms_deviation", "confirmed.smallest_slip_reserve", "confirmed.mean_efficiency"];
     let number = |value: Option<f64>| value.and_then(Number::from_f64).map_or(Cell::Empty, Cell::Number);
     let row = |tune: &Tune| {
         let names = kinds.iter().map(|kind| Cell::Text(tune.parts.get(kind).map_or("", String::as_str).into()));
         let m = &tune.merits;
-        let screened = [m.rms_deviation, m.mean_speed, m.smallest_slip_reserve, m.mean_efficiency];
+        let screened = [m.rms_deviation, m.mean_speed, m.smallest_slip_reserve, m.mean_efficiency, tune.last_ratio];
         let full = tune.confirmed.as_ref().and_then(|confirmed| confirmed.merits);
         let full =
             [full.map(|m| m.rms_deviation), full.map(|m| m.smallest_slip_reserve), full.map(|m| m.mean_efficiency)];
@@ -69,7 +69,7 @@ pub fn summary(ranking: &Ranking) -> String {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "{} shift, {pareto} of them are beaten by none; {} readings of the map{}\n",
+        "{} shift, {pareto} of them are beaten by none; {} readings of the map{}",
         ranking.tunes.len(),
         ranking.readings,
         match ranking.in_full {
@@ -78,6 +78,14 @@ pub fn summary(ranking: &Ranking) -> String {
             points => format!(", and {points} points beside it in full"),
         }
     );
+    let last = ranking.ratios.last().copied().unwrap_or(f64::NAN);
+    let stopped = ranking.tunes.iter().filter(|tune| tune.last_ratio > last).count();
+    let _ = match stopped {
+        0 => Ok(()),
+        1 => writeln!(text, "1 comes to a stop before that ratio, where its last point is"),
+        many => writeln!(text, "{many} come to a stop before that ratio, where their last point is"),
+    };
+    text.push('\n');
     for refused in &ranking.refused {
         let _ = writeln!(
             text,

@@ -19,6 +19,8 @@ pub struct ShiftPoint {
     pub slip_reserve: f64,
     /// Power out over power in, with losses where the map has them.
     pub efficiency: f64,
+    /// How far the primary has closed and the secondary has opened, m.
+    pub travels: (f64, f64),
 }
 
 /// Why a combination of parts has no shift on the map.
@@ -133,6 +135,12 @@ pub enum Unfit {
         /// Why.
         reason: String,
     },
+    /// The primary is closed before the shift begins.
+    #[error("at ratio {ratio:.2}, where the shift would begin, the sheaves would be beyond their stop at high ratio")]
+    Closed {
+        /// Nominal ratio.
+        ratio: f64,
+    },
     /// The balance was not found.
     #[error("at ratio {ratio:.2}, no balance of forces was found")]
     Lost {
@@ -155,6 +163,7 @@ impl Unfit {
             Self::TooHeavy { .. } => "flyweights too heavy",
             Self::Tight { .. } => "clamp beyond the map",
             Self::Loose { .. } => "clamp below the map",
+            Self::Closed { .. } => "no travel left",
             Self::Unsolved { .. } | Self::Lost { .. } => "balance not found",
         }
     }
