@@ -74,8 +74,30 @@ fn the_box_of_tuksbaja_is_searched_within_bounded_work() {
             best.rms_deviation <= m.rms_deviation
                 && best.smallest_slip_reserve >= m.smallest_slip_reserve
                 && best.mean_efficiency >= m.mean_efficiency
+                && *best != m
         }));
     }
+}
+
+/// Parts under two names make two combinations that do the same: both are on the front, or neither is.
+#[test]
+fn combinations_that_do_the_same_do_not_beat_one_another() {
+    let part = r#"
+        primary.actuator.mass = "72 g"
+        primary.actuator.coefficients = "39.467, 39.32, 38.353, 37.442, 37.967 mm"
+        primary.spring.free_length = "144 mm"
+        primary.spring.rate = "1.2 N/mm"
+        secondary.spring.preload = "117 N"
+        secondary.spring.rate = "4.27 N/mm"
+        secondary.spring.torsion_rate = "4.55 N*m/rad"
+        secondary.spring.pretension = "22 deg"
+        secondary.actuator.helix_angle = "42 deg"
+    "#;
+    let parts = PartsBox::from_toml("parts", &format!("[all.one]{part}[all.other]{part}")).unwrap();
+    let ranking = plan(parts, 0).search(map(), &|| ()).unwrap();
+    let [one, other] = ranking.tunes.as_slice() else { panic!("{:?}", ranking.refused) };
+    assert_eq!(one.merits, other.merits);
+    assert!(one.pareto && other.pareto);
 }
 
 #[test]

@@ -401,7 +401,7 @@ class Tune:
     last_ratio: float
     """Nominal ratio of the last: where a sheave comes to its stop at high ratio, or the nominal end of the shift."""
     pareto: bool
-    """Whether no other is better in deviation, slip reserve and efficiency at once."""
+    """Whether no other beats it: is no worse in deviation, slip reserve and efficiency, and better in one of them."""
     confirmed: Optional[Confirmed]
     """As full solutions have it; of the best alone."""
 

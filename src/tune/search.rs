@@ -1,5 +1,6 @@
 //! The search through a box of parts: every combination screened on the map, the best confirmed by full solutions.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -72,6 +73,15 @@ pub struct Merits {
     pub mean_efficiency: f64,
 }
 
+impl Merits {
+    /// The smaller deviation first; of equal ones the larger slip reserve, and then the larger efficiency.
+    fn better_first(&self, other: &Self) -> Ordering {
+        let by_reserve = other.smallest_slip_reserve.total_cmp(&self.smallest_slip_reserve);
+        let by_efficiency = other.mean_efficiency.total_cmp(&self.mean_efficiency);
+        self.rms_deviation.total_cmp(&other.rms_deviation).then(by_reserve).then(by_efficiency)
+    }
+}
+
 /// A combination of parts that shifts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -88,7 +98,7 @@ pub struct Tune {
     /// Nominal ratio of the last: where a sheave comes to its stop at high ratio, at the latest where the shifts end of
     /// belts without load.
     pub last_ratio: f64,
-    /// Whether no other is better in deviation, slip reserve and efficiency at once.
+    /// Whether no other beats it: is no worse in deviation, slip reserve and efficiency, and better in one of them.
     pub pareto: bool,
     /// As full solutions have it, of the best.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -283,7 +293,7 @@ impl TunePlan {
                 },
             }
         }
-        ranking.tunes.sort_by(|a, b| a.merits.rms_deviation.total_cmp(&b.merits.rms_deviation));
+        ranking.tunes.sort_by(|a, b| a.merits.better_first(&b.merits));
         mark_pareto(&mut ranking.tunes);
         let best = ranking.tunes.len().min(self.options.confirmed);
         let confirmed = threads::map(jobs, best, |at| ranking.tunes.get(at).map(|tune| self.confirm(tune)));
@@ -415,16 +425,17 @@ fn merits(shift: &[ShiftPoint], target: f64) -> Merits {
     }
 }
 
-/// Marks the tunes, sorted by deviation, that no other beats in all three merits.
+/// Marks the tunes, the better first, that no other beats in all three merits.
 fn mark_pareto(tunes: &mut [Tune]) {
-    // Those before are no worse in deviation: one is beaten if one of them is no worse in the other two.
-    let mut front: Vec<(f64, f64)> = Vec::new();
+    // Those before are no worse in deviation: one is beaten if one of them is no worse in the other two, and differs.
+    let mut front: Vec<(f64, f64, f64)> = Vec::new();
     for tune in tunes {
-        let here = (tune.merits.smallest_slip_reserve, tune.merits.mean_efficiency);
-        let beaten = front.iter().any(|(reserve, efficiency)| *reserve >= here.0 && *efficiency >= here.1);
+        let Merits { rms_deviation, smallest_slip_reserve, mean_efficiency, .. } = tune.merits;
+        let here = (smallest_slip_reserve, mean_efficiency, rms_deviation);
+        let beaten = front.iter().any(|other| other.0 >= here.0 && other.1 >= here.1 && *other != here);
         tune.pareto = !beaten;
         if !beaten {
-            front.retain(|(reserve, efficiency)| *reserve > here.0 || *efficiency > here.1);
+            front.retain(|(reserve, efficiency, _)| *reserve > here.0 || *efficiency > here.1);
             front.push(here);
         }
     }
@@ -465,5 +476,27 @@ mod tests {
         .map(tune);
         mark_pareto(&mut tunes);
         assert_eq!(tunes.map(|tune| tune.pareto), [true, true, true, false, true, false]);
+    }
+
+    /// Of combinations that do the same, none beats another, and what beats one of them beats all; of two with one
+    /// deviation, the one that is better elsewhere beats the other, whichever was found first.
+    #[test]
+    fn equals_do_not_beat_one_another() {
+        let mut tunes = [
+            (2.0, 0.2, 0.9),
+            (1.0, 0.1, 0.9),
+            (2.0, 0.2, 0.9),
+            (1.0, 0.2, 0.8),
+            (3.0, 0.2, 0.9),
+            (1.0, 0.1, 0.85),
+            (3.0, 0.2, 0.9),
+        ]
+        .map(tune);
+        tunes.sort_by(|a, b| a.merits.better_first(&b.merits));
+        mark_pareto(&mut tunes);
+        let marked = tunes.map(|tune| (tune.merits.rms_deviation, tune.merits.mean_efficiency, tune.pareto));
+        let front = [(1.0, 0.8, true), (1.0, 0.9, true), (1.0, 0.85, false), (2.0, 0.9, true), (2.0, 0.9, true)];
+        assert_eq!(marked[..5], front);
+        assert_eq!(marked[5..], [(3.0, 0.9, false); 2]);
     }
 }
