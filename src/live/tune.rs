@@ -17,7 +17,7 @@ const CONFIRMED: usize = 3;
 /// Points of the shift.
 const POINTS: usize = 7;
 /// Combinations and points of the map at most: what one waits for while looking. Where a map ends for its points, cells
-/// beside the slip limit, in which drives run, are left without values.
+/// beside the slip limit, in which drives run, are left without values, and each point in them takes a full solution.
 const MOST: usize = 20_000;
 const MAP_POINTS: usize = 2000;
 /// Accuracy of the map, and of its solutions.
