@@ -160,13 +160,18 @@ impl Layout {
         self.regions.iter().position(|region| region.name == name)
     }
 
-    /// Checks every index, interval and scale, so that nothing later can run out of bounds or overflow for them.
+    /// Checks every index, interval and scale, so that nothing later can run out of bounds or overflow for them, and
+    /// that a name means one region, one constant, or one state or integral of its region.
     ///
     /// # Errors
     /// The first inconsistency found.
     pub fn check(&self) -> Result<(), LayoutError> {
+        unrepeated(self.regions.iter().map(|region| &region.name), "regions")?;
+        unrepeated(self.constants.iter().map(|constant| &constant.name), "constants")?;
         let constants = self.constants.len();
         for region in &self.regions {
+            unrepeated(region.states.iter().map(|state| &state.name), "states")?;
+            unrepeated(region.integrals.iter(), "integrals")?;
             let (a, b) = region.interval;
             if !(a.is_finite() && b.is_finite() && a < b) {
                 return Err(LayoutError::Interval { region: region.name.clone(), a, b });
@@ -201,6 +206,20 @@ impl Layout {
             None => Ok(()),
         }
     }
+}
+
+/// # Errors
+/// The first name that two of them have.
+pub(crate) fn unrepeated<'a>(
+    mut names: impl Iterator<Item = &'a String> + Clone,
+    among: &'static str,
+) -> Result<(), LayoutError> {
+    while let Some(name) = names.next() {
+        if names.clone().any(|other| other == name) {
+            return Err(LayoutError::Repeated { name: name.clone(), among });
+        }
+    }
+    Ok(())
 }
 
 /// The first scale that is stated and is no positive number.
@@ -247,6 +266,14 @@ pub enum LayoutError {
     Unnamed {
         /// The name given.
         name: String,
+    },
+    /// What has a name is asked for by it, and told by it in messages.
+    #[error("{name}: two of the {among} have this name, and one is expected")]
+    Repeated {
+        /// The name.
+        name: String,
+        /// What they are, as `"states"`.
+        among: &'static str,
     },
     /// A function is to have a derivative that an equation is stated for.
     #[error("{function}: an order of 0 is given, and at least 1 is expected")]

@@ -301,3 +301,28 @@ fn differences_are_taken_in_steps_of_the_magnitude_that_is_stated() {
     let found = solution.regions()[0].eval(0.5)[0] / k;
     assert!((found - 1.0 / 1.5).abs() < 1e-7, "{found}");
 }
+
+/// Magnitudes, tolerances and messages go by names: one that two have would be taken for the first of them.
+#[test]
+fn a_name_is_given_once() {
+    let twice = Bvp::new(
+        &["u", "u"],
+        (0.0, 1.0),
+        |_, y, _, f| (f[0], f[1]) = (y[1], -y[0]),
+        |a, b, _, g| {
+            (g[0], g[1]) = (a[0], b[0] - 1.0);
+        },
+    );
+    let among = |error: SolveError| match error {
+        SolveError::Layout(LayoutError::Repeated { name, among }) => (name, among),
+        other => panic!("{other}"),
+    };
+    assert_eq!(among(twice.solve(&Options::default()).unwrap_err()), ("u".to_owned(), "states"));
+    let once = Bvp::new(&["u"], (0.0, 1.0), |_, y, p, f| f[0] = p[0] * y[0], |a, _, _, g| g[0] = a[0] - 1.0);
+    let constants = once.clone().given("p", 1.0).given("p", 2.0).solve(&Options::default()).unwrap_err();
+    assert_eq!(among(constants), ("p".to_owned(), "constants"));
+    let either = once.given("u", 1.0);
+    assert!(either.solve(&Options::default()).is_ok());
+    let error = either.typical("u", 1.0).err();
+    assert_eq!(error, Some(LayoutError::Repeated { name: "u".to_owned(), among: "states and parameters" }));
+}

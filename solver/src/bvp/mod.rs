@@ -34,7 +34,7 @@ pub use singular::SingularTermError;
 use crate::error::SolveError;
 use crate::guess::Guess;
 use crate::options::Options;
-use crate::problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State, is_scale};
+use crate::problem::{Constant, Layout, LayoutError, Points, Problem, Region, Scope, State, is_scale, unrepeated};
 use crate::solution::Solution;
 use crate::solve::solve;
 use singular::SingularTerm;
@@ -170,11 +170,15 @@ impl<M: Formulas> Bvp<M> {
     /// derivatives by differences.
     ///
     /// # Errors
-    /// [`LayoutError::Unnamed`] if nothing has that name, [`LayoutError::Scale`] if the magnitude is not positive.
+    /// [`LayoutError::Unnamed`] if nothing has that name, [`LayoutError::Repeated`] if more than one thing has, and
+    /// [`LayoutError::Scale`] if the magnitude is not positive.
     pub fn typical(mut self, name: &str, magnitude: f64) -> Result<Self, LayoutError> {
         if !is_scale(magnitude) {
             return Err(LayoutError::Scale { of: name.to_owned(), scale: magnitude });
         }
+        let states = self.layout.regions[0].states.iter().map(|state| &state.name);
+        let all = states.chain(self.layout.constants.iter().map(|constant| &constant.name));
+        unrepeated(all.filter(|known| *known == name), "states and parameters")?;
         let states = self.layout.regions[0].states.iter_mut().map(|state| (&state.name, &mut state.scale));
         let constants = self.layout.constants.iter_mut().map(|constant| (&constant.name, &mut constant.scale));
         let mut all = states.chain(constants);

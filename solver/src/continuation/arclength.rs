@@ -232,9 +232,9 @@ fn extended(inner: &Layout, rates: &[f64]) -> Layout {
     for region in &mut layout.regions {
         let rows = region.rows();
         region.state_pattern.extend((0..region.states.len()).map(|i| (rows, i)));
-        region.integrals.push("distance".to_owned());
+        region.integrals.push("distance along the branch".to_owned());
     }
-    layout.constants.push(Constant { name: "step".to_owned(), scale: None });
+    layout.constants.push(Constant { name: "step along the branch".to_owned(), scale: None });
     layout.equations.push("distance along the branch".to_owned());
     // Where the inner integrals go, and where the added ones stand.
     let ends = inner.ends();

@@ -27,7 +27,7 @@ impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
         let inner = problem.layout();
         let mut layout = inner.clone();
         let t = inner.constants.len();
-        layout.constants.push(Constant { name: "homotopy".to_owned(), scale: Some(1.0) });
+        layout.constants.push(Constant { name: "homotopy from the guess".to_owned(), scale: Some(1.0) });
         for region in &mut layout.regions {
             region.constant_pattern.extend((0..region.states.len()).map(|row| (row, t)));
         }
