@@ -19,9 +19,12 @@ const PARTS: u32 = 16;
 const LOOSER: f64 = 0.7;
 const HALVINGS: usize = 7;
 
+/// A place for the loosest belt that holds at a ratio and a speed, or for there being none.
+type Place = Arc<OnceLock<Option<LoosestBelt>>>;
+
 /// The loosest belt that holds, by ratio and speed: it depends on no part, and is found once for all combinations.
 #[derive(Debug, Default)]
-struct Loosest(Mutex<BTreeMap<(u64, u32), Arc<OnceLock<Option<LoosestBelt>>>>>);
+struct Loosest(Mutex<BTreeMap<(u64, u32), Place>>);
 
 #[derive(Debug)]
 struct LoosestBelt {
