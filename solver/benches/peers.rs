@@ -21,6 +21,8 @@
 mod cases;
 #[path = "peers/codes.rs"]
 mod codes;
+#[path = "peers/fields.rs"]
+mod fields;
 #[path = "peers/fortran.rs"]
 mod fortran;
 #[path = "peers/open.rs"]
@@ -136,8 +138,12 @@ impl Ratios {
 }
 
 /// The sets of problems.
-const SETS: [(&str, &[Case]); 3] =
-    [("Known solutions", CASES), ("Computed solutions", open::CASES), ("Singular ends", singular::CASES)];
+const SETS: [(&str, &[Case]); 4] = [
+    ("Known solutions", CASES),
+    ("Computed solutions", open::CASES),
+    ("Other fields", fields::CASES),
+    ("Singular ends", singular::CASES),
+];
 /// How many of them are taken together.
 const TOGETHER: usize = 2;
 

@@ -7,7 +7,7 @@ use crate::cases::{Case, Derivatives, Equations, Guess, Many};
 use std::f64::consts::FRAC_PI_2;
 
 /// `u'' = F(x, u, u')` with u at both ends.
-const fn one(
+pub const fn one(
     name: &'static str,
     interval: (f64, f64),
     f: fn(f64, f64, f64) -> [f64; 3],
@@ -17,7 +17,8 @@ const fn one(
     Case { name, interval, linear: false, equations: Equations::Open(f, ends, guess) }
 }
 
-const fn many(name: &'static str, interval: (f64, f64), many: &'static Many) -> Case {
+/// Equations of any orders.
+pub const fn many(name: &'static str, interval: (f64, f64), many: &'static Many) -> Case {
     Case { name, interval, linear: false, equations: Equations::Many(many) }
 }
 
