@@ -137,13 +137,13 @@ const MEASURED: usize = 4;
 pub const LEAST_MEASURED: usize = 2 * MEASURED;
 
 impl Average {
-    /// Averages samples that are all measured; `None` for fewer than two in each of [`BATCHES`] parts.
+    /// Averages samples that are all measured; `None` for fewer than two in each of ten parts.
     pub fn of(samples: &[f64]) -> Option<Self> {
         Self::of_parts(samples, samples.len(), BATCHES)
     }
 
     /// Averages uniform samples that were interpolated between so many measured ones, in as many parts as these allow;
-    /// `None` for fewer than [`LEAST_MEASURED`], and for fewer than two uniform samples in each of [`BATCHES`] parts.
+    /// `None` for fewer than eight measured ones, and for fewer than two uniform ones in each of ten parts.
     pub fn interpolated(samples: &[f64], measured: usize) -> Option<Self> {
         let parts = (measured / MEASURED).min(BATCHES);
         if measured < LEAST_MEASURED || samples.len() < 2 * BATCHES {
