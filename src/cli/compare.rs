@@ -27,7 +27,8 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Table of operating points, as `sheave dyno --out` writes it: primary_rpm, secondary_rpm, secondary_torque_Nm;
-    /// with their standard deviations (_sd) and errors (_se), run, step, primary_torque_Nm where there are
+    /// with their standard deviations (_sd) and errors (_se, of the means of n_parts parts), run, step,
+    /// primary_torque_Nm where there are
     #[arg(long, value_name = "POINTS.csv")]
     data: PathBuf,
     /// The engine's curve: rpm, and power or torque in the unit that a header names; hp without one
