@@ -234,7 +234,7 @@ fn with_losses(case: &Resolved) -> bool {
 /// The efficiency sought.
 fn efficiency(case: &Resolved, trial: &Trial, options: &SolveOptions) -> Result<f64, DesignError> {
     if with_losses(case) {
-        let temperature = trial.heat.map_or(case.stiffnesses.reference, |heat| heat.temperature);
+        let temperature = BeltTemperature::from(trial.heat).kelvin(case);
         return Ok(losses(case, &trial.solved, temperature, options.tolerance)?.efficiency);
     }
     Ok(DriveState::of(&trial.solved)?.overall_efficiency)

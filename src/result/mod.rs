@@ -34,7 +34,7 @@ use sensitivity::add_losses;
 pub use sensitivity::{Sensitivities, sensitivities};
 pub use summary::{summary, summary_in};
 pub use units::Units;
-pub use utilization::utilizations;
+pub use utilization::{slip_reserve, utilizations};
 pub(crate) use warnings::HOT;
 pub use warnings::warnings;
 
@@ -143,7 +143,7 @@ pub(crate) enum BeltTemperature {
 
 impl BeltTemperature {
     /// In K.
-    fn kelvin(&self, case: &Resolved) -> f64 {
+    pub fn kelvin(&self, case: &Resolved) -> f64 {
         match self {
             Self::Reference => case.stiffnesses.reference,
             Self::Held(temperature) => *temperature,

@@ -21,3 +21,11 @@ pub fn utilizations(solved: &Solved) -> Result<[f64; 2], InternalError> {
     }
     Ok(used)
 }
+
+/// Share of the friction at hand that is left over on the pulley that has less.
+///
+/// # Errors
+/// None, unless this program is broken.
+pub fn slip_reserve(solved: &Solved) -> Result<f64, InternalError> {
+    utilizations(solved).map(|[primary, secondary]| 1.0 - primary.abs().max(secondary.abs()))
+}

@@ -11,7 +11,7 @@ use crate::drive::{SolveOptions, Solved};
 use crate::equilibrium::{AtRatio, Direction, Equilibrium, EquilibriumError};
 use crate::losses::losses;
 use crate::model::{Constant, Output};
-use crate::result::utilizations;
+use crate::result::slip_reserve;
 
 /// Parts of the range of speeds at whose ends the loosest belt is known.
 const PARTS: u32 = 16;
@@ -97,7 +97,8 @@ impl InFull {
 
     fn holds(&self, solved: &Solved) -> bool {
         let kept = solved.belt.output_values(&solved.solution).and_then(|values| values.get(Output::EfficiencySpeed));
-        kept.is_ok_and(|kept| holds(kept, slip_reserve(solved), self.least_speed_efficiency))
+        let left = slip_reserve(solved).unwrap_or(f64::NAN);
+        kept.is_ok_and(|kept| holds(kept, left, self.least_speed_efficiency))
     }
 
     /// The loosest belt at a speed, which the secondary's actuator presses with at least as much as it takes.
@@ -190,10 +191,6 @@ fn on_primary(found: &Equilibrium) -> (f64, f64) {
     (presses, presses - found.forces.primary_belt)
 }
 
-fn slip_reserve(solved: &Solved) -> f64 {
-    utilizations(solved).map_or(f64::NAN, |[primary, secondary]| 1.0 - primary.abs().max(secondary.abs()))
-}
-
 /// Power out over power in of a full solution, with losses where the map of the same case has them; or why it cannot be
 /// told.
 pub(super) fn efficiency(case: &Resolved, found: &Equilibrium, tolerance: f64) -> Result<f64, String> {
@@ -211,7 +208,7 @@ pub(super) fn solved_point(found: &Equilibrium, (ratio, secondary_speed): (f64, 
         primary_speed: found.primary_speed(),
         secondary_speed,
         slack_tension: found.output(Output::PrimaryExitTension).unwrap_or(f64::NAN),
-        slip_reserve: slip_reserve(&found.solved),
+        slip_reserve: slip_reserve(&found.solved).unwrap_or(f64::NAN),
         efficiency,
         travels: (found.primary_travel, found.secondary_travel),
     }

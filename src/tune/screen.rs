@@ -56,23 +56,35 @@ pub fn ends(case: &Resolved, actuation: &Actuation) -> Result<(f64, f64), TuneEr
         what: "stop at high ratio",
         needs: "give primary.travel, or secondary.travel, so that the end of the shift is known",
     };
-    let (length, center) = (case.belt.length, case.drive.center_distance);
-    let slope = travel_by_radius(case.sheave.half_angle);
-    let beside = |radius: f64| radius_beside(radius, length, center).ok();
-    let low = beside(actuation.closed_radius).map(|primary| actuation.closed_radius / primary);
-    let by_primary = actuation.primary_travel.and_then(|travel| {
-        let primary = actuation.start_radius + travel / slope;
-        Some(beside(primary)? / primary)
-    });
-    let by_secondary = actuation.secondary_travel.and_then(|travel| {
-        let secondary = actuation.closed_radius - travel / slope;
-        Some(secondary / beside(secondary)?)
-    });
-    let high = [by_primary, by_secondary].into_iter().flatten().reduce(f64::max);
-    match (low, high) {
+    let low = by_secondary(case, actuation.closed_radius);
+    let from = (actuation.start_radius, actuation.closed_radius);
+    match (low, stop_ratio(case, actuation, from, (0.0, 0.0))) {
         (Some(low), Some(high)) if high < low => Ok((low, high)),
         _ => Err(missing),
     }
+}
+
+/// The nominal ratio at which the belt runs at a radius of the secondary.
+fn by_secondary(case: &Resolved, secondary: f64) -> Option<f64> {
+    Some(secondary / radius_beside(secondary, case.belt.length, case.drive.center_distance).ok()?)
+}
+
+/// The nominal ratio at which the first sheave comes to its stop at high ratio, from nominal radii at which the primary
+/// has closed and the secondary has opened so far, as if the belt stayed as deep in its grooves; none if none does.
+fn stop_ratio(
+    case: &Resolved,
+    actuation: &Actuation,
+    (primary, secondary): (f64, f64),
+    (closed, opened): (f64, f64),
+) -> Option<f64> {
+    let slope = travel_by_radius(case.sheave.half_angle);
+    let of_primary = actuation.primary_travel.and_then(|travel| {
+        let primary = primary + (travel - closed) / slope;
+        Some(radius_beside(primary, case.belt.length, case.drive.center_distance).ok()? / primary)
+    });
+    let of_secondary =
+        actuation.secondary_travel.and_then(|travel| by_secondary(case, secondary - (travel - opened) / slope));
+    of_primary.into_iter().chain(of_secondary).reduce(f64::max)
 }
 
 /// `count` nominal ratios from low to high, evenly spaced in the speed of the vehicle at one speed of the engine.
@@ -407,19 +419,8 @@ impl Drive<'_> {
     /// The ratio at which a sheave comes to its stop at high ratio if the belt stays as deep in its grooves as at a
     /// point; zero if it does at none.
     fn stop_ratio(&self, from: &ShiftPoint) -> f64 {
-        let (length, center) = (self.case.belt.length, self.case.drive.center_distance);
-        let Ok((primary, secondary)) = radii_of_ratio(from.ratio, length, center) else { return 0.0 };
-        let left = |travel: f64, most: f64| (most - travel) / travel_by_radius(self.case.sheave.half_angle);
-        let Actuation { primary_travel, secondary_travel, .. } = self.actuation;
-        let by_primary = primary_travel.and_then(|most| {
-            let primary = primary + left(from.travels.0, most);
-            Some(radius_beside(primary, length, center).ok()? / primary)
-        });
-        let by_secondary = secondary_travel.and_then(|most| {
-            let secondary = secondary - left(from.travels.1, most);
-            Some(secondary / radius_beside(secondary, length, center).ok()?)
-        });
-        by_primary.into_iter().chain(by_secondary).fold(0.0, f64::max)
+        let radii = radii_of_ratio(from.ratio, self.case.belt.length, self.case.drive.center_distance).ok();
+        radii.and_then(|radii| stop_ratio(self.case, self.actuation, radii, from.travels)).unwrap_or(0.0)
     }
 
     fn balance(

@@ -174,6 +174,12 @@ pub fn fit(
     Ok(Fitted { iterations, converged, obstacle, ..finished(&here, values, &bounds) })
 }
 
+/// Of each parameter, whether it is at an end of its bounds that the slope of the residuals' squares leads out of.
+fn held(values: &[f64], bounds: &[Bounds], slope: &DVector<f64>) -> Vec<bool> {
+    let all = values.iter().zip(bounds).zip(slope.iter());
+    all.map(|((value, bounds), slope)| bounds.is_left_by(*value, -slope)).collect()
+}
+
 /// A damped step of the logarithms that stays within the bounds; `None` where its equations have no solution. What is
 /// at an end of its bounds that the slope leads out of is held there; what would go beyond an end goes as far as that;
 /// the others go where it is best for them with these.
@@ -184,8 +190,8 @@ fn bounded_step(
     values: &[f64],
     bounds: &[Bounds],
 ) -> Option<DVector<f64>> {
-    let held = |((value, bounds), slope): ((&f64, &Bounds), &f64)| bounds.is_left_by(*value, -slope).then_some(0.0);
-    let mut fixed: Vec<Option<f64>> = values.iter().zip(bounds).zip(slope.iter()).map(held).collect();
+    let held = held(values, bounds, slope);
+    let mut fixed: Vec<Option<f64>> = held.into_iter().map(|held| held.then_some(0.0)).collect();
     loop {
         let free: Vec<usize> = fixed.iter().enumerate().filter(|(_, step)| step.is_none()).map(|(at, _)| at).collect();
         let mut step = DVector::from_iterator(fixed.len(), fixed.iter().map(|step| step.unwrap_or(0.0)));
@@ -224,9 +230,7 @@ pub const SINGULAR: f64 = 1e6;
 /// What a fit has found, before anything is known of how it went.
 fn finished(here: &Linearised, values: Vec<f64>, bounds: &[Bounds]) -> Fitted {
     let (matrix, residuals) = system(here, values.len());
-    let slope = matrix.transpose() * &residuals;
-    let held = |((value, bounds), slope): ((&f64, &Bounds), &f64)| bounds.is_left_by(*value, -slope);
-    let held = values.iter().zip(bounds).zip(slope.iter()).map(held).collect();
+    let held = held(&values, bounds, &(matrix.transpose() * &residuals));
     let (count, parameters) = (residuals.len(), values.len());
     let lengths: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
     let mut unit = matrix;

@@ -9,7 +9,7 @@ use crate::actuator::Profile;
 use crate::case::Case;
 use crate::equilibrium::{Direction, Equilibrium, EquilibriumError, Phase, equilibrium, equilibrium_from};
 use crate::model::Constant;
-use crate::result::utilizations;
+use crate::result::slip_reserve;
 
 /// One place, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -87,12 +87,11 @@ fn solve(
 }
 
 fn read(found: &Equilibrium) -> Result<CheckPoint, InverseError> {
-    let used = utilizations(&found.solved)?;
     debug_assert!(found.phase != Phase::Held, "a drive with flyweights holds no position");
     Ok(CheckPoint {
         secondary_speed: found.output(crate::model::Output::SecondarySpeed)?,
         primary_speed: found.primary_speed(),
         ratio: found.solved.constant(Constant::SecondaryRadius) / found.solved.constant(Constant::PrimaryRadius),
-        slip_reserve: 1.0 - used[0].abs().max(used[1].abs()),
+        slip_reserve: slip_reserve(&found.solved)?,
     })
 }

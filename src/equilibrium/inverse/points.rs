@@ -13,7 +13,7 @@ use crate::equilibrium::Direction;
 use crate::equilibrium::question::{Given, Whole, ordinary};
 use crate::model::{Constant, Output};
 use crate::quantity::rpm;
-use crate::result::{is_buckled, utilizations};
+use crate::result::{is_buckled, slip_reserve};
 
 /// Slack tensions of the first solution over M_in/R_P.
 const FIRST: [f64; 5] = [0.35, 0.7, 0.2, 1.2, 0.1];
@@ -293,7 +293,7 @@ impl<'a> Held<'a> {
         let mut here = solved;
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..RESERVES {
-            let (tension, missing) = (libm::log(here.constant(Constant::SlackTension)), wanted - reserve(&here)?);
+            let (tension, missing) = (libm::log(here.constant(Constant::SlackTension)), wanted - slip_reserve(&here)?);
             if missing.abs() <= MET {
                 return Ok(here);
             }
@@ -307,7 +307,7 @@ impl<'a> Held<'a> {
         }
         let ratio = here.constant(Constant::SecondaryRadius) / here.constant(Constant::PrimaryRadius);
         let remedy = "no slack tension was found that leaves as much; ask for another reserve";
-        Err(InverseError::Reserve { ratio, reserve: reserve(&here)?, wanted, remedy })
+        Err(InverseError::Reserve { ratio, reserve: slip_reserve(&here)?, wanted, remedy })
     }
 
     fn read(&self, solved: &Solved) -> Result<InversePoint, InverseError> {
@@ -325,16 +325,10 @@ impl<'a> Held<'a> {
             primary_axial_force: outputs.get(Output::PrimaryAxialForce)?,
             secondary_axial_force: outputs.get(Output::SecondaryAxialForce)?,
             slack_tension: solved.constant(Constant::SlackTension),
-            slip_reserve: reserve(solved)?,
+            slip_reserve: slip_reserve(solved)?,
             efficiency: efficiency.is_finite().then_some(efficiency),
             buckled: is_buckled(solved.constant(Constant::PrimaryWrap), solved.constant(Constant::SecondaryWrap)),
             pushed: Compressed::of(&solved.belt, &solved.solution).is_some(),
         })
     }
-}
-
-/// Share of the friction at hand that is left over on the pulley that has less.
-fn reserve(solved: &Solved) -> Result<f64, InverseError> {
-    let used = utilizations(solved)?;
-    Ok(1.0 - used[0].abs().max(used[1].abs()))
 }
