@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::screen::Drive;
+use super::drive::Drive;
 use super::unfit::{ShiftPoint, Unfit};
 use crate::beltmap::{Quantity, Report, holds};
 use crate::case::Resolved;

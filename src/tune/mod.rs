@@ -7,6 +7,7 @@
 //! equilibrium of the whole drive at the same speeds of the secondary.
 
 mod belongs;
+mod drive;
 mod error;
 mod full;
 mod parts;
