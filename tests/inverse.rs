@@ -4,11 +4,14 @@
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
-use sheave::actuator::{Mechanism, PrimaryActuator, Profile};
+use sheave::actuator::{AngleFrom, Mechanism, PrimaryActuator, Profile};
 use sheave::case::{Case, Key};
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::inverse::{Inverse, InverseError, InverseOptions, Made, Shape, dxf, inverse, surface};
+use sheave::equilibrium::inverse::{
+    Inverse, InverseError, InverseOptions, Made, Shape, dxf, inverse, inverse_summary, inverse_table, surface,
+};
 use sheave::equilibrium::{Direction, Phase, equilibrium};
+use sheave::study::Cell;
 
 const RPM: f64 = PI / 30.0;
 const MM: f64 = 1e-3;
@@ -91,7 +94,36 @@ fn a_ramp_for_roller_arms_holds_the_target() {
     };
     let Mechanism::RollerArm(arm) = &flyweights.mechanism else { panic!("no arm") };
     assert!((path.values()[0] - arm.ramp.at(path.places()[0]).value).abs() < 1e-6);
+    // In the table the roller stands on the ramp that was made where the arm has it at the row's travel.
+    let made = found.case.resolve().unwrap();
+    let PrimaryActuator::Flyweights { flyweights, .. } = &made.parts.actuation.as_ref().unwrap().primary else {
+        panic!("no flyweights")
+    };
+    let Mechanism::RollerArm(arm) = &flyweights.mechanism else { panic!("no arm") };
+    let rows = columns(&found, ["primary_travel", "ramp_radius"]);
+    assert_eq!(rows.len(), part.travels.len());
+    assert!(rows[0][0].abs() < 1e-12 && part.travels.len() > found.points.len(), "no place before the belt's");
+    for [travel, radius] in &rows {
+        let wanted = arm.radius(arm.angle(*travel).unwrap());
+        assert!((radius - wanted).abs() < 1e-6, "at {travel}: {radius} for {wanted}");
+    }
+    // Low ratio is the first point of the belt, not the open primary.
+    let [_, radius] = rows[rows.len() - found.points.len()];
+    let said = format!("{:.2} mm at low ratio", 1e3 * radius);
+    let summary = inverse_summary(&found, AngleFrom::Rotation);
+    assert!(summary.contains(&said), "{said}: {summary}");
     holds(&case, &found);
+}
+
+/// The numbers of two columns of the table, in all its rows.
+fn columns(found: &Inverse, names: [&str; 2]) -> Vec<[f64; 2]> {
+    let table = inverse_table(found);
+    let at = names.map(|name| table.columns.iter().position(|column| column == name).unwrap());
+    let number = |cell: &Cell| match cell {
+        Cell::Number(number) => number.as_f64().unwrap(),
+        other => panic!("{other:?}"),
+    };
+    table.rows.iter().map(|row| at.map(|at| number(&row[at]))).collect()
 }
 
 #[test]
@@ -152,6 +184,42 @@ fn a_cam_holds_the_target() {
     let found = made(&case, &options(3150.0, Made::Ramp));
     assert!(matches!(&found.parts[0].shape, Shape::Cam(profile) if profile.values().len() >= 15));
     holds(&case, &found);
+}
+
+/// The roller comes nearer to the pivot as the primary closes: the profile's places fall as the travel grows.
+#[test]
+fn a_cam_to_which_the_roller_comes_nearer_is_told_along_the_shift() {
+    let mut case = gx9();
+    for key in case.keys().filter(|key| key.entry().section() == "primary.actuator").collect::<Vec<_>>() {
+        case.unset(key.path()).unwrap();
+    }
+    for (key, value) in [
+        ("type", "cam"),
+        ("count", "4"),
+        ("mass", "134 g"),
+        ("pivot_radius", "40 mm"),
+        ("roller_radius", "52 mm"),
+        ("roller_start", "-46 mm"),
+        ("mass_distance", "28 mm"),
+        ("mass_angle", "-17 deg"),
+    ] {
+        case.set(&format!("primary.actuator.{key}"), value).unwrap();
+    }
+    let distances: Vec<f64> = (11..=25).map(|i| 2.0 * f64::from(i) * MM).collect();
+    let angles: Vec<f64> = distances.iter().map(|distance| 0.72 - 20.0 * distance).collect();
+    case.set_list(Key::PitchDistances, &distances).unwrap();
+    case.set_list(Key::PitchAngles, &angles).unwrap();
+    let found = made(&case, &options(3200.0, Made::Ramp));
+    let rows = columns(&found, ["primary_travel", "pitch_distance"]);
+    for [travel, distance] in &rows {
+        let wanted = (12.0 * MM).hypot(travel - 46.0 * MM);
+        assert!((distance - wanted).abs() < 1e-9, "at {travel}: {distance} for {wanted}");
+    }
+    let angles = columns(&found, ["primary_travel", "pitch_angle"]);
+    let [low, high] = [rows.len() - found.points.len(), rows.len() - 1].map(|row| angles[row][1].to_degrees());
+    let said = format!("{low:.2} ° at low ratio to {high:.2} ° at high ratio");
+    let summary = inverse_summary(&found, AngleFrom::Rotation);
+    assert!(summary.contains(&said), "{said}: {summary}");
 }
 
 #[test]

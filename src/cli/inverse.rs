@@ -33,7 +33,7 @@ pub struct RampArguments {
     #[command(flatten)]
     common: Common,
     /// Radius of the roller of an arm: its ramp's surface is drawn beside the path of the roller's centre
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     roller_radius: Option<String>,
 }
 
@@ -56,7 +56,7 @@ struct Common {
     #[command(flatten)]
     case: CaseArguments,
     /// Speed to hold the engine at: "3400 rpm"
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     target: String,
     /// Least slip reserve over the shift, as a share of the friction at hand, from 0 to below 1; with --both the
     /// reserve at every place: 0.3 or 30% [default: 0; 0.3 with --both]
@@ -266,12 +266,13 @@ fn outlines(found: &Inverse, roller: Option<f64>) -> Result<Vec<(&'static str, V
 }
 
 fn profile<'a>(section: &'static str, shape: &'a Shape) -> ProfileTold<'a> {
-    let (kind, profile) = match shape {
-        Shape::Coefficient(profile) => ("coefficient", profile),
-        Shape::Ramp(profile) => ("ramp", profile),
-        Shape::Roller(profile) => ("roller", profile),
-        Shape::Cam(profile) => ("cam", profile),
-        Shape::Helix(profile, _) => ("helix", profile),
+    let kind = match shape {
+        Shape::Coefficient(_) => "coefficient",
+        Shape::Ramp(_) => "ramp",
+        Shape::Roller(_) => "roller",
+        Shape::Cam(_) => "cam",
+        Shape::Helix(..) => "helix",
     };
+    let profile = shape.profile();
     ProfileTold { section, kind, places: profile.places(), values: profile.values() }
 }

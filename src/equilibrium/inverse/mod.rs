@@ -116,12 +116,26 @@ impl InverseOptions {
 pub struct MadePart {
     /// Its profile.
     pub shape: Shape,
+    /// Travel of the primary in m at each place of the profile: along a cam to which the roller comes nearer, they fall.
+    /// Before the first point of the belt there may be one where the primary is open.
+    pub travels: Vec<f64>,
     /// Name of the section: `primary.actuator` or `secondary.actuator`.
     pub section: &'static str,
     /// All of the section, as the text of a part in a file of its own.
     pub text: String,
     /// Its curve, where it is one that can be drawn to scale.
     pub outlines: Vec<Outline>,
+}
+
+impl MadePart {
+    /// Travel of the primary, place and value of the profile, in the order in which the sheaves come to them; SI.
+    pub fn along(&self) -> Vec<(f64, f64, f64)> {
+        let profile = self.shape.profile();
+        let places = self.travels.iter().zip(profile.places()).zip(profile.values());
+        let mut along: Vec<_> = places.map(|((travel, place), value)| (*travel, *place, *value)).collect();
+        along.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        along
+    }
 }
 
 /// The profiles that hold the engine at a speed, and how well they do it.
@@ -220,13 +234,13 @@ pub fn inverse(case: &Case, options: &InverseOptions) -> Result<Inverse, Inverse
         shapes.push(helix_shape(&held.actuation.secondary, &points, options.direction.secondary())?);
     }
     let mut with = case.clone();
-    for shape in &shapes {
+    for (shape, _) in &shapes {
         place(&mut with, shape, held.actuation.angle_from)?;
     }
-    let parts = shapes.into_iter().map(|shape| {
+    let parts = shapes.into_iter().map(|(shape, travels)| {
         let section = section(&shape);
         let outlines = drawing::outlines(&shape, held.actuation);
-        MadePart { text: with.part_toml(section), shape, section, outlines }
+        MadePart { text: with.part_toml(section), shape, travels, section, outlines }
     });
     let parts = parts.collect();
     let check = check::check(&with, &points, options)?;

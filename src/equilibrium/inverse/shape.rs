@@ -39,6 +39,19 @@ pub enum Shape {
     Helix(Profile, Vec<f64>),
 }
 
+impl Shape {
+    /// What is given over what.
+    pub const fn profile(&self) -> &Profile {
+        match self {
+            Self::Coefficient(profile)
+            | Self::Ramp(profile)
+            | Self::Roller(profile)
+            | Self::Cam(profile)
+            | Self::Helix(profile, _) => profile,
+        }
+    }
+}
+
 /// The force of a spring that may be none, at every travel, N.
 pub(super) fn spring_forces(spring: Option<&Spring>, travels: &[f64]) -> Result<Vec<f64>, InverseError> {
     let force = |travel: &f64| match spring {
@@ -48,18 +61,19 @@ pub(super) fn spring_forces(spring: Option<&Spring>, travels: &[f64]) -> Result<
     travels.iter().map(force).collect()
 }
 
-/// The profile of the flyweights that press with what the belt and the spring take, at a speed in rad/s.
+/// The profile of the flyweights that press with what the belt and the spring take, at a speed in rad/s; and the travel
+/// at each of its places.
 pub(super) fn flyweight_shape(
     actuator: &PrimaryActuator,
     points: &[InversePoint],
     speed: f64,
     shift: Shift,
-) -> Result<Shape, InverseError> {
+) -> Result<(Shape, Vec<f64>), InverseError> {
     let PrimaryActuator::Flyweights { flyweights, spring } = actuator else {
         let needs = "a servo has no profile; give primary.actuator.type = \"table\", \"ramp\", \"arm\" or \"cam\"";
         return Err(InverseError::Missing { what: "flyweights", needs });
     };
-    let travels: Vec<f64> = points.iter().map(|point| point.primary_travel).collect();
+    let mut travels: Vec<f64> = points.iter().map(|point| point.primary_travel).collect();
     let springs = spring_forces(spring.as_ref(), &travels)?;
     let mut forces = Vec::with_capacity(points.len());
     for (point, spring) in points.iter().zip(&springs) {
@@ -73,20 +87,26 @@ pub(super) fn flyweight_shape(
     }
     // Below the low stop the belt is held by the secondary's stop: the profile goes on to where the primary is open,
     // with the force that it has at the stop.
-    let mut travels = travels;
     if let (Some(first), Some(second), Some(force)) = (travels.first(), travels.get(1), forces.first())
         && *first > 0.25 * (second - first)
     {
         forces.insert(0, *force);
         travels.insert(0, 0.0);
     }
-    let wanted = Wanted { flyweights, forces: profile(travels, forces)?, speed, shift };
-    match &flyweights.mechanism {
-        Mechanism::Coefficient { lost, .. } => wanted.coefficient(*lost),
-        Mechanism::Ramp { radius, friction_angle } => wanted.ramp(radius, *friction_angle),
-        Mechanism::RollerArm(arm) => wanted.roller(arm),
-        Mechanism::CamArm(arm) => wanted.cam(arm),
-    }
+    let wanted = Wanted { flyweights, forces: profile(travels.clone(), forces)?, speed, shift };
+    let shape = match &flyweights.mechanism {
+        Mechanism::Coefficient { lost, .. } => wanted.coefficient(*lost)?,
+        Mechanism::Ramp { radius, friction_angle } => wanted.ramp(radius, *friction_angle)?,
+        Mechanism::RollerArm(arm) => wanted.roller(arm)?,
+        Mechanism::CamArm(arm) => {
+            let (shape, falls) = wanted.cam(arm)?;
+            if falls {
+                travels.reverse();
+            }
+            shape
+        }
+    };
+    Ok((shape, travels))
 }
 
 fn profile(places: Vec<f64>, values: Vec<f64>) -> Result<Profile, InverseError> {
@@ -158,8 +178,8 @@ impl Wanted<'_> {
         Ok(Shape::Roller(profile(places, angles.iter().map(|angle| arm.radius(*angle)).collect())?))
     }
 
-    /// dξ/ds from ξ; the distance follows from the travel.
-    fn cam(&self, arm: &CamArm) -> Result<Shape, InverseError> {
+    /// dξ/ds from ξ; the distance follows from the travel. And whether the distance falls as the travel grows.
+    fn cam(&self, arm: &CamArm) -> Result<(Shape, bool), InverseError> {
         const NAME: &str = "cam";
         let state = |travel: f64, at: (f64, f64)| arm.state(self.flyweights, (self.speed, travel), self.shift, at);
         let slope = |travel: f64, angle: f64| {
@@ -178,23 +198,24 @@ impl Wanted<'_> {
         let start = arm.pitch_curve.at(distance(&first)).value;
         let mut angles = integrated(NAME, &self.forces, start, slope)?;
         let mut distances: Vec<f64> = travels.iter().map(distance).collect();
-        if distances.first() > distances.last() {
+        let falls = distances.first() > distances.last();
+        if falls {
             distances.reverse();
             angles.reverse();
         }
         let reason = "the roller comes nearer to the pivot and goes away again, so that one place of the cam would \
             have to press twice: move the roller, or the pivot, along the shaft";
         increasing(NAME, travels, &distances, reason)?;
-        Ok(Shape::Cam(profile(distances, angles)?))
+        Ok((Shape::Cam(profile(distances, angles)?), falls))
     }
 }
 
-/// The helix that presses with what the belt takes beyond the spring.
+/// The helix that presses with what the belt takes beyond the spring; and the primary's travel at each of its places.
 pub(super) fn helix_shape(
     actuator: &SecondaryActuator,
     points: &[InversePoint],
     shift: Shift,
-) -> Result<Shape, InverseError> {
+) -> Result<(Shape, Vec<f64>), InverseError> {
     const NAME: &str = "helix";
     let SecondaryActuator::Helix { helix, spring } = actuator else {
         let needs = "a servo has no profile; give secondary.actuator.type = \"helix\"";
@@ -225,7 +246,8 @@ pub(super) fn helix_shape(
         angle(*opening, *turn).map_err(told)
     });
     let angles = angles.collect::<Result<_, _>>()?;
-    Ok(Shape::Helix(profile(openings, angles)?, turns))
+    let travels = points.iter().map(|point| point.primary_travel).collect();
+    Ok((Shape::Helix(profile(openings, angles)?, turns), travels))
 }
 
 /// The helix angle at an opening where the sheave has turned so far.

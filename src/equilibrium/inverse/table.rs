@@ -32,29 +32,34 @@ const BELT: [Column; 10] = [
     ("efficiency", |point| point.efficiency.unwrap_or(f64::NAN)),
 ];
 
-/// The belt along the shift, and behind it the profiles, one row a point; SI, helix angles from the plane of rotation.
+/// The belt along the shift, and behind it the profiles at the same travels of the primary, one row a travel; SI, helix
+/// angles from the plane of rotation. Where a profile has a place before the belt's first point, the row of that has no
+/// more of the belt than the travel.
 pub fn inverse_table(made: &Inverse) -> Table {
     let mut columns: Vec<String> = BELT.map(|(header, _)| header.to_owned()).into();
     let row = |point| BELT.map(|(_, value)| number(value(point))).into();
     let mut rows: Vec<Vec<Cell>> = made.points.iter().map(row).collect();
-    for part in &made.parts {
-        let (names, profile) = match &part.shape {
-            Shape::Coefficient(profile) => (["travel", "coefficient"], profile),
-            Shape::Ramp(profile) => (["travel", "radius"], profile),
-            Shape::Roller(profile) => (["ramp_place", "ramp_radius"], profile),
-            Shape::Cam(profile) => (["pitch_distance", "pitch_angle"], profile),
-            Shape::Helix(profile, _) => (["helix_opening", "helix_angle"], profile),
+    let profiles: Vec<_> = made.parts.iter().map(|part| (part, part.along())).collect();
+    let first = made.points.first().map_or(f64::NEG_INFINITY, |point| point.primary_travel);
+    let longest = profiles.iter().map(|(_, along)| along.as_slice()).max_by_key(|along| along.len());
+    let before = longest.unwrap_or_default().iter().map(|(travel, ..)| *travel).take_while(|travel| *travel < first);
+    let before: Vec<Vec<Cell>> = before
+        .map(|travel| std::iter::once(number(travel)).chain(BELT.iter().skip(1).map(|_| Cell::Empty)).collect())
+        .collect();
+    rows.splice(0..0, before);
+    for (part, along) in &profiles {
+        let names = match &part.shape {
+            Shape::Coefficient(_) => ["travel", "coefficient"],
+            Shape::Ramp(_) => ["travel", "radius"],
+            Shape::Roller(_) => ["ramp_place", "ramp_radius"],
+            Shape::Cam(_) => ["pitch_distance", "pitch_angle"],
+            Shape::Helix(..) => ["helix_opening", "helix_angle"],
         };
-        // A ramp may have a point more, where the primary is open.
-        let before = columns.len();
         columns.extend(names.map(str::to_owned));
-        let more = profile.places().len().saturating_sub(rows.len());
-        rows.extend(std::iter::repeat_n(vec![Cell::Empty; before], more));
-        let mut points = profile.places().iter().zip(profile.values());
-        for row in &mut rows {
-            let cells = points.next().map_or([Cell::Empty, Cell::Empty], |(place, value)| [*place, *value].map(number));
-            row.extend(cells);
-        }
+        let without = rows.len().saturating_sub(along.len());
+        let cells = along.iter().map(|(_, place, value)| [*place, *value].map(number));
+        let cells = std::iter::repeat_n([Cell::Empty, Cell::Empty], without).chain(cells);
+        rows.iter_mut().zip(cells).for_each(|(row, cells)| row.extend(cells));
     }
     Table { columns, rows }
 }
@@ -179,14 +184,18 @@ pub fn inverse_summary(made: &Inverse, angle_from: AngleFrom) -> String {
     }
     line("smallest slip reserve", format!("{:.1} % of the friction at hand", 100.0 * made.smallest_reserve()));
     for part in &made.parts {
-        let (name, profile, scale, unit) = match &part.shape {
-            Shape::Coefficient(profile) => ("r dr/ds", profile, 1e3, "mm"),
-            Shape::Ramp(profile) => ("radius of the flyweights", profile, 1e3, "mm"),
-            Shape::Roller(profile) => ("radius of the roller", profile, 1e3, "mm"),
-            Shape::Cam(profile) => ("angle of the cam", profile, Unit::DEGREE.per_si(), "°"),
-            Shape::Helix(profile, _) => ("helix angle", profile, Unit::DEGREE.per_si(), "°"),
+        let (name, scale, unit) = match &part.shape {
+            Shape::Coefficient(_) => ("r dr/ds", 1e3, "mm"),
+            Shape::Ramp(_) => ("radius of the flyweights", 1e3, "mm"),
+            Shape::Roller(_) => ("radius of the roller", 1e3, "mm"),
+            Shape::Cam(_) => ("angle of the cam", Unit::DEGREE.per_si(), "°"),
+            Shape::Helix(..) => ("helix angle", Unit::DEGREE.per_si(), "°"),
         };
-        let (Some(first), Some(last)) = (profile.values().first(), profile.values().last()) else { continue };
+        // What stands before the belt's first point is below the low ratio.
+        let along = part.along();
+        let mut shifting = along.iter().skip(along.len().saturating_sub(made.points.len()));
+        let Some((_, _, first)) = shifting.next() else { continue };
+        let last = shifting.last().map_or(first, |(_, _, last)| last);
         let shown = |value: f64| match part.shape {
             Shape::Helix(..) => scale * angle_from.from_rotation(value),
             _ => scale * value,
