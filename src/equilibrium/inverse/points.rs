@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::error::InverseError;
-use crate::actuator::travel_by_radius;
+use crate::actuator::{PrimaryActuator, SecondaryActuator, travel_by_radius};
 use crate::case::geometry::{radius_beside, wrap_angles};
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
 use crate::drive::{
@@ -236,9 +236,16 @@ impl<'a> Held<'a> {
     }
 
     const fn clamps(&self) -> &'static str {
+        let (primary, secondary) = (&self.actuation.primary, &self.actuation.secondary);
         match self.clamp {
-            ClampedBy::Secondary => "helix and spring clamp",
-            ClampedBy::Primary => "flyweights and spring clamp",
+            ClampedBy::Secondary => match secondary {
+                SecondaryActuator::Helix { .. } => "helix and spring clamp",
+                SecondaryActuator::Force(_) => "the secondary's servo clamps",
+            },
+            ClampedBy::Primary => match primary {
+                PrimaryActuator::Flyweights { .. } => "flyweights and spring clamp",
+                PrimaryActuator::Force(_) | PrimaryActuator::Position(_) => "the primary's servo clamps",
+            },
             ClampedBy::Reserve(_) => "the reserve that is asked for is left by",
         }
     }
