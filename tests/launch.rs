@@ -5,7 +5,7 @@ use std::path::Path;
 
 use sheave::case::Case;
 use sheave::drive::SolveOptions;
-use sheave::equilibrium::{Direction, ShiftOptions, shift_branch};
+use sheave::equilibrium::{Direction, ShiftBranch, ShiftOptions, shift_branch};
 use sheave::launch::{LaunchCurve, LaunchError, LaunchOptions, LaunchPhase, launch};
 use sheave::powertrain::Vehicle;
 
@@ -106,6 +106,51 @@ fn what_does_not_start_or_is_wrong_is_said() {
     }
 }
 
+/// A drive that takes off at 50 rad/s and delivers a constant torque.
+fn steady() -> LaunchCurve {
+    let speeds = [50.0, 100.0, 200.0, 400.0];
+    let out = speeds.map(|speed| 20.0 * speed);
+    LaunchCurve::from_values(&speeds, [&[300.0; 4], &[2.0; 4], &out.map(|out| out / 0.8), &out]).unwrap()
+}
+
+/// The clutch slips for good only where the top speed itself lies below take-off, whatever share of it counts.
+#[test]
+fn a_share_below_take_off_is_reached_while_the_clutch_slips() {
+    let options = LaunchOptions { distances: vec![1.0], share_of_top: 0.05 };
+    let found = launch(&steady(), &vehicle(), &options).unwrap();
+    let acceleration = 0.9 * 20.0 * 8.0 / 0.28 / 250.0;
+    let (take_off, goal) = (50.0 * 0.28 / 8.0, 0.05 * 400.0 * 0.28 / 8.0);
+    assert!(goal < take_off);
+    assert!((found.done.time - goal / acceleration).abs() < 1e-6, "{:?}", found.done);
+    assert!((found.lock_up.time - take_off / acceleration).abs() < 1e-6, "{:?}", found.lock_up);
+    // Drag that the torque meets just above take-off, and just below.
+    let force = 0.9 * 20.0 * 8.0 / 0.28;
+    for (share, locks) in [(1.005, true), (0.995, false)] {
+        let drag = Vehicle { drag_area: force / (0.5 * 1.2 * (share * take_off).powi(2)), ..vehicle() };
+        let found = launch(&steady(), &drag, &LaunchOptions { distances: vec![1.0], ..LaunchOptions::default() });
+        match found {
+            Ok(found) => assert!(locks && (found.top_speed / take_off - share).abs() < 1e-6, "{found:?}"),
+            Err(error) => assert!(!locks && matches!(error, LaunchError::NeverLocks { .. }), "{share}: {error}"),
+        }
+    }
+}
+
+/// Twenty kilometres take longer than ten minutes; what would take for ever says how far it comes.
+#[test]
+fn a_long_distance_is_covered_and_energies_are_told_with_their_end() {
+    let over = |distance: f64| LaunchOptions { distances: vec![distance], ..LaunchOptions::default() };
+    let slow = Vehicle { rolling_resistance: 0.05, ..vehicle() };
+    let found = launch(&steady(), &slow, &over(20e3)).unwrap();
+    assert!(found.marks[0].time > 1000.0 && found.end.time == found.marks[0].time, "{:?}", found.end);
+    assert!((found.end.distance - 20e3).abs() < 1e-3 && found.done.time < 60.0, "{:?} {:?}", found.end, found.done);
+    let kinetic = 0.5 * slow.mass * found.end.speed.powi(2);
+    assert!((found.energy.kinetic / kinetic - 1.0).abs() < 1e-9, "{:?}", found.energy);
+    let error = launch(&steady(), &slow, &over(1e9)).unwrap_err();
+    let LaunchError::Endless { time, reached, wanted } = error else { panic!("{error}") };
+    assert_eq!(wanted.1, 1e9);
+    assert!(reached.1 > 0.9 * time * found.top_speed && reached.1 < wanted.1, "{reached:?}");
+}
+
 /// The whole drive of the example: the audit closes, and the acceleration is that of the shift curve's points.
 #[test]
 fn a_whole_drive_launches() {
@@ -131,4 +176,15 @@ fn a_whole_drive_launches() {
     for point in clutch {
         assert!((point.engine_speed - engine).abs() < 1e-6 * engine, "{} {engine}", point.engine_speed / RPM);
     }
+    // Where no take-off was found, the clutch slips until the first state of the curve, and that is said; where the
+    // engine cannot run so slowly, nothing is told.
+    let engine = case.parts.engine.as_ref().unwrap();
+    assert_eq!(curve.beginning(&branch, engine).unwrap(), None);
+    let without = ShiftBranch { take_off: None, ..branch.clone() };
+    let said = curve.beginning(&without, engine).unwrap().unwrap();
+    assert!(said.contains("No take-off was found"), "{said}");
+    let speeds = [5.0, 100.0, 200.0, 400.0];
+    let stalling = LaunchCurve::from_values(&speeds, [&[27.0, 300.0, 300.0, 300.0], &[2.0; 4], &[1e3; 4], &[9e2; 4]]);
+    let error = stalling.unwrap().beginning(&without, engine).unwrap_err();
+    assert!(matches!(error, LaunchError::NoTakeOff { .. }), "{error}");
 }

@@ -30,8 +30,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Distance of which the time is told, again for more [default: 100 ft and 150 ft]
-    #[arg(long, value_name = "LENGTH")]
+    /// Distance of which the time is told, covered within two hours; again for more [default: 100 ft and 150 ft]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     distance: Vec<String>,
     /// Share of the top speed at which the launch is done, above 0 and below 1
     #[arg(long, value_name = "S", default_value_t = 0.99, value_parser = share)]
@@ -82,9 +82,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let branch =
         shift_branch(&resolved, Direction::Up, &shift, &mut |_| ControlFlow::Continue(())).map_err(no_equilibrium)?;
     let curve = LaunchCurve::new(&branch).map_err(stop)?;
+    let beginning = match &resolved.parts.engine {
+        Some(engine) => curve.beginning(&branch, engine).map_err(stop)?,
+        None => None,
+    };
     let found = launch(&curve, &vehicle, &options).map_err(stop)?;
     let mut warnings = unused_keys(&case);
     warnings.extend(branch.remarks.iter().cloned());
+    warnings.extend(beginning);
     warnings.extend(beyond_engine(&resolved, found.points.iter().map(|point| point.engine_speed)));
     let reports = || branch.points.iter().filter_map(|point| point.report.as_ref().ok());
     let missing = branch.points.len() - reports().count();

@@ -4,7 +4,8 @@ use thiserror::Error;
 
 use crate::actuator::{Profile, ProfileError};
 use crate::equilibrium::{EquilibriumError, ShiftBranch};
-use crate::quantity::km_per_h;
+use crate::powertrain::Engine;
+use crate::quantity::{km_per_h, rpm};
 
 /// Why there is no launch.
 #[derive(Debug, Error)]
@@ -54,8 +55,33 @@ pub enum LaunchError {
         expected: &'static str,
     },
     /// The launch did not end.
-    #[error("the vehicle gets neither to its top speed nor over the distances asked for within {0:.0} s")]
-    Endless(f64),
+    #[error(
+        "the launch does not end within {time:.0} s, the longest that is computed: the vehicle has come to {:.1} of \
+         {:.1} km/h and over {:.0} of {:.0} m; ask for a shorter distance, or for a smaller share of the top speed",
+        km_per_h(reached.0), km_per_h(wanted.0), reached.1, wanted.1
+    )]
+    Endless {
+        /// The longest launch, s.
+        time: f64,
+        /// Speed and distance by then, m/s and m.
+        reached: (f64, f64),
+        /// Speed and distance at which it would have ended, m/s and m.
+        wanted: (f64, f64),
+    },
+    /// Nothing says how fast the engine runs while the clutch slips.
+    #[error(
+        "the drive has no take-off, at which the engine would run while the clutch slips: its slowest state has the \
+         engine at {:.0} rpm, and its torque is given from {:.0} rpm on; {reason}",
+        rpm(*engine), rpm(*slowest)
+    )]
+    NoTakeOff {
+        /// Speed of the engine in the slowest state that was found, rad/s.
+        engine: f64,
+        /// The least speed for which its torque is given, rad/s.
+        slowest: f64,
+        /// Why there is no take-off.
+        reason: String,
+    },
     /// What resists holds the vehicle below the speed at which the clutch locks up.
     #[error(
         "the vehicle gets no faster than {:.1} km/h against what resists it, and the belt takes the drive off at \
@@ -160,6 +186,30 @@ impl LaunchCurve {
             power_out: pieces(&|report| report.power_out)?,
             ends,
         })
+    }
+
+    /// Whether the curve begins where a clutch can: at take-off, or where no take-off was found at a state in which the
+    /// engine can run; then a warning that says what is told of the clutch rests on.
+    ///
+    /// # Errors
+    /// [`LaunchError::NoTakeOff`].
+    pub fn beginning(&self, branch: &ShiftBranch, engine: &Engine) -> Result<Option<String>, LaunchError> {
+        if branch.take_off.is_some() {
+            return Ok(None);
+        }
+        let (running, slowest) = (self.engine.at(self.ends.0), engine.range().0);
+        if running < slowest {
+            let reason = match branch.remarks.as_slice() {
+                [] => "the belt slips at every speed".to_owned(),
+                remarks => remarks.join("; "),
+            };
+            return Err(LaunchError::NoTakeOff { engine: running, slowest, reason });
+        }
+        Ok(Some(format!(
+            "No take-off was found: the clutch is taken to slip until the slowest state that was found, with the engine \
+             at {:.0} rpm; times and the clutch's heat rest on that.",
+            rpm(running)
+        )))
     }
 
     /// From functions' values at increasing speeds of the secondary: engine speed, ratio, power in and out, all SI.

@@ -16,8 +16,8 @@ const ROWS: usize = 400;
 const HALVINGS: usize = 60;
 /// Share by which the last point may miss what ended the launch, as the integrator locates it.
 const ENDED: f64 = 1e-6;
-/// Longest launch and longest step of its integration, s.
-const LONGEST: f64 = 600.0;
+/// Longest launch and longest step of its integration, s: two hours, in which a slow vehicle covers 20 km.
+const LONGEST: f64 = 7200.0;
 const LONGEST_STEP: f64 = 0.25;
 /// Over the time of the top speed, how far a table of what comes before goes.
 const LATER: f64 = 1.05;
@@ -92,7 +92,13 @@ pub struct Mark {
     pub speed: f64,
 }
 
-/// Where the energy went until the launch was done, J.
+impl Mark {
+    fn of(point: &LaunchPoint) -> Self {
+        Self { distance: point.distance, time: point.time, speed: point.speed }
+    }
+}
+
+/// Where the energy went from standstill until all that was asked for had been reached ([`Launch::end`]), J.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Energy {
@@ -126,6 +132,8 @@ pub struct Launch {
     pub done: Mark,
     /// When each distance was covered, in the order asked for.
     pub marks: Vec<Mark>,
+    /// When all of that had been reached: where the table over time ends, and until when energies are counted.
+    pub end: Mark,
     /// Where the energy went until then.
     pub energy: Energy,
     /// The launch over time.
@@ -225,16 +233,19 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
         return Err(LaunchError::Stalls { torque: curve.at(0.0).torque, load: vehicle.load(0.0).torque });
     }
     let (top_speed, limited_by_curve) = top(&motion, last);
-    let goal = options.share_of_top * top_speed;
-    if goal < take_off {
+    if top_speed <= take_off {
         return Err(LaunchError::NeverLocks { top_speed, take_off });
     }
-    motion.end = (goal, far);
+    let goal = options.share_of_top * top_speed;
+    // A small share is reached while the clutch still slips, and when it locks up is told all the same.
+    let last_goal = goal.max(take_off);
+    motion.end = (last_goal, far);
     // How long it takes, and then at even times.
     let whole = integrate(&motion, None)?;
     let mut moments = whole.0.iter().zip(&whole.1);
     let Some((&end, _)) = moments.find(|(time, state)| motion.event(**time, state) > -ENDED) else {
-        return Err(LaunchError::Endless(LONGEST));
+        let [speed, distance, ..] = whole.1.last().copied().unwrap_or_default();
+        return Err(LaunchError::Endless { time: LONGEST, reached: (speed, distance), wanted: (last_goal, far) });
     };
     let lost = || LaunchError::Integration("the end of a phase was not found".into());
     let table = |end: f64| -> Result<(Vec<LaunchPoint>, Option<State>), LaunchError> {
@@ -245,7 +256,7 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     };
     // The integrator ends a part of a step behind what ended it: the table ends there.
     let beyond = table(end)?.0;
-    let reached = crossing(&beyond, |point| (point.speed, point.acceleration), goal).ok_or_else(lost)?;
+    let reached = crossing(&beyond, |point| (point.speed, point.acceleration), last_goal).ok_or_else(lost)?;
     let covered = crossing(&beyond, |point| (point.distance, point.speed), far).map_or(0.0, |mark| mark.time);
     let (points, state) = table(reached.time.max(covered).min(end))?;
     // Over a long distance the rows lie too far apart to tell when something happens on the way to the top speed.
@@ -257,13 +268,14 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
     let marks = options
         .distances
         .iter()
-        .map(|wanted| mark(&|point| (point.distance, point.speed), *wanted).ok_or(LaunchError::Endless(LONGEST)));
+        .map(|wanted| mark(&|point| (point.distance, point.speed), *wanted).ok_or_else(lost));
     Ok(Launch {
         top_speed,
         limited_by_curve,
         lock_up: speeds(take_off).ok_or_else(lost)?,
         done: speeds(goal).unwrap_or(reached),
         marks: marks.collect::<Result<_, _>>()?,
+        end: points.last().map(Mark::of).ok_or_else(lost)?,
         energy: energy(vehicle, &state.ok_or_else(lost)?),
         points,
     })

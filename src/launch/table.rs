@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::Number;
 
 use super::run::{Launch, LaunchPhase, LaunchPoint};
-use crate::quantity::{km_per_h, rpm, unsigned_zero};
+use crate::quantity::{km_per_h, rpm, unsigned_zero, with_digits};
 use crate::study::{Cell, Table};
 
 /// The launch over time, one row a moment; SI.
@@ -66,7 +66,7 @@ pub fn launch_summary(launch: &Launch) -> String {
     );
     for mark in &launch.marks {
         line(
-            &format!("{:.0} ft ({:.2} m)", mark.distance / foot, mark.distance),
+            &format!("{} ft ({} m)", with_digits(mark.distance / foot, 0), with_digits(mark.distance, 2)),
             format!("{:.3} s, at {:.1} km/h", mark.time, km_per_h(mark.speed)),
         );
     }
@@ -86,10 +86,10 @@ pub fn launch_summary(launch: &Launch) -> String {
         let (kilojoules, percent) = (format!("{:.1}", 1e-3 * part), format!("{:.1}", 100.0 * part / energy.engine));
         format!("{} kJ, {} %", unsigned_zero(&kilojoules), unsigned_zero(&percent))
     };
-    let (end, covered) = launch.points.last().map_or((0.0, 0.0), |point| (point.time, point.distance));
+    let end = &launch.end;
     line(
         "energy from the engine",
-        format!("{:.1} kJ over {end:.2} s and {covered:.1} m, of which", 1e-3 * energy.engine),
+        format!("{:.1} kJ over {:.2} s and {:.1} m, of which", 1e-3 * energy.engine, end.time, end.distance),
     );
     for (name, part) in [
         ("  heat in the clutch", energy.clutch_heat),

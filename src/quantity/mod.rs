@@ -50,6 +50,25 @@ pub fn unsigned_zero(text: &str) -> &str {
     text.strip_prefix('-').filter(|number| !number.chars().any(|c| c.is_ascii_digit() && c != '0')).unwrap_or(text)
 }
 
+/// A number with so many decimals at least, and as many more as show three of its digits; with a power of ten where that
+/// would take more than twelve.
+///
+/// ```
+/// use sheave::quantity::with_digits;
+/// assert_eq!([with_digits(100.0, 0), with_digits(16.4, 0), with_digits(4e-7, 6)], ["100", "16.4", "0.000000400"]);
+/// assert_eq!([with_digits(0.0, 2), with_digits(-3e-15, 2)], ["0.00", "-3.00e-15"]);
+/// ```
+pub fn with_digits(value: f64, decimals: usize) -> String {
+    const DIGITS: f64 = 3.0;
+    const MOST: f64 = 12.0;
+    let needed = if value == 0.0 { 0.0 } else { DIGITS - 1.0 - libm::log10(value.abs()).floor() };
+    if needed > MOST {
+        return format!("{value:.2e}");
+    }
+    let decimals = decimals.max(needed.max(0.0) as usize);
+    format!("{value:.decimals$}")
+}
+
 /// A number with its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
