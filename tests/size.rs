@@ -124,6 +124,10 @@ fn what_is_wrong_is_said() {
     }
     let error = BeltDrive::read(None, &["linear.mass".into()], &[]).unwrap_err();
     assert!(matches!(error.problem(), SizeProblem::Assignment { .. }));
+    // Keys of an idler exist, in files and as a whole.
+    let error = BeltDrive::read(None, &["idler.diameter=3 mm".into()], &[]).unwrap_err();
+    assert!(matches!(error.problem(), SizeProblem::IdlerKey { .. }), "{error}");
+    assert!(error.to_string().contains("--idler"), "{error}");
     let error = BeltDrive::read(None, &["input.diameter=1 m".into()], &["1".into()]).unwrap_err();
     assert!(matches!(error.problem(), SizeProblem::IdlerText { .. }));
     let error = BeltDrive::read(None, &["input.diameter=1 m".into()], &["1,-2 mm".into()]).unwrap_err();

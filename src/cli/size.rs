@@ -4,7 +4,7 @@ use super::envelope;
 use super::output;
 use super::stop::Stop;
 use clap::Args;
-use sheave::quantity::unsigned_zero;
+use sheave::quantity::{unsigned_zero, with_digits};
 use sheave::small::size::{BeltDrive, Entry, IDLER, SizeError, Sizing, TABLE, size};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -60,7 +60,7 @@ fn summary(sizing: &Sizing) -> String {
     let mut text = format!("Belt drive, ratio {:.4} (output over input diameter)\n\n", sizing.ratio);
     let mut row = |name: &str, value: f64, unit: &str| {
         // Writing to a string cannot fail.
-        let value = format!("{value:.6}");
+        let value = with_digits(value, 6);
         let _ = writeln!(text, "  {name:<34}{:>14}  {unit}", unsigned_zero(&value));
     };
     let (inertia, torque) = (&sizing.inertia, &sizing.torque);

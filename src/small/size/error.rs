@@ -33,6 +33,15 @@ pub enum SizeProblem {
         /// As given.
         text: String,
     },
+    /// A key of an idler, set on its own.
+    #[error(
+        "`{path}` is not set on its own, as there may be several idlers: give each whole, inertia and diameter, such as \
+         --idler \"3e-4 kg*m^2, 60 mm\""
+    )]
+    IdlerKey {
+        /// As given.
+        path: String,
+    },
     /// A key that does not exist.
     #[error("unknown key `{path}`: expected one of {known}")]
     UnknownKey {

@@ -130,6 +130,10 @@ impl Draft {
             return Err(SizeError::new(SizeProblem::Assignment { text }, Some(place)));
         };
         let place = Place { source, key: 0..key.len(), value: key.len() + 1..setting.len() };
+        if IDLER.iter().any(|entry| entry.path == key.trim()) {
+            let path = key.trim().to_owned();
+            return Err(SizeError::new(SizeProblem::IdlerKey { path }, Some(place)));
+        }
         let value = Raw::Text(unquoted(value.trim()).into());
         self.given.push(read_into(&TABLE, &mut self.drive, key.trim(), value, place)?);
         Ok(())
