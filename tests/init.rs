@@ -507,3 +507,16 @@ fn the_command_says_what_is_wrong() {
     let unloaded = object(&sheave(&["init", "--json", force, "--no-load"]));
     assert_eq!((&unloaded["iterations"], &unloaded["primary"]["torque"]), (&Value::from(0), &Value::from(0.0)));
 }
+
+/// A belt that brakes carries more on the span that is slack where it drives: by the torque over the radius.
+#[test]
+fn the_summary_of_a_belt_that_brakes_calls_the_tighter_span_tight() {
+    let set = |key: &str, value: &str| ["--set".to_owned(), format!("operating_point.{key}={value}")];
+    let arguments = [set("primary_axial_force", "900 N"), set("primary_torque", "-15 N*m")].concat();
+    let arguments: Vec<&str> = std::iter::once("init").chain(arguments.iter().map(String::as_str)).collect();
+    let told = String::from_utf8(sheave(&arguments).stdout).unwrap();
+    let row = told.lines().find(|line| line.contains("longitudinal force")).unwrap();
+    let values: Vec<f64> = row.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    assert!(values[0] - values[1] > 200.0, "{row}");
+    assert!(told.contains("the belt brakes: the tight span runs off the primary"), "{told}");
+}

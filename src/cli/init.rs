@@ -140,10 +140,15 @@ fn summary(object: &Object) -> String {
     let _ = writeln!(text, "\n  belt, unstretched         {:>12.5} m/s", belt.speed);
     let _ = writeln!(text, "  {:<26}{:>12}{:>12}", "", "tight span", "slack span");
     let mut row = |name: &str, tight: f64, slack: f64| {
+        // Where the belt brakes, the span that would be slack is the tight one.
+        let (tight, slack) = (tight.max(slack), tight.min(slack));
         let _ = writeln!(text, "  {name:<26}{tight:>12.2}{slack:>12.2}  N");
     };
     row("longitudinal force", belt.tight_force, belt.slack_force);
     row("tractive tension", belt.tight_tension, belt.slack_tension);
+    if belt.tight_force < belt.slack_force {
+        let _ = writeln!(text, "  the belt brakes: the tight span runs off the primary");
+    }
     let found = match object.iterations {
         0 => "in closed form".to_owned(),
         steps => format!("by {steps} steps of Newton's method"),
