@@ -50,10 +50,10 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEED", conflicts_with_all = ["secondary_speed", "vehicle_speed"])]
     speed: Option<String>,
     /// Speed of the secondary; a number without a unit is in rad/s
-    #[arg(long, value_name = "SPEED", conflicts_with = "vehicle_speed")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, conflicts_with = "vehicle_speed")]
     secondary_speed: Option<String>,
     /// Speed of the vehicle; a number without a unit is in m/s
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     vehicle_speed: Option<String>,
     /// Which way the drive shifts, and so which way friction in the actuators acts
     #[arg(long, value_enum, default_value = "up")]

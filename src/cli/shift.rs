@@ -51,10 +51,10 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value = "both")]
     direction: Branches,
     /// Speed of the secondary at which the curve begins [default: where the belt takes off]
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     from: Option<String>,
     /// Speed of the secondary at which it ends [default: where the engine's torque is known no farther]
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     to: Option<String>,
     /// Measured points beside it: CSV with the columns secondary_rpm, primary_rpm, and if there are both ways direction
     #[arg(long, value_name = "FILE")]
