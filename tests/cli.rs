@@ -59,6 +59,9 @@ fn bad_input_is_status_2_with_nothing_on_standard_output() {
         (vec!["solve", "--tol", "nan"], vec!["1e-12", "1e-1"]),
         (vec!["solve", "--order", "5"], vec!["4, 6 or 8"]),
         (vec!["solve", "--frobnicate"], vec!["--frobnicate"]),
+        // A negative quantity is a value, and not an option.
+        (vec!["launch", "examples/drive/gx9.toml", "--distance", "-3 m"], vec!["--distance -3 m", "not positive"]),
+        (vec!["ramp", "examples/drive/gx9.toml", "--target", "-3200 rpm"], vec!["-3200 rpm", "not positive"]),
         (vec!["frobnicate"], vec!["frobnicate"]),
         (vec![], vec!["Usage"]),
     ] {

@@ -200,7 +200,7 @@ impl LaunchCurve {
         let (running, slowest) = (self.engine.at(self.ends.0), engine.range().0);
         if running < slowest {
             let reason = match branch.remarks.as_slice() {
-                [] => "the belt slips at every speed".to_owned(),
+                [] => "its sheaves are held".to_owned(),
                 remarks => remarks.join("; "),
             };
             return Err(LaunchError::NoTakeOff { engine: running, slowest, reason });

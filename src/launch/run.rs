@@ -265,10 +265,8 @@ pub fn launch(curve: &LaunchCurve, vehicle: &Vehicle, options: &LaunchOptions) -
         crossing(&early, of, wanted).or_else(|| crossing(&points, of, wanted))
     };
     let speeds = |wanted: f64| mark(&|point| (point.speed, point.acceleration), wanted);
-    let marks = options
-        .distances
-        .iter()
-        .map(|wanted| mark(&|point| (point.distance, point.speed), *wanted).ok_or_else(lost));
+    let marks =
+        options.distances.iter().map(|wanted| mark(&|point| (point.distance, point.speed), *wanted).ok_or_else(lost));
     Ok(Launch {
         top_speed,
         limited_by_curve,
