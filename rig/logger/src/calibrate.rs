@@ -133,7 +133,8 @@ pub fn measure(hardware: &mut impl Hardware) -> Result<Vec<u16>, CalibrateError>
 pub type LoadReading = (f64, u16);
 
 /// Measures under one mass (kg) after the other and keeps the line through the readings. Before anything is asked or
-/// measured it is checked that the masses can give a line. `hang` has a mass hung, which makes a torque in N·m;
+/// measured it is checked that the masses can give a line and that it can be kept; the folder of `file` is made where
+/// it is missing. `hang` has a mass hung, which makes a torque in N·m;
 /// `measured` is told of the values under each. Where something fails, the readings until then are kept all the same.
 ///
 /// # Errors
@@ -152,6 +153,9 @@ pub fn run<H: Hardware>(
     if loads.len() < 2 {
         return Err(CalibrationError::TooFewLoads { loads: loads.len() }.into());
     }
+    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    let seconds = since.map_or(0, |since| since.as_secs());
+    prepare(file, seconds)?;
     let mut readings = Vec::new();
     let mut under = |mass: f64, readings: &mut Vec<LoadReading>| {
         let torque = rope.torque(mass);
@@ -162,8 +166,6 @@ pub fn run<H: Hardware>(
         Ok(())
     };
     let done = masses.iter().try_for_each(|mass| under(*mass, &mut readings));
-    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    let seconds = since.map_or(0, |since| since.as_secs());
     match done {
         Ok(()) => keep(file, &readings, seconds),
         Err(error) if readings.is_empty() => Err(error),
@@ -192,16 +194,37 @@ pub fn keep(file: &Path, readings: &[LoadReading], seconds: u64) -> Result<(Cali
     }
 }
 
+/// Sees to it that a calibration can be kept: makes the folder, tries a file in it, and reads what `file` has so far.
+fn prepare(file: &Path, seconds: u64) -> Result<(), CalibrateError> {
+    let of = |path: &Path| {
+        let path = path.to_owned();
+        move |error| CalibrateError::File { path, error }
+    };
+    if let Some(folder) = file.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).map_err(of(folder))?;
+    }
+    let beside = readings_path(file, seconds);
+    runs::create_new(&beside, "").and_then(|()| fs::remove_file(&beside)).map_err(of(&beside))?;
+    match fs::read_to_string(file) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(of(file)(error)),
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
+/// Where the readings are kept beside `file`.
+fn readings_path(file: &Path, seconds: u64) -> PathBuf {
+    let stem = file.file_stem().map_or_else(|| "calibration".into(), |stem| stem.to_string_lossy());
+    file.with_file_name(format!("{stem}-readings-{seconds}.csv"))
+}
+
 /// Writes the readings to a new file beside `file`, and says to which.
 fn keep_readings(file: &Path, readings: &[LoadReading], seconds: u64) -> Result<PathBuf, CalibrateError> {
-    let stem = file.file_stem().map_or_else(|| "calibration".into(), |stem| stem.to_string_lossy());
-    let beside = file.with_file_name(format!("{stem}-readings-{seconds}.csv"));
+    let beside = readings_path(file, seconds);
     let mut text = String::from("torque_Nm,adc\n");
     for (torque, value) in readings {
         text.push_str(&format!("{torque:.6},{value}\n"));
     }
-    // The error names the file already.
-    runs::write_new(&beside, &text).map_err(|error| CalibrateError::File { path: beside.clone(), error })?;
+    runs::create_new(&beside, &text).map_err(|error| CalibrateError::File { path: beside.clone(), error })?;
     Ok(beside)
 }
 
@@ -332,6 +355,55 @@ mod tests {
             assert_eq!(asked, 0);
         }
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn what_cannot_be_kept_is_found_before_anything_is_measured() {
+        let folder = tempfile::tempdir().unwrap();
+        let rope = Rope { radius: 0.12, gears: (32.0, 61.0) };
+        fs::write(folder.path().join("file"), "").unwrap();
+        fs::write(folder.path().join("binary.csv"), [0xff, b'\n']).unwrap();
+        let mut asked = 0;
+        let mut calibrate = |name: &str| {
+            let hang = |rig: &mut SimulatedRig, _, torque| {
+                asked += 1;
+                rig.hung_load = Some(torque);
+                let settled = rig.now() + 500_000;
+                rig.wait_until(settled);
+                Ok(())
+            };
+            let file = folder.path().join(name);
+            run(&mut SimulatedRig::new(false), &[0.0, 40.0], rope, &file, hang, |_| {})
+        };
+        // A file in place of the folder, a folder in place of the file, and one that is no text.
+        for (name, at) in [("file/cal.csv", "file"), (".", ""), ("binary.csv", "binary.csv")] {
+            let error = calibrate(name).unwrap_err().to_string();
+            assert!(error.contains(&*folder.path().join(at).to_string_lossy()), "{error}");
+            assert_eq!(error.matches(&*folder.path().to_string_lossy()).count(), 1, "{error}");
+        }
+        // A folder that is missing is made.
+        let (fit, beside) = calibrate("new/folder/cal.csv").unwrap();
+        assert!((fit.slope - 108.19).abs() < 1.0 && beside.exists(), "{fit:?}");
+        assert_eq!(asked, 2, "of the calibrations that could not be kept no weight was asked for");
+        assert_eq!(fs::read_dir(folder.path().join("new/folder")).unwrap().count(), 2);
+        // The path of a file that cannot be written is said once.
+        let error = keep(&folder.path().join("missing/cal.csv"), &readings(1000.0), 1).unwrap_err().to_string();
+        assert_eq!(error.matches("missing").count(), 1, "{error}");
+    }
+
+    #[test]
+    fn weights_too_light_for_the_noise_give_no_calibration_and_the_readings_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, rope) = (folder.path().join("c.csv"), Rope { radius: 0.12, gears: (32.0, 61.0) });
+        let hang = |rig: &mut SimulatedRig, _, torque| {
+            rig.hung_load = Some(torque);
+            Ok(())
+        };
+        let error = run(&mut SimulatedRig::new(false), &[0.0, 0.001], rope, &file, hang, |_| {}).unwrap_err();
+        let CalibrateError::After { error, path } = error else { panic!("{error}") };
+        assert!(matches!(*error, CalibrateError::Fit(CalibrationError::Uncertain { .. })), "{error}");
+        assert_eq!(fs::read_to_string(path).unwrap().lines().count(), 1 + 2 * VALUES_PER_LOAD);
+        assert!(!file.exists());
     }
 
     #[test]

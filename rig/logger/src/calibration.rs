@@ -18,8 +18,11 @@ pub struct Calibration {
     pub intercept_interval: f64,
 }
 
+/// What to do where the converter's value hardly follows the load, or not at all.
+const NO_RESPONSE: &str = "check bridge, amplifier and slip ring, or hang heavier weights";
+
 /// Why a calibration cannot be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
     /// Too little to fit a line to.
     #[error("a calibration needs readings at two different loads at least; {loads} were given: add another weight")]
@@ -28,8 +31,19 @@ pub enum CalibrationError {
         loads: usize,
     },
     /// The converter gives the same value whatever the load.
-    #[error("the converter's value does not change with the load: check bridge, amplifier and slip ring")]
+    #[error("the converter's value does not change with the load: {NO_RESPONSE}")]
     NoResponse,
+    /// What the value changes by with the load is not told from its noise.
+    #[error(
+        "the slope is {slope:.3} ± {interval:.3} counts for each N·m (95 % interval), which may as well be none: the \
+         converter's value does not follow the load beyond its noise: {NO_RESPONSE}"
+    )]
+    Uncertain {
+        /// Counts for each N·m.
+        slope: f64,
+        /// Half of its 95 % interval.
+        interval: f64,
+    },
 }
 
 impl Calibration {
@@ -45,7 +59,7 @@ impl Calibration {
     /// Least squares over pairs of torque at the secondary (N·m) and converter value.
     ///
     /// # Errors
-    /// If the loads do not differ, or the values do not.
+    /// If the loads do not differ, the values do not, or the 95 % interval of the slope holds zero.
     pub fn fit(readings: &[(f64, u16)]) -> Result<Self, CalibrationError> {
         let mut loads: Vec<f64> = readings.iter().map(|reading| reading.0).filter(|load| load.is_finite()).collect();
         loads.sort_by(f64::total_cmp);
@@ -69,11 +83,15 @@ impl Calibration {
         let residual = (yy - slope * xy).max(0.0);
         // Hundreds of readings: Student's t is the normal distribution's 1.96.
         let spread = if count > 2.0 { 1.96 * (residual / (count - 2.0)).sqrt() } else { f64::NAN };
+        let slope_interval = spread / xx.sqrt();
+        if may_be_none(slope, slope_interval) {
+            return Err(CalibrationError::Uncertain { slope, interval: slope_interval });
+        }
         Ok(Self {
             slope,
             intercept,
             r_squared: 1.0 - residual / yy,
-            slope_interval: spread / xx.sqrt(),
+            slope_interval,
             intercept_interval: spread * (1.0 / count + mean_load * mean_load / xx).sqrt(),
         })
     }
@@ -83,6 +101,11 @@ impl Calibration {
     pub fn torque(&self, value: u16) -> f64 {
         (f64::from(value) - self.intercept) / self.slope
     }
+}
+
+/// Whether the interval of a slope holds zero; one that is not known, NaN, does not.
+fn may_be_none(slope: f64, interval: f64) -> bool {
+    interval >= slope.abs()
 }
 
 /// Why a file's last row is no calibration.
@@ -111,6 +134,15 @@ pub enum RowError {
         /// The row.
         given: String,
     },
+    /// The slope is not told from none.
+    #[error(
+        "the last row, '{given}': the slope's 95 % interval holds zero, so that the converter's value did not follow \
+         the load beyond its noise: {NO_RESPONSE}, and calibrate again"
+    )]
+    Uncertain {
+        /// The row.
+        given: String,
+    },
     /// A field cannot be what it stands for.
     #[error("the last row, '{given}': {what} was expected, '{field}' was found")]
     Field {
@@ -127,7 +159,7 @@ pub enum RowError {
 /// wrote it, half of the intervals of slope and intercept and the time in seconds since 1970.
 ///
 /// # Errors
-/// If that row is not whole, or its numbers are those of no line.
+/// If that row is not whole, its numbers are those of no line, or its interval says that the slope may be none.
 pub fn last_of_csv(text: &str) -> Result<Calibration, RowError> {
     let last = text.split_inclusive('\n').rev().find(|line| !line.trim().is_empty()).ok_or(RowError::NoRow)?;
     let given = || last.trim().to_owned();
@@ -160,6 +192,9 @@ pub fn last_of_csv(text: &str) -> Result<Calibration, RowError> {
     let intercept_interval = half(of_intercept, "half of the intercept's interval, not negative,")?;
     // Nothing is computed from the time: one that lost digits spoils nothing, but it shows that all before is whole.
     number(seconds, "a time in seconds since 1970", |value| value.is_finite() && value >= 0.0)?;
+    if may_be_none(slope, slope_interval) {
+        return Err(RowError::Uncertain { given: given() });
+    }
     Ok(Calibration { slope, intercept, r_squared, slope_interval, intercept_interval })
 }
 
@@ -191,6 +226,35 @@ mod tests {
         assert_eq!(last_of_csv(" \n\n"), Err(RowError::NoRow));
         let last = last_of_csv("1,2,3\n108.188097293,35144.7019735,0.999727300946\n\n").unwrap();
         assert!((last.slope - 108.188_097_293).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_slope_that_may_be_none_is_refused_in_a_fit_and_in_a_file() {
+        // Weights of 1 g under noise of some counts, then under 1 kg.
+        let readings = |step: f64| -> Vec<(f64, u16)> {
+            let noise = |place: u16| f64::from(u32::from(place) * 7919 % 17) - 8.0;
+            let value = |place: u16| (108.19 * step * f64::from(place / 500) + 35_145.0 + noise(place)).round() as u16;
+            (0..1000).map(|place| (step * f64::from(place / 500), value(place))).collect()
+        };
+        let error = Calibration::fit(&readings(6.2e-4)).unwrap_err();
+        assert!(matches!(error, CalibrationError::Uncertain { slope, interval } if interval > slope.abs()), "{error}");
+        assert!(error.to_string().contains("slip ring, or hang heavier weights"), "{error}");
+        let fit = Calibration::fit(&readings(0.62)).unwrap();
+        assert!(fit.slope_interval < 2.0, "{fit:?}");
+        // Two readings have no interval, and are a line all the same.
+        assert!(Calibration::fit(&[(0.0, 35_145), (1.0, 35_253)]).is_ok());
+        for (row, is) in [
+            ("463.1,35145.2,0.001,910.4,0.4,1700000000\n", false),
+            ("-463.1,35145.2,0.5,463.1,0.4,1700000000\n", false),
+            ("-463.1,35145.2,0.5,463.0,0.4,1700000000\n", true),
+            ("108.19,35145,1,NaN,NaN,1700000000\n", true),
+            ("463.1,35145.2,0.001\n", true),
+        ] {
+            let read = last_of_csv(row);
+            assert_eq!(read.is_ok(), is, "{row}");
+            let Err(error) = read else { continue };
+            assert!(error.to_string().contains("interval holds zero"), "{error}");
+        }
     }
 
     #[test]

@@ -285,7 +285,12 @@ pub fn write_points(folder: &Path, points: &[Point]) -> io::Result<()> {
 /// # Errors
 /// If it exists, or cannot be written.
 pub fn write_new(path: &Path, text: &str) -> io::Result<()> {
-    let mut file = File::create_new(path).map_err(named(path))?;
+    create_new(path, text).map_err(named(path))
+}
+
+/// The same, for one who names the file himself.
+pub(crate) fn create_new(path: &Path, text: &str) -> io::Result<()> {
+    let mut file = File::create_new(path)?;
     file.write_all(text.as_bytes())?;
     file.sync_all()
 }
