@@ -99,7 +99,13 @@ impl Calibration {
     /// Torque at the secondary, N·m, for a converter value.
     #[must_use]
     pub fn torque(&self, value: u16) -> f64 {
-        (f64::from(value) - self.intercept) / self.slope
+        self.torque_at(f64::from(value))
+    }
+
+    /// Torque at the secondary, N·m, for a converter value or a mean of several.
+    #[must_use]
+    pub fn torque_at(&self, value: f64) -> f64 {
+        (value - self.intercept) / self.slope
     }
 }
 

@@ -2,7 +2,7 @@
 //! `ADC_n.csv` and `TORQUE_n.csv`, each with rows of time in µs and value, and nothing else.
 //!
 //! The clock of the thesis rolls over after 71.6 minutes; a stamp that falls by more than half of its range is taken
-//! on.
+//! on. So are all stamps of a channel that begins behind a roll-over which another channel of its point begins before.
 
 use std::fs;
 use std::io::{self, Write};
@@ -14,6 +14,8 @@ use crate::steady::{Mean, Point};
 const CHANNELS: [&str; 4] = ["P", "S", "ADC", "TORQUE"];
 /// Half of the range of a 32-bit stamp, µs.
 const HALF_RANGE: u64 = 1 << 31;
+/// The largest value of the converter, which has 16 bits.
+const LARGEST_VALUE: f64 = u16::MAX as f64;
 /// No stamp lies beyond this, µs: 285 years.
 const LAST_STAMP: u64 = 1 << 53;
 
@@ -69,6 +71,19 @@ pub enum OldRunError {
         /// What stands there.
         given: String,
     },
+    /// A value that the converter cannot give.
+    #[error(
+        "{path}, line {line}: a value of the converter from 0 to {LARGEST_VALUE} was expected, '{given}' was found",
+        path = path.display()
+    )]
+    Converter {
+        /// Which file.
+        path: PathBuf,
+        /// Its line, from 1.
+        line: usize,
+        /// What stands there.
+        given: String,
+    },
     /// No such files at all.
     #[error("{path}: neither a journal nor files such as P_0.csv and S_0.csv are here", path = path.display())]
     Nothing {
@@ -98,7 +113,8 @@ fn numbers(folder: &Path) -> io::Result<Vec<u32>> {
 /// Reads an old run.
 ///
 /// # Errors
-/// If a file is missing or a row of it is not a time and a value; an incomplete last line is left out.
+/// If a file is missing or a row of it is not a time and a value. A last line without its end is left out: its value
+/// may have lost digits.
 pub fn read(folder: &Path) -> Result<Vec<OldPoint>, OldRunError> {
     let numbers = numbers(folder).map_err(|error| OldRunError::File { path: folder.to_owned(), error })?;
     if numbers.is_empty() {
@@ -108,9 +124,10 @@ pub fn read(folder: &Path) -> Result<Vec<OldPoint>, OldRunError> {
 }
 
 fn point(folder: &Path, number: u32) -> Result<OldPoint, OldRunError> {
-    let channel = |name: &str| samples(&folder.join(format!("{name}_{number}.csv")));
+    let path = |name: &str| folder.join(format!("{name}_{number}.csv"));
+    let channel = |name: &str| samples(&path(name), false);
     let [primary, secondary, converter, torque] = CHANNELS;
-    let (converter, torque) = (channel(converter), channel(torque));
+    let (converter, torque) = (samples(&path(converter), true), channel(torque));
     let absent = |read: &Result<Samples, OldRunError>| match read {
         Err(OldRunError::File { error, .. }) => error.kind() == io::ErrorKind::NotFound,
         Ok(_) | Err(_) => false,
@@ -121,16 +138,22 @@ fn point(folder: &Path, number: u32) -> Result<OldPoint, OldRunError> {
         (false, true) => (converter?, Vec::new()),
         (_, _) => (converter?, torque?),
     };
-    Ok(OldPoint { number, primary: channel(primary)?, secondary: channel(secondary)?, converter, torque })
+    let mut point = OldPoint { number, primary: channel(primary)?, secondary: channel(secondary)?, converter, torque };
+    point.align();
+    Ok(point)
 }
 
-fn samples(path: &Path) -> Result<Samples, OldRunError> {
+/// Reads a channel, of the converter or of something else.
+fn samples(path: &Path, of_converter: bool) -> Result<Samples, OldRunError> {
     let text = fs::read(path).map_err(|error| OldRunError::File { path: path.to_owned(), error })?;
     let text = String::from_utf8_lossy(&text);
     let mut samples: Samples = Vec::new();
     let mut turns = 0;
     for (line, row) in text.split_inclusive('\n').enumerate() {
-        let complete = row.ends_with('\n');
+        if !row.ends_with('\n') {
+            // Whatever it says may have been longer.
+            break;
+        }
         let row = row.trim();
         let fields = row.split_once(',').and_then(|(time, value)| {
             let time = time.trim().parse::<u64>().ok()?;
@@ -138,11 +161,14 @@ fn samples(path: &Path) -> Result<Samples, OldRunError> {
             Some((time, value))
         });
         let Some((stamp, value)) = fields else {
-            if row.is_empty() || !complete {
+            if row.is_empty() {
                 continue;
             }
             return Err(OldRunError::Row { path: path.to_owned(), line: line + 1, given: row.to_owned() });
         };
+        if of_converter && !(0.0..=LARGEST_VALUE).contains(&value) {
+            return Err(OldRunError::Converter { path: path.to_owned(), line: line + 1, given: row.to_owned() });
+        }
         let before = samples.last().map_or(0, |sample| sample.0);
         // All that was taken on so far is below the last stamp: nothing overflows here.
         if stamp.saturating_add(turns) < before.saturating_sub(HALF_RANGE) {
@@ -157,13 +183,30 @@ fn samples(path: &Path) -> Result<Samples, OldRunError> {
 }
 
 impl OldPoint {
+    /// Brings all channels to one clock. Each file by itself is read over the roll-overs within it, which says nothing
+    /// of one between the first stamps of two channels: those that begin far below another begin behind it.
+    fn align(&mut self) {
+        let mut channels = [&mut self.primary, &mut self.secondary, &mut self.converter, &mut self.torque];
+        let begins = channels.iter().filter_map(|channel| channel.first()).map(|sample| sample.0);
+        let latest = begins.max().unwrap_or(0);
+        // A clock that shows more has no 32 bits.
+        if latest >= 2 * HALF_RANGE {
+            return;
+        }
+        for channel in &mut channels {
+            if channel.first().is_some_and(|sample| sample.0 + HALF_RANGE < latest) {
+                channel.iter_mut().for_each(|sample| sample.0 += 2 * HALF_RANGE);
+            }
+        }
+    }
+
     /// Torque at the secondary, N·m: as it was kept, or from the converter's values.
     #[must_use]
     pub fn torques(&self, calibration: &crate::calibration::Calibration) -> Samples {
         if !self.torque.is_empty() {
             return self.torque.clone();
         }
-        self.converter.iter().map(|(time, value)| (*time, calibration.torque(*value as u16))).collect()
+        self.converter.iter().map(|(time, value)| (*time, calibration.torque_at(*value))).collect()
     }
 
     /// Means and standard deviations. How long settling took was not recorded; the thesis waited four seconds.
@@ -282,6 +325,48 @@ mod tests {
     }
 
     #[test]
+    fn channels_that_begin_on_both_sides_of_a_roll_over_have_one_clock() {
+        // The same point long before a roll-over, and with the roll-over behind any of its first stamps.
+        let of = |start: u64| {
+            let folder = tempfile::tempdir().unwrap();
+            for (name, first, period) in [("P", 0, 20_000), ("S", 9000, 38_000), ("ADC", 9500, 8000)] {
+                let row = |at: u64| format!("{},37466\r\n", (start + at) % (1 << 32));
+                let rows: String = (first..3_000_000).step_by(period).map(row).collect();
+                write(folder.path(), &format!("{name}_0.csv"), &rows);
+            }
+            let point = read(folder.path()).unwrap()[0].reduce(&Calibration::THESIS);
+            let mut shown = Vec::new();
+            replay(folder.path(), &Calibration::THESIS, &mut shown).unwrap();
+            (point, String::from_utf8(shown).unwrap())
+        };
+        let (expected, shown) = of(1_000_000);
+        assert!((expected.duration - 2.9935).abs() < 1e-3, "{expected:?}");
+        assert_eq!(shown.lines().count(), 1 + 1 + 3);
+        for before in [1, 4000, 8000, 9001, 9200, 9501, 1_500_000] {
+            let (point, shown) = of((1 << 32) - before);
+            assert_eq!(point, expected, "{before} µs before the roll-over");
+            assert_eq!(shown.lines().count(), 1 + 1 + 3, "{shown}");
+            assert!(shown.lines().skip(3).all(|line| !line.contains("NaN")), "{shown}");
+        }
+    }
+
+    #[test]
+    fn a_value_that_the_converter_cannot_give_is_refused_with_its_line() {
+        let folder = tempfile::tempdir().unwrap();
+        old_run(folder.path());
+        for given in ["70000", "-1", "65535.5", "1e9"] {
+            write(folder.path(), "ADC_2.csv", &format!("1,0\n2,65535\n3,{given}\n4,37466\n"));
+            let error = read(folder.path()).unwrap_err().to_string();
+            assert!(error.contains("ADC_2.csv, line 3") && error.contains(&format!("'3,{given}'")), "{error}");
+            assert!(error.contains("from 0 to 65535"), "{error}");
+        }
+        // Means of several values are no whole numbers, and count as they are.
+        write(folder.path(), "ADC_2.csv", "1,37466.5\n2,37466.5\n");
+        let torque = read(folder.path()).unwrap()[1].reduce(&Calibration::THESIS).torque.0;
+        assert!((torque - (37_466.5 - 35_145.0) / 108.19).abs() < 1e-12, "{torque}");
+    }
+
+    #[test]
     fn what_is_wrong_is_named_with_its_line_and_a_cut_off_end_is_not() {
         let folder = tempfile::tempdir().unwrap();
         assert!(matches!(read(folder.path()), Err(OldRunError::Nothing { .. })));
@@ -290,7 +375,20 @@ mod tests {
         let error = read(folder.path()).unwrap_err().to_string();
         assert!(error.contains("TORQUE_2.csv, line 2") && error.contains("5,x"), "{error}");
         write(folder.path(), "TORQUE_2.csv", "1,2\n5,2.5\n70");
-        assert_eq!(read(folder.path()).unwrap()[1].torque, [(1, 2.0), (5, 2.5)]);
+        // The other channels begin before a roll-over: these stamps lie behind it.
+        let turn = 1 << 32;
+        assert_eq!(read(folder.path()).unwrap()[1].torque, [(turn + 1, 2.0), (turn + 5, 2.5)]);
+        // Cut at any byte, only whole rows count: `2` is none of `2991.0`.
+        let whole = "1,2990.0\r\n5,2991.0\r\n";
+        for cut in 0..=whole.len() {
+            write(folder.path(), "TORQUE_2.csv", &whole[..cut]);
+            let rows = whole[..cut].matches('\n').count();
+            assert_eq!(
+                read(folder.path()).unwrap()[1].torque,
+                [(turn + 1, 2990.0), (turn + 5, 2991.0)][..rows],
+                "cut at {cut}"
+            );
+        }
         fs::remove_file(folder.path().join("S_2.csv")).unwrap();
         assert!(read(folder.path()).unwrap_err().to_string().contains("S_2.csv"));
     }
