@@ -1,6 +1,6 @@
 // Sliders, fields and lists for every key of a case file, from the table that the solver tells.
 
-import { plain, step, words } from "./format.js";
+import { decimal, plain, step, words } from "./format.js";
 import { html, symbol } from "./dom.js";
 
 const SECTIONS = {
@@ -125,17 +125,17 @@ class Quantity {
     this.told = "";
     const text = this.field.value.trim().replace("−", "-");
     if (text === "" || text === this.shown) return;
-    const number = Number(text.replace(",", "."));
+    const number = decimal(text);
     const isNumber = Number.isFinite(number);
     if (isNumber) this.#place(number);
-    // A text with a unit of its own is the solver's to read.
+    // A text with a unit of its own is the solver's to read; what is no number in a case file is its to refuse.
     this.#say(isNumber ? String(number) : text);
   }
 
   #say(text) {
     this.shown = this.field.value.trim().replace("−", "-");
     this.asked = true;
-    const unit = this.key.unit && Number.isFinite(Number(text)) ? ` ${this.key.unit}` : "";
+    const unit = this.key.unit && Number.isFinite(decimal(text)) ? ` ${this.key.unit}` : "";
     this.changed({ set: [[this.key.path, `${text}${unit}`]] }, this);
   }
 

@@ -23,6 +23,11 @@ export function plain(value, digits = 6) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "";
 }
 
+/** The number that a text is, written as in a case file and without a unit; NaN of any other text. */
+export function decimal(text) {
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
+}
+
 /** A step that divides a range into at least `parts`: 1, 2 or 5 times a power of ten. */
 export function step(range, parts) {
   const raw = range / parts;

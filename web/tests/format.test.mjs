@@ -1,7 +1,7 @@
 // What of the page needs no browser: numbers, and addresses.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ticks } from "../page/format.js";
+import { decimal, ticks } from "../page/format.js";
 import { fromFragment, LONGEST, toFragment } from "../page/share.js";
 
 test("an axis has round places, and few of them however close its ends are", () => {
@@ -17,6 +17,13 @@ test("an axis has round places, and few of them however close its ends are", () 
     [-1e-9, 1e9],
   ])
     assert.ok(ticks(from, to, 4).length <= 12, `${from} to ${to}`);
+});
+
+test("a number is what a case file takes for one", () => {
+  const numbers = ["3400", "-5", "+.5e+1", "3.", "1e3", "2.5E-3"];
+  assert.deepEqual(numbers.map(decimal), [3400, -5, 5, 3, 1000, 0.0025]);
+  for (const text of ["", ".", "3,400", "3,5", "0x10", "0b1", "0o7", "Infinity", "NaN", "1_000", "3 400", "1e", "5 N"])
+    assert.ok(Number.isNaN(decimal(text)), text);
 });
 
 test("an address is a case, the base case, damaged, or a place of the page", () => {

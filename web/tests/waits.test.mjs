@@ -100,6 +100,28 @@ test("what is typed while answers arrive is taken", async () => {
   assert.equal(await ambient.inputValue(), "2");
 });
 
+test("a field takes the numbers that a case file takes, and no others", async () => {
+  const page = await open();
+  const tension = field(page, "operating_point.slack_tension");
+  for (const [typed, why] of [
+    ["3,400", /3,400: `,` is unexpected \(decimals are written with a point\)/],
+    ["3,400 N", /3,400 N: `,` is unexpected \(decimals are written with a point\)/],
+    ["0x10", /0x10: `x10` is not a known unit|0x10: `x` is not a known unit/],
+    ["Infinity", /not a finite number/],
+  ]) {
+    await tension.fill(typed);
+    await tension.press("Enter");
+    await page.waitForFunction(
+      (typed) => document.querySelector("#notice-message").textContent.includes(`= ${typed}: `),
+      typed,
+    );
+    assert.match(await message(page), why);
+    assert.equal(await caseText(page), "");
+  }
+  await type(page, "operating_point.slack_tension", "1.2e2");
+  assert.equal(await caseText(page), '[operating_point]\nslack_tension = "120 N"\n');
+});
+
 test("a field that is left shows the value that holds", async () => {
   const page = await open();
   const torque = field(page, TORQUE);
