@@ -167,6 +167,6 @@ export class Belt {
       this.say("tension-low", `${number(low, 3)} N`);
       this.say("tension-high", `${number(high, 3)} N`);
     }
-    if (answer.result?.solver.tolerance === MOVING) this.measured();
+    if (answer.result?.solver.tolerance === MOVING) this.measured("belt");
   }
 }

@@ -232,13 +232,17 @@ function follow(asked) {
   else instead();
 }
 
-/** Drawings, or whole curves, in the last second. */
-function measured(what = "drawings") {
+/** What is counted in each view. */
+const COUNTED = { belt: "drawings", drive: "curves" };
+
+/** Drawings, or whole curves, in the last second; none where another view is looked at by now. */
+function measured(at) {
+  if (at !== page.look) return;
   const now = performance.now();
   page.frames = [...page.frames.filter((time) => now - time < 1000), now];
   const span = now - page.frames[0];
   if (page.frames.length > 3)
-    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} ${what} a second while moving`);
+    say("frames", `${Math.round((1000 * (page.frames.length - 1)) / span)} ${COUNTED[at]} a second while moving`);
 }
 
 function open(text) {

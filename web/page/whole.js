@@ -66,7 +66,7 @@ export class Whole {
       this.#show(begun);
       if (!begun.failure && !passing && (await this.#follow("move", begun))) {
         page.drawn += 1;
-        this.measured("curves");
+        this.measured("drive");
       }
     } catch (error) {
       // What a newer change interrupted is asked again before it.
@@ -133,6 +133,8 @@ export class Whole {
     while (left > 0) {
       if (this.page.change && (kind === "rest" || performance.now() - since > PATIENCE)) return false;
       const answer = await this.ask(kind, { ask: "shift_next", direction });
+      // The view may be another one by now.
+      if (this.page.look !== "drive") return false;
       if (answer.failure) {
         this.notice("error", `${answer.failure.message}.`, answer.failure.hint);
         return true;

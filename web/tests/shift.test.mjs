@@ -138,6 +138,27 @@ test("the curve is saved as CSV, JSON and SVG", async () => {
   assert.ok(!/class=|style=|script/.test(drawing.text));
 });
 
+test("each view has its own words only", async () => {
+  const page = await open();
+  const footer = async () => (await page.locator("footer").innerText()).replace(/\s+/g, " ");
+  assert.match(await footer(), /Residual .* mesh intervals\. Motion is shown/);
+  await slide(page, "operating_point.primary_torque", 20);
+  const start = await count(page);
+  await page.locator("#view-drive").click();
+  await rested(page, start);
+  assert.doesNotMatch(await footer(), /Residual|mesh intervals|Motion|drawings/);
+  // What is measured of one view as it is left is not told of the other.
+  await page.evaluate(() => {
+    for (let k = 0; k < 9; k += 1) globalThis.sheave.belt.measured("belt");
+  });
+  assert.doesNotMatch(await footer(), /drawings/);
+  const then = await count(page);
+  await page.locator("#view-belt").click();
+  await rested(page, then);
+  assert.match(await footer(), /Residual .* mesh intervals\. Motion is shown/);
+  assert.doesNotMatch(await footer(), /curves/);
+});
+
 test("a file that is no case leaves the curve, and its table, of the case that stays", async () => {
   const page = await example();
   const shown = () =>
