@@ -256,6 +256,44 @@ async function openFile(file) {
   else open(await file.text());
 }
 
+/**
+ * What a button saves: of the solution that the case comes to rest at, and of no other. `file` gives a name, a type, a
+ * text or null, and why there is none; it is asked for once nothing is left to be solved, and where it `asks` the
+ * solver, once that is free. While it waits, the button says so. Of a search that was stopped a `result` is not whole.
+ */
+function saves(id, file, { known = () => page.answer, asks = () => false, result = true } = {}) {
+  const button = byId(id);
+  const waits = (is) => {
+    button.classList.toggle("waits", is);
+    button.setAttribute("aria-disabled", String(is));
+  };
+  const none = (why = "There is nothing to save yet.") => notice("note", why, "");
+  const give = (name, type, text, why) => {
+    if (text === null) return none(why);
+    download(name, type, text);
+    if (result && !page.settled)
+      notice("note", `${name} is not complete.`, "It has what had been found when the search was stopped.");
+  };
+  button.addEventListener("click", () => {
+    if (button.classList.contains("waits")) return;
+    if (!known()) return none();
+    const { look } = page;
+    const save = async () => {
+      try {
+        if (page.look === look) give(...(await file()));
+        else none("Nothing was saved: the other view was chosen before all was solved.");
+      } finally {
+        waits(false);
+      }
+    };
+    if (page.rested && !asks()) return guarded(save);
+    waits(true);
+    if (!page.rested) say("spoken", "It is saved as soon as all is solved.");
+    page.tasks.push(save);
+    run();
+  });
+}
+
 /** Looks at the belt, or at the whole drive. */
 function look(at) {
   page.look = at;
@@ -305,36 +343,28 @@ function wire() {
     setTimeout(() => say("share", "Copy link"), 2500);
   });
   const isWhole = () => page.look === "drive";
-  const save = (...file) => (file.at(-1) ? download(...file) : notice("note", "There is nothing to save yet.", ""));
-  byId("save-case").addEventListener("click", () => {
-    // The base case has no text, and is a case.
-    if (page.known) download("case.toml", "application/toml", page.case);
-    else save("");
+  const hasCurve = () => page.whole.view.points.length > 0;
+  // The base case has no text, and is a case.
+  saves("save-case", () => ["case.toml", "application/toml", page.case], { known: () => page.known, result: false });
+  saves("save-svg", () => {
+    const [name, view, unit, is] = isWhole()
+      ? ["shift.svg", page.whole.view, "px", hasCurve()]
+      : ["drive.svg", page.view, "mm", page.view.range];
+    return [name, "image/svg+xml", is ? standalone(view.svg, unit) : null];
   });
-  byId("save-svg").addEventListener("click", () => {
-    const [name, drawing, unit] = isWhole()
-      ? ["shift.svg", page.whole.view.svg, "px"]
-      : ["drive.svg", page.view.svg, "mm"];
-    const is = isWhole() ? page.whole.view.points.length > 0 : page.view.range;
-    save(name, "image/svg+xml", is && standalone(drawing, unit));
-  });
-  byId("save-csv").addEventListener("click", () => {
-    if (isWhole()) return save("shift.csv", "text/csv", page.whole.view.points.length > 0 && page.whole.view.csv);
-    if (!page.answer) return save("");
-    // Of the solution that the drive comes to rest at, and of no other.
-    page.tasks.push(async () => {
-      const { csv } = page.answer.result ? await ask("rest", { ask: "profile" }) : {};
-      if (csv) download("profile.csv", "text/csv", csv);
-      else notice("note", "There is no solution here whose profile could be saved.", "");
-    });
-    run();
-  });
-  byId("save-json").addEventListener("click", () => {
-    const { failure, result } = page.answer ?? {};
+  saves("save-json", () => {
+    const { failure, result } = page.answer;
     const told = failure ? { failure } : isWhole() ? page.whole.view.told : result;
-    const text = told && `${JSON.stringify(told, null, 2)}\n`;
-    save(isWhole() ? "shift.json" : "result.json", "application/json", text);
+    const text = told ? `${JSON.stringify(told, null, 2)}\n` : null;
+    return [isWhole() ? "shift.json" : "result.json", "application/json", text];
   });
+  const profile = async () => {
+    const { csv } = page.answer.result ? await ask("rest", { ask: "profile" }) : {};
+    const why = "There is no solution here whose profile could be saved.";
+    return ["profile.csv", "text/csv", csv ?? null, why];
+  };
+  const curve = () => ["shift.csv", "text/csv", hasCurve() ? page.whole.view.csv : null];
+  saves("save-csv", () => (isWhole() ? curve() : profile()), { asks: () => !isWhole() });
   const input = byId("file");
   byId("open").addEventListener("click", () => input.click());
   input.addEventListener("change", () => {

@@ -138,6 +138,54 @@ test("the curve is saved as CSV, JSON and SVG", async () => {
   assert.ok(!/class=|style=|script/.test(drawing.text));
 });
 
+test("a curve is saved once it is complete", async () => {
+  const page = await example();
+  const whole = (await saved(page, "#save-csv")).text;
+  const mass = 'input[type=range][data-key="primary.actuator.mass"]';
+  const move = async (button, share) => {
+    const [file] = await Promise.all([
+      page.waitForEvent("download", { timeout: 60_000 }),
+      page.evaluate(
+        async ([mass, button, share]) => {
+          const { view } = globalThis.sheave.whole;
+          const slider = document.querySelector(mass);
+          slider.value = String(share * Number(slider.value));
+          slider.dispatchEvent(new Event("input", { bubbles: true }));
+          // Some of the points are there.
+          while (!(view.branches.up.points.length === 3)) await new Promise(requestAnimationFrame);
+          document.querySelector(button).click();
+          globalThis.left = view.branches.up.left;
+        },
+        [mass, button, share],
+      ),
+    ]);
+    assert.ok((await page.evaluate(() => globalThis.left)) > 0);
+    return readFile(await file.path(), "utf8");
+  };
+  assert.equal((await move("#save-csv", 1.05)).split("\n").length, whole.split("\n").length);
+  const told = JSON.parse(await move("#save-json", 0.95));
+  assert.deepEqual(
+    told.map(({ points }) => points.length),
+    [25, 25],
+  );
+  // What a search had found that was stopped is saved, with a word.
+  await page.evaluate((mass) => {
+    const slider = document.querySelector(mass);
+    slider.value = String(1.05 * Number(slider.value));
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }, mass);
+  await page.waitForFunction(() => globalThis.sheave.busy && globalThis.sheave.whole.view.branches.up.left > 2);
+  const [part] = await Promise.all([
+    page.waitForEvent("download"),
+    page.evaluate(() => {
+      document.querySelector("#save-csv").click();
+      document.querySelector(".stop").click();
+    }),
+  ]);
+  assert.ok((await readFile(await part.path(), "utf8")).split("\n").length < whole.split("\n").length);
+  assert.equal(await page.locator("#notice-message").textContent(), "shift.csv is not complete.");
+});
+
 test("each view has its own words only", async () => {
   const page = await open();
   const footer = async () => (await page.locator("footer").innerText()).replace(/\s+/g, " ");

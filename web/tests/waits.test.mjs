@@ -1,5 +1,6 @@
 // What is typed, clicked and opened while the page is busy, in Chromium; and what it says where nothing can be done.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { answer, caseText, count, open, rested, saved, setUp, slide, state, type } from "./browser.mjs";
 
@@ -212,6 +213,49 @@ test("a profile is saved without a change being lost, and only of this solution"
   assert.ok(failure.message);
   assert.deepEqual(others, {});
   await unsaved(page, "#save-csv", "no solution here");
+});
+
+test("what is saved while something moves is of the solution at rest", async () => {
+  const page = await open();
+  /** A button is pressed while a slider is being moved. */
+  const pressed = async (button, value) => {
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.evaluate(
+        async ([key, value, button]) => {
+          const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
+          slider.value = String(value);
+          slider.dispatchEvent(new Event("input", { bubbles: true }));
+          // The first answers are there, and are shown.
+          const before = globalThis.sheave.drawn;
+          while (globalThis.sheave.drawn === before) await new Promise(requestAnimationFrame);
+          document.querySelector(button).click();
+          globalThis.waited = document.querySelector(button).getAttribute("aria-disabled");
+        },
+        [TORQUE, value, button],
+      ),
+    ]);
+    assert.equal(await page.evaluate(() => globalThis.waited), "true");
+    assert.equal(await page.locator(button).getAttribute("aria-disabled"), "false");
+    return readFile(await file.path(), "utf8");
+  };
+  const result = JSON.parse(await pressed("#save-json", 25));
+  assert.equal(result.solver.tolerance, 1e-6);
+  assert.equal(result.inputs.operating_point.primary_torque, 25);
+  assert.match(await pressed("#save-case", 30), /primary_torque = "30 N\*m"/);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.rested), "3");
+  // Another view is another file.
+  let files = 0;
+  page.on("download", () => (files += 1));
+  await page.evaluate((key) => {
+    const slider = document.querySelector(`input[type=range][data-key="${key}"]`);
+    slider.value = "20";
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    document.querySelector("#save-svg").click();
+    document.querySelector("#view-drive").click();
+  }, TORQUE);
+  await page.waitForFunction(() => /^Nothing was saved/.test(document.querySelector("#notice-message").textContent));
+  assert.equal(files, 0);
 });
 
 test("the way back leads to the base case, a damaged link is named and stays in the address", async () => {
