@@ -246,14 +246,27 @@ function measured(at) {
 }
 
 function open(text) {
-  if (text.length > LONGEST) notice("error", "The file is too long for a case.", "");
+  if (text.length > LONGEST) closed("The file is too long for a case.", "");
   else changed({ whole: text });
+}
+
+/** A file is not opened: the case stays, and so does the reason until something is changed. */
+function closed(message, hint) {
+  notice("error", message, hint);
+  page.sticky = true;
 }
 
 async function openFile(file) {
   if (!file) return;
-  if (file.size > LONGEST) notice("error", "The file is too long for a case.", "");
-  else open(await file.text());
+  if (file.size > LONGEST) return closed("The file is too long for a case.", "");
+  let text;
+  try {
+    text = await file.text();
+  } catch {
+    const why = "It may be a folder, or it may have been moved or deleted, or not be yours to read.";
+    return closed(`The file ${file.name} cannot be read.`, why);
+  }
+  open(text);
 }
 
 /**

@@ -1,8 +1,8 @@
 // What is typed, clicked and opened while the page is busy, in Chromium; and what it says where nothing can be done.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { readFile, rm, writeFile } from "node:fs/promises";
 import { test } from "node:test";
-import { answer, caseText, count, open, rested, saved, setUp, slide, state, type } from "./browser.mjs";
+import { answer, caseText, count, open, rested, saved, setUp, shots, slide, state, type } from "./browser.mjs";
 
 setUp();
 
@@ -121,6 +121,25 @@ test("a field takes the numbers that a case file takes, and no others", async ()
   }
   await type(page, "operating_point.slack_tension", "1.2e2");
   assert.equal(await caseText(page), '[operating_point]\nslack_tension = "120 N"\n');
+});
+
+test("a file that cannot be read is named, and the case stays", async () => {
+  const page = await open(link(twenty));
+  const gone = new URL("gone.toml", shots).pathname;
+  await writeFile(gone, twenty);
+  // It is chosen, and deleted before the page reads it.
+  await page.evaluate(() => {
+    addEventListener("change", (event) => event.stopImmediatePropagation(), { capture: true, once: true });
+  });
+  await page.locator("#file").setInputFiles(gone);
+  await rm(gone);
+  await page.locator("#file").evaluate((input) => input.dispatchEvent(new Event("change")));
+  await page.waitForFunction(() => !document.querySelector("#notice").hidden, null, { timeout: 10_000 });
+  assert.match(await message(page), /^The file gone\.toml cannot be read\.$/);
+  assert.match(await page.locator("#notice-hint").textContent(), /moved or deleted/);
+  assert.equal(await caseText(page), twenty);
+  await slide(page, TORQUE, 22);
+  assert.equal(await page.locator("#notice").isHidden(), true);
 });
 
 test("a field that is left shows the value that holds", async () => {
