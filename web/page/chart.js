@@ -223,26 +223,48 @@ export class Chart {
     set(this.paths.guide, { d: rates.map(ray).join("") });
   }
 
-  /** Points that mean something by themselves, with their names where there is room for them. */
+  /**
+   * Points that mean something by themselves, with their names: beside them where there is room, else above or below,
+   * with a line to the circle that is meant.
+   */
   #places(places) {
-    const taken = [];
-    const children = places.flatMap(({ x, y, text, name, side }) => {
-      const [cx, cy] = [this.x(x), this.y(y)];
-      const circle = svg("circle", { class: `place ${name}`, cx: cx.toFixed(1), cy: cy.toFixed(1), r: 4.5 });
-      if (!text) return [circle];
-      const other = side === "end" ? "start" : "end";
-      const ways = [-7, 17, -21, 31].flatMap((down) => [side, other].map((side) => ({ side, down })));
-      const free = ways.find((way) => this.#isFree(box(way), taken)) ?? ways[0];
-      taken.push(box(free));
-      const gap = free.side === "end" ? -9 : 9;
-      const at = { x: (cx + gap).toFixed(1), y: (cy + free.down).toFixed(1), "text-anchor": free.side };
-      return [circle, svg("text", { ...at, text })];
-
-      function box({ side, down }) {
-        const width = LETTER * text.length;
-        const left = side === "end" ? cx - 9 - width : cx + 9;
-        return { left, right: left + width, top: cy + down - 11, bottom: cy + down + 3 };
-      }
+    const circles = places.map(({ x, y }) => ({ cx: this.x(x), cy: this.y(y) }));
+    const taken = circles.map(({ cx, cy }) => ({ left: cx - 6, right: cx + 6, top: cy - 6, bottom: cy + 6 }));
+    const names = places.map(({ text, side }, i) => {
+      if (!text) return null;
+      const width = LETTER * text.length;
+      const { cx, cy } = circles[i];
+      const box = (left, down) => ({ left, right: left + width, top: cy + down - 11, bottom: cy + down + 3 });
+      const beside = box(side === "end" ? cx - 9 - width : cx + 9, -7);
+      const within = Math.max(MARGIN.left + 4, Math.min(this.width - width - 2, beside.left));
+      const further = [-26, 32, -44, 50].map((down) => box(within, down));
+      return { text, side, beside, further };
+    });
+    // Names that have room beside their own circle first: the others make way for them.
+    const put = (name, boxes) => {
+      const box = boxes.find((box) => this.#isFree(box, taken));
+      if (!box) return;
+      name.box = box;
+      taken.push(box);
+    };
+    const named = names.filter(Boolean);
+    for (const name of named) put(name, [name.beside]);
+    for (const name of named) if (!name.box) put(name, name.further);
+    const children = places.flatMap(({ name: kind }, i) => {
+      const { cx, cy } = circles[i];
+      const circle = svg("circle", { class: `place ${kind}`, cx: cx.toFixed(1), cy: cy.toFixed(1), r: 4.5 });
+      const name = names[i];
+      if (!name) return [circle];
+      const { text, side, beside, box = beside } = name;
+      const isBeside = box === beside;
+      const x = isBeside && side === "end" ? box.right : box.left;
+      const anchor = isBeside ? side : "start";
+      const word = svg("text", { x: x.toFixed(1), y: (box.bottom - 3).toFixed(1), "text-anchor": anchor, text });
+      if (isBeside) return [circle, word];
+      const above = box.bottom < cy;
+      const foot = `${Math.max(box.left + 6, Math.min(box.right - 12, cx)).toFixed(1)} ${above ? box.bottom : box.top}`;
+      const line = svg("path", { class: "leader", d: `M${cx.toFixed(1)} ${cy + (above ? -4.5 : 4.5)}L${foot}` });
+      return [line, circle, word];
     });
     this.marks.replaceChildren(...children);
   }
@@ -276,7 +298,7 @@ export class Chart {
       const gap = Math.max(1, Math.ceil((high - low) / 5));
       for (let power = low; power <= high; power += gap) this.#rung(children, 10 ** power, powerOfTen(power), inner);
     } else {
-      const up = ticks(low, high, this.profile.tall ? 6 : 4);
+      const up = ticks(low, high, this.profile.tall && inner.height > 160 ? 6 : 4);
       for (const value of up) this.#rung(children, value, tick(value, up.length > 1 ? up[1] - up[0] : 1), inner);
     }
     const many = inner.width > 300;

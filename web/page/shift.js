@@ -260,25 +260,24 @@ export class ShiftView {
 
   /** Once all is computed: the landmarks, the table, and what is missing. */
   settle() {
-    const rows = [];
-    for (const [name, branch] of Object.entries(this.branches)) {
-      if (branch.engagement) rows.push([WAYS[name], "flyweights overcome their spring", branch.engagement, null, null]);
-      for (const [kind, text] of Object.entries(PLACES)) {
-        const place = branch.landmarks[kind];
-        if (place) rows.push([WAYS[name], text, place.primary_speed, place.secondary_speed, place.ratio]);
-      }
-    }
     const road = (speed) => (speed === null || this.#road === null ? "" : number(speed * this.#road * KMH, 3));
-    const header = ["", "", "engine (rpm)", "secondary (rpm)", "road (km/h)", "ratio"];
-    const cells = rows.map(([way, text, engine, secondary, ratio]) => [
-      way,
+    const header = ["", "engine (rpm)", "secondary (rpm)", "road (km/h)", "ratio"];
+    const cells = ([text, engine, secondary, ratio]) => [
       text,
       number(engine * RPM),
       secondary === null ? "" : number(secondary * RPM),
       road(secondary),
       ratio === null ? "" : number(ratio, 3),
-    ]);
-    this.parts.landmarks.replaceChildren(...table(header, cells));
+    ];
+    const groups = Object.entries(this.branches).map(([name, branch]) => {
+      const rows = branch.engagement ? [["flyweights overcome their spring", branch.engagement, null, null]] : [];
+      for (const [kind, text] of Object.entries(PLACES)) {
+        const place = branch.landmarks[kind];
+        if (place) rows.push([text, place.primary_speed, place.secondary_speed, place.ratio]);
+      }
+      return [WAYS[name], rows.map(cells)];
+    });
+    this.parts.landmarks.replaceChildren(...grouped(header, groups));
     const all = this.points.map((point) =>
       COLUMNS.map(([key, , text]) =>
         point.failure && !["direction", "secondary_speed"].includes(key) ? "–" : text(point),
@@ -354,13 +353,28 @@ export class ShiftView {
   }
 }
 
+/** The head of a table. */
+function head(header) {
+  const cells = header.map((text) => html(text ? "th" : "td", { text, scope: text ? "col" : null }));
+  return html("thead", {}, html("tr", {}, ...cells));
+}
+
 /** Head and body of a table of texts. */
 function table(header, rows) {
-  const head = html(
-    "thead",
-    {},
-    html("tr", {}, ...header.map((text) => html(text ? "th" : "td", { text, scope: text ? "col" : null }))),
-  );
   const line = (cells) => html("tr", {}, ...cells.map((text) => html("td", { text })));
-  return [head, html("tbody", {}, ...rows.map(line))];
+  return [head(header), html("tbody", {}, ...rows.map(line))];
+}
+
+/** Head and bodies of a table of texts in groups, each with a name; the first text of a row is the row's name. */
+function grouped(header, groups) {
+  const line = ([name, ...cells]) =>
+    html("tr", {}, html("th", { scope: "row", text: name }), ...cells.map((text) => html("td", { text })));
+  const body = ([name, rows]) =>
+    html(
+      "tbody",
+      {},
+      html("tr", {}, html("th", { scope: "rowgroup", colspan: header.length, text: name })),
+      ...rows.map(line),
+    );
+  return [head(header), ...groups.filter(([, rows]) => rows.length > 0).map(body)];
 }

@@ -300,7 +300,7 @@ test("a keyboard reaches the curve and what is read of it", async () => {
   await rested(page, before);
   assert.ok((await answer(page)).values["secondary.actuator.helix_angle"] > 38);
   assert.match(await page.locator("#spoken").textContent(), /The engine runs at .* rpm while the drive shifts up/);
-  const rows = await page.locator("#landmarks tbody tr").count();
+  const rows = await page.locator("#landmarks tbody tr:has(td)").count();
   assert.ok(rows >= 6, `${rows} landmarks`);
   assert.ok((await page.locator("#points tbody tr").count()) > 40);
 });
@@ -329,6 +329,44 @@ for (const [width, height] of [
       await looked(page);
     });
   }
+}
+
+for (const width of [390, 320]) {
+  test(`at ${width} px the landmarks' numbers are in sight, and names stand at their own circles`, async () => {
+    const page = await example({ viewport: { width, height: 844 } });
+    const cells = await page
+      .locator("#landmarks td")
+      .evaluateAll((cells) =>
+        cells.filter((cell) => cell.textContent).map((cell) => cell.getBoundingClientRect().right),
+      );
+    assert.ok(cells.length > 20, `${cells.length}`);
+    assert.ok(Math.max(...cells) <= width, `${Math.max(...cells)}`);
+    const names = await page.evaluate(() => {
+      const center = (circle) => ["cx", "cy"].map((name) => Number(circle.getAttribute(name)));
+      const far = ([x, y], { left, right, top, bottom }) =>
+        Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom));
+      const circles = [...document.querySelectorAll("#shift-chart .place")];
+      return [...document.querySelectorAll("#shift-chart .places text")].map((text) => {
+        const own = text.previousElementSibling;
+        const leader = own.previousElementSibling;
+        const { x, y, width, height } = text.getBBox();
+        let box = { left: x, right: x + width, top: y, bottom: y + height };
+        if (leader?.matches(".leader")) {
+          const { x, y } = leader.getPointAtLength(0);
+          box = { left: x, right: x, top: y, bottom: y };
+        }
+        const nearest = circles.toSorted((a, b) => far(center(a), box) - far(center(b), box))[0];
+        return [text.textContent, nearest === own];
+      });
+    });
+    assert.deepEqual(names, [
+      ["take-off", true],
+      ["shift-out", true],
+      ["full shift", true],
+    ]);
+    const stage = await page.locator("#shift-chart").evaluate((chart) => chart.closest(".stage").offsetHeight);
+    assert.ok(stage <= 0.4 * 844, `the curve takes ${stage} px of the screen`);
+  });
 }
 
 test("curve rates, to be read", async () => {
