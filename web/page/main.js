@@ -320,6 +320,7 @@ function look(at) {
   page.controls.whole = at === "drive";
   page.frames = [];
   say("frames", "");
+  say("spoken", "");
   notice("none", "");
 }
 

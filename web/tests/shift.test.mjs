@@ -192,7 +192,12 @@ test("each view has its own words only", async () => {
   assert.match(await footer(), /Residual .* mesh intervals\. Motion is shown/);
   await slide(page, "operating_point.primary_torque", 20);
   const start = await count(page);
-  await page.locator("#view-drive").click();
+  assert.match(await page.locator("#spoken").textContent(), /Axial forces/);
+  const spoken = await page.evaluate(() => {
+    document.querySelector("#view-drive").click();
+    return document.querySelector("#spoken").textContent;
+  });
+  assert.equal(spoken, "");
   await rested(page, start);
   assert.doesNotMatch(await footer(), /Residual|mesh intervals|Motion|drawings/);
   // What is measured of one view as it is left is not told of the other.
