@@ -3,7 +3,7 @@
 use crate::{convert, error};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyList, PyMapping, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
 use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
 use sheave::study::{Axis, StudyFile};
 use std::path::{Path, PathBuf};
@@ -351,28 +351,58 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
              {kind}"
         ))
     };
-    // numpy's, too, whose name has changed.
-    let kind = value.get_type().name()?;
-    if value.is_instance_of::<PyBool>() || ["bool", "bool_"].contains(&kind.to_str()?) {
+    if let Some(items) = items(value)? {
+        let items = items.iter().map(|item| Ok(in_toml(text_of(name, item)?)));
+        return Ok(format!("[{}]", items.collect::<PyResult<Vec<_>>>()?.join(", ")));
+    }
+    if is_no_number(value)? {
         return Err(wrong());
     }
-    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
-    let is_array = array && value.getattr("ndim")?.extract::<usize>()? > 0;
-    let quantity = value.hasattr("to_base_units")?;
-    let item = |item: PyResult<Bound<'_, PyAny>>| Ok(in_toml(text_of(name, &item?)?));
-    if quantity && is_array {
-        return Ok(format!("[{}]", value.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
-    }
-    if quantity {
+    if value.hasattr("to_base_units")? {
         let text = value.py().import("sheave.units")?.call_method1("text", (value,))?;
         return text.extract();
     }
-    let listed = if is_array { value.call_method0("tolist")? } else { value.clone() };
-    if listed.is_instance_of::<PyList>() || listed.is_instance_of::<PyTuple>() {
-        return Ok(format!("[{}]", listed.try_iter()?.map(item).collect::<PyResult<Vec<_>>>()?.join(", ")));
-    }
     let number: f64 = value.extract().map_err(|_| wrong())?;
     Ok(format!("{number:e}"))
+}
+
+/// The items of a list, a tuple, an array or a quantity with an array; none for anything else.
+///
+/// # Errors
+/// What the value raises.
+fn items<'py>(value: &Bound<'py, PyAny>) -> PyResult<Option<Vec<Bound<'py, PyAny>>>> {
+    let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
+    let listed = value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>();
+    if listed || array && value.getattr("ndim")?.extract::<usize>()? > 0 {
+        return value.try_iter()?.collect::<PyResult<_>>().map(Some);
+    }
+    Ok(None)
+}
+
+/// Whether a value would pass for a number and is none: a truth, a time or a complex number, of Python or of an array.
+///
+/// # Errors
+/// What the value raises.
+pub fn is_no_number(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    if value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() {
+        return Ok(false);
+    }
+    if value.is_instance_of::<PyBool>() {
+        return Ok(true);
+    }
+    let kind = value.getattr_opt("dtype")?.map(|kind| kind.getattr_opt("kind")).transpose()?.flatten();
+    if let Some(kind) = kind {
+        // As numpy and pandas name truths, durations, times and complex numbers.
+        return Ok(["b", "m", "M", "c"].contains(&kind.str()?.to_str()?));
+    }
+    if value.hasattr("to_base_units")? {
+        return value.getattr_opt("magnitude")?.map_or(Ok(false), |magnitude| is_no_number(&magnitude));
+    }
+    // Of other packages' arrays, of which the value is one without dimensions.
+    match value.getattr_opt("tolist")? {
+        Some(plain) => Ok(plain.call0()?.is_instance_of::<PyBool>()),
+        None => Ok(false),
+    }
 }
 
 /// A value's text within an array or a table: in quotes, unless it is a number or an array.

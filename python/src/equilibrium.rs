@@ -5,7 +5,7 @@ use crate::table::Table;
 use crate::{case, convert, error, figure, interrupt, result};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict};
+use pyo3::types::{PyDict, PyString};
 use serde_json::{Value, json};
 use sheave::Cancel;
 use sheave::case::{Key, Resolved, Setting};
@@ -241,11 +241,11 @@ fn of_vehicle(case: &Resolved, given: &Bound<'_, PyAny>) -> PyResult<f64> {
 /// # Errors
 /// `ValueError` for what is none, or not positive; `TypeError` for anything else.
 pub fn positive(name: &str, given: &Bound<'_, PyAny>, dimension: Dimension) -> PyResult<f64> {
-    let plain = !given.is_instance_of::<PyBool>() && !given.hasattr("to_base_units")?;
-    let value = match given.extract::<f64>() {
+    let text = case::text_of(name, given)?;
+    let plain = !given.is_instance_of::<PyString>() && !given.hasattr("to_base_units")?;
+    let value = match text.parse::<f64>() {
         Ok(number) if plain => number,
         _ => {
-            let text = case::text_of(name, given)?;
             let read = quantity::parse(&text).and_then(|quantity| quantity.expect(dimension));
             read.map_err(|reason| PyValueError::new_err(format!("{name} = {text}: {reason}")))?
         }

@@ -5,7 +5,7 @@ use crate::table::Table;
 use crate::{case, design, error, result};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyString};
+use pyo3::types::{PyDict, PyString};
 use sheave::Cancel;
 use sheave::case::{Key, Setting, ValueKind};
 use sheave::design::{LimitOptions, limit_map, optimum_map};
@@ -252,12 +252,10 @@ fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> Py
     if let Some(known) = Key::from_path(&path)
         && let ValueKind::Quantity { .. } = known.entry().kind
     {
-        // Numbers at once; quantities of pint have units, and truths are no numbers.
-        let plain = !values.hasattr("to_base_units")?;
-        let numbers = match values.extract::<Vec<f64>>() {
-            Ok(numbers) if plain && !numbers.is_empty() && !has_truths(values)? => numbers,
-            _ => case::values(py, &name, known, values)?,
-        };
+        // Numbers at once; quantities of pint have units, and what has no length can be gone through only once.
+        let plain = !values.hasattr("to_base_units")? && values.len().is_ok() && are_numbers(values)?;
+        let numbers = if plain { values.extract::<Vec<f64>>().unwrap_or_default() } else { Vec::new() };
+        let numbers = if numbers.is_empty() { case::values(py, &name, known, values)? } else { numbers };
         return Axis::of(known, numbers).map_err(|error| error::study(py, &error));
     }
     let texts = values.try_iter()?.map(|item| case::text_of(&name, &item?)).collect::<PyResult<Vec<_>>>()?;
@@ -267,16 +265,18 @@ fn axis(py: Python<'_>, key: &Bound<'_, PyAny>, values: &Bound<'_, PyAny>) -> Py
     parsed(format!("{path}={}", texts.join(",")))
 }
 
-/// Whether some of a sequence's items are truths, which would pass for numbers.
-fn has_truths(values: &Bound<'_, PyAny>) -> PyResult<bool> {
+/// Whether none of a sequence's items merely passes for a number.
+fn are_numbers(values: &Bound<'_, PyAny>) -> PyResult<bool> {
     // Of numpy and pandas; others say otherwise what they hold.
-    if let Ok(kind) = values.getattr("dtype").and_then(|kind| kind.getattr("kind")) {
-        return kind.eq("b");
+    if let Ok(kind) = values.getattr("dtype").and_then(|kind| kind.getattr("kind"))
+        && ["i", "u", "f"].contains(&kind.str()?.to_str()?)
+    {
+        return Ok(true);
     }
     for item in values.try_iter()? {
-        if item?.is_instance_of::<PyBool>() {
-            return Ok(true);
+        if case::is_no_number(&item?)? {
+            return Ok(false);
         }
     }
-    Ok(false)
+    Ok(true)
 }

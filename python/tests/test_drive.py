@@ -233,6 +233,12 @@ def test_wrong_boxes_are_refused(gx9: sheave.Case, tmp_path: Path) -> None:
         sheave.tune(gx9, parts={"a": {"b": {"belt.length": "800 mm"}}}, target="3400 rpm")
 
 
+def test_speeds_are_numbers(gx9: sheave.Case) -> None:
+    for wrong in (True, np.True_, np.timedelta64(5), 3j):
+        with pytest.raises(TypeError, match=r"`speed`: a value is a text with a unit"):
+            sheave.drive(gx9, speed=wrong)
+
+
 def test_a_shift_curve_ends_at_a_higher_speed_than_it_begins(gx9: sheave.Case) -> None:
     for start, stop in (("3000 rpm", "1000 rpm"), ("2000 rpm", "2000 rpm")):
         with pytest.raises(ValueError, match=r"start is .* expected a higher speed to end at"):

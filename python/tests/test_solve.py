@@ -8,8 +8,11 @@ import threading
 import time
 from collections import UserDict
 from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -66,6 +69,44 @@ def test_keys_take_the_place_of_those_that_say_the_same_in_another_way(root: Pat
     both = sheave.solve(drive={"primary_radius": "60 mm", "secondary_radius": "76.8 mm"}, tolerance=1e-3)
     assert both.primary.radius == pytest.approx(0.06)
     assert sheave.Case(drive={"primary_radius": 0.06}).with_(ratio=1.2).given == {"drive.ratio": 1.2}
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_only_passes_for_a_number_is_refused() -> None:
+    """Truths, times and complex numbers, alone, in lists and in arrays."""
+    others: list[Any] = [
+        True,
+        np.True_,
+        np.array(True),
+        np.timedelta64(5),
+        np.timedelta64(5, "s"),
+        np.datetime64(5, "s"),
+        np.array(5, "m8"),
+        np.complex128(3),
+        3j,
+    ]
+    for other in others:
+        with pytest.raises(TypeError, match=r"`slack_tension`: a value is a text with a unit"):
+            sheave.Case(slack_tension=other)
+        with pytest.raises(TypeError, match=r"`radii`: a value is a text with a unit"):
+            sheave.Case(radii=[0.038, other])
+        with pytest.raises(TypeError, match=r"a value is a text with a unit"):
+            sheave.Study(over={"slack_tension": [100.0, other]})
+    for array in (np.array([5, 6], "m8"), np.array([5, 6], "m8[s]"), np.array([True, False]), np.array([3j])):
+        with pytest.raises(TypeError, match=r"a value is a text with a unit"):
+            sheave.Case(radii=array)
+        with pytest.raises(TypeError, match=r"a value is a text with a unit"):
+            sheave.Study(over={"slack_tension": array})
+    numbers: list[Any] = [5, 5.0, np.float32(5), np.int8(5), np.array(5.0), Fraction(5), Decimal(5)]
+    for number in numbers:
+        assert sheave.Case(slack_tension=number).given == {"operating_point.slack_tension": 5.0}
+    assert sheave.Case(radii=np.array([0.038, 0.04])).given == {"primary.actuator.radii": [0.038, 0.04]}
+
+
+def test_a_truth_with_a_unit_is_refused() -> None:
+    pint = pytest.importorskip("pint")
+    with pytest.raises(TypeError, match=r"`slack_tension`: a value is"):
+        sheave.Case(slack_tension=pint.UnitRegistry().Quantity(np.True_, "N"))
 
 
 def test_quantities_of_pint_are_checked_by_their_dimension() -> None:
