@@ -64,8 +64,7 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
     };
     let axis = |(key, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let name: String = key.extract().map_err(|_| PyTypeError::new_err("over: keys are texts"))?;
-        // As in keyword arguments.
-        let path = if name.contains('.') { name.clone() } else { name.replace("__", ".") };
+        let path = with_dots(&name);
         if let Ok(text) = values.cast::<PyString>() {
             return parsed(&format!("{path}={}", text.to_str()?));
         }
@@ -74,6 +73,11 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
         MapAxis::new(key, case::values(py, &name, key, &values)?).map_err(|error| refused(py, &error))
     };
     named.iter().map(axis).collect()
+}
+
+/// A key's name with dots, as keyword arguments cannot have them.
+fn with_dots(name: &str) -> String {
+    if name.contains('.') { name.to_owned() } else { name.replace("__", ".") }
 }
 
 /// Values and derivatives.
@@ -254,7 +258,8 @@ impl BeltMap {
         PyBytes::new(py, &bytes)
     }
 
-    /// Everything at one point: its coordinates in the order of `keys`, or by key. Raises MapError outside the map.
+    /// Everything at one point: its coordinates in the order of `keys`, or by key, by the names that `over` takes.
+    /// Raises MapError outside the map.
     #[pyo3(signature = (*coordinates, **by_key))]
     fn at<'py>(
         &self,
@@ -300,16 +305,38 @@ impl BeltMap {
 
 impl BeltMap {
     fn by_key(&self, named: &Bound<'_, PyDict>) -> PyResult<Vec<f64>> {
-        let mut at = vec![None; self.0.axes().len()];
+        let mut at: Vec<Option<(String, f64)>> = vec![None; self.0.axes().len()];
         for (name, value) in named {
             let name: String = name.extract()?;
-            let path = case::path_of(&name)?;
-            let place = self.0.axes().iter().position(|axis| axis.key().path() == path);
-            let place = place.ok_or_else(|| PyValueError::new_err(format!("`{path}` is no axis of the map")))?;
-            at[place] = Some(value.extract()?);
+            let place = self.place(&name)?;
+            if let Some((first, _)) = &at[place] {
+                return Err(PyValueError::new_err(case::twice(first, &name)));
+            }
+            let number = if case::is_no_number(&value)? { None } else { value.extract().ok() };
+            let number = number.ok_or_else(|| {
+                PyTypeError::new_err(format!(
+                    "`{name}` = {value}: expected a number in SI units, as the map's nodes are"
+                ))
+            })?;
+            at[place] = Some((name, number));
         }
         let missing =
             |axis: usize| PyValueError::new_err(format!("`{}` is not given", self.0.axes()[axis].key().path()));
-        at.into_iter().enumerate().map(|(axis, value)| value.ok_or_else(|| missing(axis))).collect()
+        let number =
+            |(axis, given): (usize, Option<(String, f64)>)| given.ok_or_else(|| missing(axis)).map(|(_, at)| at);
+        at.into_iter().enumerate().map(number).collect()
+    }
+
+    /// The place among the axes of the one that a name means.
+    fn place(&self, name: &str) -> PyResult<usize> {
+        let path = match MapAxis::key_named(&with_dots(name)) {
+            Some(key) => key.path().to_owned(),
+            // What several sections have is refused.
+            None => case::path_of(name)?,
+        };
+        self.0.axes().iter().position(|axis| axis.key().path() == path).ok_or_else(|| {
+            let axes: Vec<String> = self.keys().iter().map(|key| format!("`{key}`")).collect();
+            PyValueError::new_err(format!("`{name}` is no axis of the map: expected {}", axes.join(", ")))
+        })
     }
 }

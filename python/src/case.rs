@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
 use sheave::case::{self, CaseError, Key, Resolved, TABLE, ValueKind};
 use sheave::study::{Axis, StudyFile};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// How messages name what a call gives by itself.
@@ -300,11 +301,17 @@ fn add(settings: &mut Settings, prefix: &str, keys: &Bound<'_, PyDict>) -> PyRes
     Ok(())
 }
 
-/// Sets keys; those that say the same in another way make room.
+/// Sets keys, each of them once; those that say the same in another way make room.
 fn set(py: Python<'_>, case: &mut case::Case, settings: &Settings) -> PyResult<()> {
-    let mut paths = Vec::with_capacity(settings.len());
+    let (mut paths, mut named) = (Vec::with_capacity(settings.len()), HashMap::new());
     for (name, _) in settings {
-        paths.push(path_of(name)?);
+        let path = path_of(name)?;
+        if let Some(first) = named.insert(path.clone(), name)
+            && Key::from_path(&path).is_some()
+        {
+            return Err(error::case_message(&twice(first, name), None));
+        }
+        paths.push(path);
     }
     let known: Vec<Key> = paths.iter().filter_map(|path| Key::from_path(path)).collect();
     case.make_room(&known);
@@ -312,6 +319,15 @@ fn set(py: Python<'_>, case: &mut case::Case, settings: &Settings) -> PyResult<(
         case.set_from(ARGUMENT, path, value).map_err(|error| error::case(py, &error))?;
     }
     Ok(())
+}
+
+/// What is wrong with two names of one key.
+pub fn twice(first: &str, second: &str) -> String {
+    if first == second {
+        format!("`{first}` is given twice: expected it once")
+    } else {
+        format!("`{first}` and `{second}` are the same key, which is given twice: expected one of them")
+    }
 }
 
 /// The whole name of a key that may be given by its last part; unknown names stay as they are, for the case to refuse.

@@ -60,6 +60,22 @@ def test_maps_are_over_what_keys_are_otherwise() -> None:
     assert "--" not in str(caught.value)
 
 
+def test_a_point_is_named_as_the_map_was(belt_map: sheave.BeltMap) -> None:
+    point = belt_map.at(1.07, 11.0)
+    assert belt_map.at(ratio=1.07, torque=11.0) == point
+    assert belt_map.at(drive__ratio=1.07, operating_point__primary_torque=11) == point
+    with pytest.raises(ValueError, match=r"`clamp` is no axis of the map: expected `drive\.ratio`, `operating_point"):
+        belt_map.at(ratio=1.07, clamp=11.0)
+    with pytest.raises(ValueError, match="`mass` is a key of several sections"):
+        belt_map.at(ratio=1.07, mass=11.0)
+    with pytest.raises(ValueError, match=r"`ratio` and `drive\.ratio` are the same key"):
+        belt_map.at(**{"ratio": 1.0, "drive.ratio": 0.9, "torque": 11.0})
+    wrong: list[Any] = [True, np.True_, np.timedelta64(11), "11 N*m", None]
+    for one in wrong:
+        with pytest.raises(TypeError, match=r"`torque` = .*: expected a number in SI units"):
+            belt_map.at(ratio=1.07, torque=one)
+
+
 def test_many_points_are_read_at_once_with_derivatives(belt_map: sheave.BeltMap) -> None:
     points = np.array([[1.0, 9.0], [1.1, 17.0], [2.0, 9.0]])
     values, slopes = belt_map.interpolate("primary.axial_force", points)

@@ -71,6 +71,30 @@ def test_keys_take_the_place_of_those_that_say_the_same_in_another_way(root: Pat
     assert sheave.Case(drive={"primary_radius": 0.06}).with_(ratio=1.2).given == {"drive.ratio": 1.2}
 
 
+@pytest.mark.parametrize(
+    ("keys", "said"),
+    [
+        ({"drive.ratio": 1.2, "ratio": 1.3}, r"`drive\.ratio` and `ratio` are the same key, which is given twice"),
+        ({"ratio": 1.2, "drive__ratio": 1.2}, r"`ratio` and `drive__ratio` are the same key"),
+        ({"drive": {"ratio": 1.2}, "ratio": 1.3}, r"`drive\.ratio` and `ratio` are the same key"),
+        ({"drive": {"ratio": 1.2}, "drive.ratio": 1.3}, r"`drive\.ratio` is given twice: expected it once"),
+    ],
+)
+def test_a_key_is_given_once(keys: dict[str, Any], said: str) -> None:
+    with pytest.raises(sheave.CaseError, match=said):
+        sheave.solve(keys)
+    with pytest.raises(sheave.CaseError, match=said):
+        sheave.Case(**keys)
+    with pytest.raises(sheave.CaseError, match=said):
+        sheave.Case().with_(keys)
+
+
+def test_a_key_of_a_call_takes_the_place_of_that_of_the_case() -> None:
+    assert sheave.Case({"drive.ratio": 1.2}, ratio=1.3).given == {"drive.ratio": 1.3}
+    assert sheave.Case({"drive.ratio": 1.2, "ratio": None}).given == {"drive.ratio": 1.2}
+    assert sheave.Case().with_({"ratio": 1.2}, drive__ratio=1.3).given == {"drive.ratio": 1.3}
+
+
 @pytest.mark.filterwarnings("error")
 def test_what_only_passes_for_a_number_is_refused() -> None:
     """Truths, times and complex numbers, alone, in lists and in arrays."""
