@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -551,11 +550,12 @@ def tune(
     """Finds the combination of parts that holds the engine at ``target`` (``"3400 rpm"``) over the whole shift.
 
     ``parts`` is a file of parts, or the same as a dictionary: a kind has parts by name, each with the keys of the case
-    that it sets; or one key with a list of values::
+    that it sets; or one key with a list of values. Keys and values are those of cases, so that keys may be shortened,
+    and an array is a list::
 
         tune("drive.toml", target="3400 rpm", parts={
             "flyweight": {"light": {"primary.actuator.mass": "45 g"}, "heavy": {"primary.actuator.mass": "72 g"}},
-            "helix": {"secondary.actuator.helix_angle": ["32 deg", "36 deg"]},
+            "helix": {"helix_angle": ["32 deg", "36 deg"]},
         })
 
     The belt is mapped to ``accuracy`` in at most ``max_points`` points, unless there is a ``map``; every combination is
@@ -565,15 +565,12 @@ def tune(
 
     Raises ``CaseError`` also for the box of parts, ``MapError``, ``StudyError``.
     """
-    as_text = isinstance(parts, Mapping)
-    given = _toml(parts) if isinstance(parts, Mapping) else str(parts)
     # How many points it takes is known at the end only.
     with progress_bar(progress, None) as tell:
         return Tuning(
             _sheave.tune(
                 case,
-                parts=given,
-                as_text=as_text,
+                parts=parts,
                 target=target,
                 map=map,
                 accuracy=accuracy,
@@ -586,36 +583,3 @@ def tune(
                 **keys,
             )
         )
-
-
-def _toml(parts: Mapping[str, Any]) -> str:
-    """A box of parts as the text of its file."""
-
-    def value(given: Any) -> str:
-        if isinstance(given, (list, tuple)):
-            return f"[{', '.join(value(one) for one in given)}]"
-        if isinstance(given, str):
-            return quoted(given)
-        if hasattr(given, "to_base_units"):
-            from .units import text
-
-            return quoted(text(given))
-        return repr(float(given))
-
-    def path(key: str) -> str:
-        return ".".join(quoted(word) for word in key.replace("__", ".").split("."))
-
-    def quoted(text: str) -> str:
-        # A text of JSON is one of TOML.
-        return json.dumps(text, ensure_ascii=False)
-
-    lines = []
-    for kind, content in parts.items():
-        lines.append(f"[{quoted(kind)}]")
-        for name, settings in content.items():
-            if isinstance(settings, Mapping):
-                inner = ", ".join(f"{path(key)} = {value(given)}" for key, given in settings.items())
-                lines.append(f"{quoted(name)} = {{ {inner} }}")
-            else:
-                lines.append(f"{path(name)} = {value(settings)}")
-    return "\n".join(lines) + "\n"

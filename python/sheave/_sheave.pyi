@@ -575,7 +575,10 @@ class BeltMap:
     def inputs(self) -> dict[str, Any]:
         """The case in the middle of the map, resolved to SI units."""
     def at(self, *coordinates: float, **by_key: float) -> dict[str, float]:
-        """Everything at one point: its coordinates in the order of ``keys``, or by key. Raises MapError outside."""
+        """Everything at one point: its coordinates in the order of ``keys``, or by key, named as for ``over``.
+
+        Raises MapError outside the map.
+        """
     def interpolate(self, quantity: str, points: ArrayLike) -> tuple[_Array, _Array]:
         """A quantity at many points of shape (m, axes): values (m,) and derivatives (m, axes); NaN outside."""
     def table_bytes(self) -> bytes:
@@ -733,8 +736,7 @@ def tune(
     case: _CaseLike = None,
     /,
     *,
-    parts: str,
-    as_text: bool,
+    parts: Union[str, PathLike[str], Mapping[str, Any]],
     target: Any,
     map: Optional[BeltMap] = None,
     accuracy: float = 1e-2,

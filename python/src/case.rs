@@ -386,7 +386,7 @@ pub fn text_of(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
 ///
 /// # Errors
 /// What the value raises.
-fn items<'py>(value: &Bound<'py, PyAny>) -> PyResult<Option<Vec<Bound<'py, PyAny>>>> {
+pub fn items<'py>(value: &Bound<'py, PyAny>) -> PyResult<Option<Vec<Bound<'py, PyAny>>>> {
     let array = value.hasattr("tolist")? && value.hasattr("ndim")?;
     let listed = value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>();
     if listed || array && value.getattr("ndim")?.extract::<usize>()? > 0 {

@@ -14,6 +14,7 @@ mod figure;
 mod file;
 mod fmu;
 mod interrupt;
+mod parts;
 mod profile;
 mod result;
 mod study;

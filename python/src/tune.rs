@@ -3,7 +3,7 @@
 use crate::beltmap::{BeltMap, Counting};
 use crate::equilibrium::positive;
 use crate::table::Table;
-use crate::{case, convert, error, figure, interrupt, result, study};
+use crate::{case, convert, error, figure, interrupt, parts, result, study};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,18 +14,14 @@ use sheave::tune::{PartsBox, Ranking, TuneError, TuneOptions, TunePlan, pareto_f
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How messages name a box of parts given as text.
-const TEXT: &str = "parts";
-
-/// Searches a box of parts: see `sheave.tune`. `parts` is the text of a file of parts where `as_text`, else its path.
+/// Searches a box of parts: see `sheave.tune`. `parts` is the path of a file of parts, or a dictionary.
 #[pyfunction]
-#[pyo3(signature = (case=None, /, *, parts, as_text, target, map=None, accuracy=1e-2, max_points=20_000, points=11,
+#[pyo3(signature = (case=None, /, *, parts, target, map=None, accuracy=1e-2, max_points=20_000, points=11,
     least_reserve=0.0, best=10, jobs=None, progress=None, **keys))]
 pub fn tune(
     py: Python<'_>,
     case: Option<&Bound<'_, PyAny>>,
-    parts: &str,
-    as_text: bool,
+    parts: &Bound<'_, PyAny>,
     target: &Bound<'_, PyAny>,
     map: Option<&Bound<'_, BeltMap>>,
     accuracy: f64,
@@ -40,8 +36,7 @@ pub fn tune(
     study::some_thread(jobs)?;
     let case = case::read(py, case, keys)?;
     let target = positive("target", target, Dimension::ANGULAR_SPEED)?;
-    let read = if as_text { PartsBox::from_toml(TEXT, parts) } else { PartsBox::read(parts.as_ref()) };
-    let parts = read.map_err(|error| refused(py, &error))?;
+    let parts = parts::read(parts)?.map_err(|error| refused(py, &error))?;
     let options = TuneOptions { points, least_reserve, confirmed: best, jobs, ..TuneOptions::new(target) };
     // As the command does: the map's points are solved a hundred times as accurately as it is read.
     let solve = result::options((0.01 * accuracy).clamp(1e-12, 1e-1), 4)?;

@@ -239,6 +239,83 @@ def test_speeds_are_numbers(gx9: sheave.Case) -> None:
             sheave.drive(gx9, speed=wrong)
 
 
+def test_parts_are_what_keys_and_values_are_otherwise(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
+    """Lists, tuples, arrays and quantities with arrays, shortened keys, sections as dictionaries."""
+    pint = pytest.importorskip("pint")
+    q = pint.UnitRegistry().Quantity
+    options: dict[str, Any] = {"target": "3200 rpm", "points": 3, "best": 0, "map": tuning.map}
+
+    def masses(parts: dict[str, Any]) -> set[str]:
+        found = sheave.tune(gx9, parts={"mass": parts}, **options)
+        cases = [found.case(candidate) for candidate in range(found.candidates)]
+        return {f"{case.given['primary.actuator.mass']:.4f}" for case in cases}
+
+    wanted = {"0.1340", "0.1600"}
+    boxes: list[dict[str, Any]] = [
+        {"primary.actuator.mass": ("134 g", 0.160)},
+        {"primary.actuator.mass": np.array([0.134, 0.160])},
+        {"primary__actuator__mass": q(np.array([134.0, 160.0]), "g")},
+        {"primary.actuator.mass": [q(134.0, "g"), np.float64(0.160)]},
+        {"primary": {"actuator": {"mass": ["134 g", "160 g"]}}},
+        {"primary.actuator": {"mass": ["134 g", "160 g"]}},
+        {"a": {"primary": {"actuator.mass": "134 g"}}, "b": {"primary.actuator": {"mass": 0.160}}},
+        {"a": {"primary.actuator.mass": "134 g"}, "b": {"primary.actuator.mass": 0.160, "pretension": None}},
+    ]
+    for box in boxes:
+        assert masses(box) == wanted, box
+    helix = {"helix": {"helix_angle": ["31 deg", "34 deg"]}, "pretension": {"a": {"pretension": "60 deg"}}}
+    found = sheave.tune(gx9, parts=helix, **options)
+    assert found.candidates == 2
+    assert {one.parts["helix"] for one in found.tunes} <= {"31 deg", "34 deg"}
+    assert found.case(0).given["secondary.actuator.helix_angle"] == pytest.approx(np.radians(31))
+    # A name may have any character.
+    odd = 'the "light"\\ one\x7f\n'
+    found = sheave.tune(gx9, parts={odd: {odd: {"secondary.actuator.helix_angle": "31 deg"}}}, **options)
+    assert found.candidates == 1
+
+
+@pytest.mark.parametrize(
+    ("parts", "said"),
+    [
+        ({"mass": {"primary.actuator.mass": [True]}}, ["`mass`", "`primary.actuator.mass` = True", "expected a mass"]),
+        ({"mass": {"primary.actuator.mass": [None]}}, ["`primary.actuator.mass` = None", "expected a mass"]),
+        ({"mass": {"primary.actuator.mass": [np.timedelta64(5)]}}, ["`primary.actuator.mass` = ", "expected a mass"]),
+        (
+            {"mass": {"primary.actuator.mass": range(3, 5)}},
+            ["`primary.actuator.mass` = range(3, 5)", "expected a list of values, each a mass"],
+        ),
+        ({"mass": {"primary.actuator.mass": "134 g"}}, ["`primary.actuator.mass` = '134 g'", "expected a list"]),
+        ({"mass": {"light": {"primary.actuator.mass": True}}}, ["`mass.light`", "= True", "expected a mass"]),
+        ({"mass": {"light": {"primary.actuator.mass": {1: 2}}}}, ["`mass.light`", "= {1: 2}", "expected a mass"]),
+        ({"mass": ["134 g"]}, ["`mass` = ['134 g']", "expected a dictionary of parts"]),
+        ({"mass": None}, ["`mass` = None", "expected a dictionary of parts"]),
+        ({"mass": {"light": 3}}, ["`mass`: `light` = 3", "expected a part"]),
+        ({"mass": {"light": {"primary.actuator.mas": True}}}, ["did you mean `primary.actuator.mass`?"]),
+        ({"mass": {3: ["134 g"]}}, ["3: expected names"]),
+        ({3: {}}, ["3: expected names"]),
+        ({"a": {"rate": [1.0]}}, ["`a`: `rate` is a key of several sections"]),
+        (
+            {"a": {"helix_angle": ["31 deg"], "secondary.actuator.helix_angle": ["32 deg"]}},
+            ["`a`: ", "`helix_angle` and `secondary.actuator.helix_angle` are the same key"],
+        ),
+        (
+            {"a": {"b": {"helix_angle": "31 deg", "secondary.actuator.helix_angle": "32 deg"}}},
+            ["`a.b`: ", "`helix_angle` and `secondary.actuator.helix_angle` are the same key"],
+        ),
+    ],
+)
+def test_wrong_dictionaries_of_parts_are_refused(gx9: sheave.Case, parts: dict[Any, Any], said: list[str]) -> None:
+    with pytest.raises(sheave.CaseError) as caught:
+        sheave.tune(gx9, parts=parts, target="3200 rpm", accuracy=0.1, max_points=30, points=3, best=0)
+    for words in said:
+        assert words in str(caught.value), str(caught.value)
+
+
+def test_parts_are_a_path_or_a_dictionary(gx9: sheave.Case) -> None:
+    with pytest.raises(TypeError, match=r"parts: expected the path of a file of parts or a dictionary"):
+        sheave.tune(gx9, parts=3, target="3200 rpm")  # type: ignore[arg-type]
+
+
 def test_a_shift_curve_ends_at_a_higher_speed_than_it_begins(gx9: sheave.Case) -> None:
     for start, stop in (("3000 rpm", "1000 rpm"), ("2000 rpm", "2000 rpm")):
         with pytest.raises(ValueError, match=r"start is .* expected a higher speed to end at"):

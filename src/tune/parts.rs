@@ -136,7 +136,12 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
     let mut parts = Vec::new();
     for (entry, value) in content {
         let toml::Value::Table(table) = value else {
-            return Err(format!("`{name}.{entry}`: expected the keys that the part sets, in braces"));
+            // A key that is not named in full looks like a part.
+            let near = value.as_array().and_then(|_| did_you_mean(&entry)).unwrap_or_default();
+            return Err(format!(
+                "`{name}.{entry}`: expected the keys that the part sets, in braces, or a key of a case with a list of \
+                 values{near}"
+            ));
         };
         let mut leaves = Vec::new();
         if is_section(&entry) {
@@ -166,11 +171,16 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
     }
     for (path, _) in parts.iter().flat_map(|part| &part.settings) {
         if Key::from_path(path).is_none() {
-            let near = Key::nearest(path).map_or(String::new(), |key| format!("; did you mean `{}`?", key.path()));
+            let near = did_you_mean(path).unwrap_or_default();
             return Err(format!("`{name}`: `{path}` is no key of a case{near}"));
         }
     }
     if parts.is_empty() { Err(format!("`{name}` has no parts")) } else { Ok(PartKind { name, parts }) }
+}
+
+/// The key that may have been meant.
+fn did_you_mean(path: &str) -> Option<String> {
+    Key::nearest(path).map(|key| format!("; did you mean `{}`?", key.path()))
 }
 
 /// Whether a name is that of a section of the case file rather than of a part.
@@ -229,6 +239,9 @@ mod tests {
         assert!(said("a = 1").contains("expected a table of parts"));
         assert!(said("[a]").contains("has no parts"));
         assert!(said("[a]\nb = 1").contains("in braces"));
+        let shortened = said("[helix]\nhelix_angle = [\"31 deg\"]");
+        let reason = "or a key of a case with a list of values; did you mean `secondary.actuator.helix_angle`?";
+        assert!(shortened.contains("`helix.helix_angle`") && shortened.contains(reason), "{shortened}");
         assert!(said("[a]\nb = { primary.actuator.mas = \"1 g\" }").contains("primary.actuator.mass"));
         assert!(said("[a]\nsecondary.actuator.helix_angle = \"32 deg\"").contains("a list of values"));
         assert!(said("[a").contains("parts.toml"));
