@@ -317,7 +317,7 @@ def belt(file: Union[str, PathLike[str]], *, temperature: Any = None) -> Belt:
 
     ``temperature`` is that of the belt in use: ``"60 degC"``, kelvins, or a quantity of pint.
 
-    Raises ``BenchError``.
+    Raises ``BenchError``, and ``ValueError`` for a temperature that is none.
     """
     found = _sheave.belt(file, temperature=temperature)
     case_file, warnings = found.pop("case_file"), found.pop("warnings")
@@ -423,20 +423,27 @@ def compare(
     engine: Union[str, PathLike[str], None] = None,
     flyweights: Union[str, PathLike[str], None] = None,
     radii: str = "speeds",
-    fit: Sequence[str] = (),
+    fit: Union[str, Sequence[str]] = (),
     tolerance: float = 1e-4,
     **keys: Any,
 ) -> Comparison:
     """Compares measured operating points with the model, and fits constants to them.
 
     ``data`` is the table that ``dyno`` writes, ``engine`` the engine's curve, ``flyweights`` describes the primary's
-    flyweights and spring, ``radii`` says what the radii follow from (``"speeds"`` or ``"ratio"``), ``fit`` names keys
-    whose constants are found.
+    flyweights and spring, ``radii`` says what the radii follow from (``"speeds"`` or ``"ratio"``), ``fit`` names the
+    key or keys whose constants are found.
 
     Raises ``CaseError``, ``BenchError``.
     """
     found = _sheave.compare(
-        case, data=data, engine=engine, flyweights=flyweights, radii=radii, fit=list(fit), tolerance=tolerance, **keys
+        case,
+        data=data,
+        engine=engine,
+        flyweights=flyweights,
+        radii=radii,
+        fit=[fit] if isinstance(fit, str) else list(fit),
+        tolerance=tolerance,
+        **keys,
     )
     summary = found.pop("summary")
     return Comparison(

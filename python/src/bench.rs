@@ -3,7 +3,7 @@
 use crate::{case, convert, error, interrupt};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 use serde_json::json;
 use sheave::Cancel;
 use sheave::bench::belt::Description;
@@ -39,10 +39,13 @@ pub fn belt<'py>(
 /// A temperature: a text with a unit, kelvins, or a quantity of pint.
 fn kelvin(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let text = case::text_of("temperature", given)?;
-    match text.parse::<f64>() {
-        Ok(kelvin) => Ok(kelvin),
-        Err(_) => temperature(&text).map_err(PyValueError::new_err),
-    }
+    // As a person writes it, not as a case file has it.
+    let read = match text.parse::<f64>() {
+        Ok(number) if !number.is_finite() => Err("expected a temperature above absolute zero".to_owned()),
+        Ok(number) if !given.is_instance_of::<PyString>() => temperature(&number.to_string()),
+        _ => temperature(&text),
+    };
+    read.map_err(|reason| PyValueError::new_err(format!("temperature = {given}: {reason}")))
 }
 
 /// Raw logs of a dynamometer reduced to operating points, as a dictionary of `points`, `records` and `warnings`, and
@@ -142,6 +145,7 @@ pub fn compare<'py>(
     };
     let tolerance = crate::result::options(tolerance, 4)?.tolerance;
     let case = case::read(py, case, keys)?;
+    let fit = fit.iter().map(|name| case::path_of(name)).collect::<PyResult<Vec<_>>>()?;
     let work = move || {
         let engine = engine.as_deref().map(EngineCurve::read).transpose()?;
         let table = comparison::read(&data, engine.as_ref())?;

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import sheave
@@ -61,6 +62,23 @@ def test_a_belt_is_found_from_bench_tests(root: Path) -> None:
         sheave.belt(root / "nowhere.toml")
 
 
+@pytest.mark.parametrize("kelvins", [60, "60", 60.0, np.float64(60)])
+def test_temperatures_that_no_belt_has_are_refused(root: Path, kelvins: object) -> None:
+    said = r"^temperature = 60(\.0)?: a bare number is in kelvin, and 60 K is no belt's; did you mean `60 degC`\?$"
+    with pytest.raises(ValueError, match=said):
+        sheave.belt(root / "examples" / "belts" / "cvtech.toml", temperature=kelvins)
+
+
+def test_what_is_no_temperature_is_refused(root: Path) -> None:
+    path = root / "examples" / "belts" / "cvtech.toml"
+    for wrong in (-5, float("nan"), float("inf"), "nan", "60 parsec", "-300 degC"):
+        with pytest.raises(ValueError, match=f"^temperature = {wrong}: ") as caught:
+            sheave.belt(path, temperature=wrong)
+        assert not isinstance(caught.value, sheave.BenchError)
+    warm = sheave.belt(path, temperature="60 degC")
+    assert sheave.belt(path, temperature=333.15).bending_stiffness == warm.bending_stiffness
+
+
 def test_logs_become_operating_points_and_are_compared(root: Path, tmp_path: Path) -> None:
     made = root / "examples" / "made"
     logs = sorted(path for path in made.iterdir() if path.name.split("_")[0] in {"P", "S", "ADC"})
@@ -74,6 +92,14 @@ def test_logs_become_operating_points_and_are_compared(root: Path, tmp_path: Pat
     low, high = compared.scale_interval
     assert high is not None and low <= compared.scale <= high
     assert len(compared.to_pandas()) == len(compared.points)
+    fits = [
+        sheave.compare(data=data, engine=made / "engine.csv", tolerance=1e-2, fit=fit).fit
+        for fit in ("sheave.friction_coefficient", ["sheave.friction_coefficient"], "friction_coefficient")
+    ]
+    assert fits[0] is not None and fits[0] == fits[1] == fits[2]
+    assert [constant["key"] for constant in fits[0]["constants"]] == ["sheave.friction_coefficient"]
+    with pytest.raises(sheave.BenchError, match="`nothing` cannot be fitted"):
+        sheave.compare(data=data, engine=made / "engine.csv", fit="nothing")
     with pytest.raises(ValueError, match="torque_at"):
         sheave.dyno(logs, torque_at="nowhere")
     with pytest.raises(sheave.BenchError) as caught:
