@@ -17,6 +17,8 @@ Bratu's problem ``u'' = -exp(u)``, ``u(0) = u(1) = 0``:
 
 from __future__ import annotations
 
+import math
+import operator
 from collections.abc import Callable
 from typing import Any, Literal, Optional, Union
 
@@ -132,7 +134,8 @@ def solve(
     + k, k): SciPy's ``fun_jac`` and ``bc_jac``. ``jacobian="complex"`` differentiates ``f`` by the complex step, which
     is exact where ``f`` is analytic and takes complex arrays; without either, forward differences are taken.
 
-    What the functions raise is raised here. Raises ``SolveError`` with what to try where there is no solution.
+    What the functions raise is raised here. Raises ``SolveError`` with what to try where there is no solution, and
+    ``ValueError`` for tolerances and limits that are none.
     """
     for name, given in (("mesh", mesh), ("guess", guess), ("parameters", parameters)):
         if given is not None and np.iscomplexobj(given):
@@ -143,6 +146,12 @@ def solve(
         raise ValueError(f"mesh: expected an array of at least two nodes, not one of shape {nodes.shape}")
     if states.ndim != 2 or states.shape[1] != nodes.size or states.shape[0] == 0:
         raise ValueError(f"guess: expected an array of shape (n, {nodes.size}), not one of shape {states.shape}")
+    _check_positive("tol", tol)
+    if bc_tol is not None:
+        _check_positive("bc_tol", bc_tol)
+    _check_at_least("max_nodes", max_nodes, 2)
+    if work_limit is not None:
+        _check_at_least("work_limit", work_limit, 1)
     unknowns = np.zeros(0) if parameters is None else np.array(parameters, dtype=np.float64)
     if unknowns.ndim != 1:
         raise ValueError(f"parameters: expected an array of shape (k,), not one of shape {unknowns.shape}")
@@ -161,10 +170,32 @@ def solve(
         tol,
         bc_tol,
         str(order),
-        max(max_nodes - 1, 1),
+        max_nodes - 1,
         work_limit,
     )
     return Solution(found)
+
+
+def _check_positive(name: str, given: float) -> None:
+    expected = f"{name} = {given!r}: expected a positive number"
+    if isinstance(given, (str, bytes, bool, np.bool_)):
+        raise TypeError(expected)
+    try:
+        number = float(given)
+    except (TypeError, ValueError):
+        raise TypeError(expected) from None
+    if not 0 < number < math.inf:
+        raise ValueError(expected)
+
+
+def _check_at_least(name: str, given: int, least: int) -> None:
+    expected = f"{name} = {given!r}: expected a whole number from {least} on"
+    try:
+        number = operator.index(given)
+    except TypeError:
+        raise TypeError(expected) from None
+    if number < least:
+        raise ValueError(expected)
 
 
 def complex_step(f: Callable[..., ArrayLike]) -> Callable[..., Any]:

@@ -280,6 +280,39 @@ def test_hints_name_what_there_is_here() -> None:
     assert 'order="gauss"' in said[0] and "max_nodes" in said[3] and "work_limit" in said[5]
 
 
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"tol": 0}, r"^tol = 0: expected a positive number$"),
+        ({"tol": float("nan")}, r"^tol = nan: expected a positive number$"),
+        ({"tol": float("inf")}, r"^tol = inf: expected a positive number$"),
+        ({"bc_tol": -1}, r"^bc_tol = -1: expected a positive number$"),
+        ({"max_nodes": 0}, r"^max_nodes = 0: expected a whole number from 2 on$"),
+        ({"max_nodes": -5}, r"^max_nodes = -5: expected a whole number from 2 on$"),
+        ({"work_limit": -1}, r"^work_limit = -1: expected a whole number from 1 on$"),
+    ],
+)
+def test_options_that_are_none_are_named_as_they_are_here(options: dict[str, Any], said: str) -> None:
+    x = np.linspace(0, 1, 11)
+    with pytest.raises(ValueError, match=said):
+        bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11)), **options)
+
+
+def test_options_of_another_type_are_named_as_they_are_here() -> None:
+    x = np.linspace(0, 1, 11)
+    wrong: list[tuple[str, Any]] = [
+        ("tol", "1e-6"),
+        ("tol", True),
+        ("bc_tol", [1e-6]),
+        ("max_nodes", 12.5),
+        ("work_limit", "many"),
+    ]
+    for name, given in wrong:
+        with pytest.raises(TypeError, match=rf"^{name} = .*: expected a "):
+            bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11)), **{name: given})
+    assert bvp.solve(bratu, fixed_ends, x, np.zeros((2, 11)), tol=np.float32(1e-4), max_nodes=np.int64(100)).success
+
+
 def test_a_jacobian_with_parameters_is_a_pair() -> None:
     x = np.linspace(0, 1, 11)
     guess = np.vstack((np.sin(np.pi * x) / np.pi, np.cos(np.pi * x)))
