@@ -253,6 +253,6 @@ pub fn positive(name: &str, given: &Bound<'_, PyAny>, dimension: Dimension) -> P
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(PyValueError::new_err(format!("{name} = {given}: expected a positive {dimension}")))
+        Err(PyValueError::new_err(format!("{name} = {given}: expected {dimension} that is positive and finite")))
     }
 }

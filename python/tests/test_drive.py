@@ -90,6 +90,8 @@ def test_a_drive_is_told_its_speed_in_one_way(gx9: sheave.Case, settled: sheave.
         ({}, "at which speed"),
         ({"speed": "2000 rpm", "vehicle_speed": "30 km/h"}, "not both"),
         ({"speed": "-3 rad/s"}, "positive"),
+        ({"speed": -5}, r"^speed = -5: expected an angular speed that is positive and finite$"),
+        ({"vehicle_speed": -5}, r"^vehicle_speed = -5: expected a speed that is positive and finite$"),
         ({"speed": float("nan")}, "positive"),
         ({"speed": "3 kg"}, "speed"),
         ({"speed": "2000 rpm", "tolerance": 2.0}, "tolerance"),
@@ -237,6 +239,8 @@ def test_speeds_are_numbers(gx9: sheave.Case) -> None:
     for wrong in (True, np.True_, np.timedelta64(5), 3j):
         with pytest.raises(TypeError, match=r"`speed`: a value is a text with a unit"):
             sheave.drive(gx9, speed=wrong)
+    with pytest.raises(ValueError, match=r"^start = -5: expected an angular speed that is positive and finite$"):
+        sheave.shift(gx9, start=-5)
 
 
 def test_parts_are_what_keys_and_values_are_otherwise(tuning: sheave.Tuning, gx9: sheave.Case) -> None:
