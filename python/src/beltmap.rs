@@ -64,7 +64,7 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
     };
     let axis = |(key, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let name: String = key.extract().map_err(|_| PyTypeError::new_err("over: keys are texts"))?;
-        let path = with_dots(&name);
+        let path = case::with_dots(&name);
         if let Ok(text) = values.cast::<PyString>() {
             return parsed(&format!("{path}={}", text.to_str()?));
         }
@@ -73,11 +73,6 @@ fn axes(py: Python<'_>, over: &Bound<'_, PyAny>) -> PyResult<Vec<MapAxis>> {
         MapAxis::new(key, case::values(py, &name, key, &values)?).map_err(|error| refused(py, &error))
     };
     named.iter().map(axis).collect()
-}
-
-/// A key's name with dots, as keyword arguments cannot have them.
-fn with_dots(name: &str) -> String {
-    if name.contains('.') { name.to_owned() } else { name.replace("__", ".") }
 }
 
 /// Values and derivatives.
@@ -329,7 +324,7 @@ impl BeltMap {
 
     /// The place among the axes of the one that a name means.
     fn place(&self, name: &str) -> PyResult<usize> {
-        let path = match MapAxis::key_named(&with_dots(name)) {
+        let path = match MapAxis::key_named(&case::with_dots(name)) {
             Some(key) => key.path().to_owned(),
             // What several sections have is refused.
             None => case::path_of(name)?,

@@ -330,16 +330,19 @@ pub fn twice(first: &str, second: &str) -> String {
     }
 }
 
+/// A key's name with dots, as keyword arguments cannot have them.
+pub fn with_dots(name: &str) -> String {
+    if name.contains('.') { name.to_owned() } else { name.replace("__", ".") }
+}
+
 /// The whole name of a key that may be given by its last part; unknown names stay as they are, for the case to refuse.
 ///
 /// # Errors
 /// `ValueError` for a last part that several keys have.
 pub fn path_of(name: &str) -> PyResult<String> {
-    if name.contains('.') || Key::from_path(name).is_some() {
-        return Ok(name.to_owned());
-    }
-    if name.contains("__") {
-        return Ok(name.replace("__", "."));
+    let path = with_dots(name);
+    if path.contains('.') || Key::from_path(name).is_some() {
+        return Ok(path);
     }
     let mut named = TABLE.iter().filter(|entry| entry.name() == name);
     match (named.next(), named.next()) {

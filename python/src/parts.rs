@@ -4,7 +4,7 @@ use crate::{case, error};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
-use sheave::case::{Key, sections};
+use sheave::case::{Key, is_section};
 use sheave::tune::{PartsBox, TuneError};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -82,8 +82,7 @@ fn part(kind: &str, part: &str, keys: &Bound<'_, PyDict>) -> PyResult<String> {
 fn list(kind: &str, name: &str, given: &Bound<'_, PyAny>, names: &mut HashMap<String, String>) -> PyResult<String> {
     let path = path_of(given.py(), kind, name)?;
     let Some(key) = Key::from_path(&path) else {
-        let near = Key::nearest(&path).map_or(String::new(), |key| format!("; did you mean `{}`?", key.path()));
-        let given = shown(given);
+        let (given, near) = (shown(given), Key::suggestion(&path));
         return Err(wrong(&format!(
             "`{kind}`: `{name}` = {given}: expected a part with a dictionary of the keys that it sets, or a key of a \
              case with a list of values{near}"
@@ -145,11 +144,6 @@ fn once(place: &str, path: &str, name: &str, names: &mut HashMap<String, String>
 
 fn name_of(name: &Bound<'_, PyAny>) -> PyResult<String> {
     name.extract().map_err(|_| wrong(&format!("{}: expected names of kinds, parts and keys as texts", shown(name))))
-}
-
-/// Whether a name is that of a section of a case rather than of a part.
-fn is_section(name: &str) -> bool {
-    sections().any(|section| section == name || section.split('.').next() == Some(name))
 }
 
 fn wrong(reason: &str) -> PyErr {

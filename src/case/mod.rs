@@ -62,7 +62,7 @@ pub use error::{CaseError, CaseProblem};
 pub use fits::PITCH_TOLERANCE;
 pub use given::Case;
 pub use grid::{Grid, GridError, Rated};
-pub use keys::{Entry, Key, TABLE, ValueKind, sections};
+pub use keys::{Entry, Key, TABLE, ValueKind, is_section, sections};
 pub use loss_tangent::LossTangent;
 pub use losses::Losses;
 pub use names::{constant_label, output_axis_label, output_label};

@@ -2,7 +2,7 @@
 
 use super::error::{CaseError, CaseProblem};
 use super::given::{Case, SWAP};
-use super::keys::sections;
+use super::keys::is_section;
 use super::place::{Place, Source};
 use super::raw::{in_order, kind, raw};
 use std::borrow::Cow;
@@ -35,13 +35,6 @@ impl TextReader<'_> {
 fn folder_of(name: &str) -> PathBuf {
     let parent = Path::new(name).parent().filter(|parent| !parent.as_os_str().is_empty());
     parent.unwrap_or(Path::new(".")).to_owned()
-}
-
-/// Whether a name is that of a section, or of one that has sections within it.
-fn is_section(name: &str) -> bool {
-    let within =
-        |section: &str| section.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    !name.is_empty() && sections().any(within)
 }
 
 fn syntax(source: &Arc<Source>, error: &toml::de::Error) -> CaseError {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::error::{PartsProblem, TuneError};
-use crate::case::{Case, Key};
+use crate::case::{Case, Key, is_section};
 
 /// Combinations at most.
 pub const MAX_CANDIDATES: usize = 1_000_000;
@@ -137,7 +137,7 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
     for (entry, value) in content {
         let toml::Value::Table(table) = value else {
             // A key that is not named in full looks like a part.
-            let near = value.as_array().and_then(|_| did_you_mean(&entry)).unwrap_or_default();
+            let near = if value.is_array() { Key::suggestion(&entry) } else { String::new() };
             return Err(format!(
                 "`{name}.{entry}`: expected the keys that the part sets, in braces, or a key of a case with a list of \
                  values{near}"
@@ -171,21 +171,10 @@ fn kind(name: String, content: toml::Table) -> Result<PartKind, String> {
     }
     for (path, _) in parts.iter().flat_map(|part| &part.settings) {
         if Key::from_path(path).is_none() {
-            let near = did_you_mean(path).unwrap_or_default();
-            return Err(format!("`{name}`: `{path}` is no key of a case{near}"));
+            return Err(format!("`{name}`: `{path}` is no key of a case{}", Key::suggestion(path)));
         }
     }
     if parts.is_empty() { Err(format!("`{name}` has no parts")) } else { Ok(PartKind { name, parts }) }
-}
-
-/// The key that may have been meant.
-fn did_you_mean(path: &str) -> Option<String> {
-    Key::nearest(path).map(|key| format!("; did you mean `{}`?", key.path()))
-}
-
-/// Whether a name is that of a section of the case file rather than of a part.
-fn is_section(name: &str) -> bool {
-    crate::case::sections().any(|section| section.split('.').next() == Some(name))
 }
 
 fn leaves_of(path: &str, table: toml::Table, leaves: &mut Vec<(String, toml::Value)>) {

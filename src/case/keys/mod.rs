@@ -210,6 +210,16 @@ impl Key {
             TABLE.iter().map(|entry| (distance(entry), entry)).min_by_key(|(d, entry)| (*d, whole(entry)))?;
         (distance <= 1 + entry.name().len() / 3).then_some(entry.key)
     }
+
+    /// What is added to a message about a name that is no key: the key that may have been meant, or nothing.
+    ///
+    /// ```
+    /// use sheave::case::Key;
+    /// assert_eq!(Key::suggestion("belt.lenght"), "; did you mean `belt.length`?");
+    /// ```
+    pub fn suggestion(path: &str) -> String {
+        Self::nearest(path).map_or_else(String::new, |key| format!("; did you mean `{}`?", key.path()))
+    }
 }
 
 impl Entry {
@@ -317,6 +327,18 @@ impl Entry {
 pub fn sections() -> impl Iterator<Item = &'static str> {
     let mut last = "";
     TABLE.iter().map(Entry::section).filter(move |section| std::mem::replace(&mut last, section) != *section)
+}
+
+/// Whether a name is that of a section, or of one that has sections within it.
+///
+/// ```
+/// use sheave::case::is_section;
+/// assert!(is_section("primary") && is_section("primary.actuator") && !is_section("primary.act"));
+/// ```
+pub fn is_section(name: &str) -> bool {
+    let within =
+        |section: &str| section.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    !name.is_empty() && sections().any(within)
 }
 
 #[cfg(test)]
