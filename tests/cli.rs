@@ -61,6 +61,7 @@ fn bad_input_is_status_2_with_nothing_on_standard_output() {
         (vec!["solve", "--frobnicate"], vec!["--frobnicate"]),
         // A negative quantity is a value, and not an option.
         (vec!["launch", "examples/drive/gx9.toml", "--distance", "-3 m"], vec!["--distance -3 m", "not positive"]),
+        (vec!["drive", "examples/drive/gx9.toml", "--speed", "-3 rpm"], vec!["--speed -3 rpm", "not positive"]),
         (vec!["ramp", "examples/drive/gx9.toml", "--target", "-3200 rpm"], vec!["-3200 rpm", "not positive"]),
         (vec!["frobnicate"], vec!["frobnicate"]),
         (vec![], vec!["Usage"]),

@@ -47,7 +47,12 @@ pub struct Arguments {
     case: CaseArguments,
     /// Speed of the secondary, "2000 rpm", or of the vehicle, "30 km/h", as its unit says; in place of
     /// operating_point.secondary_speed
-    #[arg(long, value_name = "SPEED", conflicts_with_all = ["secondary_speed", "vehicle_speed"])]
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["secondary_speed", "vehicle_speed"]
+    )]
     speed: Option<String>,
     /// Speed of the secondary; a number without a unit is in rad/s
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true, conflicts_with = "vehicle_speed")]

@@ -23,19 +23,19 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Radius of the belt on the primary: "60 mm"
-    #[arg(long, value_name = "R", group = "given", value_parser = length)]
+    #[arg(long, value_name = "R", group = "given", value_parser = length, allow_hyphen_values = true)]
     primary: Option<f64>,
     /// Radius of the belt on the secondary
-    #[arg(long, value_name = "R", group = "given", value_parser = length)]
+    #[arg(long, value_name = "R", group = "given", value_parser = length, allow_hyphen_values = true)]
     secondary: Option<f64>,
     /// Ratio R_S/R_P
-    #[arg(long, value_name = "i", group = "given")]
+    #[arg(long, value_name = "i", group = "given", allow_hyphen_values = true)]
     ratio: Option<f64>,
     /// What the movable sheave of the primary has travelled from --from, positive to close: "3 mm"
     #[arg(long, value_name = "s", group = "given", value_parser = length, allow_hyphen_values = true)]
     travel: Option<f64>,
     /// Radius on the primary from which travel is counted; the case's if it is not given
-    #[arg(long, value_name = "R", value_parser = length)]
+    #[arg(long, value_name = "R", value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Smallest and largest radius that the primary has room for: "45 mm..93 mm"
     #[arg(long, value_name = "A..B", value_parser = limits, requires = "secondary_limits")]
