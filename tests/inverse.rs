@@ -159,8 +159,8 @@ fn a_ramp_for_sliding_weights_holds_the_target() {
     holds(&case, &found);
 }
 
-#[test]
-fn a_cam_holds_the_target() {
+/// The example with flyweights on cams, their rollers on a pitch curve of these distances in m and angles in rad.
+fn with_cam(roller_start: &str, distances: &[f64], angles: &[f64]) -> Case {
     let mut case = gx9();
     for key in case.keys().filter(|key| key.entry().section() == "primary.actuator").collect::<Vec<_>>() {
         case.unset(key.path()).unwrap();
@@ -171,16 +171,22 @@ fn a_cam_holds_the_target() {
         ("mass", "134 g"),
         ("pivot_radius", "40 mm"),
         ("roller_radius", "52 mm"),
-        ("roller_start", "25 mm"),
+        ("roller_start", roller_start),
         ("mass_distance", "28 mm"),
         ("mass_angle", "-17 deg"),
     ] {
         case.set(&format!("primary.actuator.{key}"), value).unwrap();
     }
+    case.set_list(Key::PitchDistances, distances).unwrap();
+    case.set_list(Key::PitchAngles, angles).unwrap();
+    case
+}
+
+#[test]
+fn a_cam_holds_the_target() {
     let distances: Vec<f64> = (0..=11).map(|i| (24.0 + 2.0 * f64::from(i)) * MM).collect();
     let angles: Vec<f64> = distances.iter().map(|d| 0.6 - 45.0 * (d - 0.024) - 300.0 * (d - 0.024).powi(2)).collect();
-    case.set_list(Key::PitchDistances, &distances).unwrap();
-    case.set_list(Key::PitchAngles, &angles).unwrap();
+    let case = with_cam("25 mm", &distances, &angles);
     let found = made(&case, &options(3150.0, Made::Ramp));
     assert!(matches!(&found.parts[0].shape, Shape::Cam(profile) if profile.values().len() >= 15));
     holds(&case, &found);
@@ -189,26 +195,9 @@ fn a_cam_holds_the_target() {
 /// The roller comes nearer to the pivot as the primary closes: the profile's places fall as the travel grows.
 #[test]
 fn a_cam_to_which_the_roller_comes_nearer_is_told_along_the_shift() {
-    let mut case = gx9();
-    for key in case.keys().filter(|key| key.entry().section() == "primary.actuator").collect::<Vec<_>>() {
-        case.unset(key.path()).unwrap();
-    }
-    for (key, value) in [
-        ("type", "cam"),
-        ("count", "4"),
-        ("mass", "134 g"),
-        ("pivot_radius", "40 mm"),
-        ("roller_radius", "52 mm"),
-        ("roller_start", "-46 mm"),
-        ("mass_distance", "28 mm"),
-        ("mass_angle", "-17 deg"),
-    ] {
-        case.set(&format!("primary.actuator.{key}"), value).unwrap();
-    }
     let distances: Vec<f64> = (11..=25).map(|i| 2.0 * f64::from(i) * MM).collect();
     let angles: Vec<f64> = distances.iter().map(|distance| 0.72 - 20.0 * distance).collect();
-    case.set_list(Key::PitchDistances, &distances).unwrap();
-    case.set_list(Key::PitchAngles, &angles).unwrap();
+    let case = with_cam("-46 mm", &distances, &angles);
     let found = made(&case, &options(3200.0, Made::Ramp));
     let rows = columns(&found, ["primary_travel", "pitch_distance"]);
     for [travel, distance] in &rows {
