@@ -206,8 +206,8 @@ impl LaunchCurve {
             return Err(LaunchError::NoTakeOff { engine: running, slowest, reason });
         }
         Ok(Some(format!(
-            "No take-off was found: the clutch is taken to slip until the slowest state that was found, with the engine \
-             at {:.0} rpm; times and the clutch's heat rest on that.",
+            "No take-off was found: the clutch is taken to slip until the slowest state that was found, with the \
+             engine at {:.0} rpm; times and the clutch's heat rest on that.",
             rpm(running)
         )))
     }

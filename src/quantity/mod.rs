@@ -50,8 +50,8 @@ pub fn unsigned_zero(text: &str) -> &str {
     text.strip_prefix('-').filter(|number| !number.chars().any(|c| c.is_ascii_digit() && c != '0')).unwrap_or(text)
 }
 
-/// A number with so many decimals at least, and as many more as show three of its digits; with a power of ten where that
-/// would take more than twelve.
+/// A number with so many decimals at least, and as many more as show three of its digits; with a power of ten where
+/// that would take more than twelve.
 ///
 /// ```
 /// use sheave::quantity::with_digits;

@@ -116,7 +116,7 @@ impl InverseOptions {
 pub struct MadePart {
     /// Its profile.
     pub shape: Shape,
-    /// Travel of the primary in m at each place of the profile: along a cam to which the roller comes nearer, they fall.
+    /// Travel of the primary in m at each place of the profile; they fall along a cam to which the roller comes nearer.
     /// Before the first point of the belt there may be one where the primary is open.
     pub travels: Vec<f64>,
     /// Name of the section: `primary.actuator` or `secondary.actuator`.

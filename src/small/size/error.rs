@@ -35,8 +35,8 @@ pub enum SizeProblem {
     },
     /// A key of an idler, set on its own.
     #[error(
-        "`{path}` is not set on its own, as there may be several idlers: give each whole, inertia and diameter, such as \
-         --idler \"3e-4 kg*m^2, 60 mm\""
+        "`{path}` is not set on its own, as there may be several idlers: give each whole, inertia and diameter, such \
+         as --idler \"3e-4 kg*m^2, 60 mm\""
     )]
     IdlerKey {
         /// As given.
