@@ -13,7 +13,8 @@ use thiserror::Error;
 pub struct BranchOptions {
     /// For every point of the branch.
     pub solve: Options,
-    /// The branch is followed while the parameter is in this range.
+    /// The branch is followed while the parameter is in this range. Where it leaves it, the last point is at exactly
+    /// the end of the range; the equations need not be defined beyond.
     pub range: (f64, f64),
     /// Whether the parameter grows at first.
     pub upwards: bool,
@@ -124,7 +125,7 @@ pub enum PointKind {
     BranchPoint,
     /// The event of this index crosses zero.
     Event(usize),
-    /// The parameter reaches the end of its range.
+    /// The parameter reaches the end of its range, which is its value here to the last digit.
     End,
 }
 

@@ -1,6 +1,7 @@
 //! Steps along a branch: predictor, corrector, step length; folds and events between two points.
 
 mod crossing;
+mod end;
 mod finer;
 mod location;
 mod near;
@@ -189,10 +190,16 @@ impl<'a, 'e> Tracer<'a, 'e> {
                             shortened += 1;
                         }
                         Rejected::Failed(cause) => {
-                            step *= 0.5;
-                            if step < self.options.smallest_step {
-                                return Err(cause);
+                            if 0.5 * step < self.options.smallest_step {
+                                return match self.reached_end(&here, step)? {
+                                    Some(end) => {
+                                        self.end(arclength, &here, &end);
+                                        Ok(())
+                                    }
+                                    None => Err(cause),
+                                };
                             }
+                            step *= 0.5;
                         }
                     }
                     self.announce(&Event::Rejected { lambda: here.value(self.parameter) })?;
@@ -270,13 +277,46 @@ impl<'a, 'e> Tracer<'a, 'e> {
             }
         }
         located.sort_by(|(_, a, _), (_, b, _)| a.total_cmp(b));
+        // Where the parameter leaves the range and comes back into it, the end is before the fold.
+        let beyond = located.iter().find(|(kind, _, found)| {
+            *kind == PointKind::Fold && found.as_ref().is_some_and(|found| self.is_outside(found.value(self.parameter)))
+        });
+        if let Some((_, at, _)) = beyond
+            && wary.of_folds
+            && !self.is_outside(next.point.value(self.parameter))
+            && *at >= self.options.smallest_step
+        {
+            return Err(Rejected::Unresolved(*at));
+        }
         if let Some(end) = located.iter().position(|(kind, ..)| *kind == PointKind::End) {
             located.truncate(end + 1);
             // What is beyond the range may yet have been found at a lesser distance, where it turns.
             let value = |found: &Option<Reference>| found.as_ref().unwrap_or(&next.point).value(self.parameter);
             located.retain(|(kind, _, found)| *kind == PointKind::End || !self.is_outside(value(found)));
+            if let Some((end, (_, _, found))) =
+                self.end_before(next.point.value(self.parameter)).zip(located.last_mut())
+            {
+                let exact = self.exactly_at_end(found.as_ref().unwrap_or(&next.point), end, step)?;
+                *found = Some(exact);
+            }
         }
         Ok(Stepped { next, crossed, longer, located })
+    }
+
+    /// The last point of a branch, at the end of the range, and the events just before it.
+    fn end(&mut self, arclength: f64, here: &Reference, end: &Reference) {
+        let rate = here.direction.constants[self.parameter];
+        let arclength = arclength + ((end.value(self.parameter) - here.value(self.parameter)) / rate).max(0.0);
+        for kind in (0..self.events.len()).map(PointKind::Event) {
+            let crossing = Crossing { kind, values: (self.watched(kind, here), self.watched(kind, end)) };
+            if crossing.is_one() {
+                self.push(kind, arclength, end);
+                if self.options.stop_at.contains(&kind) {
+                    return;
+                }
+            }
+        }
+        self.push(PointKind::End, arclength, end);
     }
 
     fn announce(&mut self, event: &Event) -> Result<(), SolveError> {

@@ -6,6 +6,7 @@ use crate::collocation::plan::Plan;
 use crate::continuation::arclength::Reference;
 use crate::continuation::branch::PointKind;
 use crate::error::SolveError;
+use crate::guess::Guess;
 use crate::orientation::Determinant;
 use crate::run::Run;
 use crate::solution::Solution;
@@ -229,9 +230,14 @@ impl Tracer<'_, '_> {
 
     /// A point moved along its direction by so little that it is a solution still.
     pub(super) fn moved(&mut self, point: &Reference, by: f64) -> Result<Reference, SolveError> {
+        self.as_it_stands(point, &point.moved(by))
+    }
+
+    /// What differs so little from a point that it is a solution still.
+    pub(super) fn as_it_stands(&mut self, point: &Reference, guess: &Guess) -> Result<Reference, SolveError> {
         let plan = Plan::new(self.problem.layout(), self.unknowns);
         let mut run = Run::new(self.problem, plan, &self.path_options, self.observer, self.budget);
-        let start = start::near(&point.solution, &point.inner, &point.moved(by));
+        let start = start::near(&point.solution, &point.inner, guess);
         let moved = run.as_it_stands(start)?;
         self.stats += run.stats;
         drop(run);
