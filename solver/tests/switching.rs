@@ -259,3 +259,51 @@ fn where_an_equation_is_a_product_the_other_branch_is_traced() {
         }
     }
 }
+
+/// `u'' = -p sin(u - b) + b''` with `b = 1 + x²`, and `u = b` at both ends: `u = b` is a solution for all p, exact on
+/// any mesh, from which others branch off at `p = (kπ)²`. Rounding in it looks like a large error beside them, for
+/// which finer meshes are taken there, on which they lie elsewhere.
+#[test]
+fn branch_points_settle_where_rounding_looks_like_an_error_beside_them() {
+    let strut = |intervals: usize| {
+        Bvp::new(
+            &["u", "slope"],
+            (0.0, 1.0),
+            |x, y, p, f| (f[0], f[1]) = (y[1], -p[0] * (y[0] - 1.0 - x * x).sin() + 2.0),
+            |a, b, _, g| (g[0], g[1]) = (a[0] - 1.0, b[0] - 2.0),
+        )
+        .given("p", 1.0)
+        .guess(intervals, |x, y| (y[0], y[1]) = (1.0 + x * x, 2.0 * x))
+    };
+    let settings = [
+        (Order::Six, 1e-6, 5),
+        (Order::Six, 1e-8, 7),
+        (Order::Six, 1e-9, 5),
+        (Order::Six, 1e-10, 7),
+        (Order::Eight, 1e-8, 5),
+        (Order::Eight, 1e-10, 5),
+        (Order::SixGauss, 1e-6, 5),
+        (Order::SixGauss, 1e-9, 7),
+    ];
+    for (order, tolerance, intervals) in settings {
+        let strut = strut(intervals);
+        let solve = Options { order, tolerance, ..Options::default() };
+        let options = BranchOptions { solve, range: (1.0, 400.0), ..BranchOptions::default() };
+        let branch = trace(&strut, &strut.start(), 0, &[], &options, &[]).unwrap();
+        let exact = |k: usize| (k as f64 * std::f64::consts::PI).powi(2);
+        let found: Vec<_> = branch.branch_points().map(|point| (point.parameter, point.is_settled)).collect();
+        println!("{order:?} {tolerance:.0e} from {intervals}: {} points, {found:?}", branch.points.len());
+        assert_eq!(found.len(), 6, "{order:?} {tolerance:.0e} from {intervals}");
+        assert!(
+            found.iter().all(|(_, is_settled)| *is_settled),
+            "{order:?} {tolerance:.0e} from {intervals}: {found:?}"
+        );
+        let is_exact = |(k, point): (usize, &(f64, bool))| (point.0 / exact(k + 1) - 1.0).abs() <= 10.0 * tolerance;
+        assert!(found.iter().enumerate().all(is_exact), "{order:?} {tolerance:.0e} from {intervals}: {found:?}");
+        assert_eq!(branch.points.last().map(|end| (end.kind, end.parameter)), Some((PointKind::End, 400.0)));
+
+        let unsettled = BranchOptions { settle_branch_points: false, ..options };
+        let branch = trace(&strut, &strut.start(), 0, &[], &unsettled, &[]).unwrap();
+        assert_eq!(branch.branch_points().count(), 6, "{order:?} {tolerance:.0e} from {intervals}, not settled");
+    }
+}

@@ -26,7 +26,8 @@ use crate::solution::Solution;
 use crate::solve::{check, solve_within};
 use crate::start::{self, Start};
 use crate::stats::Stats;
-use near::Near;
+use near::{Near, Span};
+use places::Onto;
 use resolution::{Passed, Resolved};
 
 /// One tracing: what it was asked, and what it has found.
@@ -81,6 +82,8 @@ struct Stepped {
     next: Advanced,
     /// Whether there is a branch point before its end.
     crossed: bool,
+    /// The determinant where it begins on the mesh of its end, if that is what the determinant is known by.
+    remeshed: Option<Determinant>,
     /// By how much the next may be longer for the determinant to be known along it.
     longer: f64,
     /// What is special on the way, as far as the range goes: kind, distance, and the point, if it is not the end.
@@ -176,7 +179,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
             let known = (resolves && unresolved < RESOLVED).then_some(&passed);
             let wary = Wary { of_straying: shortened < SHORTENED, of_folds: unresolved < RESOLVED };
             let stepped = self.step((previous.as_ref(), known), (arclength, &here), step, wary);
-            let Stepped { next, crossed, longer, located } = match stepped {
+            let Stepped { next, crossed, remeshed, longer, located } = match stepped {
                 Ok(stepped) => stepped,
                 Err(Rejected::Failed(cause)) if cause.is_interruption() => return Err(cause),
                 Err(rejected) => {
@@ -207,7 +210,10 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 }
             };
             (shortened, unresolved) = (0, 0);
-            passed.push(arclength, &here);
+            if remeshed.is_some() {
+                passed = Passed::default();
+            }
+            passed.push(arclength, remeshed.unwrap_or(here.determinant));
             // The sense of the first step is given, so that a branch point is told from one that is crossed.
             let [before, after] = [&here, &next.point].map(|point| point.determinant.orientation);
             let turned = if crossed { next.check } else { next.check.across(before, after) };
@@ -256,9 +262,22 @@ impl<'a, 'e> Tracer<'a, 'e> {
         {
             return Err(Rejected::Unresolved(between));
         }
-        let (mut longer, mut located) = (f64::INFINITY, Vec::new());
+        let (mut longer, mut located, mut remeshed) = (f64::INFINITY, Vec::new(), None);
         if let Some(passed) = passed.filter(|_| largest < f64::INFINITY) {
-            match self.resolved(passed, (arclength, here), step, &next)? {
+            let span = Span::new(here, step, &next);
+            let mut resolved = self.resolved(passed, arclength, span)?;
+            if matches!(resolved, Resolved::Shorter(_)) && !span.has_one_mesh() {
+                // Where the meshes do not resolve what bifurcates, it may be them that the determinant differs by.
+                match self.remeshed(span, Onto::Last) {
+                    Err(cause) if cause.is_interruption() => return Err(cause.into()),
+                    Err(_) => {}
+                    Ok(first) => {
+                        resolved = self.resolved(&Passed::default(), arclength, span.from(&first))?;
+                        remeshed = Some(first.point.determinant);
+                    }
+                }
+            }
+            match resolved {
                 Resolved::Shorter(step) if step >= self.options.smallest_step => {
                     return Err(Rejected::Unresolved(step));
                 }
@@ -272,8 +291,21 @@ impl<'a, 'e> Tracer<'a, 'e> {
         let crossings = self.crossings(here, &next.point);
         let crossed = crossings.iter().any(|crossing| crossing.kind == PointKind::BranchPoint);
         for crossing in crossings {
-            if let Some((at, found)) = self.locate(previous, here, step, &next, &crossing)? {
-                located.push((crossing.kind, at, found));
+            match self.locate(previous, here, step, &next, &crossing) {
+                Ok(Some((at, found))) => located.push((crossing.kind, at, found)),
+                Ok(None) => {}
+                // A branch that goes on is not lost for a place on it.
+                Err(cause)
+                    if crossing.kind == PointKind::BranchPoint
+                        && !cause.is_interruption()
+                        && 0.5 * step < self.options.smallest_step =>
+                {
+                    let at = (crossing.place() * step).clamp(0.0, step);
+                    let Reference { solution, direction, .. } = if at < 0.5 * step { here } else { &next.point };
+                    let point = Reference::new(solution.clone(), direction.clone(), Determinant::UNKNOWN);
+                    located.push((crossing.kind, at, Some(point)));
+                }
+                Err(cause) => return Err(cause.into()),
             }
         }
         located.sort_by(|(_, a, _), (_, b, _)| a.total_cmp(b));
@@ -300,7 +332,7 @@ impl<'a, 'e> Tracer<'a, 'e> {
                 *found = Some(exact);
             }
         }
-        Ok(Stepped { next, crossed, longer, located })
+        Ok(Stepped { next, crossed, remeshed, longer, located })
     }
 
     /// The last point of a branch, at the end of the range, and the events just before it.

@@ -5,10 +5,12 @@
 //! it. Where the determinant vanishes is therefore sought on halved intervals, too, until the parameter there settles.
 
 use super::location::{Known, Polynomial};
+use super::near::are_alike;
 use super::places::{DISTANCE, SETTLED};
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
 use crate::orientation::Determinant;
+use crate::solution::Solution;
 use crate::start::{self, Start};
 
 /// Times that all intervals are halved at most.
@@ -28,6 +30,12 @@ const FLATTEST: f64 = 0.1;
 
 /// Where it is steeper than this part of that slope, secants would come nearer to the zero by halves only.
 const STEEPEST: f64 = 4.0;
+/// The determinant is looked at from as far as in a step of this length at least: nearer to its zero, it is rounding.
+const NEAREST: f64 = 0.01;
+/// It is looked at from so many times as far where Newton's iteration ends in rounding.
+const FARTHER: [f64; 3] = [1.0, 10.0, 100.0];
+/// The last two looks are no farther from each other than this many times what the last is from the zero.
+const WIDEST: f64 = 3.0;
 /// Where two looks do not tell in which direction it lies, the third is so far from the first, in parts of the step.
 const FAR: f64 = 1e-2;
 
@@ -111,7 +119,18 @@ impl Tracer<'_, '_> {
         if (parameter - point.value(self.parameter)).abs() <= tolerance {
             return Ok(None);
         }
-        let judged = self.advance_from(here, look.at, (near, None), Care::Between)?;
+        let judged = match self.advance_from(here, look.at, (near, None), Care::Between) {
+            Err(cause) if cause.is_interruption() => return Err(cause),
+            Ok(judged) if are_alike(&judged.point, near.point) => judged,
+            // Beside a branch point rounding looks like a large error, which no mesh makes smaller. What was small
+            // enough on the coarser mesh is so on the finer.
+            _ => {
+                let mut judged = look.advanced;
+                let Solution { error_estimate, accuracy, .. } = point.solution;
+                judged.point.solution = Solution { error_estimate, accuracy, ..judged.point.solution };
+                judged
+            }
+        };
         Ok(Some((finer, self.moved(&judged.point, judged.speed * (finer - look.at))?)))
     }
 
@@ -137,19 +156,35 @@ impl Tracer<'_, '_> {
         (place, point): (f64, &Reference),
         slope: f64,
     ) -> Result<Option<(f64, Look)>, SolveError> {
-        let (beside, reach) = (DISTANCE * step, REACH.max(step));
+        let (beside, reach) = (DISTANCE * step.max(NEAREST), REACH.max(step));
         let expected = point.solution.constants();
         let settled = (SETTLED * step).max(self.settled_distance());
-        let first = self.on_halved((here, reach), (place, point), beside)?;
         let unit = here.determinant;
-        let mut last = Look::new(&unit, place + beside, first);
+        let mut first = Err(SolveError::Cancelled);
+        for farther in FARTHER {
+            let beside = farther * beside;
+            first = self.on_halved((here, reach), (place, point), beside).map(|found| (place + beside, found));
+            if first.as_ref().map_or_else(SolveError::is_interruption, |_| true) {
+                break;
+            }
+        }
+        let (at, first) = first?;
+        let mut last = Look::new(&unit, at, first);
         let mut known = vec![last.known()];
-        let (mut zero, mut next, mut roughly) = (place, place - beside, None);
+        let (mut zero, mut side, mut roughly) = (place, -1.0, None);
         for _ in 0..LOOKS {
-            let near = (last.advanced.near(last.at), None);
-            let advanced = self.advance_from(here, next, near, Care::Glance)?;
-            let advanced = self.between(advanced, expected, reach)?;
-            let look = Look::new(&unit, next, advanced);
+            let mut look = Err(SolveError::Cancelled);
+            for farther in FARTHER {
+                let next = zero + side * farther * beside;
+                let near = (last.advanced.near(last.at), None);
+                let found = self.advance_from(here, next, near, Care::Glance);
+                look = found.and_then(|found| self.between(found, expected, reach)).map(|found| (next, found));
+                if look.as_ref().map_or_else(SolveError::is_interruption, |_| true) {
+                    break;
+                }
+            }
+            let (at, found) = look?;
+            let look = Look::new(&unit, at, found);
             let (before, secant) = (zero, (look.value - last.value) / (look.at - last.at));
             let is_steep = secant / slope >= FLATTEST;
             known.push(look.known());
@@ -161,12 +196,15 @@ impl Tracer<'_, '_> {
             if !zero.is_finite() || (zero - place).abs() > reach {
                 return Ok(None);
             }
-            if is_steep && (zero - before).abs() <= settled {
+            // A slope over a longer distance is not that at the zero.
+            let is_slope = is_steep && (last.at - look.at).abs() <= WIDEST * (look.at - before).abs();
+            if is_slope && (zero - before).abs() <= settled {
                 return Ok(Some((zero, look)));
             }
             // What the iteration leaves may move it by more than is negligible, look for look.
-            roughly = (is_steep && (zero - before).abs() <= self.options.solve.tolerance).then_some(zero);
-            next = zero + beside;
+            roughly = (is_slope && (zero - before).abs() <= self.options.solve.tolerance).then_some(zero);
+            // To the one side and the other, so that the slope is not that between two places that are all but one.
+            side = if look.at > before { -1.0 } else { 1.0 };
             last = look;
         }
         Ok(roughly.map(|zero| (zero, last)))

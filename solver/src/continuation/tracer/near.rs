@@ -1,5 +1,6 @@
 //! Points known of a branch, from which others are predicted.
 
+use super::Advanced;
 use crate::continuation::arclength::Reference;
 use crate::guess::{Guess, RegionGuess};
 
@@ -11,6 +12,63 @@ pub(super) struct Near<'r> {
     pub at: f64,
     /// How fast it moves along its direction as the distance grows.
     pub speed: f64,
+}
+
+/// A step, and what is known of its ends.
+#[derive(Clone, Copy)]
+pub(super) struct Span<'r> {
+    /// Where it begins: the point that distances are taken from.
+    pub here: &'r Reference,
+    /// The same point, perhaps on another mesh.
+    pub first: Near<'r>,
+    pub step: f64,
+    /// Where it ends, perhaps on another mesh than that on which it was found.
+    pub next: &'r Advanced,
+}
+
+impl<'r> Span<'r> {
+    pub(super) fn new(here: &'r Reference, step: f64, next: &'r Advanced) -> Self {
+        Self { here, first: Near { point: here, at: 0.0, speed: 1.0 }, step, next }
+    }
+
+    /// The same with what its first point is on another mesh.
+    pub(super) fn from(self, first: &'r Advanced) -> Self {
+        Self { first: first.near(0.0), ..self }
+    }
+
+    /// The same with what its last point is on another mesh.
+    pub(super) fn to(self, next: &'r Advanced) -> Self {
+        Self { next, ..self }
+    }
+
+    /// Whether both its ends are on the same mesh, and what is found between is, too.
+    pub(super) fn has_one_mesh(&self) -> bool {
+        are_alike(self.first.point, &self.next.point)
+    }
+
+    /// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other
+    /// side.
+    pub(super) fn around(&self, seen: &'r [(f64, Advanced)], place: f64) -> (Near<'r>, Option<Near<'r>>) {
+        let (first, last) = (self.first, self.next.near(self.step));
+        let all = || [first, last].into_iter().chain(seen.iter().map(|(at, found)| found.near(*at)));
+        let nearer = |best: Near<'r>, other: Near<'r>| {
+            if (other.at - place).abs() < (best.at - place).abs() { other } else { best }
+        };
+        let below = all().filter(|near| near.at <= place).reduce(nearer);
+        let above = all().filter(|near| near.at > place).reduce(nearer);
+        match (below, above) {
+            (Some(below), Some(above)) if (above.at - place) < (place - below.at) => (above, Some(below)),
+            (Some(near), other) | (other, Some(near)) => (near, other),
+            (None, None) => (first, None),
+        }
+    }
+}
+
+/// Whether two points are on the same mesh. What the determinant is there can be compared only if they are, where the
+/// mesh does not resolve what bifurcates.
+pub(super) fn are_alike(a: &Reference, b: &Reference) -> bool {
+    let [a, b] = [a, b].map(|point| point.solution.regions());
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.mesh() == b.mesh())
 }
 
 impl Near<'_> {

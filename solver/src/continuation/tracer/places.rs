@@ -1,16 +1,17 @@
 //! The places between two points of a branch where it folds, branches, meets an event or ends.
 
 use super::location::{Known, Polynomial, Search, Sought};
+use super::near::{Span, are_alike};
 use super::{Advanced, Care, Crossing, Near, Tracer};
 use crate::collocation::plan::Plan;
 use crate::continuation::arclength::Reference;
 use crate::continuation::branch::PointKind;
 use crate::error::SolveError;
-use crate::guess::Guess;
+use crate::guess::{Guess, RegionGuess};
 use crate::orientation::Determinant;
 use crate::run::Run;
 use crate::solution::Solution;
-use crate::start;
+use crate::start::{self, Start};
 
 /// What is located is located to this part of the step.
 const LOCATION: f64 = 1e-10;
@@ -39,23 +40,37 @@ const NEARLY: f64 = 1e-3;
 /// exact to.
 const DIP: f64 = 4.0;
 
+/// Which of the ends of a step has the mesh that the other is to have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Onto {
+    First,
+    Last,
+}
+
+/// Whether the determinant changes its sign along a step.
+fn is_crossed(span: Span<'_>) -> bool {
+    let [a, b] = [span.first.point, &span.next.point].map(|point| point.determinant.orientation);
+    a.is_some() && b.is_some() && a != b
+}
+
 impl Tracer<'_, '_> {
     /// A place between two points that are `step` apart, not far from the line between them; with care where a glance
     /// fails.
     pub(super) fn look(
         &mut self,
-        (here, step, next): (&Reference, f64, &Reference),
+        span: Span<'_>,
         at: f64,
         near: (Near<'_>, Option<Near<'_>>),
         care: Care,
     ) -> Result<Advanced, SolveError> {
+        let Span { here, step, next, .. } = span;
         let outcome = match self.advance_from(here, at, near, care) {
             Err(cause) if care == Care::Glance && !cause.is_interruption() => {
                 self.advance_from(here, at, near, Care::Between)
             }
             outcome => outcome,
         };
-        let constants = here.solution.constants().iter().zip(next.solution.constants());
+        let constants = here.solution.constants().iter().zip(next.point.solution.constants());
         let line: Vec<f64> = constants.map(|(a, b)| a + at / step * (b - a)).collect();
         outcome.and_then(|found| self.between(found, &line, step))
     }
@@ -70,9 +85,9 @@ impl Tracer<'_, '_> {
         next: &Advanced,
         crossing: &Crossing,
     ) -> Result<Option<(f64, Option<Reference>)>, SolveError> {
-        let kind = crossing.kind;
+        let (kind, span) = (crossing.kind, Span::new(here, step, next));
         if kind == PointKind::BranchPoint {
-            let (mut at, mut point, slope) = self.locate_branch_point(before, here, step, next)?;
+            let (mut at, mut point, slope) = self.locate_branch_point(before, span)?;
             if self.options.settle_branch_points {
                 (at, point) = self.settled((here, step), (at, point), slope)?;
             }
@@ -81,14 +96,14 @@ impl Tracer<'_, '_> {
         if self.watched(kind, &next.point) == 0.0 {
             return Ok(Some((step, None)));
         }
-        let mut search = self.search(kind, before, here, (step, next));
+        let mut search = self.search(kind, before, span);
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
         let (first, last) = (crossing.values.0.abs(), crossing.values.1.abs());
         let mut at = search.next();
         let mut by_halves = false;
         for look in 1..=LOOKS {
-            let near = around(here, (step, next), &seen, at);
-            let found = self.look((here, step, &next.point), at, near, Care::Between)?;
+            let near = span.around(&seen, at);
+            let found = self.look(span, at, near, Care::Between)?;
             let usable = search.add(self.known(kind, found.near(at), here));
             let value = self.watched(kind, &found.point).abs();
             seen.push((at, found));
@@ -125,42 +140,91 @@ impl Tracer<'_, '_> {
 
     /// Where the determinant vanishes, looked at from beside it, and the point there: that nearest to it, moved along
     /// its direction; and the slope of the determinant, relative to that at `here`.
+    ///
+    /// All looks are on one mesh. On a mesh that resolves the branch, but not what bifurcates, the determinant vanishes
+    /// elsewhere than on another.
     fn locate_branch_point(
         &mut self,
         before: Option<&(f64, Reference)>,
-        here: &Reference,
-        step: f64,
-        next: &Advanced,
+        span: Span<'_>,
     ) -> Result<(f64, Reference, f64), SolveError> {
+        if span.has_one_mesh() {
+            return self.locate_on_its_mesh(before, span);
+        }
+        // The later mesh is that of the next step.
+        let first = self.remeshed(span, Onto::Last)?;
+        let later = span.from(&first);
+        if is_crossed(later) {
+            return self.locate_on_its_mesh(None, later);
+        }
+        let last = self.remeshed(span, Onto::First)?;
+        let earlier = span.to(&last);
+        if is_crossed(earlier) {
+            return self.locate_on_its_mesh(before, earlier);
+        }
+        // On the one mesh it lies before the step, on the other after it: at either end it may be told, which is where
+        // the meshes that settle it begin. It is the finer mesh that is nearer to the truth.
+        let intervals = |point: &Reference| point.solution.intervals();
+        let is_later = intervals(&span.next.point) >= intervals(span.here);
+        let (at, end, point) = if is_later { (0.0, later, &first.point) } else { (span.step, earlier, &last.point) };
+        let unit = span.here.determinant;
+        let values = |of: Span<'_>| [of.first.point, &of.next.point].map(|point| point.determinant.relative(&unit));
+        let slope = |[a, b]: [f64; 2]| (b - a) / span.step;
+        let (wanted, along) = (slope(values(span)), slope(values(end)));
+        let slope = if along * wanted > 0.0 { along } else { wanted };
+        Ok((at, self.moved(point, 0.0)?, slope))
+    }
+
+    /// The same, of a step both of whose ends are on the same mesh.
+    fn locate_on_its_mesh(
+        &mut self,
+        before: Option<&(f64, Reference)>,
+        span: Span<'_>,
+    ) -> Result<(f64, Reference, f64), SolveError> {
+        let Span { here, step, next, .. } = span;
         let kind = PointKind::BranchPoint;
-        let mut search = self.search(kind, before, here, (step, next));
+        let mut search = self.search(kind, before.filter(|(_, point)| are_alike(point, &next.point)), span);
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
+        // What is judged may need a finer mesh for that: beside a branch point, rounding looks like a large error.
+        let mut judged: Option<(f64, Advanced)> = None;
         let (mut place, mut care, mut change, mut settled) = (search.next(), Care::Glance, step, false);
         for _ in 0..LOOKS {
             let side = search.roomier(place);
             let mut outcome = Err(SolveError::Cancelled);
             for beside in BESIDE {
                 let at = (place + side * beside * DISTANCE * step).clamp(0.0, step);
-                let near = around(here, (step, next), &seen, at);
-                outcome = self.look((here, step, &next.point), at, near, care).map(|found| (at, found));
+                let near = span.around(&seen, at);
+                outcome = match self.look(span, at, near, care) {
+                    Ok(found) if !are_alike(&found.point, &next.point) => {
+                        judged = Some((at, found));
+                        // Glances find the place, once they have nothing more to be judged by.
+                        care = Care::Glance;
+                        Err(SolveError::Astray { at: here.value(self.parameter) })
+                    }
+                    outcome => outcome.map(|found| (at, found)),
+                };
                 match &outcome {
                     Err(cause) if !cause.is_interruption() => {}
                     _ => break,
                 }
             }
-            let (at, found) = outcome?;
+            let (at, found) = match outcome {
+                Err(cause) if cause.is_interruption() || judged.is_none() => return Err(cause),
+                Err(_) => break,
+                Ok(found) => found,
+            };
             let usable = search.add(self.known(kind, found.near(at), here));
-            let judged = found.judged;
+            let is_judged = found.judged || judged.is_some();
             seen.push((at, found));
             let before = place;
             place = search.next();
             let last = std::mem::replace(&mut change, (place - before).abs());
             let expected = change * (change / last).min(1.0);
-            settled = judged && (!usable || change <= SETTLED * step || expected <= LOCATION * step);
+            settled = is_judged && (!usable || change <= SETTLED * step || expected <= LOCATION * step);
             if settled {
                 break;
             }
-            if !usable || change <= NEARLY * step {
+            if judged.is_none() && (!usable || change <= NEARLY * step) {
                 care = Care::Between;
             }
         }
@@ -168,18 +232,40 @@ impl Tracer<'_, '_> {
             // What the iteration leaves moves it from look to look, and the next place may be half of the bracket.
             place = search.secant().0;
         }
-        seen.retain(|(_, found)| found.judged);
-        let (near, _) = around(here, (step, next), &seen, place);
         // Between two pieces of the branch the determinant may change its sign without a zero.
-        let value = |point: &Reference| point.determinant.relative(&here.determinant).abs();
-        if value(near.point) > VANISHED * value(here).max(value(&next.point)) {
-            return Err(SolveError::Astray { at: near.point.value(self.parameter) });
+        let value = |point: &Reference| point.determinant.relative(&here.determinant);
+        let (nearest, _) = span.around(&seen, place);
+        if value(nearest.point).abs() > VANISHED * value(span.first.point).abs().max(value(&next.point).abs()) {
+            return Err(SolveError::Astray { at: nearest.point.value(self.parameter) });
         }
-        let slope = match near.at - place {
+        let slope = match nearest.at - place {
             0.0 => search.secant().1,
-            distance => near.point.determinant.relative(&here.determinant) / distance,
+            distance => value(nearest.point) / distance,
         };
+        seen.extend(judged);
+        if seen.iter().any(|(_, found)| found.judged) {
+            seen.retain(|(_, found)| found.judged);
+        }
+        let (near, _) = Span::new(here, step, next).around(&seen, place);
         Ok((place, self.moved(near.point, near.speed * (place - near.at))?, slope))
+    }
+
+    /// One end of a step, on the mesh of the other.
+    pub(super) fn remeshed(&mut self, span: Span<'_>, onto: Onto) -> Result<Advanced, SolveError> {
+        let (at, point, mesh_of) = match onto {
+            Onto::Last => (0.0, span.here, &span.next.point),
+            Onto::First => (span.step, &span.next.point, span.here),
+        };
+        let meshes = point.solution.regions().iter().zip(mesh_of.solution.regions());
+        let regions = meshes.map(|(from, onto)| {
+            let mesh = onto.mesh().to_vec();
+            RegionGuess { states: from.eval_along(&mesh), mesh }
+        });
+        let mut constants = point.solution.constants().to_vec();
+        constants.push(at);
+        let start = Start::from(&Guess { regions: regions.collect(), constants });
+        let found = self.advance_with(span.here, start, Care::Glance)?;
+        self.between(found, point.solution.constants(), span.step)
     }
 
     /// A place between two folds in a step: where the parameter goes back fastest, by the cubic that has its values and
@@ -196,15 +282,10 @@ impl Tracer<'_, '_> {
         (goes_back && !here.is_crossing && back.abs() * step > DIP * exact).then_some(place)
     }
 
-    fn search(
-        &self,
-        kind: PointKind,
-        before: Option<&(f64, Reference)>,
-        here: &Reference,
-        (step, next): (f64, &Advanced),
-    ) -> Search {
+    fn search(&self, kind: PointKind, before: Option<&(f64, Reference)>, span: Span<'_>) -> Search {
+        let Span { here, step, next, .. } = span;
         let sought = if kind == PointKind::Fold { Sought::Extremum } else { Sought::Zero };
-        let first = self.known(kind, Near { point: here, at: 0.0, speed: 1.0 }, here);
+        let first = self.known(kind, span.first, here);
         let last = self.known(kind, next.near(step), here);
         // The distance goes on behind the step as far as the inner products of both points are alike.
         let before = before.filter(|_| first.slope.is_none());
@@ -244,26 +325,5 @@ impl Tracer<'_, '_> {
         let Solution { error_estimate, accuracy, branch_check, .. } = point.solution;
         let solution = Solution { error_estimate, accuracy, branch_check, ..moved };
         Ok(Reference::new(solution, point.direction.clone(), Determinant::UNKNOWN))
-    }
-}
-
-/// Of the ends of a step and what has been seen between: that nearest to a place, and the nearest on its other side.
-pub(super) fn around<'r>(
-    here: &'r Reference,
-    (step, next): (f64, &'r Advanced),
-    seen: &'r [(f64, Advanced)],
-    place: f64,
-) -> (Near<'r>, Option<Near<'r>>) {
-    let (first, last) = (Near { point: here, at: 0.0, speed: 1.0 }, next.near(step));
-    let all = || [first, last].into_iter().chain(seen.iter().map(|(at, found)| found.near(*at)));
-    let nearer = |best: Near<'r>, other: Near<'r>| {
-        if (other.at - place).abs() < (best.at - place).abs() { other } else { best }
-    };
-    let below = all().filter(|near| near.at <= place).reduce(nearer);
-    let above = all().filter(|near| near.at > place).reduce(nearer);
-    match (below, above) {
-        (Some(below), Some(above)) if (above.at - place) < (place - below.at) => (above, Some(below)),
-        (Some(near), other) | (other, Some(near)) => (near, other),
-        (None, None) => (first, None),
     }
 }

@@ -7,12 +7,17 @@
 //! right in the middle. The error there bounds what the polynomial through all of them may hide: a step ends between
 //! the first two zeros that the determinant may have.
 //!
+//! A mesh that resolves the branch need not resolve what bifurcates from it, and then the determinant does depend on
+//! it. A step that seems too long, and whose ends are on different meshes, is therefore judged on the mesh of its end
+//! alone.
+//!
 //! What is smaller than the points of a branch are apart may still be missed: the zeros of functions that are known at
 //! points alone are never certain.
 
 use super::location::{APART, Known, Polynomial, relative};
+use super::near::{Near, Span};
 use super::touching::{Extremum, valleys};
-use super::{Advanced, Care, Near, Tracer};
+use super::{Care, Tracer};
 use crate::continuation::arclength::Reference;
 use crate::error::SolveError;
 use crate::orientation::Determinant;
@@ -69,21 +74,16 @@ pub(super) enum Resolved {
 
 impl Passed {
     /// Leaves a point behind.
-    pub(super) fn push(&mut self, arclength: f64, at: &Reference) {
+    pub(super) fn push(&mut self, arclength: f64, at: Determinant) {
         self.last.rotate_right(1);
-        self.last[0] = Some((arclength, at.determinant));
+        self.last[0] = Some((arclength, at));
     }
 }
 
 impl Tracer<'_, '_> {
-    /// Whether the determinant is known along the step from `here`, at the arclength that is given, to `next`.
-    pub(super) fn resolved(
-        &mut self,
-        passed: &Passed,
-        (arclength, here): (f64, &Reference),
-        step: f64,
-        next: &Advanced,
-    ) -> Result<Resolved, SolveError> {
+    /// Whether the determinant is known along a step that begins at the arclength that is given.
+    pub(super) fn resolved(&mut self, passed: &Passed, arclength: f64, span: Span<'_>) -> Result<Resolved, SolveError> {
+        let Span { first: Near { point: here, .. }, step, next, .. } = span;
         let before = passed.last.iter().flatten().map(|(place, determinant)| (place - arclength, *determinant));
         let mut known: Vec<(f64, Determinant)> = before.collect();
         let can_extrapolate = known.len() == BEFORE;
@@ -108,7 +108,7 @@ impl Tracer<'_, '_> {
         let mut bound = extrapolated;
         if !can_extrapolate || least < FALLEN || extrapolated > LOOKED_INTO {
             // What cannot be looked at is taken for what the ends say.
-            let Some(look) = self.look_within(here, step, next, 0.5)? else { return Ok(Resolved::longer(1.0)) };
+            let Some(look) = self.look_within(span, 0.5)? else { return Ok(Resolved::longer(1.0)) };
             let interpolated = error(&known, look);
             if interpolated > INTERPOLATED {
                 return Ok(Resolved::Shorter(0.5 * step));
@@ -117,7 +117,7 @@ impl Tracer<'_, '_> {
             known.push(look);
             let beside_ends = beside_ends([here.determinant, look.1, end.1]).filter(|_| is_small);
             for part in beside_ends {
-                let look = self.look_within(here, step, next, part)?;
+                let look = self.look_within(span, part)?;
                 if look.is_some_and(|look| error(&known, look) > CERTAIN) {
                     return Ok(Resolved::Shorter(0.5 * step));
                 }
@@ -125,7 +125,7 @@ impl Tracer<'_, '_> {
         }
         let mut touches = Vec::new();
         for place in valleys(&Polynomial::through(&relative(&known)), step) {
-            match self.extremum((here, step, next), &mut known, place)? {
+            match self.extremum(span, &mut known, place)? {
                 Extremum::Between(zeros) => return Ok(Resolved::Shorter(zeros)),
                 Extremum::Touches(touch) => touches.push(touch),
                 Extremum::Neither => {}
@@ -141,18 +141,13 @@ impl Tracer<'_, '_> {
     }
 
     /// Place and determinant at a part of a step; none where there is no point of the branch to be found.
-    fn look_within(
-        &mut self,
-        here: &Reference,
-        step: f64,
-        next: &Advanced,
-        part: f64,
-    ) -> Result<Option<(f64, Determinant)>, SolveError> {
-        let near = (Near { point: here, at: 0.0, speed: 1.0 }, Some(next.near(step)));
-        match self.look((here, step, &next.point), part * step, near, Care::Glance) {
+    fn look_within(&mut self, span: Span<'_>, part: f64) -> Result<Option<(f64, Determinant)>, SolveError> {
+        let at = part * span.step;
+        let near = (span.first, Some(span.next.near(span.step)));
+        match self.look(span, at, near, Care::Glance) {
             Err(cause) if cause.is_interruption() => Err(cause),
             Err(_) => Ok(None),
-            Ok(look) => Ok(Some((part * step, look.point.determinant))),
+            Ok(look) => Ok(Some((at, look.point.determinant))),
         }
     }
 }

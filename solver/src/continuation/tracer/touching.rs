@@ -7,7 +7,8 @@
 
 use super::finer::{HALVINGS, REACH, SHRINKS};
 use super::location::{APART, Known, Polynomial, relative_to};
-use super::places::{DISTANCE, around};
+use super::near::Span;
+use super::places::DISTANCE;
 use super::{Advanced, Care, Reference, Tracer};
 use crate::error::SolveError;
 use crate::orientation::Determinant;
@@ -127,10 +128,11 @@ impl Tracer<'_, '_> {
     /// What the extremum of the determinant next to a place in a step is. What is seen of it is known from then on.
     pub(super) fn extremum(
         &mut self,
-        (here, step, next): (&Reference, f64, &Advanced),
+        span: Span<'_>,
         known: &mut Vec<(f64, Determinant)>,
         place: f64,
     ) -> Result<Extremum, SolveError> {
+        let Span { here, step, next, .. } = span;
         let unit = next.point.determinant;
         let mut valley = Valley { known: relative_to(&unit, known) };
         let mut seen: Vec<(f64, Advanced)> = Vec::new();
@@ -139,8 +141,8 @@ impl Tracer<'_, '_> {
         for _ in 0..LOOKS {
             let side = if seen.last().is_some_and(|(last, _)| *last > at) { -1.0 } else { 1.0 };
             let beside = at + side * DISTANCE * step;
-            let near = around(here, (step, next), &seen, beside);
-            let look = match self.look((here, step, &next.point), beside, near, Care::Glance) {
+            let near = span.around(&seen, beside);
+            let look = match self.look(span, beside, near, Care::Glance) {
                 Err(cause) if cause.is_interruption() => return Err(cause),
                 Err(_) => return Ok(Extremum::Neither),
                 Ok(look) => look,
@@ -170,7 +172,7 @@ impl Tracer<'_, '_> {
         let widest = if settles { ROUGHLY } else { NARROW } * step;
         let Some(bottom) = bottom else { return Ok(Extremum::Neither) };
         if bottom.width <= widest {
-            let touch = match self.on_branch((here, step, next), bottom, &seen) {
+            let touch = match self.on_branch(span, bottom, &seen) {
                 Err(cause) if cause.is_interruption() => return Err(cause),
                 Err(_) => None,
                 Ok(touch) if settles => self.settled_touch((here, step), touch)?,
@@ -185,15 +187,10 @@ impl Tracer<'_, '_> {
     }
 
     /// The point where the determinant touches zero, by way of one beside it.
-    fn on_branch(
-        &mut self,
-        (here, step, next): (&Reference, f64, &Advanced),
-        bottom: Bottom,
-        seen: &[(f64, Advanced)],
-    ) -> Result<Touch, SolveError> {
-        let beside = bottom.at + DISTANCE * step;
-        let near = around(here, (step, next), seen, beside);
-        let judged = self.look((here, step, &next.point), beside, near, Care::Between)?;
+    fn on_branch(&mut self, span: Span<'_>, bottom: Bottom, seen: &[(f64, Advanced)]) -> Result<Touch, SolveError> {
+        let beside = bottom.at + DISTANCE * span.step;
+        let near = span.around(seen, beside);
+        let judged = self.look(span, beside, near, Care::Between)?;
         let point = self.moved(&judged.point, judged.speed * (bottom.at - beside))?;
         Ok(Touch { met: bottom.at, at: bottom.at, width: bottom.width, point })
     }
