@@ -7,12 +7,13 @@ use super::output;
 use super::solve::tolerance;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
+use rayon::prelude::*;
 use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
-    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, beyond_engine, deviation,
-    has_all_parts, over_curve, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, ShiftPoint, beyond_engine,
+    deviation, has_all_parts, over_curve, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -20,6 +21,7 @@ use sheave::study::{Format, Table};
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// Which branches are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -118,8 +120,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         output::create_folder(folder)?;
     }
     let mut warnings = unused_keys(&case);
-    let branches = arguments.branches(&resolved, &options, true)?;
-    let compared = other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose()?;
+    let (branches, compared) = rayon::join(
+        || arguments.branches(&resolved, &options, true),
+        || other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose(),
+    );
+    let (branches, compared) = (branches?, compared?);
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
     warnings.extend(beyond_engine(&resolved, found.clone().map(|report| report.primary_speed)));
     warnings.extend(over_curve(&resolved, found.map(Box::as_ref)));
@@ -195,26 +200,26 @@ impl Arguments {
         })
     }
 
-    /// All branches of a case; what was found so far is written after every point.
+    /// All branches of a case, side by side; what was found so far is written after every point.
     fn branches(&self, case: &Resolved, options: &ShiftOptions, keep: bool) -> Result<Vec<ShiftBranch>, Stop> {
-        let mut branches: Vec<ShiftBranch> = Vec::new();
-        for direction in &options.directions {
-            let mut points = Vec::new();
+        let begun = |direction: &Direction| ShiftBranch {
+            direction: *direction,
+            engagement: None,
+            take_off: None,
+            shift_out: None,
+            full_shift: None,
+            points: Vec::new(),
+            remarks: Vec::new(),
+        };
+        let so_far = Mutex::new(options.directions.iter().map(begun).collect::<Vec<ShiftBranch>>());
+        let branch = |direction: &Direction| {
             let mut broken = None;
-            let mut see = |point: &sheave::equilibrium::ShiftPoint| {
+            let mut see = |point: &ShiftPoint| {
                 let rpm = rpm(point.secondary_speed);
                 tracing::info!("{} at {rpm:.0} rpm: {}", direction.name(), point_words(point));
-                points.push(point.clone());
-                let partial = ShiftBranch {
-                    direction: *direction,
-                    engagement: None,
-                    take_off: None,
-                    shift_out: None,
-                    full_shift: None,
-                    points: points.clone(),
-                    remarks: Vec::new(),
-                };
-                let so_far: Vec<ShiftBranch> = branches.iter().cloned().chain([partial]).collect();
+                let mut so_far = so_far.lock().unwrap_or_else(PoisonError::into_inner);
+                let of_direction = so_far.iter_mut().filter(|branch| branch.direction == *direction);
+                of_direction.for_each(|branch| branch.points.push(point.clone()));
                 match if keep { self.write_tables(&shift_table(&so_far)) } else { Ok(()) } {
                     Ok(()) => ControlFlow::Continue(()),
                     Err(error) => {
@@ -224,12 +229,11 @@ impl Arguments {
                 }
             };
             let branch = shift_branch(case, *direction, options, &mut see).map_err(stop)?;
-            if let Some(error) = broken {
-                return Err(error);
-            }
-            branches.push(branch);
-        }
-        Ok(branches)
+            broken.map_or(Ok(branch), Err)
+        };
+        // Of several errors the first direction's is told, whichever came first.
+        let branches: Vec<Result<ShiftBranch, Stop>> = options.directions.par_iter().map(branch).collect();
+        branches.into_iter().collect()
     }
 
     fn write_tables(&self, table: &Table) -> Result<(), Stop> {
@@ -280,7 +284,7 @@ fn failures(branches: &[ShiftBranch]) -> (usize, usize) {
     (points().filter(|point| point.report.is_err()).count(), points().count())
 }
 
-fn point_words(point: &sheave::equilibrium::ShiftPoint) -> String {
+fn point_words(point: &ShiftPoint) -> String {
     match &point.report {
         Ok(report) => format!("{:.0} rpm, {}", rpm(report.primary_speed), report.phase),
         Err(reason) => reason.clone(),
