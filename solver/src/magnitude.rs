@@ -18,7 +18,7 @@ pub(crate) struct Magnitude {
 
 impl Magnitude {
     /// As a layout states it; 1 at least where it states nothing.
-    fn stated(scale: Option<f64>) -> Self {
+    pub(crate) fn stated(scale: Option<f64>) -> Self {
         Self { factor: 1.0, floor: scale.unwrap_or(1.0) }
     }
 

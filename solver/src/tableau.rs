@@ -45,6 +45,8 @@ pub(crate) struct Tableau {
     /// Lagrange's weights of the stages at the points where the continuous extension is corrected, where inner stages
     /// are coupled.
     pub at_points: OnceLock<[[f64; COUPLED + 2]; 4]>,
+    /// See [`at_samples`](Self::at_samples).
+    pub at_samples: OnceLock<[[f64; COUPLED + 2]; MOST_PLACES]>,
 }
 
 /// Weights of what the difference `D = S - S̃` of the continuous extension and of what its slopes integrate to,
@@ -136,6 +138,19 @@ impl Tableau {
         if self.coupled { COUPLED } else { 0 }
     }
 
+    /// At each of the samples, Lagrange's weights of the values at all stages: what the polynomial through these is
+    /// there. 0 where there are fewer of either. Computed once.
+    pub(crate) fn at_samples(&self) -> &[[f64; COUPLED + 2]; MOST_PLACES] {
+        self.at_samples.get_or_init(|| {
+            let mut weights = [[0.0; COUPLED + 2]; MOST_PLACES];
+            for (weights, (sigma, _)) in weights.iter_mut().zip(self.samples) {
+                let of_stages = weights.iter_mut().enumerate().take(self.stages());
+                of_stages.for_each(|(stage, weight)| *weight = lagrange(self.c, stage, *sigma));
+            }
+            weights
+        })
+    }
+
     /// Computed once.
     pub(crate) fn differences(&self) -> &Differences {
         self.differences.get_or_init(|| {
@@ -183,6 +198,7 @@ pub(crate) static ORDER_4: Tableau = Tableau {
     first_samples: 3,
     differences: OnceLock::new(),
     at_points: OnceLock::new(),
+    at_samples: OnceLock::new(),
 };
 
 /// Five stages, order 6, symmetric: Cash and Singhal (1982); in MIRKDC: Enright and Muir (1996).
@@ -211,6 +227,7 @@ pub(crate) static ORDER_6: Tableau = Tableau {
     first_samples: 2,
     differences: OnceLock::new(),
     at_points: OnceLock::new(),
+    at_samples: OnceLock::new(),
 };
 
 /// Five-stage Lobatto IIIA, order 8: collocation by polynomials of degree 5 at the Lobatto points 0, 1, 1/2 ∓ √21/14
@@ -256,6 +273,7 @@ pub(crate) static ORDER_8: Tableau = Tableau {
     first_samples: 6,
     differences: OnceLock::new(),
     at_points: OnceLock::new(),
+    at_samples: OnceLock::new(),
 };
 
 /// Collocation at three Gauss points, order 6, by polynomials of degree 3 between the nodes: R. D. Russell and L. F.
@@ -280,6 +298,7 @@ pub(crate) static GAUSS_6: Tableau = Tableau {
     first_samples: 6,
     differences: OnceLock::new(),
     at_points: OnceLock::new(),
+    at_samples: OnceLock::new(),
 };
 
 /// Where a state u has another, v, for derivative, with slopes K, order 6 takes

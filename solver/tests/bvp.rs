@@ -302,6 +302,40 @@ fn differences_are_taken_in_steps_of_the_magnitude_that_is_stated() {
     assert!((found - 1.0 / 1.5).abs() < 1e-7, "{found}");
 }
 
+/// A step that is lost beside what comes out is made longer: `0 - 1e10` is the same when 1.5e-8 is added to it.
+#[test]
+fn differences_of_large_values_are_taken_in_longer_steps() {
+    for size in [1e7, 1e8, 1e9, 1e10] {
+        let f = |_: f64, y: &[f64], _: &[f64], f: &mut [f64]| (f[0], f[1]) = (y[1], 0.0);
+        let bc = move |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| (g[0], g[1]) = (a[0], b[0] - size);
+        let line = Bvp::by_differences(&["u", "slope"], (0.0, 1.0), f, bc);
+        let found = line.solve(&Options::default()).unwrap().regions()[0].eval(0.5)[0];
+        assert!((found / size - 0.5).abs() < 1e-6, "{size:e}: {found}");
+
+        // u'' = u + r(x), solved by u = size sin(2x), one value at a time and by groups of states.
+        let exact = move |x: f64| size * (2.0 * x).sin();
+        let f = move |x: f64, y: &[f64], _: &[f64], f: &mut [f64]| (f[0], f[1]) = (y[1], y[0] - 5.0 * exact(x));
+        let bc = move |a: &[f64], b: &[f64], _: &[f64], g: &mut [f64]| (g[0], g[1]) = (a[0], b[0] - exact(1.0));
+        let dense = Bvp::by_differences(&["u", "slope"], (0.0, 1.0), f, bc);
+        let sparse = Bvp::by_differences(&["u", "slope"], (0.0, 1.0), f, bc).sparse(&[&[1], &[0]]).unwrap();
+        for problem in [dense, sparse] {
+            let found = problem.solve(&Options::default()).unwrap().regions()[0].eval(0.5)[0];
+            assert!((found / exact(0.5) - 1.0).abs() < 1e-5, "{size:e}: {found}");
+        }
+    }
+}
+
+/// What does not depend on an input still has no derivative by it, however large it is.
+#[test]
+fn large_values_that_do_not_depend_on_an_input_have_no_derivative() {
+    let f = |_: f64, y: &[f64], p: &[f64], f: &mut [f64]| (f[0], f[1]) = (1e10 + 3.0 * y[1], -1e12 + p[0]);
+    let formulas = Differenced::new(f, |_: &[f64], _: &[f64], _: &[f64], _: &mut [f64]| {});
+    let (mut out, mut columns) = ([0.0; 2], [f64::NAN; 6]);
+    formulas.rhs_derivatives(0.0, &[0.0, 0.0], &[0.0], &mut out, &mut columns);
+    assert_eq!((columns[0], columns[1], columns[3], columns[4]), (0.0, 0.0, 0.0, 0.0));
+    assert!((columns[2] / 3.0 - 1.0).abs() < 1e-4 && (columns[5] - 1.0).abs() < 1e-4, "{columns:?}");
+}
+
 /// Magnitudes, tolerances and messages go by names: one that two have would be taken for the first of them.
 #[test]
 fn a_name_is_given_once() {

@@ -272,6 +272,9 @@ fn indices_and_limits_that_make_no_sense_are_refused() {
     };
     let ramp = Ramp::new().linear(1, 1.0, 3.0);
     refused(&follow(&problem, &guess, &ramp, &[], &PathOptions::default()).unwrap_err().cause, "path");
+    let path = PathOptions { smallest_step: 2.0, largest_step: 1.0, ..PathOptions::default() };
+    let steps = Ramp::new().linear(0, 1.0, 2.0);
+    refused(&follow(&problem, &guess, &steps, &[], &path).unwrap_err().cause, "smallest_step");
     let stiffness = Some(Stiffness { constant: 5, easy: None });
     refused(&solve_automatically(&problem, &guess, &[], stiffness, &Options::default()).unwrap_err(), "stiffness");
     refused(&problem.solve(&Options { max_intervals: 0, ..Options::default() }).unwrap_err(), "max_intervals");

@@ -88,3 +88,127 @@ fn integrals_may_be_left_to_the_caller() {
     assert_eq!((solution.accuracy(), solution.intervals()), (Accuracy::Met, 10));
     assert!((solution.regions()[0].integrals()[0] / exact - 1.0).abs() > 0.1);
 }
+
+/// `u' = c` with `u(0) = 0`, or `u' = 0` with `u(0) = c`, and an integral of `u/(1 + k (s - m)²)` that makes c what is
+/// stated. A state that is a polynomial leaves no defect: all that is in the way of c is quadrature.
+struct Against {
+    sharpness: f64,
+    place: f64,
+    slope: bool,
+    constant: f64,
+}
+
+impl Against {
+    fn integral(&self) -> f64 {
+        let (k, m) = (self.sharpness, self.place);
+        let r = k.sqrt();
+        let flat = ((r * (1.0 - m)).atan() + (r * m).atan()) / r;
+        let rising = ((1.0 + k * (1.0 - m).powi(2)) / (1.0 + k * m * m)).ln() / (2.0 * k) + m * flat;
+        self.constant * if self.slope { rising } else { flat }
+    }
+
+    fn solve(self, intervals: usize, options: &Options) -> Result<solver::Solution, solver::SolveError> {
+        let problem = Differentiated::new(self).unwrap();
+        let guess = Guess::uniform(problem.layout(), intervals, &[0.0], |_, _, y| y.fill(0.0));
+        solve(&problem, &guess, &[0], options)
+    }
+}
+
+impl Model for Against {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("line", (0.0, 1.0), &["u"], &["I"], 1)], &["c"], &["start", "integral"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, s: S, y: &[S], c: &[S], f: &mut [S]) {
+        let from = s - self.place;
+        f[0] = if self.slope { c[0] } else { y[0] * 0.0 };
+        f[1] = y[0] / (from * from * self.sharpness + 1.0);
+    }
+    fn boundary<S: Scalar>(&self, ends: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+        g[0] = if self.slope { ends[0] } else { ends[0] - c[0] };
+        g[1] = integrals[0] - self.integral();
+    }
+}
+
+/// An error of an integral that is within the tolerance may do more than that to what the integral determines: the mesh
+/// is made fine enough for that too.
+#[test]
+fn what_an_integral_determines_is_as_accurate_as_is_said() {
+    for (sharpness, place, intervals) in [(1e3, 0.5, 10), (1e4, 0.37, 10), (1e2, 0.81, 2), (1e4, 0.5, 20)] {
+        for (order, tolerance) in ORDERS.into_iter().flat_map(|order| [1e-6, 1e-3].map(|tolerance| (order, tolerance)))
+        {
+            let against = Against { sharpness, place, slope: true, constant: 1.0 };
+            let solution = against.solve(intervals, &Options { order, tolerance, ..Options::default() }).unwrap();
+            let error = solution.constants()[0] - 1.0;
+            println!("{sharpness} {place} {order:?} {tolerance:e}: {} intervals, {error:.1e}", solution.intervals());
+            assert_eq!(solution.accuracy(), Accuracy::Met);
+            assert!(error.abs() <= tolerance, "{sharpness} {place} {order:?} {tolerance:e}: {error}");
+            assert!(solution.intervals() <= 300, "{} intervals", solution.intervals());
+        }
+    }
+}
+
+/// Where the mesh may not be as fine as that, it is not rounding that is in the way.
+#[test]
+fn quadrature_is_not_taken_for_rounding() {
+    for (order, max_intervals) in
+        ORDERS.into_iter().flat_map(|order| (10..40).step_by(2).map(move |most| (order, most)))
+    {
+        let against = Against { sharpness: 1e3, place: 0.5, slope: true, constant: 1.0 };
+        match against.solve(10, &Options { order, max_intervals, ..Options::default() }) {
+            Ok(solution) => assert!((solution.constants()[0] - 1.0).abs() <= 1e-6, "{order:?} {max_intervals}"),
+            Err(error) => {
+                let error = error.to_string();
+                assert!(error.contains("finer meshes are not allowed"), "{order:?} {max_intervals}: {error}");
+            }
+        }
+    }
+}
+
+/// The difference of two rules vanishes by accident on some intervals, on which neither is right. Here it does so where
+/// the peak is.
+#[test]
+fn a_peak_that_two_rules_agree_about_is_not_missed() {
+    let settings = [
+        (Order::Six, 1e-3, 300.0, 0.5, 3),
+        (Order::Six, 1e-8, 300.0, 0.5, 3),
+        (Order::Six, 1e-10, 300.0, 0.5, 3),
+        (Order::Six, 1e-2, 30.0, 0.5, 1),
+        (Order::Eight, 1e-4, 1000.0, 0.37, 7),
+    ];
+    for (order, tolerance, sharpness, place, intervals) in settings {
+        let against = Against { sharpness, place, slope: false, constant: 100.0 };
+        let exact = against.integral();
+        let options = Options { order, tolerance, ..Options::default() };
+        // What the integral determines, and the integral of what is known.
+        let solution = against.solve(intervals, &options).unwrap();
+        let error = solution.constants()[0] / 100.0 - 1.0;
+        println!("{order:?} {tolerance:e} {sharpness}: {} intervals, {error:.1e}", solution.intervals());
+        assert_eq!(solution.accuracy(), Accuracy::Met);
+        assert!(error.abs() <= 2.0 * tolerance, "{order:?} {tolerance:e} {sharpness}: {error}");
+        let problem = Differentiated::new(Known { sharpness, place }).unwrap();
+        let guess = Guess::uniform(problem.layout(), intervals, &[], |_, _, y| y.fill(100.0));
+        let solution = solve(&problem, &guess, &[], &options).unwrap();
+        let error = solution.regions()[0].integrals()[0] / exact - 1.0;
+        assert_eq!(solution.accuracy(), Accuracy::Met);
+        assert!(error.abs() <= 2.0 * tolerance, "{order:?} {tolerance:e} {sharpness}: {error}");
+    }
+}
+
+/// `u' = 0`, `u(0) = 100`, with an integral that no condition uses.
+struct Known {
+    sharpness: f64,
+    place: f64,
+}
+
+impl Model for Known {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("line", (0.0, 1.0), &["u"], &["I"], 0)], &[], &["start"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, s: S, y: &[S], _: &[S], f: &mut [S]) {
+        let from = s - self.place;
+        (f[0], f[1]) = (y[0] * 0.0, y[0] / (from * from * self.sharpness + 1.0));
+    }
+    fn boundary<S: Scalar>(&self, ends: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        g[0] = ends[0] - 100.0;
+    }
+}

@@ -37,7 +37,8 @@ pub struct Exact<F, B> {
 }
 
 /// Closures of `f64`s: derivatives by forward differences, good for some eight digits, which Newton's iteration is
-/// content with. Each input is moved by half the digits of its value, or of its typical magnitude if that is larger.
+/// content with. Each input is moved by half the digits of its value, or of its typical magnitude if that is larger;
+/// and by more where that is lost in the rounding of what comes out, as 1e-8 is beside 1e10.
 #[derive(Debug, Clone)]
 pub struct Differenced<F, B> {
     f: F,
@@ -268,9 +269,52 @@ fn difference(parts: &[Part<'_>], out: &mut [f64], columns: &mut [f64], evaluate
         inputs[input] = stepped(value, magnitude);
         let step = inputs[input] - value;
         evaluate(inputs, column);
+        let lost = lost(column.iter().zip(out.iter()).map(|(moved, here)| (*moved, *here, step)));
         column.iter_mut().zip(out.iter()).for_each(|(moved, here)| *moved = (*moved - here) / step);
+        if let Some((mut rows, size)) = lost {
+            let mut again = vec![0.0; out.len()];
+            for longer in LONGER {
+                inputs[input] = value + (longer * size).copysign(value);
+                evaluate(inputs, &mut again);
+                let step = inputs[input] - value;
+                rows.retain(|&row| {
+                    let told = is_told(again[row], out[row]);
+                    column[row] = if told { (again[row] - out[row]) / step } else { column[row] };
+                    !told
+                });
+                if rows.is_empty() {
+                    break;
+                }
+            }
+        }
         inputs[input] = value;
     }
+}
+
+/// A change of no more units in the last place than this is rounding.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+/// Steps that are tried where the first is lost in a value's rounding, as parts of that value: the shorter leaves five
+/// digits of a derivative about 1, the longer half of all digits.
+const LONGER: [f64; 2] = [65_536.0 * f64::EPSILON, 67_108_864.0 * f64::EPSILON];
+
+/// Of differences, each with what a value is after the step, what it is before, and the step: those in which the step
+/// is lost in the rounding of the value, and the largest value that does that. None if none is.
+fn lost(differences: impl Iterator<Item = (f64, f64, f64)>) -> Option<(Vec<usize>, f64)> {
+    let (mut all, mut size) = (Vec::new(), 0.0_f64);
+    for (index, (moved, here, step)) in differences.enumerate() {
+        // Where the step is longer than that, a derivative that is lost is far below 1, and of no account.
+        if here.is_finite() && ROUNDED * here.abs() > step.abs() && !is_told(moved, here) && moved.is_finite() {
+            all.push(index);
+            size = size.max(here.abs());
+        }
+    }
+    (!all.is_empty()).then_some((all, size))
+}
+
+/// Whether a value has changed, by more than rounding.
+fn is_told(moved: f64, here: f64) -> bool {
+    let change = (moved - here).abs();
+    change.is_finite() && change > ROUNDED * here.abs()
 }
 
 fn magnitude(magnitudes: &[f64], index: usize) -> f64 {
@@ -299,8 +343,27 @@ fn difference_groups(
         let members = || groups.of().iter().enumerate().filter(|(_, of)| **of == group).map(|(state, _)| state);
         members().for_each(|state| inputs[state] = stepped(y[state], magnitude(magnitudes, state)));
         evaluate(&inputs, &mut moved);
-        for &(row, state) in groups.entries(group) {
+        let entries = groups.entries(group);
+        for &(row, state) in entries {
             by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
+        }
+        let steps = entries.iter().map(|&(row, state)| (moved[row], out[row], inputs[state] - y[state]));
+        if let Some((mut lost, size)) = lost(steps) {
+            for longer in LONGER {
+                members().for_each(|state| inputs[state] = y[state] + (longer * size).copysign(y[state]));
+                evaluate(&inputs, &mut moved);
+                lost.retain(|&entry| {
+                    let (row, state) = entries[entry];
+                    let told = is_told(moved[row], out[row]);
+                    if told {
+                        by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
+                    }
+                    !told
+                });
+                if lost.is_empty() {
+                    break;
+                }
+            }
         }
         members().for_each(|state| inputs[state] = y[state]);
     }

@@ -19,6 +19,10 @@ const ROUGH: f64 = 0.3;
 /// if defects are held to no more than this.
 const LARGEST_LIMIT: f64 = 0.03;
 
+/// What the finer rule of an integral is taken to be wrong by where an interval does not resolve the integrand at all,
+/// as a share of how that varies.
+const DOUBT: f64 = 0.25;
+
 /// Defects of one region, one an interval, in the mesh's order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Defects {
@@ -36,6 +40,9 @@ pub(crate) struct Defects {
     /// `∫ (S' - f) ds` of each state, and the error of each integral, per interval: `rows * interval_stride`, in
     /// working order. Empty on rough meshes of orders 6 and 8, as are the samples.
     pub integrated: Numbers,
+    /// What the error of each integral, which is one difference of two rules, may be wrong by, per interval: rows as
+    /// those of the integrals in `integrated`, never negative. Empty where that is.
+    pub doubts: Numbers,
     /// f(S) at the samples, in the order of the method's.
     pub samples: Vec<Sampled>,
 }
@@ -201,8 +208,8 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
             }
         }
         tally.weigh_by(1.0);
-        let integrated = self.integrated(&samples);
-        Ok(Defects { integrated, samples, ..self.concluded(tally, scales) })
+        let (integrated, doubts) = (self.integrated(&samples), self.doubts(&samples));
+        Ok(Defects { integrated, doubts, samples, ..self.concluded(tally, scales) })
     }
 
     /// Takes samples at places of given weights and adds them to a tally; `h (f - S')` goes to `lacking`, place by
@@ -338,6 +345,36 @@ impl<P: Problem + ?Sized> Extended<'_, '_, P> {
                 Lane(rules[k * cubic.steps + t]) - cubic.length(t) * mean(n + k, t)
             });
         }
+        out
+    }
+
+    /// See [`Defects::doubts`]. The difference of two rules may vanish although neither is right: what one misses of a
+    /// peak within the interval may be what the other does. The integrand is then not met, from sample to sample, by
+    /// the polynomial through its values at the stages. What this lacks there, against how the integrand varies, says
+    /// how well the interval resolves it, and the square of that how far the finer rule is to be trusted: where an
+    /// interval is short enough, it falls faster than the difference of the rules.
+    fn doubts(&self, samples: &[Sampled]) -> Numbers {
+        let (n, steps) = (self.n(), self.steps());
+        let mut out = Numbers::unset((self.rows() - n) * self.intervals());
+        if out.is_empty() {
+            return out;
+        }
+        let (tableau, cubic, views) = (self.system.tableau, self.pieces(None), self.stages.views(steps));
+        let (weights, at_samples) = (|| tableau.samples.iter().map(|sample| sample.1), tableau.at_samples());
+        by_components(&mut out, steps, |k, t| {
+            let (row, mean) = (n + k, Sampled::weighted(samples, weights(), n + k, t));
+            let (mut missed, mut varied) = (Lane::ZERO, Lane::ZERO);
+            let at = samples.iter().flat_map(|sampled| (0..sampled.places).map(move |place| (sampled, place)));
+            for (((sampled, place), weight), of_stages) in at.zip(weights()).zip(at_samples) {
+                let value = sampled.slope(row, place, t);
+                let stages = views.iter().zip(of_stages).take(tableau.stages());
+                let between = stages.fold(Lane::ZERO, |sum, (view, weight)| sum + view.f(row, t).times(*weight));
+                missed += (value - between).abs().times(weight);
+                varied += (value - mean).abs().times(weight);
+            }
+            let share = missed.zip(varied, |missed, varied| if missed < varied { missed / varied } else { 1.0 });
+            (cubic.length(t) * share * share * varied).times(DOUBT)
+        });
         out
     }
 }

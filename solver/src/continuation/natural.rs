@@ -43,7 +43,7 @@ pub struct PathOptions {
     pub tolerance: f64,
     /// First step in λ.
     pub first_step: f64,
-    /// Smallest step in λ: a step that fails at this length ends the continuation.
+    /// Smallest step in λ, no more than the largest: a step that fails at this length ends the continuation.
     pub smallest_step: f64,
     /// Largest step in λ.
     pub largest_step: f64,
@@ -87,7 +87,12 @@ impl PathOptions {
             ("largest_step", self.largest_step),
             ("contraction", self.contraction),
             ("tolerance on the path", self.tolerance),
-        ])
+        ])?;
+        if self.smallest_step > self.largest_step {
+            let expected = "no more than largest_step";
+            return Err(SolveError::Option { name: "smallest_step", value: self.smallest_step, expected });
+        }
+        Ok(())
     }
 }
 

@@ -180,7 +180,8 @@ impl NewtonError {
                  solves."
             }
             Self::Singular { empty_equations, .. } if !empty_equations.is_empty() => {
-                "A boundary equation depends on no unknown: correct it."
+                "A boundary equation depends on no unknown: correct it. If derivatives are differences, it may only \
+                 seem so: where values are very large, state their sizes by Bvp::typical."
             }
             Self::Singular { .. } => {
                 "The boundary equations do not determine the components named. A phase or scale may be free (add a \

@@ -16,6 +16,8 @@ use crate::progress::{Next, Progress, measured};
 use crate::refine::{ASYMPTOTIC, Measure, Verdict, Wish, verdict};
 use crate::start::{Start, halved, on, transfer};
 
+/// Quadrature is the larger part of an error of which it alone would cause this share.
+const LARGER_PART: f64 = 0.5;
 /// Where few intervals are too long, defects aim at this share of what they are held to.
 const AHEAD: f64 = 0.5;
 
@@ -243,7 +245,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         progress.error = progress.error.min(error);
         if progress.stalled < PATIENCE
             && let Some(start) =
-                self.finer_for_integrals(&solved, progress).or_else(|| self.tighter(&solved, error, progress))
+                self.finer_for_integrals(&solved, error, progress).or_else(|| self.tighter(&solved, error, progress))
         {
             progress.tolerance_met();
             if better {
@@ -264,18 +266,16 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
 
     /// Meshes that are finer where the quadrature of integrals is not good enough, of which defects say nothing; none
     /// if it is, or if meshes may not have so many intervals.
-    fn finer_for_integrals(&mut self, solved: &Solved<'a, P>, progress: &mut Progress<'a, P>) -> Option<Start> {
-        let tolerance = self.options.tolerance;
-        let errors = solved.quadrature_errors(&mut self.stats);
-        if errors.iter().all(|errors| errors.largest() <= tolerance) {
-            return None;
-        }
+    fn finer_for_integrals(
+        &mut self,
+        solved: &Solved<'a, P>,
+        error: f64,
+        progress: &mut Progress<'a, P>,
+    ) -> Option<Start> {
+        let pieces = self.pieces_for_integrals(solved, error)?;
         self.shortfall = Shortfall::Mesh;
-        let order = self.order.number() as f64;
-        let grids = errors.iter().zip(&solved.system.grids);
-        let meshes =
-            grids.map(|(errors, grid)| distinct(split(&grid.mesh, &errors.pieces(grid.intervals(), tolerance, order))));
-        let meshes: Vec<Vec<f64>> = meshes.collect();
+        let grids = solved.system.grids.iter().zip(&pieces);
+        let meshes: Vec<Vec<f64>> = grids.map(|(grid, pieces)| distinct(split(&grid.mesh, pieces))).collect();
         let finer = meshes.iter().zip(&solved.system.grids).any(|(mesh, grid)| mesh.len() > grid.mesh.len());
         if !finer || meshes.iter().any(|mesh| mesh.len() > self.options.max_intervals + 1) {
             return None;
@@ -284,10 +284,33 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         Some(transfer(solved, meshes))
     }
 
-    /// See [`Progress::doubled_or_done`]; what stands in the way of a smaller error is noted.
+    /// Into how many parts each interval is to be divided, region by region, where the estimated `error` exceeds the
+    /// tolerance because of quadrature: because of the error of an integral itself, or of what that does to the
+    /// solution through the conditions that use the integral, as long as this is the larger part. None where no
+    /// interval is to be divided.
+    fn pieces_for_integrals(&mut self, solved: &Solved<'a, P>, error: f64) -> Option<Vec<Vec<usize>>> {
+        let (tolerance, order) = (self.options.tolerance, self.order.number() as f64);
+        let mut errors = solved.quadrature_errors(&mut self.stats);
+        let counted = self.options.integrals && errors.iter().any(|errors| !(errors.largest() <= tolerance));
+        let effect = solved.quadrature_effect(&errors, &mut self.stats);
+        if effect >= LARGER_PART * error {
+            solved.weigh(&mut errors, &mut self.stats);
+        } else if !counted {
+            return None;
+        }
+        let grids = errors.iter().zip(&solved.system.grids);
+        let pieces: Vec<Vec<usize>> =
+            grids.map(|(errors, grid)| errors.pieces(grid.intervals(), tolerance, order)).collect();
+        pieces.iter().flatten().any(|pieces| *pieces > 1).then_some(pieces)
+    }
+
+    /// See [`Progress::doubled_or_done`]; what stands in the way of a smaller error is noted. It is not rounding where
+    /// quadrature is what the error is due to.
     pub(super) fn doubled_or_done(&mut self, best: Solved<'a, P>, progress: &mut Progress<'a, P>) -> Next<'a, P> {
-        let next;
-        (next, self.shortfall) = progress.doubled_or_done(best);
+        let error = best.error_estimate(&mut self.stats);
+        let by_quadrature = self.pieces_for_integrals(&best, error).is_some();
+        let (next, shortfall) = progress.doubled_or_done(best);
+        self.shortfall = if by_quadrature { Shortfall::Mesh } else { shortfall };
         next
     }
 
