@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::continuation::{
-    BranchOptions, PathOptions, Ramp, Stiffness, follow, solve_automatically, solve_automatically_observed, trace,
+    Automatic, BranchOptions, How, PathOptions, Ramp, Stiffness, follow, solve_automatically,
+    solve_automatically_observed, trace,
 };
 use solver::model::{Differentiated, Model, Scalar};
-use solver::{Cancel, Event, Guess, Layout, Options, Problem, Region, SolveError, solve};
+use solver::{Cancel, Event, Guess, Layout, Options, Order, Problem, Region, SolveError, solve};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
@@ -64,6 +65,65 @@ fn every_computation_ends_at_its_work_limit() {
     let error = trace(&problem, &guess, 0, &[], &branch, &[]).unwrap_err();
     assert!(error.points.len() > 2, "what was reached is kept");
     spent(&error.cause, &problem);
+}
+
+/// `ε u'' = (1 + x) u - u u'` with `u(0) = -0.8` and `∫u = 0.42`: an interior layer, which is come by from zero as the
+/// guess is deformed. The integrand may be written such that it is undefined at the left end. Counts the points it is
+/// evaluated at.
+struct Layer {
+    undefined: bool,
+    points: Cell<usize>,
+}
+
+impl Model for Layer {
+    fn layout(&self) -> Layout {
+        let line = Region::dense("line", (0.0, 1.0), &["u", "slope"], &["area"], 2);
+        Layout::dense(vec![line], &["epsilon", "u at the right"], &["left", "right", "whole area"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, x: S, y: &[S], c: &[S], f: &mut [S]) {
+        self.points.set(self.points.get() + 1);
+        (f[0], f[1]) = (y[1], (y[0] * (x + 1.0) - y[0] * y[1]) / c[0]);
+        f[2] = if self.undefined { y[0] * x / x } else { y[0] };
+    }
+    fn boundary<S: Scalar>(&self, e: &[S], integrals: &[S], c: &[S], g: &mut [S]) {
+        (g[0], g[1], g[2]) = (e[0] + 0.8, e[2] - c[1], integrals[0] - 0.42);
+    }
+}
+
+impl Layer {
+    /// By order 6 at Gauss points, and the points at which it was evaluated.
+    fn solve(undefined: bool, work_limit: Option<usize>) -> (Result<Automatic, SolveError>, usize) {
+        let problem = Differentiated::new(Self { undefined, points: Cell::new(0) }).unwrap();
+        let guess = Guess::uniform(problem.layout(), 10, &[3e-3, 0.0], |_, _, y| y.fill(0.0));
+        let options = Options { order: Order::SixGauss, work_limit, ..Options::default() };
+        let found = solve_automatically(&problem, &guess, &[1], None, &options);
+        (found, problem.model().points.get())
+    }
+}
+
+/// A deformation evaluates the right-hand side at the guess as well: that counts.
+#[test]
+fn what_a_deformation_evaluates_at_the_guess_is_counted() {
+    let (found, points) = Layer::solve(false, None);
+    let found = found.unwrap();
+    assert!(matches!(found.how, How::Homotopy { .. }), "{:?}", found.how);
+    let (enough, again) = Layer::solve(false, Some(points));
+    assert!(enough.is_ok() && again == points, "{again} of {points}");
+    for limit in [points / 2, points * 9 / 10, points * 19 / 20] {
+        let (found, spent) = Layer::solve(false, Some(limit));
+        assert!(matches!(found, Err(SolveError::WorkLimit { .. })), "{limit} of {points}: {spent}");
+        assert!(spent > limit && spent < limit + SLACK, "{limit} of {points}: {spent}");
+    }
+}
+
+/// Orders that need nothing of the right-hand side at ends do not need it of a guess either.
+#[test]
+fn a_guess_is_deformed_where_an_integrand_is_undefined_at_an_end() {
+    let [defined, undefined] = [false, true].map(|undefined| Layer::solve(undefined, None).0.unwrap());
+    assert!(matches!(undefined.how, How::Homotopy { .. }), "{:?}", undefined.how);
+    let [known, found] = [&defined, &undefined].map(|found| found.solution.constants()[1]);
+    // By order 8, directly: 1.52527043.
+    assert!((found - known).abs() < 1e-6 && (found - 1.525_270_43).abs() < 2e-6, "{found} {known}");
 }
 
 #[test]

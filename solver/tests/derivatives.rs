@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use solver::bvp::Bvp;
+use solver::model::{Differentiated, Model, Scalar};
 use solver::{Guess, Layout, Points, Problem, Region, Scope, WrongDerivative, check_derivatives};
 
 /// Two regions with an integral and two constants, `dense` patterns, derivatives by hand: those of `Mistake` are wrong.
@@ -181,4 +182,28 @@ fn derivatives_that_are_made_here_are_right() {
     let mut other = dual.start();
     other.constants.clear();
     assert!(check_derivatives(&dual, &other).is_err());
+}
+
+/// `u' = a b u`, in which the layout has derivatives by `a` alone.
+struct Lacking;
+
+impl Model for Lacking {
+    fn layout(&self) -> Layout {
+        Layout::dense(vec![Region::dense("line", (0.0, 1.0), &["u"], &[], 1)], &["a", "b"], &["left"])
+    }
+    fn rhs<S: Scalar>(&self, _: usize, _: S, y: &[S], c: &[S], f: &mut [S]) {
+        f[0] = y[0] * c[0] * c[1];
+    }
+    fn boundary<S: Scalar>(&self, ends: &[S], _: &[S], _: &[S], g: &mut [S]) {
+        g[0] = ends[0] - 1.0;
+    }
+}
+
+#[test]
+fn derivatives_that_no_pattern_has_are_told() {
+    let problem = Differentiated::new(Lacking).unwrap();
+    let at = Guess::uniform(problem.layout(), 10, &[2.0, 3.0], |_, s, y| y[0] = 1.0 + s);
+    let wrong = check_derivatives(&problem, &at).unwrap();
+    let [wrong] = wrong.as_slice() else { panic!("{wrong:?}") };
+    assert_eq!((wrong.of.as_str(), wrong.by.as_deref(), wrong.stated), ("u'", Some("constant b"), 0.0), "{wrong}");
 }

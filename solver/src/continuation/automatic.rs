@@ -185,7 +185,7 @@ impl Attempt<'_> {
     /// # Errors
     /// Only cancellation, and work that is spent.
     fn by_homotopy(&mut self) -> Result<Found, SolveError> {
-        let homotopy = Homotopy::new(self.problem, self.guess);
+        let homotopy = Homotopy::new(self.problem, self.guess, self.budget);
         let layout: &Layout = homotopy.layout();
         let t = layout.constants.len() - 1;
         let mut start = self.guess.clone();
@@ -206,6 +206,7 @@ impl Attempt<'_> {
             Err(_) => return Ok(None),
         };
         self.stats += branch.stats;
+        self.stats.rhs_points += homotopy.points();
         let points = branch.points.len();
         let Some(last) = branch.points.last().filter(|last| last.kind == PointKind::End && last.parameter > 0.5) else {
             return Ok(None);

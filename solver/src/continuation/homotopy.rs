@@ -7,14 +7,22 @@
 //! For t = 0 the guess S₀ is a solution, for t = 1 the problem is the given one; the branch in between is traced by
 //! arclength, since t need not grow all the way. S. Smale, J. Math. Econ. 3 (1976) 107-120; H. B. Keller (1977).
 
+use std::cell::Cell;
+
+use crate::budget::Budget;
 use crate::guess::Guess;
 use crate::mesh::slope;
 use crate::problem::{Constant, Layout, Points, Problem, Scope};
+use crate::stats::Stats;
 
 /// See the module's head. `t` is the last of the constants.
 pub(crate) struct Homotopy<'p, P: Problem + ?Sized> {
     problem: &'p P,
     guess: &'p Guess,
+    /// What evaluations at the guess are charged to: those at the states are counted by who asks for them.
+    budget: &'p Budget,
+    /// Points at which the right-hand side was evaluated at the guess.
+    points: Cell<usize>,
     layout: Layout,
     /// Slopes of the guess at its nodes.
     slopes: Vec<Vec<Vec<f64>>>,
@@ -23,7 +31,7 @@ pub(crate) struct Homotopy<'p, P: Problem + ?Sized> {
 }
 
 impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
-    pub(crate) fn new(problem: &'p P, guess: &'p Guess) -> Self {
+    pub(crate) fn new(problem: &'p P, guess: &'p Guess, budget: &'p Budget) -> Self {
         let inner = problem.layout();
         let mut layout = inner.clone();
         let t = inner.constants.len();
@@ -37,49 +45,73 @@ impl<'p, P: Problem + ?Sized> Homotopy<'p, P> {
             let along = |values: &Vec<f64>| (0..values.len()).map(|j| slope(&region.mesh, values, j)).collect();
             region.states.iter().map(along).collect()
         });
-        let mut homotopy = Self { problem, guess, layout, slopes: slopes.collect(), g: Vec::new() };
+        let (slopes, points) = (slopes.collect(), Cell::new(0));
+        let mut homotopy = Self { problem, guess, budget, points, layout, slopes, g: Vec::new() };
         homotopy.g = homotopy.boundary_of_guess();
         homotopy
     }
 
+    /// Points at which the right-hand side was evaluated at the guess, beside those that its user counts.
+    pub(crate) fn points(&self) -> usize {
+        self.points.get()
+    }
+
+    /// Its integrals are taken by the midpoint rule: equations and integrands may be undefined at the ends of a region,
+    /// and what they come to need only be finite.
     fn boundary_of_guess(&self) -> Vec<f64> {
         let inner = self.problem.layout();
         let (mut ends, mut integrals) = (Vec::new(), Vec::new());
         for (index, (guess, region)) in self.guess.regions.iter().zip(&inner.regions).enumerate() {
             ends.extend(guess.states.iter().filter_map(|y| y.first()));
             ends.extend(guess.states.iter().filter_map(|y| y.last()));
-            let (m, y) = (guess.mesh.len(), guess.states.concat());
-            let at = Points { len: m, stride: m, s: &guess.mesh, y: &y };
-            let mut f = vec![0.0; region.rows() * m];
-            self.problem.rhs(index, &at, &self.guess.constants, &mut f);
-            integrals.extend(f.chunks_exact(m).skip(region.states.len()).map(|q| trapezoid(&guess.mesh, q)));
+            if region.integrals.is_empty() {
+                continue;
+            }
+            let s: Vec<f64> = guess.mesh.windows(2).map(|nodes| 0.5 * (nodes[0] + nodes[1])).collect();
+            let (y, _) = self.between_nodes(index, &s, s.len());
+            let f = self.at_guess(index, &Points { len: s.len(), stride: s.len(), s: &s, y: &y });
+            let lengths = || guess.mesh.windows(2).map(|nodes| nodes[1] - nodes[0]);
+            let integral = |q: &[f64]| lengths().zip(q).map(|(h, q)| h * q).sum::<f64>();
+            integrals.extend(f.chunks_exact(s.len()).skip(region.states.len()).map(integral));
         }
         let mut g = vec![0.0; inner.equations.len()];
         self.problem.boundary(&ends, &integrals, &self.guess.constants, &mut g);
         g
     }
 
-    /// `S₀' - f(S₀)` at the points: `n * stride`.
-    fn defect(&self, region: usize, at: &Points<'_>) -> Vec<f64> {
+    /// The guess at some points, by cubics between its nodes, and its slope: `n * stride` each.
+    fn between_nodes(&self, region: usize, s: &[f64], stride: usize) -> (Vec<f64>, Vec<f64>) {
         let (guess, slopes) = (&self.guess.regions[region], &self.slopes[region]);
         let n = guess.states.len();
-        let rows = self.problem.layout().regions[region].rows();
-        let (mut y, mut slope) = (vec![0.0; n * at.stride], vec![0.0; n * at.stride]);
-        for p in 0..at.len {
-            let j = guess.mesh.partition_point(|&node| node <= at.s[p]).saturating_sub(1).min(guess.mesh.len() - 2);
+        let (mut y, mut slope) = (vec![0.0; n * stride], vec![0.0; n * stride]);
+        for (p, &s) in s.iter().enumerate() {
+            let j = guess.mesh.partition_point(|&node| node <= s).saturating_sub(1).min(guess.mesh.len() - 2);
             let h = guess.mesh[j + 1] - guess.mesh[j];
-            let (x, z) = ((at.s[p] - guess.mesh[j]) / h, 1.0 - (at.s[p] - guess.mesh[j]) / h);
+            let (x, z) = ((s - guess.mesh[j]) / h, 1.0 - (s - guess.mesh[j]) / h);
             for i in 0..n {
                 let (left, rise) = (guess.states[i][j], guess.states[i][j + 1] - guess.states[i][j]);
                 let (f0, f1) = (h * slopes[i][j], h * slopes[i][j + 1]);
-                y[i * at.stride + p] = left + rise * x * x * (3.0 - 2.0 * x) + f0 * x * z * z - f1 * x * x * z;
+                y[i * stride + p] = left + rise * x * x * (3.0 - 2.0 * x) + f0 * x * z * z - f1 * x * x * z;
                 let derivative = rise * 6.0 * x * z + f0 * z * (1.0 - 3.0 * x) - f1 * x * (2.0 - 3.0 * x);
-                slope[i * at.stride + p] = derivative / h;
+                slope[i * stride + p] = derivative / h;
             }
         }
-        let mut f = vec![0.0; rows * at.stride];
-        let points = Points { y: &y, ..*at };
-        self.problem.rhs(region, &points, &self.guess.constants, &mut f);
+        (y, slope)
+    }
+
+    /// Right-hand side and integrands where the states are the guess's: `rows * stride`.
+    fn at_guess(&self, region: usize, at: &Points<'_>) -> Vec<f64> {
+        let mut f = vec![0.0; self.problem.layout().regions[region].rows() * at.stride];
+        self.problem.rhs(region, at, &self.guess.constants, &mut f);
+        self.points.set(self.points.get() + at.len);
+        self.budget.charge(&Stats { rhs_points: at.len, ..Stats::default() });
+        f
+    }
+
+    /// `S₀' - f(S₀)` at the points: `n * stride`.
+    fn defect(&self, region: usize, at: &Points<'_>) -> Vec<f64> {
+        let (y, mut slope) = self.between_nodes(region, &at.s[..at.len], at.stride);
+        let f = self.at_guess(region, &Points { y: &y, ..*at });
         slope.iter_mut().zip(&f).for_each(|(slope, f)| *slope -= f);
         slope
     }
@@ -136,8 +168,4 @@ impl<P: Problem + ?Sized> Problem for Homotopy<'_, P> {
         g.iter_mut().zip(&self.g).for_each(|(g, first)| *g -= rest * first);
         added.copy_from_slice(&self.g);
     }
-}
-
-fn trapezoid(mesh: &[f64], values: &[f64]) -> f64 {
-    mesh.windows(2).zip(values.windows(2)).map(|(s, q)| (s[1] - s[0]) * 0.5 * (q[0] + q[1])).sum()
 }
