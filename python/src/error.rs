@@ -9,7 +9,7 @@ use sheave::design::{DesignError, Verdict};
 use sheave::drive::Failure;
 use sheave::equilibrium::EquilibriumError;
 use sheave::model::InternalError;
-use sheave::solver::{NewtonError, Shortfall, SolveError};
+use sheave::solver::{MeshBound, NewtonError, Shortfall, SolveError};
 use sheave::study::StudyError;
 
 /// The exceptions themselves are written in Python.
@@ -256,6 +256,10 @@ fn bvp_advice(error: &SolveError) -> &'static str {
             "The iteration was still moving: improve the guess, or come from the solution for an easier parameter."
         }
         SolveError::MeshLimit { tolerance, .. } if *tolerance < NEAR_ROUNDING => error.advice(),
+        SolveError::MeshLimit { because: MeshBound::Rounding, .. } => error.advice(),
+        SolveError::MeshLimit { because: MeshBound::Meshes { .. }, .. } => {
+            "Begin with a finer mesh where the defect is, or come from the solution for an easier parameter."
+        }
         SolveError::MeshLimit { defect, tolerance, .. } if *defect > 1e3 * tolerance => {
             "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution of a \
              coarse mesh. Come from the solution for a parameter at which it is wider, begin with a finer mesh where \

@@ -121,7 +121,7 @@ pub enum SolveError {
     /// The tolerance would need a finer mesh than allowed.
     #[error(
         "the defect is {defect:.1e} for a tolerance of {tolerance:.1e} in region {region} at {}, \
-         most in {state}: the mesh of {intervals} intervals may not grow further", shown(*.position)
+         most in {state}: {because}", shown(*.position)
     )]
     MeshLimit {
         /// Region of the largest defect.
@@ -136,6 +136,8 @@ pub enum SolveError {
         tolerance: f64,
         /// Intervals of that region.
         intervals: usize,
+        /// What keeps its mesh from being made finer.
+        because: MeshBound,
     },
     /// Newton converged, but a boundary equation is not met.
     #[error(
@@ -190,6 +192,27 @@ pub enum SolveError {
     Cancelled,
 }
 
+/// What keeps a mesh from being made finer: see [`SolveError::MeshLimit`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshBound {
+    /// A region may have no more intervals: [`Options::max_intervals`](crate::Options::max_intervals).
+    #[error("more than {most} intervals are not allowed")]
+    Intervals {
+        /// How many it may have.
+        most: usize,
+    },
+    /// There may be no more meshes: [`Options::max_meshes`](crate::Options::max_meshes).
+    #[error("more than {most} meshes are not allowed")]
+    Meshes {
+        /// How many there may be.
+        most: usize,
+    },
+    /// The interval of the largest defect is so short that rounding would decide on the lengths of its parts.
+    #[error("the interval there is about as short as the rounding of places allows")]
+    Rounding,
+}
+
 impl SolveError {
     /// Whether no other way of solving can help: the input is wrong, the work is spent, or the caller asked to stop.
     pub fn is_final(&self) -> bool {
@@ -210,6 +233,14 @@ impl SolveError {
             Self::Newton { error, .. } => error.advice(),
             Self::MeshLimit { tolerance, .. } if *tolerance < NEAR_ROUNDING => {
                 "Rounding is what is left at such a tolerance: ask for 1e-12 at most, or use a higher order."
+            }
+            Self::MeshLimit { because: MeshBound::Rounding, .. } => {
+                "The solution is not smooth there: beside an end, like a root or a logarithm, it is in another variable, \
+                 as in t with x = t²; about a place within, make that the end of a region."
+            }
+            Self::MeshLimit { because: MeshBound::Meshes { .. }, .. } => {
+                "Allow more meshes (max_meshes), begin with a finer mesh where the defect is, or continue from an \
+                 easier parameter."
             }
             Self::MeshLimit { defect, tolerance, .. } if *defect > 1e3 * tolerance => {
                 "The solution varies faster than the mesh can resolve: a layer, a singularity, or a spurious solution \

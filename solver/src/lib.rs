@@ -103,7 +103,7 @@ pub use cancel::Cancel;
 pub use condensation::Condensation;
 pub use conditioning::Conditioning;
 pub use derivatives::{WrongDerivative, check_derivatives};
-pub use error::{Component, GuessError, NewtonError, NonFinite, SolveError};
+pub use error::{Component, GuessError, MeshBound, NewtonError, NonFinite, SolveError};
 pub use guess::{Guess, RegionGuess};
 pub use linearisation::{Functional, Linearisation, Tangent, TangentRegion};
 #[cfg(feature = "rayon")]

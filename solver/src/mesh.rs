@@ -31,6 +31,13 @@ fn shortest(a: f64, b: f64) -> f64 {
     8.0 * f64::EPSILON * a.abs().max(b.abs())
 }
 
+/// Whether the parts of an interval are longer than what rounding decides on, if it is divided into as many as make a
+/// difference.
+pub(crate) fn is_divisible(a: f64, b: f64) -> bool {
+    const PARTS: f64 = 8.0;
+    b - a > PARTS * shortest(a, b)
+}
+
 /// Every `stride`-th node and the last, but no fewer than `fewest` intervals if there are as many.
 pub(crate) fn thinned(mesh: &[f64], stride: usize, fewest: usize) -> Vec<f64> {
     let last = mesh.len() - 1;

@@ -13,7 +13,7 @@ use crate::collocation::grid::{Grid, intervals};
 use crate::collocation::linear_problem::has_all_derivatives;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
-use crate::error::SolveError;
+use crate::error::{MeshBound, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, undefined};
 use crate::mesh::split;
@@ -239,9 +239,11 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             Found::Failed(start, error) => return self.rescued(action, *start, error, progress),
             Found::Undefined(error) => return progress.fallback.take().map(Next::done).ok_or(error),
         };
+        // Where finer meshes would be the next to try, it is their intervals that are too many.
+        let finer = MeshBound::Intervals { most: self.options.max_intervals };
         match action {
             Action::Accept => Ok(Next::Done(solved)),
-            Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.too_rough(&solved)),
+            Action::FallBack => progress.fallback.take().map(Next::done).ok_or_else(|| self.too_rough(&solved, finer)),
             Action::GiveUp | Action::Rescue => {
                 if action == Action::Rescue
                     && let Some(start) = progress.doubled()
@@ -251,7 +253,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 let intervals = intervals(&solved.system.grids);
                 let failed = |error| SolveError::Newton { error, intervals };
                 let stagnated = solved.converged.stagnated.clone();
-                let error = stagnated.map_or_else(|| self.too_rough(&solved), failed);
+                let error = stagnated.map_or_else(|| self.too_rough(&solved, finer), failed);
                 progress.fallback.take().map(Next::done).ok_or(error)
             }
             Action::Refine => {

@@ -6,7 +6,8 @@ use solver::bvp::Bvp;
 use solver::continuation::{BranchOptions, PathOptions, Ramp, Stiffness, follow, solve_automatically, trace};
 use solver::model::{Differentiated, Model, Scalar};
 use solver::{
-    Event, Guess, GuessError, Layout, NewtonError, Options, Order, Problem, Region, SolveError, solve, solve_observed,
+    Event, Guess, GuessError, Layout, MeshBound, NewtonError, Options, Order, Problem, Region, SolveError, solve,
+    solve_observed,
 };
 use std::ops::ControlFlow;
 
@@ -106,7 +107,10 @@ fn the_iteration_limit_is_one() {
 fn a_saturated_mesh_says_where_it_is_too_coarse() {
     let options = Options { max_intervals: 40, ..Options::default() };
     let error = attempt(Kind::Step, 0.0, 0.0, &options).unwrap_err();
-    let SolveError::MeshLimit { region, state, position, defect, intervals, .. } = &error else { panic!("{error}") };
+    let SolveError::MeshLimit { region, state, position, defect, intervals, because, .. } = &error else {
+        panic!("{error}")
+    };
+    assert_eq!(*because, MeshBound::Intervals { most: 40 });
     assert!(region == "string" && ["u", "slope"].contains(&state.as_str()), "{error}");
     assert!(*defect > 1e-6 && *intervals <= 40 && (position - 1.0 / 3.0).abs() < 0.1, "{error}");
 }
@@ -116,9 +120,25 @@ fn a_saturated_mesh_says_where_it_is_too_coarse() {
 fn where_meshes_run_out_the_place_is_that_of_the_largest_defect() {
     let options = Options { max_meshes: 1, ..Options::default() };
     let error = attempt(Kind::Layer, 0.0, 0.0, &options).unwrap_err();
-    let SolveError::MeshLimit { region, state, position, defect, .. } = &error else { panic!("{error}") };
+    let SolveError::MeshLimit { region, state, position, defect, because, .. } = &error else { panic!("{error}") };
+    assert_eq!(*because, MeshBound::Meshes { most: 1 });
     assert!(region == "string" && ["u", "slope"].contains(&state.as_str()), "{error}");
     assert!(*position >= 0.8 && *defect > 1e-6, "{position}");
+}
+
+/// `u' = 1/√((1 - x)(1 + x))`: beside its ends the solution, the arc sine, is like a root. Not many intervals are in the
+/// way of 1e-9, but short ones.
+#[test]
+fn a_solution_that_is_like_a_root_at_an_end_is_told_from_one_of_many_intervals() {
+    let f = |x: f64, _: &[f64], _: &[f64], f: &mut [f64]| f[0] = 1.0 / ((1.0 - x) * (1.0 + x)).sqrt();
+    let bc = |a: &[f64], _: &[f64], _: &[f64], g: &mut [f64]| g[0] = a[0];
+    let problem = Bvp::by_differences(&["u"], (-1.0, 1.0), f, bc);
+    for order in [Order::SixGauss, Order::Eight] {
+        let error = problem.solve(&Options { order, tolerance: 1e-9, ..Options::default() }).unwrap_err();
+        let SolveError::MeshLimit { position, because, .. } = &error else { panic!("{error}") };
+        assert_eq!((*because, position.abs() > 1.0 - 1e-12), (MeshBound::Rounding, true), "{error}");
+        assert!(error.advice().contains("x = t²"), "{}", error.advice());
+    }
 }
 
 /// Where no mesh has brought convergence, what is told is why.

@@ -5,7 +5,7 @@ use crate::accuracy::Shortfall;
 use crate::by_region::ByRegion;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::{Grid, intervals};
-use crate::error::{NewtonError, SolveError};
+use crate::error::{MeshBound, NewtonError, SolveError};
 use crate::layers::{Fineness, graded};
 use crate::measure::Solved;
 use crate::mesh::{distinct, split};
@@ -151,7 +151,10 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             });
         }
         match refused {
-            Some(region) if !(tighter && changed) => Err(self.exhausted(region, solved, &measures[region])),
+            Some(region) if !(tighter && changed) => {
+                let because = MeshBound::Intervals { most: self.options.max_intervals };
+                Err(self.exhausted(region, solved, &measures[region], because))
+            }
             _ => Ok(meshes),
         }
     }

@@ -6,8 +6,9 @@ use crate::collocation::System;
 use crate::collocation::evaluate::Derivatives;
 use crate::collocation::grid::intervals;
 use crate::collocation::interpolant::Extended;
-use crate::error::SolveError;
+use crate::error::{MeshBound, SolveError};
 use crate::measure::{Solved, undefined};
+use crate::mesh::is_divisible;
 use crate::newton::{self, Converged};
 use crate::options::Control;
 use crate::orientation::BranchCheck;
@@ -19,7 +20,15 @@ use crate::start::Start;
 use crate::stats::Stats;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
-    pub(super) fn exhausted(&self, region: usize, solved: &Solved<'a, P>, measure: &Measure) -> SolveError {
+    /// The largest defect of a region, which no finer mesh is to be had for because of what is given, unless rounding is
+    /// in the way already.
+    pub(super) fn exhausted(
+        &self,
+        region: usize,
+        solved: &Solved<'a, P>,
+        measure: &Measure,
+        because: MeshBound,
+    ) -> SolveError {
         let Converged { x, work, .. } = &solved.converged;
         if self.said_linear
             && let Err(error) = solved.system.check_linear(x, work, &mut Stats::default())
@@ -28,6 +37,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         }
         let (names, grid) = (&self.layout.regions[region], &solved.system.grids[region]);
         let state = solved.defects[region].state.get(measure.worst).and_then(|&state| names.states.get(state));
+        let rounded =
+            grid.mesh.get(measure.worst..measure.worst + 2).is_some_and(|nodes| !is_divisible(nodes[0], nodes[1]));
         SolveError::MeshLimit {
             region: names.name.clone(),
             position: grid.mesh[measure.worst],
@@ -35,13 +46,14 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             defect: measure.largest,
             tolerance: self.options.tolerance,
             intervals: grid.intervals(),
+            because: if rounded { MeshBound::Rounding } else { because },
         }
     }
 
     /// Why what has been found on the last meshes there may be is no solution.
     pub(super) fn unsolved(&self, found: &Found<'a, P>) -> SolveError {
         match found {
-            Found::Solved(solved) => self.too_rough(solved),
+            Found::Solved(solved) => self.too_rough(solved, MeshBound::Meshes { most: self.options.max_meshes }),
             Found::Failed(start, error) => {
                 SolveError::Newton { error: error.clone(), intervals: intervals(&start.grids) }
             }
@@ -50,11 +62,11 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     }
 
     /// The largest defect of all regions, which no finer meshes are to be had for.
-    pub(super) fn too_rough(&self, solved: &Solved<'a, P>) -> SolveError {
+    pub(super) fn too_rough(&self, solved: &Solved<'a, P>, because: MeshBound) -> SolveError {
         let measures = measured(solved, self.options.tolerance, Rounding::Counted);
         let by_size = |&i: &usize, &j: &usize| measures[i].largest.total_cmp(&measures[j].largest);
         let worst = (0..measures.len()).max_by(by_size).unwrap_or(0);
-        self.exhausted(worst, solved, &measures[worst])
+        self.exhausted(worst, solved, &measures[worst], because)
     }
 
     /// A solution known to be one, without an iteration; its error is not estimated.
