@@ -235,8 +235,8 @@ impl SolveError {
                 "Rounding is what is left at such a tolerance: ask for 1e-12 at most, or use a higher order."
             }
             Self::MeshLimit { because: MeshBound::Rounding, .. } => {
-                "The solution is not smooth there: beside an end, like a root or a logarithm, it is in another variable, \
-                 as in t with x = t²; about a place within, make that the end of a region."
+                "The solution is not smooth there: beside an end, like a root or a logarithm, it is in another \
+                 variable, as in t with x = t²; about a place within, make that the end of a region."
             }
             Self::MeshLimit { because: MeshBound::Meshes { .. }, .. } => {
                 "Allow more meshes (max_meshes), begin with a finer mesh where the defect is, or continue from an \

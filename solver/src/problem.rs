@@ -53,8 +53,8 @@ pub struct Region {
 
 impl Region {
     /// A region with dense patterns: every row depends on every state and on the first `constants` constants. Of what a
-    /// formula owes to constants beyond these nothing is known: Newton's iteration lacks it where one of them is unknown,
-    /// and so do sensitivities to it. [`check_derivatives`](crate::check_derivatives) names what is lacking.
+    /// formula owes to constants beyond these nothing is known: Newton's iteration lacks it where one of them is
+    /// unknown, and so do sensitivities to it. [`check_derivatives`](crate::check_derivatives) names what is lacking.
     pub fn dense(name: &str, interval: (f64, f64), states: &[&str], integrals: &[&str], constants: usize) -> Self {
         let rows = states.len() + integrals.len();
         let all = |columns: usize| (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();

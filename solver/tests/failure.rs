@@ -126,8 +126,8 @@ fn where_meshes_run_out_the_place_is_that_of_the_largest_defect() {
     assert!(*position >= 0.8 && *defect > 1e-6, "{position}");
 }
 
-/// `u' = 1/√((1 - x)(1 + x))`: beside its ends the solution, the arc sine, is like a root. Not many intervals are in the
-/// way of 1e-9, but short ones.
+/// `u' = 1/√((1 - x)(1 + x))`: beside its ends the solution, the arc sine, is like a root. Not many intervals are in
+/// the way of 1e-9, but short ones.
 #[test]
 fn a_solution_that_is_like_a_root_at_an_end_is_told_from_one_of_many_intervals() {
     let f = |x: f64, _: &[f64], _: &[f64], f: &mut [f64]| f[0] = 1.0 / ((1.0 - x) * (1.0 + x)).sqrt();

@@ -20,8 +20,8 @@ use crate::start::Start;
 use crate::stats::Stats;
 
 impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
-    /// The largest defect of a region, which no finer mesh is to be had for because of what is given, unless rounding is
-    /// in the way already.
+    /// The largest defect of a region, which no finer mesh is to be had for because of what is given, unless rounding
+    /// is in the way already.
     pub(super) fn exhausted(
         &self,
         region: usize,
