@@ -33,7 +33,6 @@ mod pool {
     }
 
     /// What `of` makes of each item, in order, on all cores; on the calling thread if no others can be had.
-    #[cfg(feature = "figures")]
     pub(crate) fn collect<I: Sync, T: Send>(items: &[I], of: impl Fn(&I) -> T + Sync + Send) -> Vec<T> {
         match pool(0) {
             Ok(pool) => pool.install(|| items.par_iter().map(of).collect()),
@@ -87,12 +86,9 @@ mod pool {
     }
 
     /// What `of` makes of each item, in order.
-    #[cfg(feature = "figures")]
     pub(crate) fn collect<I: Sync, T: Send>(items: &[I], of: impl Fn(&I) -> T + Sync + Send) -> Vec<T> {
         items.iter().map(of).collect()
     }
 }
 
-#[cfg(feature = "figures")]
-pub(crate) use pool::collect;
-pub(crate) use pool::{Scope, map, scope};
+pub(crate) use pool::{Scope, collect, map, scope};

@@ -7,13 +7,12 @@ use super::output;
 use super::solve::tolerance;
 use super::stop::Stop;
 use clap::{Args, ValueEnum};
-use rayon::prelude::*;
 use serde::Serialize;
 use sheave::case::{Case, Resolved};
 use sheave::drive::SolveOptions;
 use sheave::equilibrium::{
     Deviation, Direction, Landmark, Measured, ShiftBranch, ShiftCurve, ShiftOptions, ShiftPoint, beyond_engine,
-    deviation, has_all_parts, over_curve, read_measured, shift_branch, shift_figures, shift_table, unused_keys,
+    deviation, has_all_parts, over_curve, read_measured, shift_branches, shift_figures, shift_table, unused_keys,
 };
 use sheave::plot::Stack;
 use sheave::quantity::{Dimension, km_per_h, rpm};
@@ -120,11 +119,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
         output::create_folder(folder)?;
     }
     let mut warnings = unused_keys(&case);
-    let (branches, compared) = rayon::join(
-        || arguments.branches(&resolved, &options, true),
-        || other.as_ref().map(|other| arguments.branches(other, &options, false)).transpose(),
-    );
-    let (branches, compared) = (branches?, compared?);
+    let cases: Vec<&Resolved> = [Some(&resolved), other.as_ref()].into_iter().flatten().collect();
+    let mut curves = arguments.branches(&cases, &options)?.into_iter();
+    let (branches, compared) = (curves.next().unwrap_or_default(), curves.next());
     let found = branches.iter().flat_map(|branch| &branch.points).filter_map(|point| point.report.as_ref().ok());
     warnings.extend(beyond_engine(&resolved, found.clone().map(|report| report.primary_speed)));
     warnings.extend(over_curve(&resolved, found.map(Box::as_ref)));
@@ -200,8 +197,9 @@ impl Arguments {
         })
     }
 
-    /// All branches of a case, side by side; what was found so far is written after every point.
-    fn branches(&self, case: &Resolved, options: &ShiftOptions, keep: bool) -> Result<Vec<ShiftBranch>, Stop> {
+    /// All branches of a case, and of the one beside it, side by side; what was found so far of the first is written
+    /// after every point.
+    fn branches(&self, cases: &[&Resolved], options: &ShiftOptions) -> Result<Vec<Vec<ShiftBranch>>, Stop> {
         let begun = |direction: &Direction| ShiftBranch {
             direction: *direction,
             engagement: None,
@@ -212,28 +210,26 @@ impl Arguments {
             remarks: Vec::new(),
         };
         let so_far = Mutex::new(options.directions.iter().map(begun).collect::<Vec<ShiftBranch>>());
-        let branch = |direction: &Direction| {
-            let mut broken = None;
-            let mut see = |point: &ShiftPoint| {
-                let rpm = rpm(point.secondary_speed);
-                tracing::info!("{} at {rpm:.0} rpm: {}", direction.name(), point_words(point));
-                let mut so_far = so_far.lock().unwrap_or_else(PoisonError::into_inner);
-                let of_direction = so_far.iter_mut().filter(|branch| branch.direction == *direction);
-                of_direction.for_each(|branch| branch.points.push(point.clone()));
-                match if keep { self.write_tables(&shift_table(&so_far)) } else { Ok(()) } {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(error) => {
-                        broken = Some(error);
-                        ControlFlow::Break(())
-                    }
+        let broken = Mutex::new(None);
+        let see = |case: usize, point: &ShiftPoint| {
+            let rpm = rpm(point.secondary_speed);
+            tracing::info!("{} at {rpm:.0} rpm: {}", point.direction.name(), point_words(point));
+            if case > 0 {
+                return ControlFlow::Continue(());
+            }
+            let mut so_far = so_far.lock().unwrap_or_else(PoisonError::into_inner);
+            let of_direction = so_far.iter_mut().filter(|branch| branch.direction == point.direction);
+            of_direction.for_each(|branch| branch.points.push(point.clone()));
+            match self.write_tables(&shift_table(&so_far)) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    broken.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                    ControlFlow::Break(())
                 }
-            };
-            let branch = shift_branch(case, *direction, options, &mut see).map_err(stop)?;
-            broken.map_or(Ok(branch), Err)
+            }
         };
-        // Of several errors the first direction's is told, whichever came first.
-        let branches: Vec<Result<ShiftBranch, Stop>> = options.directions.par_iter().map(branch).collect();
-        branches.into_iter().collect()
+        let branches = shift_branches(cases, options, &see).map_err(stop)?;
+        broken.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(branches), Err)
     }
 
     fn write_tables(&self, table: &Table) -> Result<(), Stop> {

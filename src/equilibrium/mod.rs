@@ -51,4 +51,4 @@ pub use report::{DriveReport, SLIPPING};
 pub use search::{equilibrium, equilibrium_from};
 pub use sensitivity::{PartSensitivity, sensitivities};
 pub use table::{DataError, Deviation, Measured, deviation, read_measured, shift_table};
-pub use walk::{ShiftWalk, shift_branch};
+pub use walk::{ShiftWalk, shift_branch, shift_branches};

@@ -12,6 +12,7 @@ use super::remarks::over_curve;
 use super::report::DriveReport;
 use super::search::SLOWEST;
 use crate::case::Resolved;
+use crate::threads;
 
 /// The shift curve in one direction; `see` is shown each point as it is found, and may end the search, which keeps what
 /// there is.
@@ -32,6 +33,26 @@ pub fn shift_branch(
         }
     }
     Ok(walk.into_branch())
+}
+
+/// The shift curves of several cases, each in all directions of the options, side by side on all cores; `see` is shown
+/// each point as it is found, with the number of its case, and may end the search in that direction, which keeps what
+/// there is. The threads end their work when the calling thread's is [cancelled](crate::cancellable).
+///
+/// # Errors
+/// As [`shift_branch`]; of several, those of the first case and direction.
+pub fn shift_branches(
+    cases: &[&Resolved],
+    options: &ShiftOptions,
+    see: &(dyn Fn(usize, &ShiftPoint) -> ControlFlow<()> + Sync),
+) -> Result<Vec<Vec<ShiftBranch>>, EquilibriumError> {
+    let of_case = |(at, case)| options.directions.iter().map(move |direction| (at, case, *direction));
+    let jobs: Vec<(usize, &Resolved, Direction)> = cases.iter().copied().enumerate().flat_map(of_case).collect();
+    let found = threads::collect(&jobs, |&(at, case, direction)| {
+        shift_branch(case, direction, options, &mut |point| see(at, point))
+    });
+    let mut found = found.into_iter();
+    cases.iter().map(|_| found.by_ref().take(options.directions.len()).collect()).collect()
 }
 
 /// The shift curve in one direction while it is computed.
