@@ -174,9 +174,13 @@ impl QuantityError {
     fn unknown_unit(unit: &str) -> Self {
         let (unit, lowercase) = (quoted(unit), quoted(unit).to_lowercase());
         let distance = |known: &str| strsim::damerau_levenshtein(known, &lowercase);
-        let nearest = match unit::find(&lowercase) {
-            Some(_) => Some(lowercase),
-            None => symbols().find(|known| distance(&known.to_lowercase()) <= 1).map(str::to_owned),
+        let nearest = match (unit.as_ref(), lowercase.as_str()) {
+            // Those of a temperature stand alone: in a product it is one of differences that is meant.
+            ("degC" | "°C" | "degF" | "°F", _) => Some("K".to_owned()),
+            (_, "c" | "degc" | "celsius") => Some("degC".to_owned()),
+            (_, "f" | "degf" | "fahrenheit") => Some("degF".to_owned()),
+            _ if unit::find(&lowercase).is_some() => Some(lowercase),
+            _ => symbols().find(|known| distance(&known.to_lowercase()) <= 1).map(str::to_owned),
         };
         Self::UnknownUnit { unit: unit.into_owned(), nearest }
     }
@@ -253,6 +257,9 @@ mod tests {
         assert_eq!(message("68,3 mm"), "`,` is unexpected (decimals are written with a point)");
         assert_eq!(message("3 MM"), "`MM` is not a known unit (did you mean `mm`?)");
         assert_eq!(message("3 furlong"), "`furlong` is not a known unit");
+        assert_eq!(message("60 C"), "`C` is not a known unit (did you mean `degC`?)");
+        assert_eq!(message("140 degf"), "`degf` is not a known unit (did you mean `degF`?)");
+        assert_eq!(message("0.01 1/degC"), "`degC` is not a known unit (did you mean `K`?)");
         assert_eq!(message("3 RPM"), "`RPM` is not a known unit (did you mean `rpm`?)");
         assert_eq!(message("3 kg"), "its unit is that of a mass, not of a length");
         assert_eq!(message("3 m^2"), "its unit is that of an area, not of a length");
