@@ -84,13 +84,13 @@ fn the_thesis_dynamometer() {
     assert!((again - found.rms_after_scale).abs() < 1e-12);
 }
 
-/// With losses the model is nearer in level and in shape; and what it says is what `sheave solve` says of the point.
+/// With losses the model is nearer in level and in shape, but for edition `published`, whose slips lose power already.
 #[test]
 fn the_thesis_dynamometer_with_losses() {
     let engine = EngineCurve::read(&data("engine-power.csv")).unwrap();
     let table = || read(&data("operating-points.csv"), Some(&engine)).unwrap();
     for (edition, elastic_rms, rms, scale) in
-        [("consistent", 0.0248, 0.0120, 0.896), ("thesis", 0.0310, 0.0154, 0.877), ("published", 0.0184, 0.0530, 1.060)]
+        [("consistent", 0.0248, 0.0130, 0.889), ("thesis", 0.0310, 0.0167, 0.873), ("published", 0.0184, 0.0366, 1.016)]
     {
         let mut case = Case::base();
         case.set("edition", edition).unwrap();
@@ -103,7 +103,8 @@ fn the_thesis_dynamometer_with_losses() {
         assert!((found.scale - scale).abs() < 1e-3, "{edition} {}", found.scale);
         for (point, other) in found.points.iter().zip(&elastic.points).filter(|(point, _)| point.used) {
             assert!(point.efficiency_model.unwrap() < point.efficiency_elastic.unwrap() - 0.02, "{point:?}");
-            assert!((point.efficiency_elastic.unwrap() - other.efficiency_model.unwrap()).abs() < 1e-5);
+            // The belt has the torque of which losses leave what was measured: more.
+            assert!((point.efficiency_elastic.unwrap() - other.efficiency_model.unwrap()).abs() < 2e-2);
         }
     }
     let mut string = Case::base();
@@ -411,6 +412,41 @@ fn made_points_have_the_losses_of_their_case() {
     let past = truth(&Case::base(), &EngineCurve { points: engine.points[..2].to_vec(), ..engine }, 1.0, (1.2, 1.0), 2);
     let error = past.unwrap_err().to_string();
     assert!(error.contains("has no power at the 3250 rpm of this step"), "{error}");
+}
+
+/// Points that are exact are met exactly: the measured torque is what losses leave of the belt's. What made them is
+/// found.
+#[test]
+fn measured_torques_are_those_that_losses_leave() {
+    let mut case = Case::base();
+    for (key, value) in [
+        ("losses.include", "on"),
+        ("losses.secondary_drag", "0.6 N*m"),
+        ("losses.gear_efficiency", "0.95"),
+        ("belt.loss_tangent", "0.13"),
+    ] {
+        case.set(key, value).unwrap();
+    }
+    let known = truth(&case, &made_engine(), 1.0, (0.9, 1.9), 6).unwrap();
+    let mut text = "primary_rpm,secondary_rpm,secondary_torque_Nm,primary_torque_Nm\n".to_owned();
+    for step in &known.steps {
+        let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+        let (primary, secondary) = (rpm(step.primary_speed), rpm(step.secondary_speed));
+        text += &format!("{primary},{secondary},{},{}\n", step.secondary_torque, step.primary_torque);
+    }
+    let table = parse("exact.csv", text.as_bytes(), None).unwrap();
+    let found = compare(&case, table.clone(), &Options { tolerance: 1e-6, ..options(&[]) }).unwrap();
+    println!("{:.2e}", found.rms);
+    assert!(found.points.len() == 6 && found.points.iter().all(|point| point.used) && found.rms < 5e-5, "{found:?}");
+    let keys = [("belt.loss_tangent", 0.13, 0.1), (EI, 0.2602, 0.31), ("losses.secondary_drag", 0.6, 0.4)];
+    for (key, made, start) in keys {
+        let mut other = case.clone();
+        other.set(key, &start.to_string()).unwrap();
+        let options = Options { tolerance: 1e-6, ..options(&[key]) };
+        let fit = compare(&other, table.clone(), &options).unwrap().fit.unwrap();
+        println!("{key}: {} in {} iterations", fit.constants[0].value, fit.iterations);
+        assert!(fit.converged && (fit.constants[0].value / made - 1.0).abs() < 5e-4, "{key}: {fit:?}");
+    }
 }
 
 #[test]

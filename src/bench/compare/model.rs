@@ -18,7 +18,10 @@ use crate::result::interpret;
 struct Point<'a> {
     /// Its place in the table.
     place: usize,
+    /// With the torque that was measured for that of the belt.
     case: Case,
+    /// The torque that was measured, N·m: what arrives.
+    arriving: f64,
     /// What clamps the belt in the place of the case's clamp.
     actuated: Option<Actuated<'a>>,
     /// The last solution.
@@ -103,7 +106,7 @@ const LOSSES: [Key; 7] = [
 /// Correlation from which on two constants can hardly be told from each other.
 const CORRELATED: f64 = 0.95;
 
-/// Compares a table of points with the model: each is solved with its measured speeds and output torque.
+/// Compares a table of points with the model: each is solved with its measured speeds and the torque that arrives.
 ///
 /// # Errors
 /// A key that cannot be fitted, a case that cannot be read with the points' values, fewer than two points that the
@@ -119,7 +122,9 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
         }
         let Some(point) = points.get_mut(place) else { continue };
         match set_up(base, measured, options) {
-            Ok((case, actuated)) => ways.push(Point { place, case, actuated, solved: None }),
+            Ok((case, actuated)) => {
+                ways.push(Point { place, case, arriving: measured.secondary_torque, actuated, solved: None });
+            }
             Err(reason) => point.exclude(reason),
         }
     }
@@ -129,7 +134,7 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
     let mut trail: Option<Solved> = None;
     for point in &mut ways {
         let Some(compared) = points.get_mut(point.place) else { continue };
-        match evaluate(&point.case, trail.as_ref(), options.tolerance, &[]) {
+        match evaluate(&point.case, point.arriving, trail.as_ref(), options.tolerance, &[]) {
             Ok(said) => {
                 trail = Some(said.solved.clone());
                 compared.take(&said);
@@ -309,9 +314,41 @@ fn set_up<'a>(base: &Case, measured: &Measured, options: &'a Options) -> Result<
     Ok((case, Some(actuated)))
 }
 
-/// Solves a case, from a solution nearby if that can be; derivatives by `keys`, each with the derivative of the
-/// primary's axial force by it where an actuator makes that force.
-fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, NoModel> {
+/// Steps in which the belt's torque is found of which losses leave what arrives: each leaves some twentieth of what is
+/// missing, for what losses take hardly depends on the torque.
+const TORQUE_STEPS: usize = 20;
+/// Part of the tolerance to which that torque is found.
+const TORQUE: f64 = 0.1;
+
+/// What the model says where so much torque arrives: without losses besides friction it is the belt's, with them it is
+/// what they leave of the belt's. From a solution nearby if that can be; derivatives by `keys`, each with the derivative
+/// of the primary's axial force by it where an actuator makes that force.
+fn evaluate(
+    case: &Case,
+    arriving: f64,
+    near: Option<&Solved>,
+    tolerance: f64,
+    keys: &[(Key, f64)],
+) -> Result<Said, NoModel> {
+    if case.resolve().map_err(unsolved)?.losses.include != Some(Include::On) {
+        return at_torque(case, near, tolerance, keys);
+    }
+    let (mut case, mut torque, mut near) = (case.clone(), arriving, near.cloned());
+    for _ in 0..TORQUE_STEPS {
+        case.set_si(Key::SecondaryTorque, torque).map_err(unsolved)?;
+        let said = at_torque(&case, near.as_ref(), tolerance, &[])?;
+        let missing = arriving - torque * said.efficiency / said.elastic;
+        if missing.abs() <= TORQUE * tolerance * arriving.abs() {
+            return if keys.is_empty() { Ok(said) } else { at_torque(&case, Some(&said.solved), tolerance, keys) };
+        }
+        torque += missing;
+        near = Some(said.solved);
+    }
+    Err(unsolved("there is no torque of the belt of which the losses besides friction leave what was measured"))
+}
+
+/// The same where the case has the belt's torque. With losses, derivatives are those at the torque that arrives.
+fn at_torque(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f64)]) -> Result<Said, NoModel> {
     let resolved: Resolved = case.resolve().map_err(unsolved)?;
     case.check_posed(&resolved).map_err(unsolved)?;
     let options = SolveOptions { tolerance, sensitivities: !keys.is_empty(), ..SolveOptions::default() };
@@ -333,15 +370,34 @@ fn evaluate(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f6
         }
         (false, _) => elastic,
     };
-    let compared = if with_losses { LossOutput::Efficiency.name() } else { Output::EfficiencyOverall.name() };
-    let row = result.sensitivities.as_ref().and_then(|rows| rows.get(compared));
-    let by = |key: Key| {
-        let found = row.and_then(|row| row.get(key.path())).copied().filter(|value| value.is_finite());
-        found.ok_or_else(|| unsolved(format!("nothing is known of the derivative of {compared} by {}", key.path())))
+    let torque = result.secondary.torque;
+    let (of_belt, of_drive) = (Output::EfficiencyOverall.name(), LossOutput::Efficiency.name());
+    let slope = |output: &str, key: Key| {
+        let row = result.sensitivities.as_ref().and_then(|rows| rows.get(output));
+        match row.and_then(|row| row.get(key.path())).copied() {
+            Some(value) if value.is_finite() => Ok(value),
+            // What friction takes does not depend on what else is lost.
+            None if output == of_belt && LOSSES.contains(&key) => Ok(0.0),
+            Some(_) | None => {
+                Err(unsolved(format!("nothing is known of the derivative of {output} by {}", key.path())))
+            }
+        }
     };
-    let derivative = |(key, force): &(Key, f64)| {
-        let through_force = if *force == 0.0 { 0.0 } else { force * by(Key::PrimaryAxialForce)? };
-        Ok(by(*key)? + through_force)
+    let by = |output: &str, &(key, force): &(Key, f64)| {
+        let through_force = if force == 0.0 { 0.0 } else { force * slope(output, Key::PrimaryAxialForce)? };
+        Ok::<f64, NoModel>(slope(output, key)? + through_force)
+    };
+    // What arrives is M η/η_e, with the belt's torque M, and stays what it is.
+    let left = |of_belt: f64, of_drive: f64| torque * (of_drive - efficiency / elastic * of_belt) / elastic;
+    let derivative = |key: &(Key, f64)| {
+        if !with_losses {
+            return by(of_belt, key);
+        }
+        let by_torque = (Key::SecondaryTorque, 0.0);
+        let (belt_by_torque, drive_by_torque) = (by(of_belt, &by_torque)?, by(of_drive, &by_torque)?);
+        let (belt_by_key, drive_by_key) = (by(of_belt, key)?, by(of_drive, key)?);
+        let left_by_torque = efficiency / elastic + left(belt_by_torque, drive_by_torque);
+        Ok(drive_by_key - drive_by_torque * left(belt_by_key, drive_by_key) / left_by_torque)
     };
     Ok(Said {
         efficiency,
@@ -471,7 +527,7 @@ fn all(ways: &[Point<'_>], keys: &[Fitting], values: &[f64], tolerance: f64) -> 
         let by_half_angle = clamp.transpose().map_err(unsolved)?.unwrap_or(0.0);
         let force = |key: Key| if key == Key::HalfAngle { by_half_angle } else { 0.0 };
         let keys: Vec<(Key, f64)> = keys.iter().map(|fitting| (fitting.key, force(fitting.key))).collect();
-        evaluate(&case, way.solved.as_ref(), tolerance, &keys)
+        evaluate(&case, way.arriving, way.solved.as_ref(), tolerance, &keys)
     });
     said.into_iter().collect()
 }
