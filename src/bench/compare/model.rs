@@ -321,8 +321,8 @@ const TORQUE_STEPS: usize = 20;
 const TORQUE: f64 = 0.1;
 
 /// What the model says where so much torque arrives: without losses besides friction it is the belt's, with them it is
-/// what they leave of the belt's. From a solution nearby if that can be; derivatives by `keys`, each with the derivative
-/// of the primary's axial force by it where an actuator makes that force.
+/// what they leave of the belt's. From a solution nearby if that can be; derivatives by `keys`, each with the
+/// derivative of the primary's axial force by it where an actuator makes that force.
 fn evaluate(
     case: &Case,
     arriving: f64,
