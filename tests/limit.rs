@@ -243,6 +243,7 @@ fn the_commands_say_what_the_library_finds() {
     let (status, text, _) = sheave(&base);
     let object: serde_json::Value = serde_json::from_str(&text).unwrap();
     let clamp = &object["smallest_clamp"]["slack_tension"];
+    assert_eq!(object["warnings"], serde_json::json!([]));
     assert_eq!((status, &clamp["kind"]), (Some(0), &"speed_efficiency".into()));
     let tension = format!("operating_point.slack_tension={}", clamp["value"]);
     let (status, text, _) = sheave(&["solve", "--json", "--tol", "1e-4", "--set", &tension]);
@@ -264,6 +265,13 @@ fn the_commands_say_what_the_library_finds() {
     let (status, text, error) = sheave(&["optimum", "--set", "operating_point.speed_ratio=0.99"]);
     assert_eq!((status, text.as_str()), (Some(2), ""));
     assert!(error.contains("operating_point.speed_ratio"), "{error}");
+    // Where the curve is lost, what is told is a bound, and said to be one.
+    let (status, text, error) = sheave(&["limit", "--json", "--edition", "string"]);
+    let object: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((status, &object["largest_torque"]["kind"]), (Some(0), &"lost".into()));
+    let said = object["warnings"][0].as_str().unwrap();
+    assert!(said.starts_with("Only a bound is known") && said.contains("largest torque"), "{said}");
+    assert!(error.contains(said), "{error}");
     assert_eq!(sheave(&["limit", "--least-speed-efficiency", "1.5"]).0, Some(2));
     assert_eq!(sheave(&["limit", "--over", "drive.ratio"]).0, Some(2));
 }

@@ -60,8 +60,31 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     };
     let edition = case.edition.name();
     let found = Found { edition, inputs: &case, largest_torque, smallest_clamp };
-    let json = || envelope::object("limit", &case, &[], &found);
+    let warnings = Vec::from_iter(bounds(&found));
+    warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
+    let json = || envelope::object("limit", &case, &warnings, &found);
     output::print(&if arguments.grid.json() { json()? } else { summary(&found) })
+}
+
+/// That of some limits only bounds are known, where curves were lost.
+fn bounds(found: &Found<'_>) -> Option<String> {
+    let smallest = found.smallest_clamp.as_ref().map(|smallest| {
+        [
+            ("smallest slack tension", &smallest.slack_tension),
+            ("smallest primary axial force", &smallest.primary_axial_force),
+            ("smallest secondary axial force", &smallest.secondary_axial_force),
+        ]
+    });
+    let all = [("largest torque", &found.largest_torque)].into_iter().chain(smallest.into_iter().flatten());
+    let lost = all.filter(|(_, limit)| matches!(limit.kind, LimitKind::Lost(_)));
+    let names: Vec<&str> = lost.map(|(name, _)| name).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Only a bound is known, which may be far from the limit, of: {}. The curve there was lost; another edition \
+             or tolerance may follow it.",
+            names.join(", ")
+        )
+    })
 }
 
 fn summary(found: &Found<'_>) -> String {
