@@ -271,22 +271,19 @@ fn difference(parts: &[Part<'_>], out: &mut [f64], columns: &mut [f64], evaluate
         evaluate(inputs, column);
         let lost = lost(column.iter().zip(out.iter()).map(|(moved, here)| (*moved, *here, step)));
         column.iter_mut().zip(out.iter()).for_each(|(moved, here)| *moved = (*moved - here) / step);
-        if let Some((mut rows, size)) = lost {
+        retaken(lost, |rows, length| {
             let mut again = vec![0.0; out.len()];
-            for longer in LONGER {
-                inputs[input] = value + (longer * size).copysign(value);
-                evaluate(inputs, &mut again);
-                let step = inputs[input] - value;
-                rows.retain(|&row| {
-                    let told = is_told(again[row], out[row]);
-                    column[row] = if told { (again[row] - out[row]) / step } else { column[row] };
-                    !told
-                });
-                if rows.is_empty() {
-                    break;
+            inputs[input] = value + length.copysign(value);
+            evaluate(inputs, &mut again);
+            let step = inputs[input] - value;
+            rows.retain(|&row| {
+                let told = is_told(again[row], out[row]);
+                if told {
+                    column[row] = (again[row] - out[row]) / step;
                 }
-            }
-        }
+                !told
+            });
+        });
         inputs[input] = value;
     }
 }
@@ -309,6 +306,18 @@ fn lost(differences: impl Iterator<Item = (f64, f64, f64)>) -> Option<(Vec<usize
         }
     }
     (!all.is_empty()).then_some((all, size))
+}
+
+/// Takes differences that are lost again, in steps of the lengths that [`LONGER`] makes of the largest value, until
+/// `take` has left none.
+fn retaken(lost: Option<(Vec<usize>, f64)>, mut take: impl FnMut(&mut Vec<usize>, f64)) {
+    let Some((mut left, size)) = lost else { return };
+    for longer in LONGER {
+        take(&mut left, longer * size);
+        if left.is_empty() {
+            return;
+        }
+    }
 }
 
 /// Whether a value has changed, by more than rounding.
@@ -348,23 +357,18 @@ fn difference_groups(
             by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
         }
         let steps = entries.iter().map(|&(row, state)| (moved[row], out[row], inputs[state] - y[state]));
-        if let Some((mut lost, size)) = lost(steps) {
-            for longer in LONGER {
-                members().for_each(|state| inputs[state] = y[state] + (longer * size).copysign(y[state]));
-                evaluate(&inputs, &mut moved);
-                lost.retain(|&entry| {
-                    let (row, state) = entries[entry];
-                    let told = is_told(moved[row], out[row]);
-                    if told {
-                        by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
-                    }
-                    !told
-                });
-                if lost.is_empty() {
-                    break;
+        retaken(lost(steps), |left, length| {
+            members().for_each(|state| inputs[state] = y[state] + length.copysign(y[state]));
+            evaluate(&inputs, &mut moved);
+            left.retain(|&entry| {
+                let (row, state) = entries[entry];
+                let told = is_told(moved[row], out[row]);
+                if told {
+                    by_states[state * rows + row] = (moved[row] - out[row]) / (inputs[state] - y[state]);
                 }
-            }
-        }
+                !told
+            });
+        });
         members().for_each(|state| inputs[state] = y[state]);
     }
 }

@@ -47,6 +47,18 @@ struct Look {
     advanced: Advanced,
 }
 
+/// What is found at the first of the distances [`FARTHER`] at which something is, or why nothing is at the last.
+fn farther<T>(mut look: impl FnMut(f64) -> Result<T, SolveError>) -> Result<T, SolveError> {
+    let mut outcome = Err(SolveError::Cancelled);
+    for farther in FARTHER {
+        outcome = look(farther);
+        if outcome.as_ref().map_or_else(SolveError::is_interruption, |_| true) {
+            break;
+        }
+    }
+    outcome
+}
+
 impl Tracer<'_, '_> {
     /// A branch point as exact as the tolerance asks, and its place: of one that leaves the step, the end of the step,
     /// for points are told in their order.
@@ -160,30 +172,20 @@ impl Tracer<'_, '_> {
         let expected = point.solution.constants();
         let settled = (SETTLED * step).max(self.settled_distance());
         let unit = here.determinant;
-        let mut first = Err(SolveError::Cancelled);
-        for farther in FARTHER {
+        let (at, first) = farther(|farther| {
             let beside = farther * beside;
-            first = self.on_halved((here, reach), (place, point), beside).map(|found| (place + beside, found));
-            if first.as_ref().map_or_else(SolveError::is_interruption, |_| true) {
-                break;
-            }
-        }
-        let (at, first) = first?;
+            self.on_halved((here, reach), (place, point), beside).map(|found| (place + beside, found))
+        })?;
         let mut last = Look::new(&unit, at, first);
         let mut known = vec![last.known()];
         let (mut zero, mut side, mut roughly) = (place, -1.0, None);
         for _ in 0..LOOKS {
-            let mut look = Err(SolveError::Cancelled);
-            for farther in FARTHER {
+            let (at, found) = farther(|farther| {
                 let next = zero + side * farther * beside;
                 let near = (last.advanced.near(last.at), None);
-                let found = self.advance_from(here, next, near, Care::Glance);
-                look = found.and_then(|found| self.between(found, expected, reach)).map(|found| (next, found));
-                if look.as_ref().map_or_else(SolveError::is_interruption, |_| true) {
-                    break;
-                }
-            }
-            let (at, found) = look?;
+                let found = self.advance_from(here, next, near, Care::Glance)?;
+                self.between(found, expected, reach).map(|found| (next, found))
+            })?;
             let look = Look::new(&unit, at, found);
             let (before, secant) = (zero, (look.value - last.value) / (look.at - last.at));
             let is_steep = secant / slope >= FLATTEST;
