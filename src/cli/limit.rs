@@ -68,16 +68,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
 
 /// That of some limits only bounds are known, where curves were lost.
 fn bounds(found: &Found<'_>) -> Option<String> {
-    let smallest = found.smallest_clamp.as_ref().map(|smallest| {
-        [
-            ("smallest slack tension", &smallest.slack_tension),
-            ("smallest primary axial force", &smallest.primary_axial_force),
-            ("smallest secondary axial force", &smallest.secondary_axial_force),
-        ]
-    });
-    let all = [("largest torque", &found.largest_torque)].into_iter().chain(smallest.into_iter().flatten());
-    let lost = all.filter(|(_, limit)| matches!(limit.kind, LimitKind::Lost(_)));
-    let names: Vec<&str> = lost.map(|(name, _)| name).collect();
+    let torque = ("largest torque".to_owned(), &found.largest_torque);
+    let clamps = found.smallest_clamp.iter().flat_map(smallest);
+    let lost = [torque].into_iter().chain(clamps).filter(|(_, limit)| matches!(limit.kind, LimitKind::Lost(_)));
+    let names: Vec<String> = lost.map(|(name, _)| name).collect();
     (!names.is_empty()).then(|| {
         format!(
             "Only a bound is known, which may be far from the limit, of: {}. The curve there was lost; another edition \
@@ -85,6 +79,16 @@ fn bounds(found: &Found<'_>) -> Option<String> {
             names.join(", ")
         )
     })
+}
+
+/// The smallest clamps, each with its name.
+fn smallest(clamps: &ClampLimits) -> [(String, &Limit); 3] {
+    [
+        ("slack tension", &clamps.slack_tension),
+        ("primary axial force", &clamps.primary_axial_force),
+        ("secondary axial force", &clamps.secondary_axial_force),
+    ]
+    .map(|(clamp, limit)| (format!("smallest {clamp}"), limit))
 }
 
 fn summary(found: &Found<'_>) -> String {
@@ -97,15 +101,11 @@ fn summary(found: &Found<'_>) -> String {
         "N·m",
         &found.largest_torque,
     );
-    if let Some(smallest) = &found.smallest_clamp {
+    if let Some(clamps) = &found.smallest_clamp {
         let (key, torque) = found.inputs.operating_point.load.setting();
         let load = format!("for a {} of {torque:.2} N·m", name(key.entry().name()));
-        for (clamp, limit) in [
-            ("slack tension", &smallest.slack_tension),
-            ("primary axial force", &smallest.primary_axial_force),
-            ("secondary axial force", &smallest.secondary_axial_force),
-        ] {
-            line(&mut text, &format!("smallest {clamp} {load}"), "N", limit);
+        for (name, limit) in smallest(clamps) {
+            line(&mut text, &format!("{name} {load}"), "N", limit);
         }
     }
     text
