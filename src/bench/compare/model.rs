@@ -18,7 +18,7 @@ use crate::result::interpret;
 struct Point<'a> {
     /// Its place in the table.
     place: usize,
-    /// With the torque that was measured for that of the belt.
+    /// With the torque of the belt where the search for it begins: that which was measured, or was found last.
     case: Case,
     /// The torque that was measured, N·m: what arrives.
     arriving: f64,
@@ -26,6 +26,14 @@ struct Point<'a> {
     actuated: Option<Actuated<'a>>,
     /// The last solution.
     solved: Option<Solved>,
+}
+
+impl Point<'_> {
+    /// Keeps what was found, for the next search to begin there.
+    fn keep(&mut self, said: Said) -> Result<(), NoModel> {
+        self.solved = Some(said.solved);
+        self.case.set_si(Key::SecondaryTorque, said.torque).map_err(unsolved)
+    }
 }
 
 /// An actuator where a point has it.
@@ -62,6 +70,8 @@ struct Fitting {
 struct Said {
     efficiency: f64,
     elastic: f64,
+    /// Of the belt, N·m.
+    torque: f64,
     temperature: Option<f64>,
     /// Derivatives by the fitted keys of the case.
     gradient: Vec<f64>,
@@ -138,7 +148,7 @@ pub fn compare(base: &Case, table: Table, options: &Options) -> Result<Compariso
             Ok(said) => {
                 trail = Some(said.solved.clone());
                 compared.take(&said);
-                point.solved = Some(said.solved);
+                point.keep(said).map_err(unfitted)?;
             }
             Err(NoModel::Unsolved(reason)) => compared.exclude(format!("the model has no solution: {reason}")),
             Err(NoModel::Cancelled) => return Err(BenchProblem::Cancelled.into()),
@@ -333,15 +343,14 @@ fn evaluate(
     if case.resolve().map_err(unsolved)?.losses.include != Some(Include::On) {
         return at_torque(case, near, tolerance, keys);
     }
-    let (mut case, mut torque, mut near) = (case.clone(), arriving, near.cloned());
+    let (mut case, mut near) = (case.clone(), near.cloned());
     for _ in 0..TORQUE_STEPS {
-        case.set_si(Key::SecondaryTorque, torque).map_err(unsolved)?;
         let said = at_torque(&case, near.as_ref(), tolerance, &[])?;
-        let missing = arriving - torque * said.efficiency / said.elastic;
+        let missing = arriving - said.torque * said.efficiency / said.elastic;
         if missing.abs() <= TORQUE * tolerance * arriving.abs() {
             return if keys.is_empty() { Ok(said) } else { at_torque(&case, Some(&said.solved), tolerance, keys) };
         }
-        torque += missing;
+        case.set_si(Key::SecondaryTorque, said.torque + missing).map_err(unsolved)?;
         near = Some(said.solved);
     }
     Err(unsolved("there is no torque of the belt of which the losses besides friction leave what was measured"))
@@ -370,7 +379,7 @@ fn at_torque(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f
         }
         (false, _) => elastic,
     };
-    let torque = result.secondary.torque;
+    let (_, torque) = resolved.operating_point.load.setting();
     let (of_belt, of_drive) = (Output::EfficiencyOverall.name(), LossOutput::Efficiency.name());
     let slope = |output: &str, key: Key| {
         let row = result.sensitivities.as_ref().and_then(|rows| rows.get(output));
@@ -402,6 +411,7 @@ fn at_torque(case: &Case, near: Option<&Solved>, tolerance: f64, keys: &[(Key, f
     Ok(Said {
         efficiency,
         elastic,
+        torque,
         temperature: result.belt.temperature,
         gradient: keys.iter().map(derivative).collect::<Result<_, _>>()?,
         axial_force: result.primary.axial_force,
@@ -472,8 +482,8 @@ fn fitted(
             }
             out.rows.push(row);
         }
-        for (way, said) in ways.iter_mut().zip(&said) {
-            way.solved = Some(said.solved.clone());
+        for (way, said) in ways.iter_mut().zip(said) {
+            way.keep(said)?;
         }
         Ok(out)
     });
