@@ -3,7 +3,8 @@
 
 use sheave::case::{Case, Resolved};
 use sheave::drive::{
-    Constant, Failure, IllPosed, Output, Question, SolveOptions, Solved, solve, solve_along, solve_question,
+    Constant, Failure, IllPosed, Output, Question, SolveOptions, Solved, approach_question, solve, solve_along,
+    solve_question,
 };
 use sheave::result::{Outcome, run};
 use solver::Order;
@@ -220,6 +221,15 @@ fn questions_without_an_answer_are_refused_with_their_reason() {
     }
     said(&ask().swap(Constant::SlackTension, output("primary.speed"), 300.0));
     said(&ask().swap(Constant::PrimaryTorque, output("primary.exit_tension"), 90.0));
+    // No weight changes the belt's path.
+    let weighed = ask().swap(Constant::MassPerLength, output("primary.wrap_angle"), 3.0);
+    let (reason, text) = said(&weighed);
+    assert!(matches!(&reason, IllPosed::NoInfluence { free, .. } if free.len() == 1), "{reason:?}");
+    assert!(text.contains("`primary.wrap_angle` does not depend on `belt.mass_per_length`"), "{text}");
+    // From a solution, too, it is what is prescribed that is not reached: a belt is there.
+    let from = solve_question(&case.model, &ask(), &rough()).unwrap();
+    let failure = approach_question(&from, &case.model, &weighed, &rough()).unwrap_err();
+    assert!(matches!(&failure, Failure::Unreached { reached, .. } if reached.len() == 1), "{failure:?}");
     // Power is given by torque and speed.
     let (_, text) = said(&ask().swap(Constant::SlackTension, output("primary.power"), 6000.0));
     assert!(

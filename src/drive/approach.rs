@@ -52,7 +52,11 @@ pub(super) fn approach(
     let followed = match follow_observed(&belt, &start, &path, &unknowns, &relaxed, budget) {
         Ok(followed) => followed,
         Err(_) if is_cancelled() => return Err(Failure::Cancelled),
-        Err(error) => return Err(Failure::approaching(&belt, question, error.last.as_deref(), error.cause)),
+        Err(error) => {
+            let begun = (&from.solution, start.constants.as_slice());
+            let last = error.last.as_deref().map_or(begun, |last| (last, last.constants()));
+            return Err(Failure::approaching(&belt, question, last, error.cause));
+        }
     };
     let mut stats = from.stats;
     stats += *followed.solution.stats();
@@ -61,7 +65,7 @@ pub(super) fn approach(
         Ok(solution) => {
             Ok(Solved { question: question.clone(), belt, stats, continuation_steps, solution, route: None })
         }
-        Err((last, cause)) => Err(Failure::approaching(&belt, question, Some(&last), Box::new(cause))),
+        Err((last, cause)) => Err(Failure::approaching(&belt, question, (&last, last.constants()), Box::new(cause))),
     }
 }
 

@@ -257,21 +257,22 @@ impl Failure {
         }
     }
 
-    /// Of a path on which what `question` prescribes was approached.
+    /// Of a path on which what `question` prescribes was approached, up to the solution `last`, where the constants and
+    /// then what is prescribed have these values.
     pub(super) fn approaching(
         belt: &BeltProblem,
         question: &Question,
-        last: Option<&Solution>,
+        (last, values): (&Solution, &[f64]),
         cause: Box<SolveError>,
     ) -> Self {
-        let Some(last) = last.filter(|_| !question.is_ordinary()) else {
-            return Self::of(belt, &question.constants, last, cause);
-        };
-        let constants = match Constants::try_from(last.constants()) {
+        if question.is_ordinary() {
+            return Self::of(belt, &question.constants, Some(last), cause);
+        }
+        let constants = match Constants::try_from(values) {
             Ok(constants) => constants,
             Err(error) => return error.into(),
         };
-        let targets = last.constants().get(Constant::ALL.len()..).unwrap_or_default();
+        let targets = values.get(Constant::ALL.len()..).unwrap_or_default();
         let target = |known: Known| match known {
             Known::Constant(constant) => Ok(constants[constant]),
             Known::Output(output) => {

@@ -13,6 +13,7 @@ mod correct;
 mod curve;
 mod estimate;
 mod failure;
+mod influence;
 mod inputs;
 mod kinks;
 mod model;

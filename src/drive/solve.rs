@@ -10,6 +10,7 @@ use super::belt::BeltProblem;
 use super::budget::Budget;
 use super::climb::climb;
 use super::failure::Failure;
+use super::influence::check_influence;
 use super::position::Position;
 use super::question::{Question, Swap};
 use super::route::Route;
@@ -232,10 +233,11 @@ fn attempt(
                 continue;
             }
         };
-        if std::mem::take(&mut first)
-            && let Some(nearer) = nearer(&near, question, factor)?
-        {
-            factors.push_front(nearer);
+        if std::mem::take(&mut first) {
+            check_influence(&near, question)?;
+            if let Some(nearer) = nearer(&near, question, factor)? {
+                factors.push_front(nearer);
+            }
         }
         for order in [together, one_by_one] {
             let given = budget.part(options.work_limit / (2 * FACTORS.len()));

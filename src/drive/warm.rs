@@ -124,7 +124,7 @@ fn along(
     let lost = |here: &Solution, cause: Box<SolveError>| match question.is_ordinary() {
         _ if is_cancelled() => Failure::Cancelled,
         true => Failure::of(&belt, &question.constants, Some(here), cause),
-        false => Failure::approaching(&belt, &question, Some(here), cause),
+        false => Failure::approaching(&belt, &question, (here, here.constants()), cause),
     };
     while progress < 1.0 {
         let next = f64::min(progress + step, 1.0);

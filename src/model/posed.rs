@@ -33,6 +33,14 @@ pub enum IllPosed {
         /// The constants that were made unknown.
         free: Vec<String>,
     },
+    /// What is prescribed is the same whatever the constants are that were made unknown for it.
+    #[error("`{name}` does not depend on {}: expected a constant in its place that changes it", listed(.free))]
+    NoInfluence {
+        /// What is prescribed.
+        name: String,
+        /// The constants that were made unknown.
+        free: Vec<String>,
+    },
     /// A prescribed value is no number.
     #[error("`{name}` = {value}: expected a finite number")]
     Value {
