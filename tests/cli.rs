@@ -543,12 +543,16 @@ fn arguments_are_refused_before_folders_are_made() {
     )
     .unwrap();
     let table = table.to_str().unwrap();
+    let semicolons = folder.path().join("semicolons.csv");
+    std::fs::write(&semicolons, "a;b\n1;2\n").unwrap();
+    let semicolons = semicolons.to_str().unwrap();
     let gx9 = "examples/drive/gx9.toml";
     let no_drive = case_file(folder.path(), "");
     for (arguments, said) in [
         (vec!["helix", gx9, "--target", "3800 rpm", "--points", "1", "--out", made], "from 5 to 1000"),
         (vec!["shift", gx9, "--compare", &no_drive, "--out", made], "actuators"),
         (vec!["plot", table, "--y", "failure", "--out", made], "column `failure` holds `lost`"),
+        (vec!["plot", semicolons, "--out", made], "one of the columns (separated by commas): `a;b`"),
     ] {
         let output = sheave(&arguments);
         assert_eq!(status(&output), 2, "{arguments:?}: {output:?}");

@@ -51,7 +51,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     let x = match &arguments.x {
         Some(name) => table.column(name)?,
         None => varied.checked_sub(1).ok_or_else(|| {
-            Stop::Usage(format!("no column stands before `{CONVERGED}`: expected --x with the name of a column"))
+            let columns = table.columns.iter().map(|column| format!("`{column}`")).collect::<Vec<_>>().join(", ");
+            Stop::Usage(format!(
+                "no column stands before `{CONVERGED}`, where a sweep writes the keys that it varied: expected --x \
+                 with one of the columns (separated by commas): {columns}"
+            ))
         })?,
     };
     let asked: Vec<&str> = match arguments.y.as_slice() {

@@ -111,6 +111,7 @@ pub fn trace(
         Ok(branch) => (branch.points, Box::new(SolveError::Steps { steps: MAX_POINTS })),
         Err(error) => (error.points, error.cause),
     };
+    tracing::debug!("a curve of {} points was ended by the solver: {cause}", points.len());
     let ended = points.iter().position(|point| matches!(point.kind, PointKind::Event(_)));
     points.truncate(ended.map_or(points.len(), |at| at + 1));
     let last = points.last().map(|point| &point.solution);
