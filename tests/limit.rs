@@ -272,6 +272,10 @@ fn the_commands_say_what_the_library_finds() {
     let said = object["warnings"][0].as_str().unwrap();
     assert!(said.starts_with("Only a bound is known") && said.contains("largest torque"), "{said}");
     assert!(error.contains(said), "{error}");
+    // A light torque is carried with less tractive tension than none, which no case can ask for.
+    let (status, text, error) = sheave(&["limit", "--set", "operating_point.primary_torque=3"]);
+    assert!(status == Some(0) && text.contains(" -3.7"), "{text}");
+    assert!(error.contains("The smallest slack tension is below zero"), "{error}");
     assert_eq!(sheave(&["limit", "--least-speed-efficiency", "1.5"]).0, Some(2));
     assert_eq!(sheave(&["limit", "--over", "drive.ratio"]).0, Some(2));
 }

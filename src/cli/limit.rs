@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Stop> {
     };
     let edition = case.edition.name();
     let found = Found { edition, inputs: &case, largest_torque, smallest_clamp };
-    let warnings = Vec::from_iter(bounds(&found));
+    let warnings: Vec<String> = bounds(&found).into_iter().chain(loose(&found)).collect();
     warnings.iter().for_each(|warning| tracing::warn!("{warning}"));
     let json = || envelope::object("limit", &case, &warnings, &found);
     output::print(&if arguments.grid.json() { json()? } else { summary(&found) })
@@ -78,6 +78,17 @@ fn bounds(found: &Found<'_>) -> Option<String> {
              or tolerance may follow it.",
             names.join(", ")
         )
+    })
+}
+
+/// That the slack strand is held by inertia alone, which no case can ask for.
+fn loose(found: &Found<'_>) -> Option<String> {
+    let smallest = found.smallest_clamp.as_ref()?.slack_tension.value;
+    (smallest < 0.0).then(|| {
+        "The smallest slack tension is below zero: tractive tension is what centrifugal force leaves, and there it is \
+         that force alone which keeps the slack span taut. As `operating_point.slack_tension`, only tensions above \
+         zero are accepted."
+            .to_owned()
     })
 }
 
