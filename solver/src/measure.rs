@@ -23,6 +23,10 @@ use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
+/// Change of the slopes at the nodes times the length of an interval, over the estimated error, up to which that error is
+/// taken off: where a slope changes by so much, Hermite's cubic moves by 4/27 of it times the length, half of the error.
+const BULGE: f64 = 3.0;
+
 /// What Newton's iteration left on one set of meshes, with its continuous extension and defects.
 pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     pub system: System<'a, P>,
@@ -147,23 +151,48 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         (error, largest)
     }
 
-    /// Takes the estimated error off the solution, unless its boundary residuals exceed `limit` then or the right-hand
-    /// side is undefined there. What is between the nodes moves with them; defects stay what they were.
+    /// Takes the estimated error off the solution, unless its boundary residuals exceed `limit` then, the right-hand
+    /// side is undefined there, or slopes at the nodes change by so much that what is between them moves farther than
+    /// the nodes. Where equations are stiff it may: the estimate is then an upper bound rather than the error. What is
+    /// between the nodes moves with them; defects stay what they were.
     ///
     /// # Errors
     /// The right-hand side cannot be evaluated again at the solution that was found.
     pub(crate) fn correct(&mut self, limit: f64, stats: &mut Stats) -> Result<(), NonFinite> {
+        let estimate = self.error_estimate(stats);
         let (error, _) = self.estimated_error(stats);
-        let Converged { x, factorisation, .. } = &self.converged;
+        let Converged { x, work, factorisation, .. } = &self.converged;
         let corrected = self.system.stepped(x, &factorisation.scales, -1.0, &error.correction);
+        let slopes: ByRegion<Numbers> = work.regions.iter().map(|stages| stages.nodes.f.clone()).collect();
         let found = std::mem::replace(&mut self.converged.x, corrected);
         self.corrected = true;
-        if self.evaluate(stats).is_ok() && self.worst_boundary_residual().0 <= limit {
+        if self.evaluate(stats).is_ok()
+            && self.bulge(&slopes) <= BULGE * estimate
+            && self.worst_boundary_residual().0 <= limit
+        {
             return Ok(());
         }
         self.converged.x = found;
         self.corrected = false;
         self.evaluate(stats)
+    }
+
+    /// By how much the slopes at the nodes have changed from `before`, times the length of the longer interval beside:
+    /// the largest, in typical magnitudes.
+    fn bulge(&self, before: &[Numbers]) -> f64 {
+        let (system, scales) = (&self.system, self.converged.scales());
+        let mut largest = 0.0_f64;
+        for (region, before) in before.iter().enumerate() {
+            let (grid, now) = (&system.grids[region], &self.converged.work.regions[region].nodes.f);
+            let stride = grid.node_stride();
+            let states = before.chunks_exact(stride).zip(now.chunks_exact(stride));
+            for ((before, now), scale) in states.zip(&scales.states[region]) {
+                let change = |at: usize| (now[at] - before[at]).abs();
+                let moved = grid.h.iter().enumerate().map(|(at, h)| h * change(at).max(change(at + W)) / scale);
+                largest = moved.fold(largest, f64::max);
+            }
+        }
+        largest
     }
 
     /// The equations at the solution as it stands.

@@ -49,6 +49,8 @@ pub(crate) struct Progress<'a, P: Problem + ?Sized> {
     last_defect: Option<(f64, f64)>,
     /// Meshes in a row on which the largest defect has hardly fallen.
     creeping: usize,
+    /// Whether a region's defects were far from the asymptotic regime on most of its intervals there.
+    rough_throughout: bool,
 }
 
 /// A largest defect that is still more than this fraction of the last has hardly fallen: one halved interval brings a
@@ -88,14 +90,23 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
             layers: vec![None; regions],
             last_defect: None,
             creeping: 0,
+            rough_throughout: false,
         }
     }
 
     /// Notes the largest defect on meshes that are too coarse.
-    pub(crate) fn note(&mut self, largest: f64) {
+    pub(crate) fn note(&mut self, measures: &[Measure]) {
+        let largest = measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest));
+        self.rough_throughout = measures.iter().any(Measure::is_rough_throughout);
         let slow = self.last_defect.is_some_and(|(target, last)| target == self.target && largest > SLOW * last);
         self.creeping = if slow { self.creeping + 1 } else { 0 };
         self.last_defect = Some((self.target, largest));
+    }
+
+    /// Whether the last meshes were finer than those before, and defects as large as before on most of their intervals:
+    /// it may be rounding rather than the meshes.
+    pub(crate) fn is_lost_in_rounding(&self) -> bool {
+        self.creeping > 0 && self.rough_throughout
     }
 
     /// Whether a few intervals are to be split where only few are too long.

@@ -50,6 +50,10 @@ const CHECKED: usize = 3;
 /// Of a problem that only seems linear, little enough is left by a first step to be of no account at tolerances from
 /// here on.
 const LINEAR_ENOUGH: f64 = 1e-8;
+/// The one correction that solves a linear problem leaves what its rounding is. Where equations are so stiff that this
+/// is amplified beyond the tolerance, finer meshes hardly lower the defects, and a second correction does: one that is
+/// no larger than this, in typical magnitudes, is the last.
+const ROUNDED: f64 = 1e-14;
 /// Defects of another order than wanted up to which it is gone on with.
 const ROUGHLY: f64 = 1e-2;
 
@@ -258,7 +262,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
             }
             Action::Refine => {
                 let measures = measured(&solved, progress.target, progress.rounding());
-                progress.note(measures.iter().fold(0.0, |max: f64, measure| max.max(measure.largest)));
+                progress.note(&measures);
                 if progress.is_stuck()
                     && let Some(fallback) = progress.fallback.take()
                 {
@@ -338,7 +342,10 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         self.stats.meshes += 1;
         let far = if progress.first && !self.said_linear { self.far(&system.grids) } else { None };
         let layers = progress.layers.iter().flatten().any(|layers| !layers.is_empty());
-        let limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
+        let mut limits = Limits { far, layers, ..self.limits(progress.rescue.insistent) };
+        if self.linear && progress.is_lost_in_rounding() {
+            limits.tolerance = limits.tolerance.min(ROUNDED);
+        }
         let outcome = newton::solve(system, x, limits, &mut self.stats, self.observer, self.budget);
         if progress.first {
             self.contraction = outcome.as_ref().map_or(f64::INFINITY, |converged| converged.contraction);

@@ -134,6 +134,15 @@ fn the_work_limit_leaves_alone_what_needs_less() {
     let (problem, guess) = bratu(1.0);
     assert_eq!(solve(&problem, &guess, &[], &enough).unwrap().stats(), free.stats());
     assert_eq!(Options { max_intervals: 7, ..Options::default() }.work_limit(), 7000);
+    // To take off the estimated error in the end is work like any other.
+    let correcting = |work_limit| {
+        let (problem, guess) = bratu(1.0);
+        solve(&problem, &guess, &[], &Options { defect_correction: true, work_limit, ..Options::default() })
+    };
+    let points = correcting(None).unwrap().stats().points();
+    assert!(points > free.stats().points() && correcting(Some(points)).is_ok());
+    let error = correcting(Some(points - 1)).unwrap_err();
+    assert!(matches!(error, SolveError::WorkLimit { .. }), "{error}");
 }
 
 #[test]

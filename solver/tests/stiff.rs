@@ -310,6 +310,51 @@ fn smooth_solutions_of_stiff_equations_take_few_intervals() {
 /// From zero on eight intervals, Newton's iteration at orders 4 and 6 fails at layers that no mesh resolves yet: order
 /// 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
 /// layer.
+/// `y' = -λ (y - cos x) - sin x` from `y(0) = 1` is solved by `cos x`, which has no layer. What the rounding of the one
+/// correction that a linear problem takes leaves in y is multiplied by λ in the defects, and with it powers of λ h at
+/// the stages between nodes: meshes with thousands of intervals were made to lower it, and it takes another correction.
+#[test]
+fn rounding_of_stiff_equations_is_not_met_with_finer_meshes() {
+    for (rate, tolerance, most) in [(1e8, 1e-3, 9_000), (1e8, 1e-6, 40_000), (1e9, 1e-3, 50_000), (1e9, 1e-6, 300_000)]
+    {
+        let problem = Bvp::new(
+            &["y"],
+            (0.0, 1.0),
+            move |x: f64, y, _, f| f[0] = (y[0] - x.cos()) * -rate - x.sin(),
+            |a, _, _, g| g[0] = a[0] - 1.0,
+        );
+        for problem in [problem.clone(), problem.linear()] {
+            let solution = problem.solve(&Options { order: Order::Six, tolerance, ..Options::default() }).unwrap();
+            let error = (0..=1000).map(|k| f64::from(k) / 1000.0).map(|x| {
+                let y = solution.regions()[0].eval(x)[0];
+                (y - x.cos()).abs()
+            });
+            let (error, points) = (error.fold(0.0, f64::max), solution.stats().points());
+            assert!(error <= 2.0 * tolerance && points <= most, "{rate} {tolerance}: {error} {points}");
+        }
+    }
+}
+
+/// Of these equations the estimated error is an upper bound. Taken off, it changes the slopes by λ times as much, and
+/// with them all that is between the nodes.
+#[test]
+fn an_estimate_is_not_taken_off_where_it_spoils_what_is_between_the_nodes() {
+    for order in [Order::Four, Order::Six, Order::SixGauss, Order::Eight] {
+        let problem = Bvp::new(
+            &["y"],
+            (0.0, 1.0),
+            |x: f64, y, _, f| f[0] = (y[0] - x.cos()) * -1e6 - x.sin(),
+            |a, _, _, g| g[0] = a[0] - 1.0,
+        );
+        let tolerance = 1e-4;
+        let solution = problem.solve(&Options { order, tolerance, defect_correction: true, ..Options::default() });
+        let solution = solution.unwrap();
+        let error = (0..=1000).map(|k| f64::from(k) / 1000.0);
+        let error = error.map(|x| (solution.regions()[0].eval(x)[0] - x.cos()).abs()).fold(0.0, f64::max);
+        assert!(error <= tolerance, "{order:?}: {error}");
+    }
+}
+
 #[test]
 fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {
     for (eps, p, s, amplitude, wave) in [(3.24e-5, 0.806, 0.487, 2.4, 10.0), (3.93e-6, 0.473, 0.775, 0.914, 11.8)] {

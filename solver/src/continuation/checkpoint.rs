@@ -4,6 +4,7 @@ use super::arclength::Direction;
 use crate::guess::{Guess, RegionGuess};
 use crate::observer::{Event, Observer};
 use std::fs;
+use std::hash::{BuildHasher, RandomState};
 use std::io::{self, BufRead, BufReader, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -101,10 +102,11 @@ impl Checkpoint {
     /// # Errors
     /// Those of the file system.
     pub fn save(&self, path: &Path) -> io::Result<()> {
-        // Two processes that save to one path do not write into each other's file.
+        // Two that save to one path do not write into each other's file: threads, or processes that have the same
+        // number, as in containers.
         let mut beside = path.as_os_str().to_owned();
-        beside.push(format!(".{}.new", std::process::id()));
-        let written = fs::File::create(&beside).and_then(|file| {
+        beside.push(format!(".{:016x}.new", RandomState::new().hash_one(path)));
+        let written = fs::File::create_new(&beside).and_then(|file| {
             self.write(io::BufWriter::new(&file))?;
             file.sync_all()?;
             fs::rename(&beside, path)

@@ -132,6 +132,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         if options.defect_correction && solved.error_estimate(&mut self.stats) <= options.tolerance {
             let corrected = solved.correct(options.boundary_tolerance(), &mut self.stats);
             corrected.map_err(undefined(&solved.system.grids))?;
+            self.budget.check(&self.stats)?;
         }
         self.finish(&solved)
     }
