@@ -85,7 +85,19 @@ impl Unit {
         };
         let count = self.table.quantities.len() + DERIVED as usize;
         let none = || (vec![f64::NAN; count], vec![vec![f64::NAN; self.state.inputs.len()]; count]);
+        let is_held = !self.state.valid && found.is_some();
         (self.state.outputs, self.state.slopes) = found.map_or_else(none, |found| self.table.derived(found));
+        if is_held {
+            // What an input is held at does not move with it.
+            let held = self.table.axes.iter().zip(&self.state.inputs).map(|(axis, value)| {
+                let (from, to) = axis.range();
+                !(from..=to).contains(value)
+            });
+            let held: Vec<bool> = held.collect();
+            for slopes in &mut self.state.slopes {
+                slopes.iter_mut().zip(&held).filter(|(_, held)| **held).for_each(|(slope, _)| *slope = 0.0);
+            }
+        }
         if self.state.valid {
             self.state.told = false;
             return OK;
@@ -384,8 +396,8 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mu
         if place.is_null() {
             *place = Box::into_raw(Box::new(unit.state.clone())).cast();
         } else {
-            // SAFETY: a state that this function gave.
-            unsafe { (*place).cast::<State>().write(unit.state.clone()) };
+            // SAFETY: a state that this function gave, whose content is freed.
+            unsafe { *(*place).cast::<State>() = unit.state.clone() };
         }
         OK
     })

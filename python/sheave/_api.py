@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _sheave
+from ._files import appearing
 from ._sheave import BeltMap, Case, Table
 
 if TYPE_CHECKING:
@@ -353,9 +354,8 @@ class Operating:
     def write(self, path: Union[str, PathLike[str]]) -> Path:
         """Writes the table that ``compare`` reads; the file appears whole."""
         target = Path(path)
-        beside = target.with_name(f"{target.name}.{os.getpid()}.part")
-        beside.write_text(self.csv, encoding="utf-8")
-        beside.replace(target)
+        with appearing(target) as beside:
+            beside.write_text(self.csv, encoding="utf-8")
         return target
 
     def to_pandas(self) -> Any:

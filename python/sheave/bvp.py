@@ -201,12 +201,18 @@ def _check_at_least(name: str, given: int, least: int) -> None:
 def complex_step(f: Callable[..., ArrayLike]) -> Callable[..., Any]:
     """The Jacobian of ``f`` by the complex step: df/dy = Im f(y + i h)/h with h so small that nothing is lost.
 
-    ``f`` must be analytic, and must not take real parts or absolute values.
+    ``f`` must be analytic, and must not take real parts or absolute values; its result is complex where states are.
     """
     h = 1e-200
 
     def column(*arguments: Any) -> Array:
-        return np.imag(np.asarray(f(*arguments))) / h
+        values = np.asarray(f(*arguments))
+        if not np.iscomplexobj(values):
+            raise TypeError(
+                "f returned real numbers for complex states, of which no derivatives can be told: "
+                "make its result with the states' type, as np.empty_like(y) does"
+            )
+        return np.imag(values) / h
 
     def jacobian(x: Array, y: Array, *p: Array) -> Any:
         n = y.shape[0]

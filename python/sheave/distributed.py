@@ -31,6 +31,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from ._api import Progress, progress_bar
+from ._files import appearing
 from ._sheave import Study
 from .errors import StudyError
 
@@ -105,9 +106,8 @@ class Dataset:
         from pyarrow import parquet
 
         target = Path(path)
-        beside = target.with_name(f"{target.name}.{os.getpid()}.part")
-        parquet.write_table(self.to_arrow(), beside)
-        os.replace(beside, target)
+        with appearing(target) as beside:
+            parquet.write_table(self.to_arrow(), beside)
         return target
 
 
@@ -247,7 +247,6 @@ def prepare(study: Study, folder: Union[str, PathLike[str]], points: int = _PART
     elif any(place.glob("part-*.parquet")):
         raise StudyError(f"{place} has parts and no {_STUDY}: nobody can say of which study", "choose another folder")
     else:
-        beside = place / f"{_STUDY}.{os.getpid()}.part"
-        beside.write_text(text, encoding="utf-8")
-        os.replace(beside, stated)
+        with appearing(stated) as beside:
+            beside.write_text(text, encoding="utf-8")
     return Dataset(place, study, points)

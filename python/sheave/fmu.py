@@ -8,7 +8,6 @@ map's range with the parameter ``hold``.
 
 from __future__ import annotations
 
-import os
 import struct
 import uuid
 import zipfile
@@ -16,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Union
 from xml.etree import ElementTree as xml
 
+from ._files import appearing
 from ._sheave import fmu_library
 
 if TYPE_CHECKING:
@@ -60,14 +60,12 @@ def export(belt_map: BeltMap, path: Union[str, PathLike[str]], *, name: str = "D
         "resources/map.bin": b"SHEAVEM1" + _text(guid) + table,
         f"binaries/{platform}/{name}{file_ending}": library,
     }
-    beside = target.with_name(f"{target.name}.{os.getpid()}.part")
-    with zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
+    with appearing(target) as beside, zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
         for entry, content in entries.items():
             info = zipfile.ZipInfo(entry)
             info.compress_type = zipfile.ZIP_DEFLATED
             info.external_attr = 0o644 << 16
             archive.writestr(info, content)
-    os.replace(beside, target)
     return target
 
 
@@ -180,8 +178,9 @@ def _declare_structure(root: xml.Element, inputs: int, outputs: int) -> None:
     """What depends on what: every output and ``valid``, which stands behind ``hold``, on all inputs."""
     structure = xml.SubElement(root, "ModelStructure")
     first, behind = inputs + 1, inputs + outputs + 1
-    dependencies = " ".join(str(place) for place in range(1, inputs + 1))
-    for kind in ("Outputs", "InitialUnknowns"):
+    # Of parameters, on which outputs depend too, only the structure at the beginning tells.
+    for kind, last in (("Outputs", []), ("InitialUnknowns", [behind])):
+        dependencies = " ".join(str(place) for place in [*range(1, inputs + 1), *last])
         unknowns = xml.SubElement(structure, kind)
         for place in [*range(first, behind), behind + 1]:
             xml.SubElement(unknowns, "Unknown", index=str(place), dependencies=dependencies)

@@ -14,7 +14,9 @@ def text(quantity: Any) -> str:
     >>> text(pint.Quantity(3, "kN"))
     '3000.0 kg*m/s^2'
     """
-    base = quantity.to_base_units()
+    # Those of the registry's own system may be pounds and yards.
+    _, units = quantity._REGISTRY.get_base_units(quantity.to_root_units().units, system="mks")
+    base = quantity.to(units)
     number = float(base.magnitude)
     unit = f"{base.units:~C}".replace("**", "^").replace("Δ", "")
     return f"{number!r} {unit}".strip()

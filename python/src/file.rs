@@ -3,10 +3,10 @@
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Writes a file beside its place and renames it, so that whoever looks sees the old content or the new; other threads
-/// of the interpreter run meanwhile.
+/// Writes a file beside its place and renames it, so that whoever looks sees the old content or the new, whatever other
+/// threads and processes write there; other threads of the interpreter run meanwhile.
 ///
 /// # Errors
 /// `OSError` that names the file; nothing is left of it then.
@@ -16,20 +16,18 @@ pub fn write(
     content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()> + Send,
 ) -> PyResult<()> {
     let write = || -> io::Result<()> {
-        let mut name = path.as_os_str().to_owned();
-        name.push(format!(".{}.part", std::process::id()));
-        let beside = PathBuf::from(name);
-        let written = std::fs::File::create(&beside).and_then(|file| {
-            let mut writer = BufWriter::new(file);
-            content(&mut writer)?;
-            writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-            std::fs::rename(&beside, path)
-        });
-        if written.is_err() {
-            // What is left of a file that nobody asked for.
-            let _ = std::fs::remove_file(&beside);
-        }
-        written
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(path.file_name().unwrap_or_default()).suffix(".part");
+        // As any file that is made: what nobody else may see, the mask of the process says.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut writer = BufWriter::new(builder.tempfile_in(folder)?);
+        content(&mut writer)?;
+        let beside = writer.into_inner().map_err(io::IntoInnerError::into_error)?;
+        beside.as_file().sync_all()?;
+        beside.persist(path)?;
+        Ok(())
     };
     py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
 }

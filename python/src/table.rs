@@ -183,8 +183,7 @@ fn column(table: &study::Table, at: usize) -> (DataType, ArrayRef) {
     let cells = || table.rows.iter().map(move |row| row.get(at).unwrap_or(&Cell::Empty));
     let all = |of: fn(&Cell) -> bool| cells().all(|cell| matches!(cell, Cell::Empty) || of(cell));
     let some = cells().any(|cell| !matches!(cell, Cell::Empty));
-    let text = |name: &str| matches!(name, "failure" | "edition" | "stop");
-    if !some && table.columns.get(at).is_some_and(|name| text(name)) {
+    if !some && table.columns.get(at).is_some_and(|name| study::holds_text(name)) {
         let mut builder = StringBuilder::new();
         cells().for_each(|_| builder.append_null());
         return (DataType::Utf8, Arc::new(builder.finish()));

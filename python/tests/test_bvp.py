@@ -238,6 +238,17 @@ def test_complex_numbers_are_refused() -> None:
         bvp.solve(turning, fixed_ends, x, np.zeros((2, 11)))
 
 
+def test_a_complex_step_needs_complex_results() -> None:
+    # A result of its own type loses the imaginary parts, and all derivatives with them.
+    def real(_: Array, y: Array) -> Any:
+        out = np.empty((2, y.shape[1]))
+        out[0], out[1] = y[1].real, -np.exp(y[0].real)
+        return out
+
+    with pytest.raises(TypeError, match="real numbers for complex states"):
+        bvp.solve(real, fixed_ends, np.linspace(0, 1, 11), np.zeros((2, 11)), jacobian="complex")
+
+
 def test_hints_name_what_there_is_here() -> None:
     """Not the functions and options of the Rust library."""
     x = np.linspace(0, 1, 11)

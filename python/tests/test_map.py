@@ -188,6 +188,10 @@ def test_outside_the_map_a_unit_says_so(belt_map: sheave.BeltMap, unit: Path) ->
     slave.setBoolean([reference["hold"]], [True])
     slave.doStep(0.2, 0.1)
     assert slave.getReal([force])[0] == pytest.approx(belt_map.at(1.2, 12.0)["primary.axial_force"], rel=1e-9)
+    # What is held does not move with the input that left the map, and does with the other.
+    assert slave.getDirectionalDerivative([force], inputs, [1.0, 0.0]) == [0.0]
+    _, slopes = belt_map.interpolate("primary.axial_force", np.array([[1.2, 12.0]]))
+    assert slave.getDirectionalDerivative([force], inputs, [0.0, 1.0])[0] == pytest.approx(slopes[0, 1], rel=1e-9)
     slave.setFMUState(state)
     assert slave.getReal([force])[0] == inside
     slave.freeFMUState(state)

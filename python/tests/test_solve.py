@@ -133,6 +133,14 @@ def test_a_truth_with_a_unit_is_refused() -> None:
         sheave.Case(slack_tension=pint.UnitRegistry().Quantity(np.True_, "N"))
 
 
+def test_quantities_of_pint_are_read_whatever_the_registrys_system() -> None:
+    pint = pytest.importorskip("pint")
+    for system in ("US", "imperial", "cgs"):
+        quantity = pint.UnitRegistry(system=system).Quantity(120, "N")
+        result = sheave.solve(slack_tension=quantity, tolerance=1e-3)
+        assert result.primary.exit_tension == pytest.approx(120.0, rel=1e-6)
+
+
 def test_quantities_of_pint_are_checked_by_their_dimension() -> None:
     pint = pytest.importorskip("pint")
     q = pint.UnitRegistry().Quantity

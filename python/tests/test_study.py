@@ -2,6 +2,7 @@
 
 import json
 import pickle
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import MappingProxyType
 
@@ -149,10 +150,30 @@ def test_tables_are_written_whole(table: sheave.Table, tmp_path: Path) -> None:
     assert [row["drive.ratio"] for row in rows] == [0.9, 1.0] * 3
     parquet = pytest.importorskip("pyarrow.parquet")
     assert parquet.read_table(tmp_path / "table.parquet").to_pylist() == table.to_arrow().to_pylist()
+    # Types too, also of texts where there are none: parts of a study are read together.
+    assert parquet.read_table(tmp_path / "table.parquet").schema.field("failure").type == "string"
     with pytest.raises(ValueError, match=r"\.parquet"):
         table.write(tmp_path / "table.xlsx")
     with pytest.raises(OSError, match="cannot write"):
         table.write(tmp_path / "nowhere" / "table.csv")
+
+
+def test_files_appear_whole_whoever_writes_them(table: sheave.Table, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    path = tmp_path / "table.parquet"
+    table.write(path)
+
+    def write(_: int) -> None:
+        for _ in range(50):
+            table.write(path)
+
+    with ThreadPoolExecutor(3) as pool:
+        writers = [pool.submit(write, k) for k in range(2)]
+        while not all(writer.done() for writer in writers):
+            assert parquet.read_metadata(path).num_rows == len(table)
+        for writer in writers:
+            writer.result()
+    assert [path.name for path in tmp_path.iterdir()] == ["table.parquet"]
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ pub use journal::{Journal, JournalError, Journaled, set_aside, sync_folder};
 pub use parquet::{write_parquet, write_parquet_with};
 pub use plan::{GridPoint, Study};
 pub use row::{Cell, Columns, Row, Table, TableBuilder};
-pub use rows::{Rows, StoredRows};
+pub use rows::{Rows, StoredRows, holds_text};
 pub use run::{each, run, table, tables, visit};
 pub use stream::Stream;
 pub use write::{Format, write_csv, write_json};

@@ -1,7 +1,7 @@
 //! A finished study as Apache Parquet: one optional column a quantity, row groups that fit in memory.
 
 use super::row::Cell;
-use super::rows::Rows;
+use super::rows::{Rows, holds_text};
 use parquet::basic::{ConvertedType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -46,7 +46,7 @@ impl ColumnKind {
         }
     }
 
-    /// Of each column; numbers where all cells are empty.
+    /// Of each column; where all cells are empty, numbers, or texts by its name.
     fn of_columns(table: &dyn Rows) -> io::Result<Vec<Self>> {
         let mut kinds: Vec<Option<Self>> = vec![None; table.columns().len()];
         table.each(&mut |row| {
@@ -56,7 +56,8 @@ impl ColumnKind {
             }
             Ok(())
         })?;
-        Ok(kinds.into_iter().map(|kind| kind.unwrap_or(Self::Number)).collect())
+        let unseen = |name: &String| if holds_text(name) { Self::Text } else { Self::Number };
+        Ok(kinds.into_iter().zip(table.columns()).map(|(kind, name)| kind.unwrap_or_else(|| unseen(name))).collect())
     }
 
     fn column(self, name: &str) -> Result<Type, ParquetError> {

@@ -6,6 +6,12 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom};
 use std::path::PathBuf;
 
+/// Whether a column of this name holds texts, also where all its cells are empty: tables of several parts of a study
+/// have the same types then.
+pub fn holds_text(column: &str) -> bool {
+    matches!(column, "failure" | "edition" | "stop")
+}
+
 /// What a table's writers need of it; it can be gone through more than once.
 pub trait Rows {
     /// Names of the columns.
