@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import math
 import operator
+import sys
 from collections.abc import Callable
 from typing import Any, Literal, Optional, Union
 
@@ -135,7 +136,7 @@ def solve(
     is exact where ``f`` is analytic and takes complex arrays; without either, forward differences are taken.
 
     What the functions raise is raised here. Raises ``SolveError`` with what to try where there is no solution, and
-    ``ValueError`` for tolerances and limits that are none.
+    ``ValueError`` for a mesh, a guess, tolerances and limits that are none.
     """
     for name, given in (("mesh", mesh), ("guess", guess), ("parameters", parameters)):
         if given is not None and np.iscomplexobj(given):
@@ -146,6 +147,11 @@ def solve(
         raise ValueError(f"mesh: expected an array of at least two nodes, not one of shape {nodes.shape}")
     if states.ndim != 2 or states.shape[1] != nodes.size or states.shape[0] == 0:
         raise ValueError(f"guess: expected an array of shape (n, {nodes.size}), not one of shape {states.shape}")
+    for name, numbers in (("mesh", nodes), ("guess", states)):
+        if not np.all(np.isfinite(numbers)):
+            raise ValueError(f"{name}: expected finite numbers")
+    if not np.all(np.diff(nodes) > 0):
+        raise ValueError("mesh: expected nodes that increase")
     _check_positive("tol", tol)
     if bc_tol is not None:
         _check_positive("bc_tol", bc_tol)
@@ -196,6 +202,8 @@ def _check_at_least(name: str, given: int, least: int) -> None:
         raise TypeError(expected) from None
     if number < least:
         raise ValueError(expected)
+    if number > sys.maxsize:
+        raise ValueError(f"{name} = {given!r}: expected a whole number up to {sys.maxsize}")
 
 
 def complex_step(f: Callable[..., ArrayLike]) -> Callable[..., Any]:
