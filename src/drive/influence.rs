@@ -30,23 +30,21 @@ pub(super) fn check_influence(near: &Solved, question: &Question) -> Result<(), 
     let Some(rates) = free.iter().map(|free| condensation.rates(free.index())).collect::<Option<Vec<_>>>() else {
         return Ok(());
     };
-    let first_constant = near.belt.layout().inputs() - near.belt.layout().constants.len();
+    let inputs = near.belt.layout().inputs();
+    let first_constant = inputs - near.belt.layout().constants.len();
     for swap in &question.swaps {
-        let (value, rate): (f64, Box<dyn Fn(&[f64]) -> f64 + '_>) = match swap.known {
-            Known::Output(output) => {
-                let gradient = gradients.get(output)?;
-                let along = |rates: &[f64]| gradient.iter().zip(rates).map(|(partial, rate)| partial * rate).sum();
-                (values.get(output)?, Box::new(along))
-            }
+        let (value, gradient) = match swap.known {
+            Known::Output(output) => (values.get(output)?, gradients.get(output)?.to_vec()),
             Known::Constant(constant) => {
-                let at = first_constant + constant.index();
-                (near.constant(constant), Box::new(move |rates: &[f64]| rates.get(at).copied().unwrap_or(f64::NAN)))
+                let unit = |input: usize| f64::from(u8::from(input == first_constant + constant.index()));
+                (near.constant(constant), (0..inputs).map(unit).collect())
             }
         };
         let has_influence = |(free, rates): (&Constant, &&[f64])| {
+            let rate: f64 = gradient.iter().zip(*rates).map(|(partial, rate)| partial * rate).sum();
             let constant = near.constant(*free);
             // Of a constant that is zero, or an output, a relative change says nothing.
-            let relative = rate(rates).abs() * constant.abs() / value.abs();
+            let relative = rate.abs() * constant.abs() / value.abs();
             constant == 0.0 || !relative.is_finite() || relative > NO_INFLUENCE
         };
         if !free.iter().zip(&rates).any(has_influence) {
