@@ -23,8 +23,9 @@ use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-/// Change of the slopes at the nodes times the length of an interval, over the estimated error, up to which that error is
-/// taken off: where a slope changes by so much, Hermite's cubic moves by 4/27 of it times the length, half of the error.
+/// Change of the slopes at the nodes times the length of an interval, over the estimated error, up to which that error
+/// is taken off: where a slope changes by so much, Hermite's cubic moves by 4/27 of it times the length, which is half
+/// of the error.
 const BULGE: f64 = 3.0;
 
 /// What Newton's iteration left on one set of meshes, with its continuous extension and defects.

@@ -141,8 +141,8 @@ pub struct Options {
     /// meshes resolve them, what is left there is smaller by two orders in the length of the intervals; where problems
     /// are nonlinear, besides it as much of the error as the last iteration's matrix is off. Where the nodes are far
     /// better than the estimate says, it makes them worse, by no more than the tolerance. Between nodes the solution
-    /// moves with them, and is no better than it was; where it would move farther, as where equations are stiff, nothing
-    /// is taken off. The collocation equations hold no more exactly then than the error was large; the boundary
+    /// moves with them, and is no better than it was; where it would move farther, as where equations are stiff,
+    /// nothing is taken off. The collocation equations hold no more exactly then than the error was large; the boundary
     /// equations are met as before, or nothing is taken off; defects and error estimates are those of what was found:
     /// see [`Solution::is_corrected`](crate::Solution::is_corrected). The points of a branch, from which it goes on,
     /// are not corrected; what a continuation leads to is. Default: false.
