@@ -23,8 +23,6 @@ const ERROR: Status = 3;
 /// Value references: inputs from 0, then the quantities of the table, then what follows from them.
 const HOLD: u32 = 1000;
 const VALID: u32 = 1001;
-/// Of the outputs beside the quantities, from the number of inputs and quantities on.
-const DERIVED: u32 = 3;
 
 type Logger = unsafe extern "C" fn(*mut c_void, *const c_char, Status, *const c_char, *const c_char, ...);
 
@@ -83,7 +81,7 @@ impl Unit {
             (None, true) => self.table.at(&self.table.nearest(&self.state.inputs)),
             (None, false) => None,
         };
-        let count = self.table.quantities.len() + DERIVED as usize;
+        let count = self.table.outputs();
         let none = || (vec![f64::NAN; count], vec![vec![f64::NAN; self.state.inputs.len()]; count]);
         let is_held = !self.state.valid && found.is_some();
         (self.state.outputs, self.state.slopes) = found.map_or_else(none, |found| self.table.derived(found));

@@ -27,6 +27,11 @@ pub type Found = (Vec<f64>, Vec<Vec<f64>>);
 /// Rounding beyond an end of an axis that still counts as the end, as a share of the axis: as in the map itself.
 const ROUNDING: f64 = 1e-12;
 
+/// Outputs that follow from the quantities, where losses are not among these.
+const DERIVED: usize = 3;
+/// The quantity that has one more follow from it.
+const LOSSES: &str = "losses.total";
+
 impl Axis {
     pub fn range(&self) -> (f64, f64) {
         (self.breakpoints[0], self.breakpoints[self.breakpoints.len() - 1])
@@ -165,8 +170,8 @@ impl Table {
         Some((values, slopes))
     }
 
-    /// The quantities, and behind them the secondary's speed, the slip reserve and the overall efficiency, with the
-    /// derivatives of all; what a map lacks a quantity for is not a number.
+    /// The quantities, and behind them the secondary's speed, the slip reserve and the overall efficiency, where the map
+    /// has losses also with these, with the derivatives of all; what a map lacks a quantity for is not a number.
     pub fn derived(&self, (mut values, mut slopes): Found) -> Found {
         let axes = self.axes.len();
         let of = |name: &str| {
@@ -185,17 +190,36 @@ impl Table {
         let reserve = less(if one.0 >= other.0 { &one } else { &other });
         let input = product(&of("primary.speed"), &of("primary.torque"));
         let output = product(&speed, &of("secondary.torque"));
-        let efficiency = if input.0 > 0.0 && output.0 > 0.0 {
-            product(&output, &inverse(&input))
-        } else if input.0 < 0.0 && output.0 < 0.0 {
-            product(&input, &inverse(&output))
-        } else {
-            (f64::NAN, vec![f64::NAN; axes])
+        // What arrives, less what is lost, over what drives.
+        let share = |(lost, by): &(f64, Vec<f64>)| {
+            let (arriving, driving, sign) = if input.0 > 0.0 && output.0 > 0.0 {
+                (&output, &input, 1.0)
+            } else if input.0 < 0.0 && output.0 < 0.0 {
+                (&input, &output, -1.0)
+            } else {
+                return (f64::NAN, vec![f64::NAN; axes]);
+            };
+            let slopes = arriving.1.iter().zip(by).map(|(slope, by)| slope - sign * by).collect();
+            product(&(arriving.0 - sign * lost, slopes), &inverse(driving))
         };
-        for (value, slope) in [speed, reserve, efficiency] {
+        let efficiency = share(&(0.0, vec![0.0; axes]));
+        let mut derived = vec![speed, reserve, efficiency];
+        if self.has_losses() {
+            derived.push(share(&of(LOSSES)));
+        }
+        for (value, slope) in derived {
             values.push(value);
             slopes.push(slope);
         }
         (values, slopes)
+    }
+
+    /// Outputs in all: the quantities, and what follows from them.
+    pub fn outputs(&self) -> usize {
+        self.quantities.len() + DERIVED + usize::from(self.has_losses())
+    }
+
+    fn has_losses(&self) -> bool {
+        self.quantities.iter().any(|quantity| quantity == LOSSES)
     }
 }

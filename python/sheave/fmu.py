@@ -29,8 +29,12 @@ _HOLD, _VALID = 1000, 1001
 _DERIVED = {
     "secondary.speed": ("rad/s", "Speed of the secondary"),
     "slip_reserve": ("1", "Share of the friction at hand that is left over"),
-    "efficiency.overall": ("1", "Power out over power in, of the pulley that drives the other"),
+    "efficiency.overall": ("1", "Power out over power in, of the pulley that drives the other, friction alone counted"),
 }
+_DERIVED_OF_LOSSES = {
+    "efficiency.overall_with_losses": ("1", "The same, less hysteresis, drag and gears"),
+}
+_LOSSES = "losses.total"
 _UNITS = {
     "N": {"kg": 1, "m": 1, "s": -2},
     "N*m": {"kg": 1, "m": 2, "s": -2},
@@ -107,6 +111,8 @@ def _description(belt_map: BeltMap, name: str, guid: str) -> bytes:
     )
     outputs: dict[str, tuple[str, str]] = {key: (unit, "") for key, unit in belt_map.quantities.items()}
     outputs.update(_DERIVED)
+    if _LOSSES in belt_map.quantities:
+        outputs.update(_DERIVED_OF_LOSSES)
     inputs = belt_map.units
     used = {*(unit for unit, _ in outputs.values()), *inputs.values()}
     definitions = xml.SubElement(root, "UnitDefinitions")

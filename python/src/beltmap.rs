@@ -180,7 +180,11 @@ impl BeltMap {
         points: &Bound<'py, PyAny>,
     ) -> PyResult<Interpolated<'py>> {
         let wanted = Quantity::from_name(quantity).filter(|quantity| self.0.quantities().contains(quantity));
-        let wanted = wanted.ok_or_else(|| PyValueError::new_err(format!("the map does not tell `{quantity}`")))?;
+        let wanted = wanted.ok_or_else(|| {
+            let told: Vec<String> = self.0.quantities().iter().map(|told| format!("`{}`", told.name())).collect();
+            let expected = format!("expected one that it interpolates: {}", told.join(", "));
+            PyValueError::new_err(format!("the map does not interpolate `{quantity}`: {expected}"))
+        })?;
         let axes = self.0.axes().len();
         let array = py.import("numpy")?.call_method1("asarray", (points, "float64"))?;
         let shape: Vec<usize> = array.getattr("shape")?.extract()?;
@@ -275,11 +279,15 @@ impl BeltMap {
                 point.value(*quantity).map_err(|outside| error::map(&outside.to_string()))?,
             )?;
         }
-        for (name, value) in [
+        let mut derived = vec![
             ("secondary.speed", point.secondary_speed()),
             ("slip_reserve", point.slip_reserve()),
             ("efficiency.overall", point.efficiency()),
-        ] {
+        ];
+        if self.0.quantities().contains(&Quantity::Losses) {
+            derived.push(("efficiency.overall_with_losses", point.efficiency_with_losses()));
+        }
+        for (name, value) in derived {
             dict.set_item(name, value.map_err(|outside| error::map(&outside.to_string()))?)?;
         }
         Ok(dict)

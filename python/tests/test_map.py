@@ -25,6 +25,11 @@ def test_a_map_says_what_a_solution_says(belt_map: sheave.BeltMap) -> None:
     solved = sheave.solve(ratio=1.07, primary_torque=11.0, slack_tension="150 N", tolerance=1e-5)
     assert point["secondary.axial_force"] == pytest.approx(solved.secondary.axial_force, rel=2e-2)
     assert point["efficiency.overall"] == pytest.approx(solved.efficiency.overall, abs=1e-2)
+    with_losses = solved.efficiency.overall_with_losses
+    assert point["efficiency.overall_with_losses"] == pytest.approx(with_losses, abs=1e-2)
+    assert with_losses < solved.efficiency.overall - 1e-2
+    with pytest.raises(ValueError, match=r"`slip_reserve`: expected one that it interpolates: .*`losses\.total`"):
+        belt_map.interpolate("slip_reserve", np.array([[1.07, 11.0]]))
     assert belt_map.at(ratio=1.07, primary_torque=11.0) == point
     with pytest.raises(sheave.MapError, match=r"drive\.ratio"):
         belt_map.at(3.0, 11.0)
@@ -145,6 +150,7 @@ def test_a_simulator_gets_what_the_map_says(belt_map: sheave.BeltMap, unit: Path
         "secondary.speed",
         "slip_reserve",
         "efficiency.overall",
+        "efficiency.overall_with_losses",
         "valid",
     ]
     result = fmpy.simulate_fmu(str(unit), stop_time=1.0, output_interval=0.05, input=signals, output=[*names, *outputs])
