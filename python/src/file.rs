@@ -1,6 +1,5 @@
 //! Files that appear whole.
 
-use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -29,5 +28,7 @@ pub fn write(
         beside.persist(path)?;
         Ok(())
     };
-    py.detach(write).map_err(|error| PyOSError::new_err(format!("cannot write {}: {error}", path.display())))
+    // Of the type that says what is wrong: `FileNotFoundError`, `PermissionError`.
+    let named = |error: io::Error| io::Error::new(error.kind(), format!("cannot write {}: {error}", path.display()));
+    Ok(py.detach(write).map_err(named)?)
 }

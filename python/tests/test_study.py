@@ -154,7 +154,7 @@ def test_tables_are_written_whole(table: sheave.Table, tmp_path: Path) -> None:
     assert parquet.read_table(tmp_path / "table.parquet").schema.field("failure").type == "string"
     with pytest.raises(ValueError, match=r"\.parquet"):
         table.write(tmp_path / "table.xlsx")
-    with pytest.raises(OSError, match="cannot write"):
+    with pytest.raises(FileNotFoundError, match="cannot write"):
         table.write(tmp_path / "nowhere" / "table.csv")
 
 
