@@ -74,8 +74,8 @@ fn bounds(found: &Found<'_>) -> Option<String> {
     let names: Vec<String> = lost.map(|(name, _)| name).collect();
     (!names.is_empty()).then(|| {
         format!(
-            "Only a bound is known, which may be far from the limit, of: {}. The curve there was lost; another edition \
-             or tolerance may follow it.",
+            "Only a bound is known, which may be far from the limit, of: {}. The curve there was lost: with a \
+             larger `sheave.slip_threshold`, where friction is less steep, or in another edition it may be followed.",
             names.join(", ")
         )
     })
