@@ -170,8 +170,8 @@ impl Table {
         Some((values, slopes))
     }
 
-    /// The quantities, and behind them the secondary's speed, the slip reserve and the overall efficiency, where the map
-    /// has losses also with these, with the derivatives of all; what a map lacks a quantity for is not a number.
+    /// The quantities, and behind them the secondary's speed, the slip reserve and the overall efficiency, also with
+    /// losses where the map has them, with the derivatives of all; what a map lacks a quantity for is not a number.
     pub fn derived(&self, (mut values, mut slopes): Found) -> Found {
         let axes = self.axes.len();
         let of = |name: &str| {

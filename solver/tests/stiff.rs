@@ -307,9 +307,6 @@ fn smooth_solutions_of_stiff_equations_take_few_intervals() {
     }
 }
 
-/// From zero on eight intervals, Newton's iteration at orders 4 and 6 fails at layers that no mesh resolves yet: order
-/// 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
-/// layer.
 /// `y' = -λ (y - cos x) - sin x` from `y(0) = 1` is solved by `cos x`, which has no layer. What the rounding of the one
 /// correction that a linear problem takes leaves in y is multiplied by λ in the defects, and with it powers of λ h at
 /// the stages between nodes: meshes with thousands of intervals were made to lower it, and it takes another correction.
@@ -355,6 +352,9 @@ fn an_estimate_is_not_taken_off_where_it_spoils_what_is_between_the_nodes() {
     }
 }
 
+/// From zero on eight intervals, Newton's iteration at orders 4 and 6 fails at layers that no mesh resolves yet: order
+/// 8 finds where they are to start from. `ε u'' = p u' + u + s u³ - g`, whose one solution has waves, and hardly a
+/// layer.
 #[test]
 fn another_order_finds_the_start_where_the_one_that_is_wanted_is_led_astray() {
     for (eps, p, s, amplitude, wave) in [(3.24e-5, 0.806, 0.487, 2.4, 10.0), (3.93e-6, 0.473, 0.775, 0.914, 11.8)] {
