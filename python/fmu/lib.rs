@@ -76,24 +76,16 @@ impl Unit {
         self.state.current = true;
         let inside = self.table.at(&self.state.inputs);
         self.state.valid = inside.is_some();
-        let found = match (inside, self.state.hold) {
-            (Some(found), _) => Some(found),
-            (None, true) => self.table.at(&self.table.nearest(&self.state.inputs)),
-            (None, false) => None,
-        };
+        let held = (inside.is_none() && self.state.hold).then(|| self.table.nearest(&self.state.inputs));
+        let found = inside.or_else(|| self.table.at(held.as_ref()?));
         let count = self.table.outputs();
         let none = || (vec![f64::NAN; count], vec![vec![f64::NAN; self.state.inputs.len()]; count]);
-        let is_held = !self.state.valid && found.is_some();
+        let held = held.filter(|_| found.is_some());
         (self.state.outputs, self.state.slopes) = found.map_or_else(none, |found| self.table.derived(found));
-        if is_held {
-            // What an input is held at does not move with it.
-            let held = self.table.axes.iter().zip(&self.state.inputs).map(|(axis, value)| {
-                let (from, to) = axis.range();
-                !(from..=to).contains(value)
-            });
-            let held: Vec<bool> = held.collect();
-            for slopes in &mut self.state.slopes {
-                slopes.iter_mut().zip(&held).filter(|(_, held)| **held).for_each(|(slope, _)| *slope = 0.0);
+        // What an input is held at does not move with it.
+        for (axis, at) in held.iter().flatten().enumerate() {
+            if *at != self.state.inputs[axis] {
+                self.state.slopes.iter_mut().for_each(|slopes| slopes[axis] = 0.0);
             }
         }
         if self.state.valid {
