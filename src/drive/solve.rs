@@ -233,11 +233,10 @@ fn attempt(
                 continue;
             }
         };
-        if std::mem::take(&mut first) {
-            check_influence(&near, question)?;
-            if let Some(nearer) = nearer(&near, question, factor)? {
-                factors.push_front(nearer);
-            }
+        if std::mem::take(&mut first)
+            && let Some(nearer) = nearer(&near, question, factor)?
+        {
+            factors.push_front(nearer);
         }
         for order in [together, one_by_one] {
             let given = budget.part(options.work_limit / (2 * FACTORS.len()));
@@ -252,6 +251,8 @@ fn attempt(
         if is_cancelled() || budget.is_spent() {
             break;
         }
+        // Only what is not reached is worth a look at why.
+        check_influence(&near, question)?;
     }
     Err(ended(failure))
 }
