@@ -26,6 +26,7 @@ def test_a_map_says_what_a_solution_says(belt_map: sheave.BeltMap) -> None:
     assert point["secondary.axial_force"] == pytest.approx(solved.secondary.axial_force, rel=2e-2)
     assert point["efficiency.overall"] == pytest.approx(solved.efficiency.overall, abs=1e-2)
     with_losses = solved.efficiency.overall_with_losses
+    assert with_losses is not None and solved.efficiency.overall is not None
     assert point["efficiency.overall_with_losses"] == pytest.approx(with_losses, abs=1e-2)
     assert with_losses < solved.efficiency.overall - 1e-2
     with pytest.raises(ValueError, match=r"`slip_reserve`: expected one that it interpolates: .*`losses\.total`"):
