@@ -19,6 +19,7 @@ use crate::problem::Problem;
 use crate::refine::{Measure, Rounding};
 use crate::rows::Rows;
 use crate::solution::RegionSolution;
+use crate::start::Start;
 use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -46,6 +47,18 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
     pub measures: RefCell<Option<Measures>>,
 }
 
+/// A converged iterate that cannot be judged: the right-hand side is undefined between its collocation points.
+pub(crate) struct Undefined {
+    pub at: Start,
+    pub error: NonFinite,
+}
+
+impl From<Undefined> for SolveError {
+    fn from(Undefined { at, error }: Undefined) -> Self {
+        undefined(&at.grids)(error)
+    }
+}
+
 /// What defects were held to, and what they are then: one a region.
 pub(crate) struct Measures {
     pub target: f64,
@@ -63,8 +76,11 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         converged: Converged,
         limit: f64,
         stats: &mut Stats,
-    ) -> Result<Self, SolveError> {
-        let (extensions, defects) = judged(&system, &converged, limit, stats)?;
+    ) -> Result<Self, Undefined> {
+        let (extensions, defects) = match judged(&system, &converged, limit, stats) {
+            Ok(judged) => judged,
+            Err(error) => return Err(Undefined { at: Start { grids: system.grids, x: converged.x }, error }),
+        };
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
         let (least_error, corrected) = (0.0, false);
         Ok(Self { system, converged, extensions, defects, estimate, boundary, least_error, corrected, measures })
@@ -236,12 +252,12 @@ fn judged<P: Problem + ?Sized>(
     converged: &Converged,
     limit: f64,
     stats: &mut Stats,
-) -> Result<(Vec<Extension>, Vec<Defects>), SolveError> {
+) -> Result<(Vec<Extension>, Vec<Defects>), NonFinite> {
     let (count, scales) = (system.grids.len(), converged.scales());
     let (mut extensions, mut defects) = (Vec::with_capacity(count), Vec::with_capacity(count));
     for (region, stages) in converged.work.regions.iter().enumerate() {
         let extended = Extended { system, region, x: &converged.x, stages };
-        let (extension, defect) = extended.judged(scales, limit, stats).map_err(undefined(&system.grids))?;
+        let (extension, defect) = extended.judged(scales, limit, stats)?;
         extensions.push(extension);
         defects.push(defect);
     }

@@ -132,7 +132,7 @@ pub struct Options {
     /// the iteration starts again from the guess, with another order, and without insisting on progress at every step.
     pub rescues: usize,
     /// Whether, when Newton's iteration fails, it may start again from the guess on meshes for the layers that the
-    /// derivatives there allow, order 8 may find where orders 4 and 6 start, and finer meshes may be given up for the
+    /// derivatives there allow, order 8 may find where the others start, and finer meshes may be given up for the
     /// guess. It helps where layers are not resolved yet. Where what fails is a step across kinks, or a caller has
     /// other ways to a solution, it only costs time. (Order 8 may always start from order 6.) Default: true.
     pub other_orders: bool,

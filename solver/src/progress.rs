@@ -2,14 +2,14 @@
 
 use crate::accuracy::Shortfall;
 use crate::collocation::grid::intervals;
-use crate::error::{NewtonError, SolveError};
+use crate::error::NewtonError;
 use crate::layers::Layer;
 use crate::measure::{Measures, Solved};
 use crate::options::{Options, Order};
 use crate::phase::Phase;
 use crate::problem::Problem;
 use crate::refine::{Measure, Rounding, measure};
-use crate::start::{Start, transfer, twice};
+use crate::start::{Start, halved, transfer, twice};
 use std::rc::Rc;
 
 /// State of one solve.
@@ -69,6 +69,8 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
             first: true,
             rescue: Rescue {
                 halvings: 0,
+                refinements: 0,
+                begun: false,
                 insistent: true,
                 origin: None,
                 layers_sought: false,
@@ -179,6 +181,10 @@ impl<'a, P: Problem + ?Sized> Progress<'a, P> {
 /// What is tried when Newton's iteration fails: halved meshes, then what is still to be tried from the guess.
 pub(crate) struct Rescue {
     pub(crate) halvings: usize,
+    /// How often the guess has been put on halved meshes, and all tried again.
+    pub(crate) refinements: usize,
+    /// Whether an iteration that failed had begun: at a guess that is defined.
+    pub(crate) begun: bool,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
     /// The guess, unless it was a solution already, or the problem is linear as far as is known. It is returned to,
@@ -192,6 +198,23 @@ pub(crate) struct Rescue {
     pub(crate) attempts: &'static [(Order, bool)],
 }
 
+impl Rescue {
+    /// The guess on halved meshes, where all is tried again: what is undefined between the nodes of rough meshes need not
+    /// be on finer ones. None while something is left to try, or if the guess itself is undefined.
+    pub(crate) fn again(&mut self, options: &Options) -> Option<Start> {
+        let origin = self.origin.as_ref().filter(|_| self.attempts.is_empty() && self.begun)?;
+        let fits = origin.grids.iter().all(|grid| 2 * grid.intervals() <= options.max_intervals);
+        if self.refinements >= options.rescues || !fits {
+            return None;
+        }
+        let finer = halved(origin);
+        self.refinements += 1;
+        (self.halvings, self.insistent, self.attempts) = (0, true, attempts(options));
+        self.origin = Some(finer.clone());
+        Some(finer)
+    }
+}
+
 /// What is tried from the guess after an iteration that insists on progress: another order finds where the one that is
 /// wanted is to start from. Where one is led astray by layers that a rough mesh does not resolve, another may not be.
 fn attempts(options: &Options) -> &'static [(Order, bool)] {
@@ -200,7 +223,8 @@ fn attempts(options: &Options) -> &'static [(Order, bool)] {
         Order::Six if !options.other_orders => &[(Order::Six, false)],
         Order::Four => &[(Order::Eight, true), (Order::Four, false), (Order::Eight, false)],
         Order::Six => &[(Order::Eight, true), (Order::Six, false), (Order::Eight, false)],
-        Order::SixGauss => &[(Order::SixGauss, false)],
+        Order::SixGauss if !options.other_orders => &[(Order::SixGauss, false)],
+        Order::SixGauss => &[(Order::Eight, true), (Order::SixGauss, false), (Order::Eight, false)],
         Order::Eight => &[(Order::Six, true), (Order::Six, false), (Order::Eight, false)],
     }
 }
@@ -209,10 +233,17 @@ fn attempts(options: &Options) -> &'static [(Order, bool)] {
 pub(crate) enum Found<'a, P: Problem + ?Sized> {
     /// A converged iterate, and the error estimated where it was asked for.
     Solved(Box<Solved<'a, P>>),
-    /// None: the start, and why.
-    Failed(Box<Start>, NewtonError),
-    /// One that cannot be judged, for it is undefined between the collocation points.
-    Undefined(SolveError),
+    /// None.
+    Failed(Box<Failed>),
+}
+
+/// Why a set of meshes has brought nothing.
+pub(crate) struct Failed {
+    /// Where the iteration began, or where it converged to.
+    pub(crate) start: Start,
+    pub(crate) error: NewtonError,
+    /// Whether it converged, to what is undefined between the collocation points.
+    pub(crate) converged: bool,
 }
 
 /// How a solve goes on.

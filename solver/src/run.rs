@@ -13,7 +13,7 @@ use crate::collocation::grid::{Grid, intervals};
 use crate::collocation::linear_problem::has_all_derivatives;
 use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
-use crate::error::{MeshBound, SolveError};
+use crate::error::{MeshBound, NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
 use crate::measure::{Solved, undefined};
 use crate::mesh::split;
@@ -23,7 +23,7 @@ use crate::options::{Control, Options, Order};
 use crate::orientation::{BranchCheck, Orientation};
 use crate::phase::{Action, Finding, Phase, action, phase_after};
 use crate::problem::{Layout, Problem};
-use crate::progress::{Found, Next, Progress, measured};
+use crate::progress::{Failed, Found, Next, Progress, measured};
 use crate::refine::{Measure, Rounding, Verdict};
 use crate::solution::MeshRecord;
 use crate::start::{Start, carried, transfer};
@@ -240,8 +240,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     ) -> Result<Next<'a, P>, SolveError> {
         let solved = match found {
             Found::Solved(solved) => solved,
-            Found::Failed(start, error) => return self.rescued(action, *start, error, progress),
-            Found::Undefined(error) => return progress.fallback.take().map(Next::done).ok_or(error),
+            Found::Failed(failed) => return self.rescued(action, *failed, progress),
         };
         // Where finer meshes would be the next to try, it is their intervals that are too many.
         let finer = MeshBound::Intervals { most: self.options.max_intervals };
@@ -308,7 +307,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         converged.x = Iterate { inner, ..origin };
         let evaluated = solved.system.evaluate(&converged.x, Derivatives::None, &mut converged.work, &mut self.stats);
         evaluated.map_err(undefined(&solved.system.grids))?;
-        Solved::new(solved.system, solved.converged, tolerance, &mut self.stats)
+        Ok(Solved::new(solved.system, solved.converged, tolerance, &mut self.stats)?)
     }
 
     /// Newton's iteration on one set of meshes, and what is to be said of where it ends.
@@ -318,7 +317,9 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
     fn solve_on(&mut self, start: Start, progress: &mut Progress<'a, P>) -> Result<Found<'a, P>, SolveError> {
         let Start { grids, x } = start;
         let (system, before) = (self.system(grids), self.stats.newton_iterations);
+        let factorisations = self.stats.factorisations;
         let outcome = self.iterated(&system, &x, progress);
+        progress.rescue.begun |= self.stats.factorisations > factorisations;
         let record = MeshRecord {
             intervals: system.grids.iter().map(Grid::intervals).collect(),
             defects: vec![f64::INFINITY; system.grids.len()],
@@ -378,7 +379,7 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
                 if progress.first && self.options.rescues > 0 {
                     progress.rescue.origin = Some(start.clone());
                 }
-                Ok(Found::Failed(Box::new(start), error))
+                Ok(Found::Failed(Box::new(Failed { start, error, converged: false })))
             }
             newton::Failure::Interrupted(error) => Err(error),
         }
@@ -407,7 +408,13 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };
         let solved = match Solved::new(system, converged, limit, &mut self.stats) {
             Ok(solved) => solved,
-            Err(error) => return Ok(Found::Undefined(error)),
+            Err(undefined) => {
+                if progress.first && self.options.rescues > 0 {
+                    progress.rescue.origin = Some(Start { grids: undefined.at.grids.clone(), x });
+                }
+                let (start, error) = (undefined.at, NewtonError::NonFinite(undefined.error));
+                return Ok(Found::Failed(Box::new(Failed { start, error, converged: true })));
+            }
         };
         let measures = measured(&solved, self.options.tolerance, Rounding::Counted);
         record.defects = measures.iter().map(|measure| measure.largest).collect();

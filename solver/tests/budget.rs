@@ -91,11 +91,12 @@ impl Model for Layer {
 }
 
 impl Layer {
-    /// By order 6 at Gauss points, and the points at which it was evaluated.
+    /// By order 6 at Gauss points alone, for with others it is come by directly; and the points at which it was
+    /// evaluated.
     fn solve(undefined: bool, work_limit: Option<usize>) -> (Result<Automatic, SolveError>, usize) {
         let problem = Differentiated::new(Self { undefined, points: Cell::new(0) }).unwrap();
         let guess = Guess::uniform(problem.layout(), 10, &[3e-3, 0.0], |_, _, y| y.fill(0.0));
-        let options = Options { order: Order::SixGauss, work_limit, ..Options::default() };
+        let options = Options { order: Order::SixGauss, other_orders: false, work_limit, ..Options::default() };
         let found = solve_automatically(&problem, &guess, &[1], None, &options);
         (found, problem.model().points.get())
     }

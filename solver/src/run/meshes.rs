@@ -12,7 +12,7 @@ use crate::mesh::{distinct, split};
 use crate::options::{Control, Order};
 use crate::phase::{Action, Phase};
 use crate::problem::Problem;
-use crate::progress::{Next, Progress, measured};
+use crate::progress::{Failed, Next, Progress, measured};
 use crate::refine::{ASYMPTOTIC, Measure, Verdict, Wish, verdict};
 use crate::start::{Start, halved, on, transfer};
 
@@ -26,8 +26,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     pub(super) fn rescued(
         &mut self,
         action: Action,
-        failed: Start,
-        error: NewtonError,
+        Failed { start: failed, error, converged }: Failed,
         progress: &mut Progress<'a, P>,
     ) -> Result<Next<'a, P>, SolveError> {
         if action == Action::Rescue
@@ -46,19 +45,22 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         let hopeless = match &error {
             NewtonError::Singular { empty_equations, .. } => !empty_equations.is_empty(),
             // What another order runs into says nothing of the next attempt.
-            NewtonError::NonFinite(_) | NewtonError::Overflow => !self.options.other_orders && own,
+            NewtonError::NonFinite(_) | NewtonError::Overflow => !converged && !self.options.other_orders && own,
             NewtonError::Stalled { .. } | NewtonError::IterationLimit { .. } => false,
         };
         if progress.first
             && !hopeless
+            && !converged
             && let Some(start) = self.layered(&failed, progress)
         {
             return Ok(Next::On(start));
         }
         let rescue = &mut progress.rescue;
-        // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way.
-        let undefined = self.options.other_orders && matches!(&error, NewtonError::NonFinite(_));
-        let halvings = if undefined { 0 } else { self.options.rescues };
+        // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way. What is
+        // undefined between the collocation points of a solution is nearer to what is at them on finer meshes.
+        let undefined = matches!(error, NewtonError::NonFinite(_));
+        let useless = undefined && self.options.other_orders && !converged;
+        let halvings = if useless { 0 } else { self.options.rescues };
         if !hopeless && rescue.halvings < halvings && 2 * largest <= self.options.max_intervals {
             rescue.halvings += 1;
             return Ok(Next::On(halved(&failed)));
@@ -69,6 +71,13 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
         {
             progress.rescue.halvings = 0;
             return Ok(Next::On(start));
+        }
+        if undefined
+            && self.options.other_orders
+            && let Some(finer) = progress.rescue.again(self.options)
+        {
+            self.order = self.options.order;
+            return Ok(Next::On(finer));
         }
         let rescue = &mut progress.rescue;
         match (&rescue.origin, rescue.attempts.split_first()) {
@@ -81,8 +90,7 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             }
             _ => {
                 // Where the order that is wanted found something undefined, too: another may not have asked for it.
-                let undefined = matches!(error, NewtonError::NonFinite(_)) && !own;
-                let error = rescue.undefined.take().filter(|_| undefined).unwrap_or(error);
+                let error = rescue.undefined.take().filter(|_| undefined && !own).unwrap_or(error);
                 Err(SolveError::Newton { error, intervals: intervals(&failed.grids) })
             }
         }

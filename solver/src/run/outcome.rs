@@ -54,10 +54,9 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
     pub(super) fn unsolved(&self, found: &Found<'a, P>) -> SolveError {
         match found {
             Found::Solved(solved) => self.too_rough(solved, MeshBound::Meshes { most: self.options.max_meshes }),
-            Found::Failed(start, error) => {
-                SolveError::Newton { error: error.clone(), intervals: intervals(&start.grids) }
+            Found::Failed(failed) => {
+                SolveError::Newton { error: failed.error.clone(), intervals: intervals(&failed.start.grids) }
             }
-            Found::Undefined(error) => error.clone(),
         }
     }
 
