@@ -69,13 +69,15 @@ impl Converged {
         }
     }
 
-    /// Whether all states of a region are the same everywhere to `tolerance`, in their typical magnitudes: zero, or an
-    /// equilibrium.
+    /// Whether all states of a region are the same everywhere to `tolerance`: zero, or an equilibrium. In their typical
+    /// magnitudes, or in those of the iterate before: beside that rounding about zero is at rest.
     pub(crate) fn rests(&self, tolerance: f64) -> bool {
-        self.x.y.iter().zip(&self.scales().states).any(|(y, scales)| {
-            let mut states = y.chunks_exact(y.len() / scales.len().max(1)).zip(scales);
-            let rests = |(y, scale): (&[f64], &f64)| y.iter().all(|value| (value - y[0]).abs() <= tolerance * scale);
-            !scales.is_empty() && states.all(rests)
+        let states = self.x.y.iter().zip(self.scales().states.iter().zip(&self.factorisation.scales.states));
+        states.into_iter().any(|(y, (scales, before))| {
+            let scales = scales.iter().zip(before).map(|(scale, before)| scale.max(*before));
+            let mut states = y.chunks_exact(y.len() / before.len().max(1)).zip(scales);
+            let rests = |(y, scale): (&[f64], f64)| y.iter().all(|value| (value - y[0]).abs() <= tolerance * scale);
+            !before.is_empty() && states.all(rests)
         })
     }
 

@@ -32,7 +32,7 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
         let (mut x, mut work, mut factorisation) = (converged.x.clone(), system.work(), Factorisation::new(system));
         // What elimination makes of singular values that are zero.
         let least = intervals(&system.grids) as f64 * f64::EPSILON;
-        for _ in 0..CORRECTIONS {
+        for correction in 0..CORRECTIONS {
             // Corrections that lead to where nothing is defined say nothing.
             system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).ok()?;
             factorisation.factor(system, &work, system.scales(&x));
@@ -42,11 +42,16 @@ impl<P: Problem + ?Sized> Run<'_, '_, P> {
             }
             let dx = factorisation.newton_correction(system, &work);
             self.stats.linear_solves += 1;
-            if !(system.largest(&dx) > ROUNDING) {
+            // Rounding may be all that the first finds, and seem to determine them still.
+            if correction > 0 && !(system.largest(&dx) > ROUNDING) {
                 return None;
             }
             x = system.stepped(&x, &factorisation.scales, 1.0, &dx);
         }
-        None
+        // What is corrected by its own size each time is rounding about zero, and determines what zero does.
+        system.evaluate(&x, Derivatives::Planned, &mut work, &mut self.stats).ok()?;
+        factorisation.factor(system, &work, converged.factorisation.scales.clone());
+        self.stats.factorisations += 1;
+        factorisation.determined_to(system, least).err()
     }
 }
