@@ -53,9 +53,9 @@ pub(crate) struct Undefined {
     pub error: NonFinite,
 }
 
-impl From<Undefined> for SolveError {
-    fn from(Undefined { at, error }: Undefined) -> Self {
-        undefined(&at.grids)(error)
+impl From<Box<Undefined>> for SolveError {
+    fn from(found: Box<Undefined>) -> Self {
+        undefined(&found.at.grids)(found.error)
     }
 }
 
@@ -76,10 +76,13 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
         converged: Converged,
         limit: f64,
         stats: &mut Stats,
-    ) -> Result<Self, Undefined> {
+    ) -> Result<Self, Box<Undefined>> {
         let (extensions, defects) = match judged(&system, &converged, limit, stats) {
             Ok(judged) => judged,
-            Err(error) => return Err(Undefined { at: Start { grids: system.grids, x: converged.x }, error }),
+            Err(error) => {
+                let at = Start { grids: system.grids, x: converged.x };
+                return Err(Box::new(Undefined { at, error }));
+            }
         };
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
         let (least_error, corrected) = (0.0, false);

@@ -199,8 +199,8 @@ pub(crate) struct Rescue {
 }
 
 impl Rescue {
-    /// The guess on halved meshes, where all is tried again: what is undefined between the nodes of rough meshes need not
-    /// be on finer ones. None while something is left to try, or if the guess itself is undefined.
+    /// The guess on halved meshes, where all is tried again: what is undefined between the nodes of rough meshes need
+    /// not be on finer ones. None while something is left to try, or if the guess itself is undefined.
     pub(crate) fn again(&mut self, options: &Options) -> Option<Start> {
         let origin = self.origin.as_ref().filter(|_| self.attempts.is_empty() && self.begun)?;
         let fits = origin.grids.iter().all(|grid| 2 * grid.intervals() <= options.max_intervals);

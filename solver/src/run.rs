@@ -15,7 +15,7 @@ use crate::collocation::plan::Plan;
 use crate::collocation::{Iterate, System};
 use crate::error::{MeshBound, NewtonError, SolveError};
 use crate::magnitude::Magnitudes;
-use crate::measure::{Solved, undefined};
+use crate::measure::{Solved, Undefined, undefined};
 use crate::mesh::split;
 use crate::newton::{self, Converged, Limits};
 use crate::observer::{Event, Observer};
@@ -408,11 +408,12 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };
         let solved = match Solved::new(system, converged, limit, &mut self.stats) {
             Ok(solved) => solved,
-            Err(undefined) => {
+            Err(found) => {
+                let Undefined { at: start, error } = *found;
                 if progress.first && self.options.rescues > 0 {
-                    progress.rescue.origin = Some(Start { grids: undefined.at.grids.clone(), x });
+                    progress.rescue.origin = Some(Start { grids: start.grids.clone(), x });
                 }
-                let (start, error) = (undefined.at, NewtonError::NonFinite(undefined.error));
+                let error = NewtonError::NonFinite(error);
                 return Ok(Found::Failed(Box::new(Failed { start, error, converged: true })));
             }
         };

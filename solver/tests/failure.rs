@@ -263,8 +263,8 @@ fn a_period_of_an_equilibrium_is_not_reported_found() {
     }
 }
 
-/// `u'' = 0.1 (1 - u²) T u' - T² u` (van der Pol): from a circle of half the size, on few intervals, an iteration may end
-/// at zero to rounding, which seems to determine T still.
+/// `u'' = 0.1 (1 - u²) T u' - T² u` (van der Pol): from a circle of half the size, on few intervals, an iteration may
+/// end at zero to rounding, which seems to determine T still.
 #[test]
 fn a_period_of_what_is_zero_to_rounding_is_not_reported_found() {
     let mut refused = 0;

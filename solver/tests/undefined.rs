@@ -1,6 +1,6 @@
 //! Equations that are defined for some values of their states only: rough meshes lead to where they are not.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use solver::bvp::{Bvp, Number};
 use solver::{Options, Order, Solution};
@@ -22,8 +22,10 @@ fn from_everywhere(rhs: fn(Number, Number) -> Number) -> Vec<(String, Solution)>
         for (intervals, value) in [(4, 1.0), (4, 0.2), (10, 1.0), (20, 0.2)] {
             let what = format!("{order:?} from {intervals} intervals and {value}");
             let options = Options { order, ..Options::default() };
-            let solution = bvp().guess(intervals, |_, y| y[0] = value).solve(&options);
-            found.push((what.clone(), solution.unwrap_or_else(|error| panic!("{what}: {error}"))));
+            match bvp().guess(intervals, |_, y| y[0] = value).solve(&options) {
+                Ok(solution) => found.push((what, solution)),
+                Err(error) => panic!("{what}: {error}"),
+            }
         }
     }
     found

@@ -56,8 +56,8 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             return Ok(Next::On(start));
         }
         let rescue = &mut progress.rescue;
-        // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way. What is
-        // undefined between the collocation points of a solution is nearer to what is at them on finer meshes.
+        // What is undefined on the way from a guess is so on halved meshes, too; another order goes another way.
+        // Between the collocation points of a solution it is nearer to what is at them on finer meshes.
         let undefined = matches!(error, NewtonError::NonFinite(_));
         let useless = undefined && self.options.other_orders && !converged;
         let halvings = if useless { 0 } else { self.options.rescues };
