@@ -19,7 +19,6 @@ use crate::problem::Problem;
 use crate::refine::{Measure, Rounding};
 use crate::rows::Rows;
 use crate::solution::RegionSolution;
-use crate::start::Start;
 use crate::stats::Stats;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -49,13 +48,14 @@ pub(crate) struct Solved<'a, P: Problem + ?Sized> {
 
 /// A converged iterate that cannot be judged: the right-hand side is undefined between its collocation points.
 pub(crate) struct Undefined {
-    pub at: Start,
+    pub grids: Vec<Grid>,
+    pub x: Iterate,
     pub error: NonFinite,
 }
 
 impl From<Box<Undefined>> for SolveError {
     fn from(found: Box<Undefined>) -> Self {
-        undefined(&found.at.grids)(found.error)
+        undefined(&found.grids)(found.error)
     }
 }
 
@@ -79,10 +79,7 @@ impl<'a, P: Problem + ?Sized> Solved<'a, P> {
     ) -> Result<Self, Box<Undefined>> {
         let (extensions, defects) = match judged(&system, &converged, limit, stats) {
             Ok(judged) => judged,
-            Err(error) => {
-                let at = Start { grids: system.grids, x: converged.x };
-                return Err(Box::new(Undefined { at, error }));
-            }
+            Err(error) => return Err(Box::new(Undefined { grids: system.grids, x: converged.x, error })),
         };
         let (estimate, boundary, measures) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
         let (least_error, corrected) = (0.0, false);

@@ -408,12 +408,12 @@ impl<'a, 'o, P: Problem + ?Sized> Run<'a, 'o, P> {
         let limit = if converged.seems_linear() { self.options.tolerance } else { f64::INFINITY };
         let solved = match Solved::new(system, converged, limit, &mut self.stats) {
             Ok(solved) => solved,
-            Err(found) => {
-                let Undefined { at: start, error } = *found;
+            Err(undefined) => {
+                let Undefined { grids, x: found, error } = *undefined;
                 if progress.first && self.options.rescues > 0 {
-                    progress.rescue.origin = Some(Start { grids: start.grids.clone(), x });
+                    progress.rescue.origin = Some(Start { grids: grids.clone(), x });
                 }
-                let error = NewtonError::NonFinite(error);
+                let (start, error) = (Start { grids, x: found }, NewtonError::NonFinite(error));
                 return Ok(Found::Failed(Box::new(Failed { start, error, converged: true })));
             }
         };
