@@ -14,10 +14,10 @@ use converged::OwnScales;
 use converged::{FAR, LINEAR};
 
 use crate::budget::Budget;
-use crate::collocation::coupled::Settled;
 use crate::collocation::evaluate::{Derivatives, Work};
 use crate::collocation::factor::Factorisation;
 use crate::collocation::grid::intervals;
+use crate::collocation::inner::Settled;
 use crate::collocation::{Correction, Iterate, Scales, System};
 use crate::error::{NewtonError, NonFinite, SolveError};
 use crate::linear::simd::largest_number;

@@ -3,8 +3,8 @@
 use crate::basis::Basis;
 use crate::by_region::ByRegion;
 use crate::collocation::Iterate;
-use crate::collocation::coupled::interpolated;
 use crate::collocation::grid::Grid;
+use crate::collocation::inner::interpolated;
 use crate::collocation::interpolant::Extension;
 use crate::guess::{Guess, RegionGuess};
 use crate::linear::memory::Numbers;

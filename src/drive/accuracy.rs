@@ -5,8 +5,8 @@ use solver::{Guess, Linearisation, Options, solve_observed};
 use super::budget::Budget;
 use super::failure::Failure;
 use super::inputs::inputs;
+use super::options::SolveOptions;
 use super::power::PowerFlow;
-use super::solve::SolveOptions;
 use super::solved::Solved;
 use crate::model::Output;
 

@@ -72,7 +72,8 @@ pub(super) fn approach(
 /// The problem that a question poses.
 pub(super) fn posed(model: &ModelChoices, question: &Question) -> Result<BeltProblem, Failure> {
     let prescribed: Vec<_> = question.conditions().collect();
-    BeltProblem::prescribing(model, &question.constants, &prescribed)?.closed(&question.closings)
+    let belt = BeltProblem::prescribing(model, &question.constants, &prescribed)?.ok_or(Failure::NoEquations)?;
+    Ok(belt.closed(&question.closings)?)
 }
 
 /// A solution as the start of a question's problem: every prescribed output at the value that it has there.

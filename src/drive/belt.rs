@@ -6,7 +6,6 @@ use generated::{BoundaryKernel, OutputKernel, RegionKernel, RegionOut};
 use solver::{Layout, Points, Problem, Region, Scope, Solution};
 
 use super::closing::{BoundLaw, Closing};
-use super::failure::Failure;
 use super::inputs::inputs;
 use super::model::Kernels;
 use super::outputs::{OutputGradients, OutputValues};
@@ -65,27 +64,27 @@ impl BeltProblem {
     /// As [`new`](Self::new), with outputs prescribed; beside each its typical magnitude.
     ///
     /// # Errors
-    /// [`Failure::NoEquations`] for a model that has no kernels, [`Failure::Internal`] for an output that its drives do
-    /// not have, which [`Question::check`](super::Question::check) refuses before.
+    /// [`InternalError::Output`] for an output that drives of this model do not have, which
+    /// [`Question::check`](super::Question::check) refuses before.
     pub fn prescribing(
         model: &ModelChoices,
         constants: &Constants,
         outputs: &[(Output, f64)],
-    ) -> Result<Self, Failure> {
-        let mut belt = Self::new(model, constants).ok_or(Failure::NoEquations)?;
+    ) -> Result<Option<Self>, InternalError> {
+        let Some(mut belt) = Self::new(model, constants) else { return Ok(None) };
         for &(output, scale) in outputs {
             let row = belt.outputs.row(output).ok_or(InternalError::Output(output))?;
             prescribe(&mut belt.layout, belt.outputs, Prescribed { output, row }, scale);
             belt.prescribed.push(Prescribed { output, row });
         }
-        Ok(belt)
+        Ok(Some(belt))
     }
 
     /// This problem, closed by laws as well; to be asked once, after all outputs are prescribed.
     ///
     /// # Errors
-    /// [`Failure::Internal`] for a law of an output that the drives of this model do not have.
-    pub fn closed(mut self, closings: &[Closing]) -> Result<Self, Failure> {
+    /// [`InternalError::Output`] for a law of an output that the drives of this model do not have.
+    pub fn closed(mut self, closings: &[Closing]) -> Result<Self, InternalError> {
         let constants = self.first_constant();
         for closing in closings {
             let law = BoundLaw::new(closing.law.clone(), self.outputs, constants)?;

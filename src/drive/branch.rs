@@ -5,8 +5,8 @@ use solver::Linearisation;
 
 use super::curve::{End, trace};
 use super::failure::Failure;
+use super::options::SolveOptions;
 use super::question::Known;
-use super::solve::SolveOptions;
 use super::solved::Solved;
 use super::warm::step_to_question;
 use crate::case::ModelChoices;

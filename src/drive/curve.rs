@@ -11,7 +11,7 @@ use super::approach::{posed, start};
 use super::budget::Budget;
 use super::correct::relaxed;
 use super::failure::Failure;
-use super::solve::SolveOptions;
+use super::options::SolveOptions;
 use super::solved::Solved;
 use crate::cancel::is_cancelled;
 use crate::case::ModelChoices;

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium, Phase, ReportedPhase};
+use super::phase::{Direction, Phase, ReportedPhase};
+use super::point::Equilibrium;
 use super::report::DriveReport;
 use crate::actuator::PrimaryActuator;
 use crate::case::Resolved;

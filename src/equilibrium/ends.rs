@@ -3,7 +3,8 @@
 use super::curve::{Landmark, ShiftBranch, ShiftOptions};
 use super::error::EquilibriumError;
 use super::heat::warm_corner;
-use super::point::{Direction, Equilibrium, Phase, Stop};
+use super::phase::{Direction, Phase, Stop};
+use super::point::Equilibrium;
 use super::question::{Given, Whole};
 use super::search::at_speed;
 use crate::case::Resolved;

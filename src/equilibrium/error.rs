@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::point::Phase;
+use super::phase::Phase;
 use crate::actuator::ActuatorError;
 use crate::drive::{Failure, Trouble};
 use crate::model::InternalError;

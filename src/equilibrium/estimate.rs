@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::point::{Direction, Phase, Stop};
+use super::phase::{Direction, Phase, Stop};
 use crate::actuator::{PrimaryActuator, travel, travel_by_radius};
 use crate::case::geometry::{radii_of_ratio, radius_beside, wrap_angles};
 use crate::case::{Actuation, Resolved};

@@ -1,7 +1,7 @@
 //! The figure of a shift curve: engine speed over road speed, and below it efficiency, slip, forces, temperature.
 
 use super::curve::{ShiftBranch, ShiftPoint};
-use super::point::Direction;
+use super::phase::Direction;
 use super::report::DriveReport;
 use super::table::Measured;
 use crate::plot::{Axis, Figure, Look, Mark, Series};

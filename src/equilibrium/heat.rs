@@ -1,7 +1,8 @@
 //! The temperature of the belt in the equilibrium of a drive.
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium};
+use super::phase::Direction;
+use super::point::Equilibrium;
 use super::question::{Given, Whole};
 use super::search::{at_speed, equilibrium, equilibrium_from};
 use crate::case::Resolved;

@@ -28,6 +28,7 @@ mod heat;
 #[cfg(feature = "ode")]
 pub mod inverse;
 mod laws;
+mod phase;
 mod point;
 mod question;
 mod ratio;
@@ -43,7 +44,8 @@ pub use error::EquilibriumError;
 pub use figure::{ShiftCurve, shift_figures};
 pub use heat::equilibrium_outcome;
 pub use laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
-pub use point::{ARRIVING, Direction, Equilibrium, Forces, Phase, ReportedPhase, Stop, UnknownDirection};
+pub use phase::{Direction, Phase, ReportedPhase, Stop, UnknownDirection};
+pub use point::{ARRIVING, Equilibrium, Forces};
 pub use question::has_all_parts;
 pub(crate) use ratio::AtRatio;
 pub use remarks::{beyond_engine, beyond_travel, over_curve, unused_keys};

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::error::EquilibriumError;
 use super::estimate::{Estimate, estimate, highest_ratio};
 use super::laws::{EngineLaw, PrimaryLaw, SecondaryLaw};
-use super::point::{Direction, Equilibrium, Phase, Stop};
+use super::phase::{Direction, Phase, Stop};
+use super::point::{Equilibrium, ordinary, posed_at};
 use crate::actuator::{ActuatorError, PrimaryActuator, travel_by_radius};
 use crate::case::geometry::radius_beside;
 use crate::case::{Actuation, Clamp, Load, Resolved, Speed};
@@ -320,27 +321,5 @@ pub(super) fn start(case: &Resolved, near: &Estimate) -> Resolved {
     posed.operating_point.speed = Speed::Primary(near.speed);
     posed.operating_point.load = Load::PrimaryTorque(near.torque);
     posed.operating_point.clamp = Clamp::SlackTension(near.slack_tension);
-    posed
-}
-
-/// The case as an ordinary operating point at a solution.
-pub(super) fn posed_at(case: &Resolved, solved: &Solved) -> Resolved {
-    let mut posed = ordinary(case);
-    posed.drive.primary_radius = solved.constant(Constant::PrimaryRadius);
-    posed.drive.secondary_radius = solved.constant(Constant::SecondaryRadius);
-    posed.operating_point.speed = Speed::Primary(solved.constant(Constant::PrimarySpeed));
-    posed.operating_point.load = Load::PrimaryTorque(solved.constant(Constant::PrimaryTorque));
-    posed.operating_point.clamp = Clamp::SlackTension(solved.constant(Constant::SlackTension));
-    posed
-}
-
-/// The case with nothing free and nothing prescribed.
-pub(super) fn ordinary(case: &Resolved) -> Resolved {
-    let mut posed = case.clone();
-    posed.drive.free = None;
-    posed.operating_point.fourth = None;
-    posed.operating_point.margin = None;
-    posed.swaps.clear();
-    posed.found.clear();
     posed
 }

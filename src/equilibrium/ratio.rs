@@ -2,8 +2,9 @@
 //! follows.
 
 use super::error::EquilibriumError;
-use super::point::{Direction, Equilibrium, Phase};
-use super::question::{Given, Whole, ordinary};
+use super::phase::{Direction, Phase};
+use super::point::{Equilibrium, ordinary};
+use super::question::{Given, Whole};
 use crate::case::geometry::radii_of_ratio;
 use crate::case::{Clamp, Free, Load, Resolved, Speed};
 use crate::drive::{

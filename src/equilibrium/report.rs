@@ -5,7 +5,8 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::error::EquilibriumError;
-use super::point::{ARRIVING, Direction, Equilibrium, ReportedPhase, Stop};
+use super::phase::{Direction, ReportedPhase, Stop};
+use super::point::{ARRIVING, Equilibrium};
 use super::sensitivity::{PartSensitivity, sensitivities};
 use crate::actuator::{PrimaryActuator, SecondaryActuator};
 use crate::case::Resolved;

@@ -2,7 +2,8 @@
 
 use super::error::EquilibriumError;
 use super::estimate::{Estimate, elsewhere};
-use super::point::{Direction, Equilibrium};
+use super::phase::Direction;
+use super::point::Equilibrium;
 use super::question::{Given, Whole, start};
 use crate::case::Resolved;
 use crate::drive::{SolveOptions, solve_question};

@@ -8,7 +8,8 @@ use serde::Serialize;
 use solver::{Condensation, Problem};
 
 use super::error::EquilibriumError;
-use super::point::{Equilibrium, Phase, Stop};
+use super::phase::{Phase, Stop};
+use super::point::Equilibrium;
 use crate::actuator::{AngleFrom, Mechanism, PrimaryActuator, SecondaryActuator, Spring};
 use crate::case::{Key, Resolved};
 use crate::drive::{Constant, Failure, Output};

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::curve::{ShiftBranch, ShiftPoint};
-use super::point::Direction;
+use super::phase::Direction;
 use super::report::DriveReport;
 use crate::model::InternalError;
 use crate::quantity::Unit;

@@ -1,6 +1,6 @@
 //! Rows of a table in input order, wherever they are kept.
 
-use super::journal::read_row;
+use super::journal::line::read_row;
 use super::row::{Cell, Layouts, Table};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom};

@@ -13,22 +13,15 @@
 //! An equation of second order is two states, of which one, u, has the other, v, for derivative. Its stage equations
 //! say what `dU_i = h Σ_j x_ij dV_j + ...` is: put into those of the others they leave one unknown a stage, not two.
 
-use super::evaluate::{Derivatives, Work};
-use super::factor::{Factorisation, RegionFactor};
 use super::grid::Grid;
 use super::open_ends::OpenLanes;
 use super::plan::RegionPlan;
 use super::roles::Roles;
 use super::stages::Stages;
-use super::{Iterate, System};
-use crate::basis::Basis;
-use crate::linear::memory::{Lanes, Numbers};
+use crate::linear::memory::Lanes;
 use crate::linear::qr;
 use crate::linear::scalar::{Lane, Scalar, W};
-use crate::linear::simd::{Job, largest, largest_number, vectorised};
-use crate::mesh;
-use crate::problem::{Points, Problem};
-use crate::stats::Stats;
+use crate::linear::simd::{Job, vectorised};
 use crate::tableau::{COUPLED, Tableau};
 use std::sync::Arc;
 
@@ -221,6 +214,19 @@ impl Coupling {
         }
     }
 
+    /// Solves the transposed stage equations of all intervals; `coupled`: what is kept of them, `weights`: `m` an
+    /// interval.
+    pub(super) fn solve_stages_transposed(&self, coupled: &[Lane], weights: &mut [Lane]) {
+        let data = coupled.chunks_exact(self.len());
+        for (t, (x, data)) in weights.chunks_exact_mut(self.m).zip(data).enumerate() {
+            let parts = self.parts(data);
+            match self.open(t) {
+                None => self.solve_transposed(&self.weights, &parts, x),
+                Some((_, weights)) => self.solve_transposed(weights, &parts, x),
+            }
+        }
+    }
+
     /// Solves the transposed stage equations of one interval in place.
     fn solve_transposed<T: Weight>(
         &self,
@@ -264,16 +270,11 @@ impl<T: Weight> Weights<T> {
     }
 }
 
-/// How far the stage equations have been solved.
-pub(crate) enum Settled {
-    Met,
-    /// Not far enough; the size of the first change.
-    From(f64),
-}
-
 /// From the right-hand sides of the stage equations to z, and to what z adds to those of the intervals and integrals.
 pub(super) struct Inward<'a> {
-    pub factor: &'a RegionFactor,
+    pub coupling: &'a Coupling,
+    /// What is kept, interval by interval.
+    pub coupled: &'a [Lane],
     /// `m` an interval; on exit z.
     pub inner: &'a mut [Lane],
     /// `n` an interval.
@@ -294,7 +295,7 @@ impl Job for Inward<'_> {
     fn run(self) {
         // Compiled once more each where the sizes are those of one or two equations of second order, and of a branch of
         // one.
-        let Coupling { roles, n, all, .. } = &self.factor.coupling;
+        let Coupling { roles, n, all, .. } = self.coupling;
         match (roles.unknowns.len(), *n, *all) {
             (1, 2, 2) => self.eliminate(1, 2, 2),
             (2, 4, 4) => self.eliminate(2, 4, 4),
@@ -312,7 +313,7 @@ const MEDIUM_M: usize = 4 * COUPLED;
 impl Inward<'_> {
     #[inline(always)]
     fn eliminate(self, q: usize, n: usize, all: usize) {
-        let RegionFactor { coupling, coupled, .. } = self.factor;
+        let Self { coupling, coupled, .. } = self;
         let (mut sums, mut unknowns) = (Lanes::zeros(all - n), Lanes::unset(COUPLED * q));
         let steps = self.inner.chunks_exact_mut(COUPLED * n).zip(self.rhs.chunks_exact_mut(n));
         for (t, ((z, rhs), data)) in steps.zip(coupled.chunks_exact(coupling.len())).enumerate() {
@@ -369,7 +370,9 @@ impl Job for SolveOpen<'_> {
 
 /// From z and the changes of nodes and constants to those of the inner stages.
 pub(super) struct Outward<'a> {
-    pub factor: &'a RegionFactor,
+    pub coupling: &'a Coupling,
+    /// What is kept, interval by interval.
+    pub coupled: &'a [Lane],
     /// `n` a node.
     pub u: &'a [Lane],
     pub constants: &'a [f64],
@@ -388,7 +391,7 @@ impl Job for Outward<'_> {
 
     #[inline(always)]
     fn run(self) {
-        match (self.factor.coupling.m, self.factor.coupling.n) {
+        match (self.coupling.m, self.coupling.n) {
             (SMALL_M, 2) => self.substitute(SMALL_M, 2),
             (MEDIUM_M, 4) => self.substitute(MEDIUM_M, 4),
             (m, n) => self.substitute(m, n),
@@ -399,7 +402,7 @@ impl Job for Outward<'_> {
 impl Outward<'_> {
     #[inline(always)]
     fn substitute(self, m: usize, n: usize) {
-        let RegionFactor { coupling, coupled, .. } = self.factor;
+        let Self { coupling, coupled, .. } = self;
         let data = coupled.chunks_exact(coupling.len());
         for (t, (inner, data)) in self.inner.chunks_exact_mut(m).zip(data).enumerate() {
             let moves = coupling.parts(data).moves;
@@ -412,133 +415,6 @@ impl Outward<'_> {
             for (column, &c) in by_constant.chunks_exact(m).zip(self.constants) {
                 for i in 0..m {
                     inner[i] += column[i].times(c);
-                }
-            }
-        }
-    }
-}
-
-impl RegionFactor {
-    /// Solves the transposed stage equations of all intervals; `weights`: `m` an interval.
-    pub(super) fn solve_stages_transposed(&self, weights: &mut [Lane]) {
-        let data = self.coupled.chunks_exact(self.coupling.len());
-        for (t, (x, data)) in weights.chunks_exact_mut(self.coupling.m).zip(data).enumerate() {
-            let (coupling, parts) = (&self.coupling, self.coupling.parts(data));
-            match coupling.open(t) {
-                None => coupling.solve_transposed(&coupling.weights, &parts, x),
-                Some((_, weights)) => coupling.solve_transposed(weights, &parts, x),
-            }
-        }
-    }
-}
-
-/// Corrections with one matrix at most,
-const ROUNDS: usize = 12;
-/// and matrices, where the stage equations are solved for given nodes.
-const MATRICES: usize = 4;
-/// Stage equations are met if no state would change by more than this, in typical magnitudes,
-const MET: f64 = 1e-14;
-/// and as well as rounding lets them be if it would not by more than this.
-const NEARLY_MET: f64 = 1e-9;
-/// Slopes that the right-hand side has at the nodes are believed where they move a state by no more than this, in its
-/// largest magnitude, from what the neighbouring nodes say.
-const BELIEVED: f64 = 0.3;
-
-impl<P: Problem + ?Sized> System<'_, P> {
-    /// States at the inner stages, if they are unknowns and nothing is known of them: by cubics between the nodes.
-    /// Whether it was so. (Between zeros those are zero, whatever the slopes are.)
-    pub(crate) fn interpolate(&self, x: &mut Iterate, stats: &mut Stats) -> bool {
-        let missing = self.tableau.coupled && x.inner.is_empty();
-        if missing {
-            let regions = self.grids.iter().zip(&x.y).enumerate().map(|(region, (grid, y))| {
-                let len = grid.node_stride();
-                if largest_number(y) == 0.0 {
-                    return Numbers::zeros(self.tableau.unknown_stages() * y.len() / len * grid.interval_stride());
-                }
-                if self.linear {
-                    // Whatever is guessed, the first correction leads to the solution.
-                    return interpolated(self.tableau, grid, y, None);
-                }
-                let at = Points { len, stride: len, s: &grid.s, y };
-                let mut f = Numbers::unset(self.layout.regions[region].rows() * len);
-                stats.rhs_points += len;
-                self.problem.rhs(region, &at, &x.constants, &mut f);
-                interpolated(self.tableau, grid, y, Some(&f))
-            });
-            x.inner = regions.collect();
-        }
-        missing
-    }
-
-    /// As [`interpolate`](Self::interpolate), then solves the stage equations for given nodes.
-    pub(crate) fn complete(&self, x: &mut Iterate, stats: &mut Stats) {
-        if self.interpolate(x, stats) {
-            self.meet(x, f64::INFINITY, stats);
-        }
-    }
-
-    /// Solves the stage equations for given nodes, unless that would at first change a state by `limit` typical
-    /// magnitudes or more, or does not converge: then nothing is done.
-    pub(crate) fn meet(&self, x: &mut Iterate, mut limit: f64, stats: &mut Stats) {
-        let (origin, mut work, mut factorisation) = (x.inner.clone(), self.work(), Factorisation::new(self));
-        for _ in 0..MATRICES {
-            // What is undefined here is so where the iteration starts, which will say so.
-            if self.evaluate(x, Derivatives::Planned, &mut work, stats).is_err() {
-                break;
-            }
-            factorisation.condense(self, &work, self.scales(x));
-            match self.settle(&factorisation, x, &mut work, limit, stats) {
-                Settled::Met => return,
-                Settled::From(size) if size < limit => limit = 0.5 * size,
-                Settled::From(_) => break,
-            }
-        }
-        x.inner = origin;
-    }
-
-    /// Solves the stage equations for given nodes, with the factors held, as long as every change is less than half the
-    /// one before. `work` holds the residual at `x`.
-    pub(crate) fn settle(
-        &self,
-        factorisation: &Factorisation,
-        x: &mut Iterate,
-        work: &mut Work,
-        limit: f64,
-        stats: &mut Stats,
-    ) -> Settled {
-        let (mut first, mut last) = (None, limit);
-        for _ in 0..ROUNDS {
-            let changes = factorisation.stage_correction(self, work);
-            let size = largest(changes.iter().map(|lanes| &lanes[..]), &[]);
-            let from = *first.get_or_insert(size);
-            if size <= MET {
-                return Settled::Met;
-            }
-            if !(size < last) {
-                return if last <= NEARLY_MET { Settled::Met } else { Settled::From(from) };
-            }
-            last = 0.5 * size;
-            let before = x.inner.clone();
-            self.step_inner(x, &factorisation.scales.states, 1.0, &changes);
-            if self.evaluate(x, Derivatives::None, work, stats).is_err() {
-                x.inner = before;
-                return Settled::From(from);
-            }
-        }
-        Settled::From(first.unwrap_or(limit))
-    }
-
-    /// `x.inner += factor * scale * inner`.
-    pub(super) fn step_inner(&self, x: &mut Iterate, scales: &[Numbers], factor: f64, inner: &[Lanes]) {
-        for ((values, changes), d) in x.inner.iter_mut().zip(inner).zip(scales) {
-            let m = self.tableau.unknown_stages() * d.len();
-            let steps = changes.len() / m;
-            for (row, values) in values.as_chunks_mut::<W>().0.chunks_exact_mut(steps).enumerate() {
-                let factor = factor * d[row % d.len()];
-                for (values, changes) in values.iter_mut().zip(changes.chunks_exact(m)) {
-                    for (value, change) in values.iter_mut().zip(changes[row].0) {
-                        *value += factor * change;
-                    }
                 }
             }
         }
@@ -563,41 +439,4 @@ pub(crate) fn unscaled(lanes: &[Lane], d: &[f64], m: usize) -> Vec<f64> {
     let steps = lanes.len() / m;
     let at = (0..m).flat_map(|row| (0..steps).map(move |t| (row, t)));
     at.flat_map(|(row, t)| lanes[t * m + row].times(d[row % d.len()]).0).collect()
-}
-
-/// By cubics with the slopes of parabolas through neighbouring nodes, or with `f` (component by component in working
-/// order) where those are to be believed.
-pub(crate) fn interpolated(tableau: &Tableau, grid: &Grid, y: &[f64], f: Option<&[f64]>) -> Numbers {
-    let (len, mesh, stride) = (grid.interval_stride(), &grid.mesh, grid.node_stride());
-    let (states, intervals) = (y.len() / stride, grid.intervals());
-    let mut out = Numbers::unset(tableau.unknown_stages() * states * len);
-    let (values, given) = (grid.unpack(y), f.map(|f| grid.unpack(&f[..y.len()])));
-    // Of each interval, what slopes at its ends come to over it.
-    let mut rises: Vec<[f64; 2]> = Vec::with_capacity(intervals);
-    for (i, values) in values.iter().enumerate() {
-        let size = values.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
-        let given = given.as_ref().map(|given| given.row(i));
-        let mut left = mesh::slope(mesh, values, 0);
-        rises.clear();
-        rises.extend(mesh.windows(2).enumerate().map(|(j, ends)| {
-            let right = mesh::slope(mesh, values, j + 1);
-            let of = |slopes: [f64; 2]| slopes.map(|slope| (ends[1] - ends[0]) * slope);
-            let own = of([std::mem::replace(&mut left, right), right]);
-            let near = |given: &[f64; 2]| own.iter().zip(given).all(|(a, b)| (a - b).abs() <= BELIEVED * size);
-            given.map(|given| of([given[j], given[j + 1]])).filter(near).unwrap_or(own)
-        }));
-        for (stage, &c) in tableau.c[2..].iter().enumerate() {
-            let basis = Basis::value(c);
-            let out = &mut out[(stage * states + i) * len..][..len];
-            // Padding repeats the last node.
-            out.fill(values[intervals]);
-            let mut places = values.windows(2).zip(&rises);
-            grid.each(intervals, |p| {
-                if let Some((y, [left, right])) = places.next() {
-                    out[p] = y[0] + basis.rise * (y[1] - y[0]) + basis.left * left + basis.right * right;
-                }
-            });
-        }
-    }
-    out
 }

@@ -247,7 +247,8 @@ impl Factorisation {
             inner.iter_mut().zip(&self.regions).zip(system.grids.iter().zip(&system.plan.regions))
         {
             let mut rhs = Lanes::zeros(grid.steps * plan.n);
-            Inward { factor, inner, rhs: &mut rhs, functionals: &mut [] }.vectorised();
+            Inward { coupling: &factor.coupling, coupled: &factor.coupled, inner, rhs: &mut rhs, functionals: &mut [] }
+                .vectorised();
         }
         inner
     }
@@ -257,7 +258,8 @@ impl Factorisation {
         for (((inner, factor), lanes), functionals) in
             rhs.inner.iter_mut().zip(&self.regions).zip(&mut rhs.regions).zip(&mut rhs.integrals)
         {
-            Inward { factor, inner, rhs: lanes, functionals }.vectorised();
+            Inward { coupling: &factor.coupling, coupled: &factor.coupled, inner, rhs: lanes, functionals }
+                .vectorised();
         }
         let (mut dense, mut row) = (Numbers::unset(self.border.size()), 0);
         let mut tops: ByRegion<Numbers> = ByRegion::default();
@@ -319,7 +321,8 @@ impl Factorisation {
             backward.vectorised();
             repeat_last(grid, last, &mut nodes);
             if let Some(inner) = inner.get_mut(region) {
-                Outward { factor: &self.regions[region], u: &nodes, constants: &constants, inner }.vectorised();
+                let RegionFactor { coupling, coupled, .. } = &self.regions[region];
+                Outward { coupling, coupled, u: &nodes, constants: &constants, inner }.vectorised();
             }
             u.push(nodes);
         }

@@ -8,6 +8,7 @@ pub(crate) mod defect;
 pub(crate) mod evaluate;
 pub(crate) mod factor;
 pub(crate) mod grid;
+pub(crate) mod inner;
 pub(crate) mod interpolant;
 pub(crate) mod linear_problem;
 mod moments;

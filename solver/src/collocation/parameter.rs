@@ -251,7 +251,7 @@ impl<P: Problem + ?Sized> System<'_, P> {
         // The factored equations are in units of d, their transposes in units of 1/d.
         let reciprocals: Vec<f64> = d.iter().map(|d| 1.0 / d).collect();
         let mut lanes = scaled(&weights, &reciprocals, m, 1.0);
-        factor.solve_stages_transposed(&mut lanes);
+        factor.coupling.solve_stages_transposed(&factor.coupled, &mut lanes);
         let weights = unscaled(&lanes, &reciprocals, m);
         for (inner, weights) in weights.chunks_exact(n * len).enumerate() {
             let (x, v) = (self.tableau.x[inner + 2], self.tableau.v[inner + 2]);

@@ -386,10 +386,16 @@ fn check_stages(setup: &Setup<'_>, factorisation: &Factorisation, chained: bool,
         let dot = |a: &Lanes, b: &Lanes| -> f64 { a.iter().zip(b).flat_map(|(a, b)| (*a * *b).0).sum() };
         let (mut solved, mut rhs) = (right.clone(), Lanes::zeros(grid.steps * plan.n));
         let mut functionals = vec![0.0; plan.active.len()];
-        let inward = Inward { factor, inner: &mut solved, rhs: &mut rhs, functionals: &mut functionals };
+        let inward = Inward {
+            coupling: &factor.coupling,
+            coupled: &factor.coupled,
+            inner: &mut solved,
+            rhs: &mut rhs,
+            functionals: &mut functionals,
+        };
         inward.vectorised();
         let forward = dot(&weights, &solved);
-        factor.solve_stages_transposed(&mut weights);
+        factor.coupling.solve_stages_transposed(&factor.coupled, &mut weights);
         let backward = dot(&weights, &right);
         assert!((forward - backward).abs() <= 1e-9 * (1.0 + forward.abs()), "{forward} {backward}");
     }

@@ -10,7 +10,8 @@ use crate::drive::{
     Compressed, Failure, Question, SolveOptions, Solved, approach_question, solve_question, solve_question_from,
 };
 use crate::equilibrium::Direction;
-use crate::equilibrium::question::{Given, Whole, ordinary};
+use crate::equilibrium::point::ordinary;
+use crate::equilibrium::question::{Given, Whole};
 use crate::model::{Constant, Output};
 use crate::quantity::rpm;
 use crate::result::{is_buckled, slip_reserve};

@@ -56,6 +56,14 @@ pub(super) fn read(line: &[u8]) -> Option<Line> {
     }
 }
 
+/// The cells in a row's line, and the number of its set of names.
+pub(in crate::study) fn read_row(content: &[u8]) -> Option<(usize, Vec<Cell>)> {
+    match read(content)? {
+        Line::Row(_, layout, cells) => Some((layout, cells)),
+        Line::Columns(..) => None,
+    }
+}
+
 /// A text behind its checksum (CRC-32 of IEEE 802.3), with a line feed.
 fn sealed(text: &str) -> String {
     format!("{:08x} {text}\n", crc32fast::hash(text.as_bytes()))

@@ -8,7 +8,7 @@
 //!
 //! Rows stay on the disk: in memory there is a place in the file for each.
 
-mod line;
+pub(super) mod line;
 mod own;
 
 pub use own::{set_aside, sync_folder};
@@ -16,7 +16,7 @@ pub use own::{set_aside, sync_folder};
 use super::plan::Study;
 use super::row::{Cell, Columns, Layouts, Row};
 use super::rows::StoredRows;
-use line::Line;
+use line::{Line, read_row};
 use own::Found;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -347,14 +347,6 @@ impl Journal {
     pub fn finish(self) -> io::Result<StoredRows> {
         self.file.sync_data()?;
         Ok(StoredRows::new(self.path, self.file, self.layouts, self.places, self.rows - self.solved))
-    }
-}
-
-/// The cells in a row's line, and the number of its set of names.
-pub(super) fn read_row(content: &[u8]) -> Option<(usize, Vec<Cell>)> {
-    match line::read(content)? {
-        Line::Row(_, layout, cells) => Some((layout, cells)),
-        Line::Columns(..) => None,
     }
 }
 
