@@ -183,7 +183,7 @@ pub(crate) struct Rescue {
     pub(crate) halvings: usize,
     /// How often the guess has been put on halved meshes, and all tried again.
     pub(crate) refinements: usize,
-    /// Whether an iteration that failed had begun: at a guess that is defined.
+    /// Whether an iteration has begun: at a guess that is defined.
     pub(crate) begun: bool,
     /// Whether every step must be progress.
     pub(crate) insistent: bool,
@@ -200,9 +200,9 @@ pub(crate) struct Rescue {
 
 impl Rescue {
     /// The guess on halved meshes, where all is tried again: what is undefined between the nodes of rough meshes need
-    /// not be on finer ones. None while something is left to try, or if the guess itself is undefined.
+    /// not be on finer ones. None if the guess itself is undefined.
     pub(crate) fn again(&mut self, options: &Options) -> Option<Start> {
-        let origin = self.origin.as_ref().filter(|_| self.attempts.is_empty() && self.begun)?;
+        let origin = self.origin.as_ref().filter(|_| self.begun)?;
         let fits = origin.grids.iter().all(|grid| 2 * grid.intervals() <= options.max_intervals);
         if self.refinements >= options.rescues || !fits {
             return None;

@@ -72,8 +72,8 @@ impl Converged {
     /// Whether all states of a region are the same everywhere to `tolerance`: zero, or an equilibrium. In their typical
     /// magnitudes, or in those of the iterate before: beside that rounding about zero is at rest.
     pub(crate) fn rests(&self, tolerance: f64) -> bool {
-        let states = self.x.y.iter().zip(self.scales().states.iter().zip(&self.factorisation.scales.states));
-        states.into_iter().any(|(y, (scales, before))| {
+        let mut regions = self.x.y.iter().zip(self.scales().states.iter().zip(&self.factorisation.scales.states));
+        regions.any(|(y, (scales, before))| {
             let scales = scales.iter().zip(before).map(|(scale, before)| scale.max(*before));
             let mut states = y.chunks_exact(y.len() / before.len().max(1)).zip(scales);
             let rests = |(y, scale): (&[f64], f64)| y.iter().all(|value| (value - y[0]).abs() <= tolerance * scale);

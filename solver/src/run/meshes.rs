@@ -72,28 +72,27 @@ impl<'a, P: Problem + ?Sized> Run<'a, '_, P> {
             progress.rescue.halvings = 0;
             return Ok(Next::On(start));
         }
+        let rescue = &mut progress.rescue;
+        if !hopeless
+            && let (Some(origin), Some((&(order, insistent), attempts))) =
+                (&rescue.origin, rescue.attempts.split_first())
+        {
+            let mut start = origin.clone();
+            start.x.inner = ByRegion::default();
+            (rescue.halvings, rescue.insistent, rescue.attempts) = (0, insistent, attempts);
+            self.order = order;
+            return Ok(Next::On(start));
+        }
         if undefined
             && self.options.other_orders
-            && let Some(finer) = progress.rescue.again(self.options)
+            && let Some(finer) = rescue.again(self.options)
         {
             self.order = self.options.order;
             return Ok(Next::On(finer));
         }
-        let rescue = &mut progress.rescue;
-        match (&rescue.origin, rescue.attempts.split_first()) {
-            (Some(origin), Some((&(order, insistent), attempts))) if !hopeless => {
-                let mut start = origin.clone();
-                start.x.inner = ByRegion::default();
-                (rescue.halvings, rescue.insistent, rescue.attempts) = (0, insistent, attempts);
-                self.order = order;
-                Ok(Next::On(start))
-            }
-            _ => {
-                // Where the order that is wanted found something undefined, too: another may not have asked for it.
-                let error = rescue.undefined.take().filter(|_| undefined && !own).unwrap_or(error);
-                Err(SolveError::Newton { error, intervals: intervals(&failed.grids) })
-            }
-        }
+        // Where the order that is wanted found something undefined, too: another may not have asked for it.
+        let error = rescue.undefined.take().filter(|_| undefined && !own).unwrap_or(error);
+        Err(SolveError::Newton { error, intervals: intervals(&failed.grids) })
     }
 
     /// A guess on meshes for the layers that there may be beside it; none if that are no others, or not known.
